@@ -1,0 +1,116 @@
+import { layers } from './layers.mjs';
+
+/** Tests may use Node and stand beside what they test; build code of the VM runs in Node only. */
+const TEST = '\\.test\\.ts$|/testing/';
+const BUILD = '^src/vm/firmware/';
+/** Made by set-up, so it need not be there yet. */
+const MADE = '\\.cache/vm/';
+
+/** One rule per room: whatever is not listed in its row of layers.mjs is forbidden. */
+const rowsAsRules = Object.entries(layers).map(([room, allowed]) => ({
+  name: `layer-${room}`,
+  comment: `${room} may import ${allowed.join(', ') || 'nothing'} (layers.mjs)`,
+  severity: 'error',
+  from: { path: `^src/${room}/` },
+  to: { path: '^src/[^/]+/', pathNot: [room, ...allowed].map((name) => `^src/${name}/`) },
+}));
+
+const onlyIn = (name, packages, home, comment) => ({
+  name,
+  comment,
+  severity: 'error',
+  from: { path: '^src/', pathNot: home },
+  to: { path: packages.map((it) => `(^|/)node_modules/${it}(/|$)`) },
+});
+
+export default {
+  forbidden: [
+    ...rowsAsRules,
+    {
+      name: 'unknown-room',
+      comment: 'Every folder of src/ needs a row in layers.mjs.',
+      severity: 'error',
+      from: {},
+      to: { path: '^src/[^/]+/', pathNot: `^src/(${Object.keys(layers).join('|')})/` },
+    },
+    {
+      name: 'no-cycles',
+      comment: 'A circle between files.',
+      severity: 'error',
+      from: { path: '^src/' },
+      to: { circular: true },
+    },
+    {
+      name: 'rooms-by-name',
+      comment: 'Other rooms are imported as #room/…, never by a relative path.',
+      severity: 'error',
+      from: { path: '^src/([^/]+)/' },
+      to: { path: '^src/[^/]+/', pathNot: '^src/$1/', dependencyTypesNot: ['aliased-subpath-import'] },
+    },
+    {
+      name: 'robots-apart',
+      comment: 'Robots do not know each other.',
+      severity: 'error',
+      from: { path: '^src/robots/([^/]+)/' },
+      to: { path: '^src/robots/[^/]+/', pathNot: '^src/robots/$1/' },
+    },
+    {
+      name: 'tests-are-leaves',
+      comment: 'Nothing but tests imports tests and test benches.',
+      severity: 'error',
+      from: { path: '^src/', pathNot: TEST },
+      to: { path: TEST },
+    },
+    {
+      name: 'outside-src',
+      comment: 'Code in src/ reaches nothing outside it but packages and the ready courses (web, cli and tests).',
+      severity: 'error',
+      from: { path: '^src/', pathNot: [TEST, BUILD] },
+      to: {
+        pathNot: ['^src/', '(^|/)node_modules/', '^courses/', '^package\\.json$', MADE],
+        dependencyTypesNot: ['core'],
+        couldNotResolve: false,
+      },
+    },
+    {
+      name: 'courses-in-web-and-cli',
+      comment: 'Ready courses are data for the app, the command line and tests.',
+      severity: 'error',
+      from: { path: '^src/', pathNot: ['^src/(web|cli)/', TEST] },
+      to: { path: '^courses/' },
+    },
+    {
+      name: 'node-in-cli',
+      comment: 'Node built-ins only in cli, tests and build code.',
+      severity: 'error',
+      from: { path: '^src/', pathNot: ['^src/cli/', TEST, BUILD] },
+      to: { dependencyTypes: ['core'] },
+    },
+    onlyIn('engine-in-physics', ['planck'], '^src/world/physics/', 'The physics engine only in world/physics.'),
+    onlyIn('micropython-in-vm', ['@micropython'], '^src/vm/', 'MicroPython only in vm.'),
+    onlyIn(
+      'drawing-in-web',
+      ['vue', '@vue', 'vue-i18n', 'vuetify', 'codemirror', '@codemirror', '@lezer', '@mdi'],
+      '^src/web/',
+      'Vue, Vuetify and the code editor only in web.',
+    ),
+    {
+      name: 'not-found',
+      comment: 'The import leads nowhere.',
+      severity: 'error',
+      from: { path: '^src/' },
+      to: { couldNotResolve: true, pathNot: ['^virtual:', '^vuetify/styles$', MADE] },
+    },
+  ],
+  options: {
+    doNotFollow: { path: 'node_modules' },
+    exclude: { path: '^(dist|\\.cache)/' },
+    tsPreCompilationDeps: true,
+    tsConfig: { fileName: 'tsconfig.web.json' },
+    enhancedResolveOptions: {
+      exportsFields: ['exports'],
+      conditionNames: ['import', 'module', 'browser', 'default', 'types'],
+      extensions: ['.ts', '.vue', '.mjs', '.js', '.json'],
+    },
+  },
+};

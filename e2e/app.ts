@@ -1,0 +1,142 @@
+import { test as base, chromium, expect, firefox, type Browser, type Page } from '@playwright/test';
+import { WebKitSession, type PageCode } from './webkit';
+
+export { expect };
+
+/** What a test can do with a page in any of the three engines. Elements are named by CSS selectors. */
+export interface App {
+  readonly engine: string;
+  /** Opens an address, relative to the app's. */
+  goto(address: string): Promise<void>;
+  reload(): Promise<void>;
+  /** Runs code in the page and waits for what it promises. */
+  evaluate<R, A = null>(code: PageCode<A, R>, argument?: A): Promise<R>;
+  click(css: string): Promise<void>;
+  /** Replaces the text of an input. */
+  fill(css: string, text: string): Promise<void>;
+  /** The visible text. */
+  text(css: string): Promise<string>;
+  /** Presses keys together, by Playwright's names: `press('Control', 'Enter')`, `press('a')`. */
+  press(...keys: string[]): Promise<void>;
+  /** Types characters into whatever has the focus. */
+  type(text: string): Promise<void>;
+  screenshot(): Promise<Buffer>;
+}
+
+/** WebDriver's code points for named keys (W3C WebDriver §17.4.2). */
+const KEYS: Readonly<Record<string, string>> = {
+  Backspace: '\uE003',
+  Tab: '\uE004',
+  Enter: '\uE007',
+  Shift: '\uE008',
+  Control: '\uE009',
+  Alt: '\uE00A',
+  Escape: '\uE00C',
+  Space: '\uE00D',
+  End: '\uE010',
+  Home: '\uE011',
+  ArrowLeft: '\uE012',
+  ArrowUp: '\uE013',
+  ArrowRight: '\uE014',
+  ArrowDown: '\uE015',
+  Delete: '\uE017',
+  F5: '\uE035',
+};
+
+/** The same facade over a page that Playwright drives. */
+function playwrightApp(engine: string, page: Page): App {
+  return {
+    engine,
+    goto: async (address) => {
+      await page.goto(address);
+    },
+    reload: async () => {
+      await page.reload();
+    },
+    evaluate: (code, argument) => page.evaluate(code as (argument: unknown) => unknown, argument) as Promise<never>,
+    click: (css) => page.click(css),
+    fill: (css, text) => page.fill(css, text),
+    text: (css) => page.innerText(css),
+    press: (...keys) => page.keyboard.press(keys.join('+')),
+    type: (text) => page.keyboard.type(text),
+    screenshot: () => page.screenshot(),
+  };
+}
+
+/** The same facade over WebKitGTK. */
+function webkitApp(session: WebKitSession, baseURL: string): App {
+  return {
+    engine: 'webkit',
+    goto: (address) => session.goto(new URL(address, baseURL).href),
+    reload: () => session.reload(),
+    evaluate: (code, argument) => session.evaluate(code, argument),
+    click: (css) => session.click(css),
+    fill: (css, text) => session.fill(css, text),
+    text: (css) => session.text(css),
+    press: (...keys) => session.press(keys.map((key) => KEYS[key] ?? key)),
+    type: (text) => session.type(text),
+    screenshot: () => session.screenshot(),
+  };
+}
+
+interface Fixtures {
+  readonly app: App;
+}
+
+interface WorkerFixtures {
+  readonly browserOfEngine: Browser | null;
+}
+
+const STARTERS = { chromium, firefox };
+
+/**
+ * Playwright's `test` with one more fixture, `app`. A test that asks for `app` runs in all three engines;
+ * Playwright's own `page` is for tests of Chromium and Firefox alone.
+ */
+export const test = base.extend<Fixtures, WorkerFixtures>({
+  browserOfEngine: [
+    async ({ headless, launchOptions, channel }, use, info) => {
+      const starter = STARTERS[info.project.name as keyof typeof STARTERS] as (typeof STARTERS)['chromium'] | undefined;
+      const browser = await starter?.launch({ ...launchOptions, headless, ...(channel !== undefined && { channel }) });
+      await use(browser ?? null);
+      await browser?.close();
+    },
+    { scope: 'worker' },
+  ],
+  app: async ({ browserOfEngine, baseURL, viewport }, use, info) => {
+    const origin = baseURL ?? 'http://localhost:8080/';
+    const size = viewport ?? { width: 1280, height: 800 };
+    const opened = browserOfEngine
+      ? await openPlaywright(browserOfEngine, info.project.name, origin, size)
+      : await openWebKit(origin, size);
+    await use(opened.app);
+    if (info.status !== info.expectedStatus) {
+      const body = await opened.app.screenshot().catch(() => null);
+      if (body) await info.attach('screen.png', { body, contentType: 'image/png' });
+    }
+    await opened.close();
+  },
+});
+
+interface Opened {
+  readonly app: App;
+  close(): Promise<void>;
+}
+
+interface Size {
+  readonly width: number;
+  readonly height: number;
+}
+
+async function openPlaywright(browser: Browser, engine: string, baseURL: string, viewport: Size): Promise<Opened> {
+  const context = await browser.newContext({ baseURL, viewport });
+  const page = await context.newPage();
+  return { app: playwrightApp(engine, page), close: () => context.close() };
+}
+
+/** A session for every test (0.5 s): nothing of one test's storage reaches the next. */
+async function openWebKit(baseURL: string, size: Size): Promise<Opened> {
+  const session = await WebKitSession.start();
+  await session.resize(size.width, size.height);
+  return { app: webkitApp(session, baseURL), close: () => session.close() };
+}

@@ -1,0 +1,61 @@
+import { expect, type App } from './app';
+
+/** The things that tests touch, by their `data-testid`. */
+export const on = (name: string): string => `[data-testid="${name}"]`;
+
+const EDITOR = `${on('editor')} .cm-content`;
+
+/** Opens the app and waits until a program can be typed. */
+export async function openApp(app: App): Promise<void> {
+  await app.goto('./');
+  await expect.poll(() => app.evaluate((css) => document.querySelector(css) !== null, EDITOR)).toBe(true);
+}
+
+/** Replaces the program in the editor by typing, line by line: the editor's own indentation is typed over. */
+export async function typeProgram(app: App, source: string): Promise<void> {
+  await app.click(EDITOR);
+  await app.press('Control', 'a');
+  await app.press('Delete');
+  for (const [place, line] of source.split('\n').entries()) {
+    if (place > 0) {
+      await app.press('Escape'); // no suggestion takes the Enter
+      await app.press('Enter');
+      await app.press('Shift', 'Home');
+      await app.press('Delete');
+    }
+    await app.type(line);
+  }
+  await expect.poll(() => programIn(app)).toBe(source);
+}
+
+/** The text in the editor. */
+export function programIn(app: App): Promise<string> {
+  return app.evaluate(
+    (css) => Array.from(document.querySelectorAll(`${css} .cm-line`), (line) => line.textContent).join('\n'),
+    EDITOR,
+  );
+}
+
+/** Where the arena shows the robot. */
+export interface Shown {
+  readonly xMm: number;
+  readonly yMm: number;
+  readonly headingDeg: number;
+}
+
+/** Where the robot stands, as the arena says it. */
+export function robotIn(app: App): Promise<Shown> {
+  return app.evaluate((css) => {
+    const element = document.querySelector<HTMLElement>(css);
+    const number = (name: string): number => Number(element?.dataset[name] ?? Number.NaN);
+    return { xMm: number('xMm'), yMm: number('yMm'), headingDeg: number('headingDeg') };
+  }, on('arena'));
+}
+
+/** What the console shows. */
+export const consoleIn = (app: App): Promise<string> => app.text(on('console'));
+
+/** Whether a button can be pressed. */
+export function isEnabled(app: App, name: string): Promise<boolean> {
+  return app.evaluate((css) => document.querySelector<HTMLButtonElement>(css)?.disabled === false, on(name));
+}

@@ -1,0 +1,20 @@
+import type { RunSetup } from '#simulation/simulation';
+
+/** One run for the worker. */
+export interface ProbeTask {
+  readonly firmware: WebAssembly.Module;
+  readonly setup: RunSetup;
+  /** Simulated time at which the run is looked at, in ms. */
+  readonly untilMs: number;
+}
+
+/** What came of it. */
+export interface ProbeResult {
+  readonly traceHash: string;
+  readonly console: string;
+  readonly timeUs: number;
+  readonly heapFree: number;
+}
+
+/** The result, or what broke. */
+export type ProbeAnswer = { readonly result: ProbeResult } | { readonly problem: string };

@@ -1,0 +1,165 @@
+import prettier from 'eslint-config-prettier/flat';
+import vue from 'eslint-plugin-vue';
+import tseslint from 'typescript-eslint';
+import { layers } from './layers.mjs';
+
+/** The rooms where the same run must come out everywhere: all but those that meet the outside. */
+const outside = ['cli', 'web', 'embed'];
+const pureRooms = Object.keys(layers)
+  .filter((room) => !outside.includes(room))
+  .map((room) => `src/${room}/**/*.ts`);
+const tests = ['src/**/*.test.ts', 'src/**/testing/**/*.ts', 'e2e/**/*.ts', 'scripts/**/*.test.mjs'];
+const buildCode = ['src/vm/firmware/**'];
+const inNode = ['scripts/**/*.mjs', 'bin/**/*.mjs', '*.mjs', 'src/vm/firmware/**/*.mjs', 'e2e/**/*.mjs'];
+
+const own = 'See CONTRIBUTING.md, "The same run everywhere".';
+const clocks = ['Date', 'performance', 'setTimeout', 'setInterval', 'setImmediate', 'clearTimeout', 'clearInterval'];
+const surroundings = ['requestAnimationFrame', 'window', 'document', 'navigator', 'process', 'fetch', 'crypto', 'Intl'];
+const exactInstead = [
+  'sin',
+  'cos',
+  'tan',
+  'asin',
+  'acos',
+  'atan',
+  'atan2',
+  'sinh',
+  'cosh',
+  'tanh',
+  'asinh',
+  'acosh',
+].concat(['atanh', 'exp', 'expm1', 'log', 'log1p', 'log2', 'log10', 'pow', 'hypot', 'cbrt']);
+
+const sameness = {
+  'no-restricted-globals': [
+    'error',
+    ...clocks.map((name) => ({ name, message: `Simulated time comes from Clock in #core/clock. ${own}` })),
+    ...surroundings.map((name) => ({ name, message: `Rooms of the simulation know neither page nor system. ${own}` })),
+  ],
+  'no-restricted-properties': [
+    'error',
+    { object: 'Math', property: 'random', message: `Draw from the run's Rng (#core/rng). ${own}` },
+    ...exactInstead.map((property) => ({
+      object: 'Math',
+      property,
+      message: `Math.${property} differs between engines; use #core/exact-math. ${own}`,
+    })),
+    { property: 'toLocaleString', message: `Depends on the machine's language. ${own}` },
+    { property: 'localeCompare', message: `Depends on the machine's language. ${own}` },
+  ],
+  'no-restricted-syntax': [
+    'error',
+    ...["BinaryExpression[operator='**']", "AssignmentExpression[operator='**=']"].map((selector) => ({
+      selector,
+      message: `** differs between engines; multiply, shift or use #core/exact-math. ${own}`,
+    })),
+  ],
+};
+
+/** What only one place may import; dependency-cruiser says the same, this says it while typing. */
+const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
+const planck = { group: ['planck', 'planck/*'], message: 'The physics engine only in src/world/physics.' };
+const drawing = {
+  group: ['vue', 'vue-i18n', 'vuetify', 'vuetify/*', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
+  message: 'Vue and the code editor only in src/web.',
+};
+const node = { group: ['node:*'], message: 'Node only in cli, tests and build code.' };
+
+const sizes = {
+  'max-lines': ['error', 400],
+  'max-lines-per-function': ['error', 60],
+};
+
+export default tseslint.config(
+  { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/'] },
+  { linterOptions: { reportUnusedDisableDirectives: 'error' } },
+  {
+    rules: {
+      ...sizes,
+      eqeqeq: 'error',
+      'no-console': 'error',
+      'no-warning-comments': ['error', { terms: ['todo', 'fixme', 'xxx'] }],
+      'object-shorthand': 'error',
+      'prefer-const': 'error',
+      'no-var': 'error',
+      'no-restricted-exports': ['error', { restrictDefaultExports: { direct: true, named: true } }],
+    },
+  },
+
+  // TypeScript: the strict set, with type information.
+  {
+    files: ['src/**/*.ts', 'e2e/**/*.ts', 'bench/**/*.ts', '*.config.ts'],
+    extends: [tseslint.configs.strictTypeChecked],
+    languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
+    rules: {
+      '@typescript-eslint/consistent-type-imports': 'error',
+      '@typescript-eslint/restrict-template-expressions': ['error', { allowNumber: true, allowBoolean: true }],
+      '@typescript-eslint/no-confusing-void-expression': [
+        'error',
+        { ignoreArrowShorthand: true, ignoreVoidReturningFunctions: true },
+      ],
+      '@typescript-eslint/no-unnecessary-condition': 'off', // does not see that a call may change what was just checked
+      '@typescript-eslint/no-unused-vars': ['error', { argsIgnorePattern: '^_', caughtErrors: 'none' }],
+      '@typescript-eslint/switch-exhaustiveness-check': ['error', { considerDefaultExhaustiveForUnions: true }],
+      '@typescript-eslint/no-empty-function': 'off',
+      '@typescript-eslint/no-extraneous-class': 'off',
+    },
+  },
+
+  // Vue components: the compiler (vue-tsc) checks their types, ESLint their form.
+  {
+    files: ['src/**/*.vue'],
+    extends: [tseslint.configs.strict, vue.configs['flat/recommended']],
+    languageOptions: { parserOptions: { parser: tseslint.parser } },
+    rules: {
+      'max-lines': ['error', 300],
+      'no-undef': 'off',
+      'vue/block-lang': ['error', { script: { lang: 'ts' } }],
+      'vue/block-order': ['error', { order: ['script', 'template', 'style'] }],
+      'vue/component-api-style': ['error', ['script-setup']],
+      'vue/multi-word-component-names': 'off',
+      'vue/require-default-prop': 'off',
+      'vue/no-v-html': 'error',
+    },
+  },
+  { files: ['src/web/**/*.ts'], rules: { '@typescript-eslint/no-unsafe-argument': 'off' } }, // components are opaque here
+
+  // Who may import what.
+  { files: ['src/**/*.{ts,vue}'], rules: foreign(planck, drawing, node) },
+  { files: ['src/world/physics/**/*.ts'], rules: foreign(drawing, node) },
+  { files: ['src/cli/**/*.ts'], rules: foreign(planck, drawing) },
+  { files: ['src/web/**/*.{ts,vue}'], rules: foreign(planck, node) },
+
+  // The same run everywhere.
+  { files: pureRooms, ignores: [...tests, ...buildCode], rules: sameness },
+
+  // planck's types mark its classes' call signatures as deprecated, and with them every mention of a class.
+  { files: ['src/world/physics/**/*.ts'], rules: { '@typescript-eslint/no-deprecated': 'off' } },
+  // The one place that puts exact functions in the place of the engine's while planck loads.
+  { files: ['src/world/physics/*-exact-trig.ts'], rules: { 'no-restricted-properties': 'off' } },
+
+  // Tests and what runs in Node only.
+  {
+    files: tests,
+    rules: {
+      'max-lines': ['error', 800],
+      'max-lines-per-function': 'off',
+      'no-restricted-imports': 'off',
+      '@typescript-eslint/no-non-null-assertion': 'off',
+      '@typescript-eslint/no-unsafe-assignment': 'off', // expect.closeTo() and the like are any
+    },
+  },
+  { files: inNode, rules: { 'no-console': 'off' } },
+  { files: ['src/cli/**', 'bench/**'], rules: { 'no-console': 'off' } },
+  {
+    files: ['*.config.{ts,mjs}', '.dependency-cruiser.mjs', 'e2e/**/*.config.ts', 'src/**/*.vue', 'src/**/*.d.ts'],
+    rules: { 'no-restricted-exports': 'off' },
+  },
+
+  // Tables: long because there is much of it, not because it is tangled.
+  {
+    files: ['src/web/i18n/**/*.ts', 'src/**/*-table.ts', 'src/**/*.table.ts'],
+    rules: { 'max-lines': 'off', 'max-lines-per-function': 'off' },
+  },
+  prettier,
+);

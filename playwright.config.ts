@@ -1,0 +1,43 @@
+import { defineConfig } from '@playwright/test';
+
+/**
+ * The browser tests. `npm run e2e` starts them: it builds the app, serves it with the headers of a real host and tells
+ * by environment variables where the app and the browsers are.
+ */
+export default defineConfig({
+  testDir: 'e2e',
+  outputDir: 'test-results',
+  timeout: 90_000, // Firefox alone takes up to 5 s to start on a busy machine
+  expect: { timeout: 20_000 },
+  workers: 2,
+  retries: 0,
+  forbidOnly: process.env['CI'] === 'true',
+  reporter: [['list'], ['json']],
+  use: {
+    baseURL: process.env['PARCOURS_APP'] ?? 'http://localhost:8080/',
+    viewport: { width: 1280, height: 800 },
+    trace: 'retain-on-failure',
+  },
+  projects: [
+    {
+      name: 'chromium',
+      use: {
+        browserName: 'chromium',
+        launchOptions: {
+          executablePath: process.env['PARCOURS_CHROMIUM'] ?? '/usr/bin/chromium',
+          args: ['--disable-audio-output'], // with a silent sound card its AudioContext stands still, without any it runs
+        },
+      },
+    },
+    {
+      name: 'firefox',
+      use: {
+        browserName: 'firefox',
+        channel: 'moz-firefox', // drives an unpatched Firefox over WebDriver BiDi
+        headless: false, // headless Firefox has no WebGL
+        launchOptions: { executablePath: process.env['PARCOURS_FIREFOX'] ?? '/usr/bin/firefox-esr' },
+      },
+    },
+    { name: 'webkit', use: { browserName: 'webkit' } }, // e2e/webkit.ts drives WebKitGTK; Playwright never starts it
+  ],
+});

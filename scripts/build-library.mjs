@@ -1,0 +1,24 @@
+// Compiles the device's Python modules (src/vm/library/*.py) to bytecode, as .cache/vm/library.json: name → base64.
+import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+
+const require = createRequire(import.meta.url);
+// The compiler's loader would fetch its .wasm by a path, which Node refuses; without fetch it reads the file.
+delete globalThis.fetch;
+process.setMaxListeners(0); // its loader adds listeners for each file
+const { compile } = require('@pybricks/mpy-cross-v6');
+const wasm = require.resolve('@pybricks/mpy-cross-v6/build/mpy-cross-v6.wasm');
+const root = new URL('..', import.meta.url);
+const folder = new URL('src/vm/library/', root);
+
+const modules = {};
+for (const file of readdirSync(folder).filter((name) => name.endsWith('.py')).sort()) {
+  const source = readFileSync(new URL(file, folder), 'utf8');
+  // The firmware's small integers have 31 bits; the file name is what marks a frame as the library's.
+  const result = await compile(file, source, ['-msmall-int-bits=31', '-s', `/lib/${file}`], wasm);
+  if (!result.mpy) throw new Error(`${file}: ${result.err.join('\n')}`);
+  modules[file.replace(/\.py$/, '.mpy')] = Buffer.from(result.mpy).toString('base64');
+}
+mkdirSync(new URL('.cache/vm/', root), { recursive: true });
+writeFileSync(new URL('.cache/vm/library.json', root), `${JSON.stringify(modules)}\n`);
+console.log(`Library: ${Object.keys(modules).length} modules compiled`);

@@ -1,0 +1,165 @@
+// A small static server for dist/app: right types, compression and the headers that every host should send (README, "Hosting").
+import { readFile, stat } from 'node:fs/promises';
+import { createServer } from 'node:http';
+import { extname, join, normalize, resolve, sep } from 'node:path';
+import { promisify } from 'node:util';
+import { brotliCompress, constants, gzip } from 'node:zlib';
+import { Failure, main, root } from './progress.mjs';
+
+const FIRST_PORT = 8080;
+const TYPES = {
+  '.css': 'text/css; charset=utf-8',
+  '.html': 'text/html; charset=utf-8',
+  '.ico': 'image/x-icon',
+  '.js': 'text/javascript; charset=utf-8',
+  '.json': 'application/json; charset=utf-8',
+  '.mjs': 'text/javascript; charset=utf-8',
+  '.png': 'image/png',
+  '.py': 'text/plain; charset=utf-8',
+  '.svg': 'image/svg+xml',
+  '.txt': 'text/plain; charset=utf-8',
+  '.wasm': 'application/wasm',
+  '.webmanifest': 'application/manifest+json',
+  '.woff2': 'font/woff2',
+};
+const COMPRESSIBLE = new Set(['.css', '.html', '.js', '.json', '.mjs', '.py', '.svg', '.txt', '.wasm', '.webmanifest']);
+
+/** The page may load its own files and compile WebAssembly, nothing else. */
+export const PAGE_POLICY = [
+  "default-src 'self'",
+  "script-src 'self' 'wasm-unsafe-eval'",
+  "style-src 'self' 'unsafe-inline'",
+  "img-src 'self' data: blob:",
+  "connect-src 'self'",
+  "worker-src 'self'",
+  "object-src 'none'",
+  "base-uri 'none'",
+].join('; ');
+
+/** The worker runs the pupil's program: it gets its code and the compiled VM from the page and reaches nothing itself. */
+export const WORKER_POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'";
+
+const IS_WORKER = /(^|\/)worker[^/]*\.m?js$/;
+const HAS_HASH = /^\/assets\/.*-[\w-]{8}\.\w+$/;
+
+/**
+ * Serves a folder.
+ *
+ * @param {{ folder?: string, port?: number, host?: string }} [options] port: the first one to try; a busy port moves on to the next
+ * @returns {Promise<{ url: string, close: () => Promise<void> }>}
+ */
+export async function serve({ folder = 'dist/app', port = wantedPort(), host = process.env.HOST ?? '127.0.0.1' } = {}) {
+  const cache = new Map();
+  const server = createServer((request, response) => {
+    answer(resolve(root, folder), cache, request, response).catch((error) => {
+      if (!response.headersSent) response.writeHead(500, { 'Content-Type': 'text/plain' });
+      response.end(String(error));
+    });
+  });
+  const chosen = await listen(server, port, host);
+  return {
+    url: `http://${host === '127.0.0.1' ? 'localhost' : host}:${chosen}/`,
+    close: () =>
+      new Promise((done) => {
+        server.close(() => done());
+        server.closeAllConnections();
+      }),
+  };
+}
+
+function wantedPort() {
+  const text = process.env.PORT;
+  if (text === undefined || text === '') return FIRST_PORT;
+  const port = Number(text);
+  if (Number.isInteger(port) && port >= 0 && port <= 65_535) return port;
+  throw new Failure(`PORT must be a whole number from 0 to 65535, not "${text}".`);
+}
+
+/** Listens on the port or, when it is taken, on one of the next hundred. */
+function listen(server, port, host) {
+  return new Promise((done, reject) => {
+    let next = port;
+    server.on('error', (error) => {
+      if (error.code !== 'EADDRINUSE' || next >= Math.min(port + 100, 65_535)) reject(error);
+      else server.listen(++next, host);
+    });
+    server.on('listening', () => done(server.address().port));
+    server.listen(next, host);
+  });
+}
+
+async function answer(folder, cache, request, response) {
+  if (request.method !== 'GET' && request.method !== 'HEAD') {
+    response.writeHead(405, { Allow: 'GET, HEAD' }).end();
+    return;
+  }
+  const path = pathOf(request.url ?? '/');
+  const file = path === null ? null : await load(folder, path, cache);
+  if (!file) {
+    response.writeHead(404, { 'Content-Type': 'text/plain' }).end('Not found\n');
+    return;
+  }
+  const [encoding, body] = encoded(file, request.headers['accept-encoding'] ?? '');
+  response.writeHead(200, {
+    ...headersFor(path),
+    'Content-Length': body.length,
+    Vary: 'Accept-Encoding',
+    ...(encoding && { 'Content-Encoding': encoding }),
+  });
+  response.end(request.method === 'HEAD' ? undefined : body);
+}
+
+/** The path inside the folder, or `null` for one that leads out of it or cannot be read. */
+function pathOf(url) {
+  try {
+    const path = decodeURIComponent(new URL(url, 'http://localhost').pathname);
+    const inside = normalize(path).split(sep).join('/');
+    if (inside.includes('\0') || inside.split('/').includes('..')) return null;
+    return inside.endsWith('/') ? `${inside}index.html` : inside;
+  } catch {
+    return null;
+  }
+}
+
+export function headersFor(path) {
+  return {
+    'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream',
+    'Content-Security-Policy': IS_WORKER.test(path) ? WORKER_POLICY : PAGE_POLICY,
+    'Cache-Control': HAS_HASH.test(path) ? 'public, max-age=31536000, immutable' : 'no-cache',
+    'Referrer-Policy': 'no-referrer',
+    'X-Content-Type-Options': 'nosniff',
+  };
+}
+
+/** Reads and compresses a file once per version of it. */
+async function load(folder, path, cache) {
+  const place = join(folder, path);
+  const found = await stat(place).catch(() => null);
+  if (!found?.isFile()) return null;
+  const known = cache.get(place);
+  if (known?.changed === found.mtimeMs) return known;
+  const plain = await readFile(place);
+  const file = { changed: found.mtimeMs, plain, ...(COMPRESSIBLE.has(extname(place)) && (await compress(plain))) };
+  cache.set(place, file);
+  return file;
+}
+
+async function compress(plain) {
+  const quality = { [constants.BROTLI_PARAM_QUALITY]: 6 }; // higher takes seconds for the VM and saves 5 %
+  const [br, gz] = await Promise.all([
+    promisify(brotliCompress)(plain, { params: quality }),
+    promisify(gzip)(plain, { level: 6 }),
+  ]);
+  return { br, gz };
+}
+
+function encoded(file, accepted) {
+  if (file.br && /\bbr\b/.test(accepted)) return ['br', file.br];
+  if (file.gz && /\bgzip\b/.test(accepted)) return ['gzip', file.gz];
+  return [null, file.plain];
+}
+
+await main(import.meta.url, async () => {
+  const { url } = await serve();
+  process.stdout.write(`Serving dist/app at ${url}\n`);
+});

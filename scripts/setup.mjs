@@ -1,0 +1,77 @@
+// npm run setup: installs what is missing, makes the VM and the command line. Everything is cached; a second run is quick.
+import { readFile } from 'node:fs/promises';
+import { join } from 'node:path';
+import { buildWhenChanged } from './fingerprint.mjs';
+import { Failure, main, mustRun, note, root, step } from './progress.mjs';
+
+const OLDEST_NODE = [20, 19];
+const isTest = (path) => /\.test\.ts$|\/testing\//.test(path);
+const vite = 'node_modules/vite/bin/vite.js';
+
+/** Brings a fresh clone to where `npx parcours`, the app's build and the tests can run. */
+export async function setUp() {
+  refuseOldNode();
+  if (await dependenciesMissing()) {
+    await step('Installing packages (npm ci)', () =>
+      mustRun('npm', ['ci', '--no-audit', '--no-fund', '--loglevel=error']),
+    );
+  } else {
+    note('Packages: installed as the lock file says.');
+  }
+  await step('MicroPython VM', async () => {
+    await mustRun('node', ['scripts/build-vm.mjs']);
+    await mustRun('node', ['scripts/build-library.mjs']);
+  });
+  await buildCli();
+}
+
+/** The bundle behind `npx parcours`. */
+async function buildCli() {
+  const inputs = {
+    sources: ['src', 'courses', 'vite.cli.config.ts', 'package-lock.json', '.cache/vm'],
+    product: 'dist/cli/main.mjs',
+    counts: (path) => !isTest(path) && !path.startsWith('src/web/'),
+  };
+  const built = await buildWhenChanged('cli', inputs, () =>
+    step('Command line', () =>
+      mustRun('node', [vite, 'build', '--config', 'vite.cli.config.ts', '--logLevel', 'warn']),
+    ),
+  );
+  if (!built) note('Command line: up to date.');
+}
+
+/** The page, in dist/app. */
+export async function buildApp() {
+  const inputs = {
+    sources: ['src', 'courses', 'vite.config.ts', 'package-lock.json', '.cache/vm'],
+    product: 'dist/app/index.html',
+    counts: (path) => !isTest(path) && !path.startsWith('src/cli/'),
+  };
+  const built = await buildWhenChanged('app', inputs, () =>
+    step('App', () => mustRun('node', [vite, 'build', '--logLevel', 'warn'])),
+  );
+  if (!built) note('App: up to date.');
+}
+
+function refuseOldNode() {
+  const [major = 0, minor = 0] = process.versions.node.split('.').map(Number);
+  if (major > OLDEST_NODE[0] || (major === OLDEST_NODE[0] && minor >= OLDEST_NODE[1])) return;
+  throw new Failure(`Parcours needs Node ${OLDEST_NODE.join('.')} or newer; this is ${process.version}.`);
+}
+
+/** npm writes what it installed beside the packages, last of all: it is missing after an interrupted installation. */
+async function dependenciesMissing() {
+  const wanted = JSON.parse(await readFile(join(root, 'package-lock.json'), 'utf8')).packages;
+  const installed = await readFile(join(root, 'node_modules/.package-lock.json'), 'utf8').then(
+    (text) => JSON.parse(text).packages,
+    () => ({}),
+  );
+  return Object.entries(wanted).some(
+    ([path, { version, optional }]) => path !== '' && !optional && installed[path]?.version !== version,
+  );
+}
+
+await main(import.meta.url, async () => {
+  await setUp();
+  note('Ready: npx parcours --help');
+});

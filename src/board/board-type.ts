@@ -1,0 +1,73 @@
+/** What a pin is being used for, in the words of the device's `get_mode()`. */
+export type PinMode =
+  | 'unused'
+  | 'read_digital'
+  | 'write_digital'
+  | 'write_analog'
+  | 'touch'
+  | 'music'
+  | 'audio'
+  | 'display'
+  | 'button'
+  | 'i2c'
+  | 'spi';
+
+/** How a pin senses a finger: through a loop over ground, or by its charge. */
+export type TouchKind = 'resistive' | 'capacitive';
+
+/** One pin of a board, as its Python program knows it. */
+export interface PinType {
+  /** Python name: `pin0`, `pin_logo`. */
+  readonly name: string;
+  /** Name of its wire: the edge connector's `P0` … `P20`, else a name of its own (`logo`, `speaker`). */
+  readonly wire: string;
+  /** The number in the device's message "Pin %d in %q mode". */
+  readonly number: number;
+  /** False for a pad that can only be touched. */
+  readonly digital: boolean;
+  /** True when `read_analog` exists. Every digital pin can write analog. */
+  readonly analog: boolean;
+  readonly touch: TouchKind | null;
+  /** What the board itself uses the pin for after a start; `unused` for a free pin. */
+  readonly startMode: PinMode;
+}
+
+/** What things cost in simulated µs. Each board names the source of every row. */
+export interface BoardCosts {
+  /** One MicroPython bytecode. */
+  readonly bytecodeUs: number;
+  /** One object put on the heap, on top of its bytecode. */
+  readonly allocationUs: number;
+  /** A call of the device's own modules that has no row of its own. */
+  readonly callUs: number;
+  /** One `read_analog`. */
+  readonly analogReadUs: number;
+  /** One byte sent to the console. */
+  readonly printByteUs: number;
+  /** The pause between two transfers on the I2C bus; part of `I2cBus.transferUs`. */
+  readonly i2cGapUs: number;
+  /** An I2C write of no bytes to a chip that answers (what `i2c.scan` does); replaces the transfer time. */
+  readonly i2cProbeUs: number;
+  /** One byte of an LED stream (three bytes are one LED). */
+  readonly ws2812ByteUs: number;
+  /** What every LED stream costs besides its bytes. */
+  readonly ws2812SetupUs: number;
+}
+
+/** A microcomputer board as data. */
+export interface BoardType {
+  /** File name and option value: `microbit-v2`. */
+  readonly id: string;
+  /** What people call it. */
+  readonly name: string;
+  readonly pins: readonly PinType[];
+  /** Python names of the pins the two buttons hang on. */
+  readonly buttons: { readonly a: string; readonly b: string };
+  /** Python names of the pins that the display's columns share. */
+  readonly displayPins: readonly string[];
+  /** Python names of the I2C pins and the bus clock after a start, in Hz. */
+  readonly i2c: { readonly scl: string; readonly sda: string; readonly frequencyHz: number };
+  /** Python name of the pin music comes out of unless the program names another. */
+  readonly musicPin: string;
+  readonly costsUs: BoardCosts;
+}

@@ -1,0 +1,10 @@
+import type { BoardType } from '../board-type';
+import { microbitV2 } from './microbit-v2';
+
+/** Every board there is, the default first. */
+export const boardTypes: readonly BoardType[] = [microbitV2];
+
+/** The board with this id, or `undefined`. */
+export function findBoard(id: string): BoardType | undefined {
+  return boardTypes.find((type) => type.id === id);
+}

@@ -1,0 +1,186 @@
+import { glyphOf } from './glyph';
+import { busyMessage, type Pin } from './pin';
+import { scrollFilm, type Film } from './scroll-text';
+import type { TickGrid, TickSlot } from './tick-grid';
+
+const SIDE = 5;
+const TICK_MS = 6; // drv_display.c: MILLISECONDS_PER_MACRO_TICK
+const DARK = new Uint8Array(SIDE * SIDE);
+
+/** How pictures follow each other. */
+export interface ShowOptions {
+  /** How long each one stays, in ms; rounded up to whole ticks of 6 ms. Negative: for ever, as on the device. */
+  readonly delayMs: number;
+  /** Begin again after the last one, without end. */
+  readonly loop: boolean;
+  /** A blank picture follows, for one more delay. */
+  readonly clear: boolean;
+}
+
+/** How a text runs through. */
+export interface ScrollOptions {
+  /** Time for one column, in ms; rounded up to whole ticks of 6 ms. */
+  readonly delayMs: number;
+  readonly loop: boolean;
+  /** Every letter five columns wide. */
+  readonly monospace: boolean;
+}
+
+interface Animation {
+  readonly film: Film;
+  readonly loop: boolean;
+  /** Whether a blank picture still has to follow. */
+  clear: boolean;
+  readonly delayMs: number;
+  next: number;
+  waitedMs: number;
+}
+
+/**
+ * The 5 × 5 LEDs and what moves on them. The animation advances on the board's 6 ms tick (rule D1); a new `show`,
+ * `showFrames`, `scroll` or `clear` ends the one before. Source: micropython-microbit-v2 drv_display.c.
+ */
+export class Display {
+  private readonly image = new Uint8Array(SIDE * SIDE);
+  private readonly slot: TickSlot;
+  private animation: Animation | null = null;
+  private clearing = false;
+  private enabled = true;
+
+  /** @param pins the pins that the LED columns share */
+  constructor(
+    grid: TickGrid,
+    private readonly pins: readonly Pin[],
+  ) {
+    this.slot = grid.join(() => this.tick());
+  }
+
+  /** What the LEDs show, 0 … 9, row by row; dark while the display is off. To be read only. */
+  get pixels(): Uint8Array {
+    return this.enabled ? this.image : DARK;
+  }
+
+  get isOn(): boolean {
+    return this.enabled;
+  }
+
+  /** True until an animation (or a `clear`) has ended: what a waiting call waits for. */
+  get isAnimating(): boolean {
+    return this.animation !== null || this.clearing;
+  }
+
+  /** Takes the display's pins back. @returns `null`, or the device's ValueError when one of them is held */
+  on(): string | null {
+    for (const pin of this.pins) {
+      const holder = pin.acquire('display');
+      if (holder) return busyMessage(pin, holder);
+    }
+    this.stopAnimation();
+    this.enabled = true;
+    return null;
+  }
+
+  /** Darkens the LEDs and gives their pins to the program. */
+  off(): void {
+    this.enabled = false;
+    for (const pin of this.pins) pin.free();
+  }
+
+  /** Sets one LED; an animation goes on. @throws RangeError "index out of bounds" or "brightness out of bounds" */
+  setPixel(x: number, y: number, brightness: number): void {
+    if (!(brightness >= 0 && brightness <= 9)) throw new RangeError('brightness out of bounds');
+    this.image[placeOf(x, y)] = brightness;
+  }
+
+  /** The brightness set for one LED, also while the display is off. @throws RangeError "index out of bounds" */
+  getPixel(x: number, y: number): number {
+    return this.image[placeOf(x, y)] ?? 0;
+  }
+
+  /** Blanks the display at the next tick; `isAnimating` until then. */
+  clear(): void {
+    this.animation = null;
+    this.clearing = true;
+    this.slot.wake();
+  }
+
+  /** Shows one picture at once and lets it stay. */
+  show(frame: Uint8Array): void {
+    this.stopAnimation();
+    this.draw(frame);
+  }
+
+  /**
+   * Shows pictures one after the other, the first at once; the last stays for its delay like the others, and after it
+   * when nothing else comes. No pictures: nothing happens, or the blank one of `clear`. The pictures are copied.
+   */
+  showFrames(frames: readonly Uint8Array[], options: ShowOptions): void {
+    const copies = frames.map((frame) => frame.slice());
+    this.run({ length: copies.length, frameAt: (place) => copies[place] ?? DARK }, options);
+  }
+
+  /** Runs a text through the display from the right; it has left when the animation ends. */
+  scroll(text: string, options: ScrollOptions): void {
+    this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });
+  }
+
+  /** The picture of a character, 25 brightnesses 0 or 9. */
+  glyph(char: string): Uint8Array {
+    return glyphOf(char);
+  }
+
+  /** Ends an animation where it is. */
+  stopAnimation(): void {
+    this.animation = null;
+    this.clearing = false;
+  }
+
+  private run(film: Film, options: ShowOptions): void {
+    this.stopAnimation();
+    const loop = options.loop && film.length > 0;
+    const delayMs = options.delayMs >>> 0; // unsigned, as on the device: a negative delay becomes an enormous one
+    const animation = { film, loop, clear: options.clear, delayMs, next: 0, waitedMs: 0 };
+    if (!this.advance(animation)) return;
+    this.animation = animation;
+    this.slot.wake();
+  }
+
+  private tick(): boolean {
+    if (this.clearing) {
+      this.clearing = false;
+      this.image.fill(0);
+    }
+    const animation = this.animation;
+    if (!animation) return false;
+    animation.waitedMs += TICK_MS;
+    if (animation.waitedMs >= animation.delayMs) {
+      animation.waitedMs = 0;
+      if (!this.advance(animation)) this.animation = null;
+    }
+    return this.animation !== null;
+  }
+
+  /** Draws the next picture; returns false when there is none left. */
+  private advance(animation: Animation): boolean {
+    if (animation.loop && animation.next >= animation.film.length) animation.next = 0;
+    if (animation.next < animation.film.length) {
+      this.draw(animation.film.frameAt(animation.next++));
+    } else if (animation.clear) {
+      animation.clear = false;
+      this.image.fill(0);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private draw(frame: Uint8Array): void {
+    this.image.fill(0);
+    this.image.set(frame.subarray(0, SIDE * SIDE));
+  }
+}
+
+function placeOf(x: number, y: number): number {
+  if (!(x >= 0 && x < SIDE && y >= 0 && y < SIDE)) throw new RangeError('index out of bounds');
+  return y * SIDE + x;
+}

@@ -1,0 +1,107 @@
+import type { Stop } from '#core/stop';
+
+/** A chip on the bus. It acknowledges every byte; a chip that must not answer is detached. */
+export interface I2cTarget {
+  /**
+   * Receives the bytes after the address of one write transfer; may be empty (an address probe). They may be a view of
+   * somebody's memory: copy what is to be kept.
+   */
+  write(bytes: Uint8Array): void;
+  /** Gives the bytes of one read transfer: exactly `count`, missing ones are read as 0xFF (the released bus). */
+  read(count: number): Uint8Array;
+}
+
+/** What became of a transfer. */
+export interface I2cTransfer {
+  /** False when nobody owns the address: the controller sees no acknowledge (rule I1). */
+  readonly acknowledged: boolean;
+  /** How long the bus was busy, in whole µs; the same as `transferUs` told before. */
+  readonly durationUs: number;
+  /** What was read; empty for a write. */
+  readonly bytes: Uint8Array;
+}
+
+/** What the controller adds to the bits on the bus, in µs. */
+export interface I2cOverhead {
+  /** After every transfer. */
+  readonly gapUs: number;
+  /** A write of no bytes that is acknowledged: the controller waits for a byte that never comes. */
+  readonly probeUs: number;
+}
+
+const BITS_PER_BYTE = 9; // eight data bits and the acknowledge, NXP UM10204 §3.1.5
+const MAX_ADDRESS = 0x7f;
+/** Bus clocks of the controller, fastest first: nRF52833 product specification, TWIM FREQUENCY. */
+const CLOCKS_HZ: readonly number[] = [400_000, 250_000, 100_000];
+const NOTHING = new Uint8Array(0);
+
+/**
+ * The microcomputer's I2C bus, the controller's side. 7-bit addresses.
+ *
+ * A transfer happens at its end: let `transferUs` pass first, then call `write` or `read` (rule I4).
+ */
+export class I2cBus {
+  private readonly targets = new Map<number, I2cTarget>();
+
+  /** @param frequencyHz bus clock after a start, in Hz */
+  constructor(
+    public frequencyHz = 100_000,
+    private readonly overhead: I2cOverhead = { gapUs: 0, probeUs: 0 },
+  ) {}
+
+  /** Chooses the fastest clock of 100, 250 and 400 kHz that does not exceed the wish; 100 kHz for less (rule I5). */
+  setFrequency(wishHz: number): void {
+    this.frequencyHz = CLOCKS_HZ.find((clockHz) => clockHz <= wishHz) ?? 100_000;
+  }
+
+  /** Puts a chip on the bus. @throws RangeError when the address is taken or not 0 … 127 */
+  attach(address: number, target: I2cTarget): Stop {
+    if (!(Number.isInteger(address) && address >= 0 && address <= MAX_ADDRESS)) {
+      throw new RangeError(`I2C address ${address} is not within 0 … 127.`);
+    }
+    if (this.targets.has(address)) throw new RangeError(`I2C address ${address} is taken.`);
+    this.targets.set(address, target);
+    return () => {
+      if (this.targets.get(address) === target) this.targets.delete(address);
+    };
+  }
+
+  /** True when a chip owns the address. */
+  answers(address: number): boolean {
+    return this.targets.has(address);
+  }
+
+  /** How long a transfer of the address byte and `byteCount` data bytes keeps the bus busy, in µs, rounded up. */
+  transferUs(byteCount: number): number {
+    return Math.ceil(((byteCount + 1) * BITS_PER_BYTE * 1_000_000) / this.frequencyHz) + this.overhead.gapUs;
+  }
+
+  /** How long a write would take, in µs: the address alone when nobody answers, the probe time when it is empty. */
+  writeUs(address: number, byteCount: number): number {
+    if (!this.answers(address)) return this.transferUs(0);
+    return byteCount > 0 ? this.transferUs(byteCount) : Math.max(this.transferUs(0), this.overhead.probeUs);
+  }
+
+  /** How long a read would take, in µs. */
+  readUs(address: number, byteCount: number): number {
+    return this.transferUs(this.answers(address) ? byteCount : 0);
+  }
+
+  /** Writes bytes to a chip. */
+  write(address: number, bytes: Uint8Array): I2cTransfer {
+    const durationUs = this.writeUs(address, bytes.length);
+    const target = this.targets.get(address);
+    target?.write(bytes);
+    return { acknowledged: target !== undefined, durationUs, bytes: NOTHING };
+  }
+
+  /** Reads bytes from a chip. */
+  read(address: number, count: number): I2cTransfer {
+    const durationUs = this.readUs(address, count);
+    const target = this.targets.get(address);
+    if (!target) return { acknowledged: false, durationUs, bytes: NOTHING };
+    const bytes = new Uint8Array(count).fill(0xff);
+    bytes.set(target.read(count).subarray(0, count));
+    return { acknowledged: true, durationUs, bytes };
+  }
+}

@@ -1,0 +1,119 @@
+import type { Stop } from '#core/stop';
+
+/** Something a finger can hold down: a button or a touch pad. */
+export interface Pressable {
+  press(): void;
+  release(): void;
+  readonly isDown: boolean;
+}
+
+interface Range {
+  readonly min: number;
+  readonly max: number;
+  readonly start: number;
+  readonly unit: string;
+}
+
+/** Ranges, start values and ids as in the official simulator (micropython-microbit-v2-simulator, src/board/). */
+const RANGES: Readonly<Record<string, Range>> = {
+  accelerometerX: { min: -2000, max: 2000, start: 0, unit: 'mg' },
+  accelerometerY: { min: -2000, max: 2000, start: 0, unit: 'mg' },
+  accelerometerZ: { min: -2000, max: 2000, start: 0, unit: 'mg' },
+  compassX: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },
+  compassY: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },
+  compassZ: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },
+  compassHeading: { min: 0, max: 360, start: 0, unit: 'deg' },
+  temperature: { min: -5, max: 50, start: 21, unit: '°C' },
+  lightLevel: { min: 0, max: 255, start: 127, unit: '' },
+  soundLevel: { min: 0, max: 255, start: 0, unit: '' },
+};
+
+/** What `gesture` may be; `none` for no gesture. Same source. */
+export const GESTURES: readonly string[] = [
+  'none',
+  'up',
+  'down',
+  'left',
+  'right',
+  'face up',
+  'face down',
+  'freefall',
+  '3g',
+  '6g',
+  '8g',
+  'shake',
+];
+
+/**
+ * What the board feels of the world around it, set from outside.
+ *
+ * Ids: accelerometerX/Y/Z (mg), compassX/Y/Z (nT), compassHeading (degrees), temperature (°C), lightLevel, soundLevel,
+ * gesture (a name), and 0 or 1 for whatever can be pressed: buttonA, buttonB, pinLogo, pin0 …
+ */
+export class Sensors {
+  private readonly values = new Map<string, number>();
+  private readonly listeners: ((id: string) => void)[] = [];
+  private gesture = 'none';
+
+  /** @param pressables what can be pressed, by sensor id */
+  constructor(private readonly pressables: ReadonlyMap<string, Pressable>) {
+    for (const [id, range] of Object.entries(RANGES)) this.values.set(id, range.start);
+  }
+
+  /** The present value. @throws RangeError for an unknown id */
+  get(id: 'gesture'): string;
+  get(id: string): number;
+  get(id: string): number | string {
+    if (id === 'gesture') return this.gesture;
+    const pressable = this.pressables.get(id);
+    if (pressable) return pressable.isDown ? 1 : 0;
+    const value = this.values.get(id);
+    if (value === undefined) throw unknown(id, this.ids);
+    return value;
+  }
+
+  /** Sets a value. @throws RangeError for an unknown id or a value outside its range, naming id, value and range */
+  set(id: string, value: number | string): void {
+    const pressable = this.pressables.get(id);
+    if (id === 'gesture') {
+      this.gesture = oneOf(id, value, GESTURES);
+    } else if (pressable) {
+      if (within(id, value, { min: 0, max: 1, unit: '' }) >= 0.5) pressable.press();
+      else pressable.release();
+    } else {
+      const range = Object.hasOwn(RANGES, id) ? RANGES[id] : undefined;
+      if (!range) throw unknown(id, this.ids);
+      this.values.set(id, within(id, value, range));
+    }
+    for (const tell of [...this.listeners]) tell(id);
+  }
+
+  /** Every id this board knows. */
+  get ids(): readonly string[] {
+    return [...this.values.keys(), 'gesture', ...this.pressables.keys()];
+  }
+
+  /** Tells the id of everything that was set, also when the value is the one before (a second shake counts). */
+  onSet(listener: (id: string) => void): Stop {
+    this.listeners.push(listener);
+    return () => {
+      const place = this.listeners.indexOf(listener);
+      if (place >= 0) this.listeners.splice(place, 1);
+    };
+  }
+}
+
+function within(id: string, value: number | string, range: { min: number; max: number; unit: string }): number {
+  if (typeof value === 'number' && value >= range.min && value <= range.max) return value;
+  const span = `${range.min} … ${range.max} ${range.unit}`.trim();
+  throw new RangeError(`Sensor ${id}: ${JSON.stringify(value)} is not a number within ${span}.`);
+}
+
+function oneOf(id: string, value: number | string, choices: readonly string[]): string {
+  if (typeof value === 'string' && choices.includes(value)) return value;
+  throw new RangeError(`Sensor ${id}: ${JSON.stringify(value)} is none of ${choices.join(', ')}.`);
+}
+
+function unknown(id: string, ids: readonly string[]): RangeError {
+  return new RangeError(`There is no sensor ${JSON.stringify(id)}. Known are ${ids.join(', ')}.`);
+}

@@ -1,0 +1,203 @@
+import type { Stop } from '#core/stop';
+
+/** What a digital input makes of a wire: 0 = low, 1 = high. */
+export type Level = 0 | 1;
+
+/** The resistor that decides where nobody drives. */
+export type Pull = 'up' | 'down' | 'none';
+
+/** A pulse-width modulated output. */
+export interface Pwm {
+  /** Length of one period in µs, at least 1. */
+  readonly periodUs: number;
+  /** Share of the period that is high, 0 … 1. */
+  readonly dutyFraction: number;
+}
+
+/** What one end does to its wire. Rule ids: see SPEC.md. */
+type Drive =
+  | { readonly kind: 'level'; readonly level: Level }
+  | { readonly kind: 'analog'; readonly fraction: number }
+  | { readonly kind: 'pwm'; readonly pwm: Pwm };
+
+/** One participant's connection to a wire. A new end neither drives nor pulls. */
+export interface WireEnd {
+  readonly owner: string;
+  /** Drives low or high, replacing what this end drove before. Low wins over whoever else drives (rule W2). */
+  drive(level: Level): void;
+  /** Drives a voltage as a fraction of the supply, clamped to 0 … 1. */
+  driveAnalog(fraction: number): void;
+  /** Drives a PWM signal. */
+  drivePwm(pwm: Pwm): void;
+  /** Drives nothing any more (high impedance). The pull stays. */
+  release(): void;
+  pull(pull: Pull): void;
+  /** Releases, lets go of the pull and leaves the wire. */
+  readonly detach: Stop;
+}
+
+interface EndState {
+  readonly owner: string;
+  drive: Drive | null;
+  pull: Pull;
+}
+
+/**
+ * A conductor between the microcomputer and chips. Several ends may be connected; who wins is written in SPEC.md.
+ * Listeners run at once, in the order in which they were attached; a change made by a listener is told after the
+ * present round, so that everyone sees the changes in the same order.
+ */
+export class Wire {
+  private readonly ends: EndState[] = [];
+  private readonly levelListeners: Listeners<Level> = new Set();
+  private readonly pwmListeners: Listeners<Pwm | null> = new Set();
+  private readonly streamListeners: Listeners<Uint8Array> = new Set();
+  private readonly changes: (() => void)[] = [];
+  private telling = false;
+  private settled: Level = 0;
+  private settledPwm: Pwm | null = null;
+
+  constructor(readonly name: string) {}
+
+  /** The present digital level. */
+  get level(): Level {
+    return this.settled;
+  }
+
+  /** The PWM signal on the wire, or `null` when nobody drives one. */
+  get pwm(): Pwm | null {
+    return this.settledPwm;
+  }
+
+  /** The mean voltage as a fraction of the supply, 0 … 1: what an analog input measures. */
+  get fraction(): number {
+    const drive = this.winner();
+    switch (drive?.kind) {
+      case 'analog':
+        return drive.fraction;
+      case 'pwm':
+        return drive.pwm.dutyFraction;
+      case 'level':
+      case undefined:
+        return this.settled;
+    }
+  }
+
+  /** Connects a participant. */
+  connect(owner: string): WireEnd {
+    const end: EndState = { owner, drive: null, pull: 'none' };
+    this.ends.push(end);
+    const set = (drive: Drive | null): void => {
+      end.drive = drive;
+      this.settle();
+    };
+    return {
+      owner,
+      drive: (level) => set({ kind: 'level', level }),
+      driveAnalog: (fraction) => set({ kind: 'analog', fraction: Math.min(1, Math.max(0, fraction)) }),
+      drivePwm: (pwm) => set({ kind: 'pwm', pwm }),
+      release: () => set(null),
+      pull: (pull) => {
+        end.pull = pull;
+        this.settle();
+      },
+      detach: () => {
+        const place = this.ends.indexOf(end);
+        if (place < 0) return;
+        this.ends.splice(place, 1);
+        this.settle();
+      },
+    };
+  }
+
+  /** Tells every change of the digital level. */
+  onLevel(listener: (level: Level) => void): Stop {
+    return attach(this.levelListeners, listener);
+  }
+
+  /** Tells when a PWM signal starts, changes or (`null`) ends. */
+  onPwm(listener: (pwm: Pwm | null) => void): Stop {
+    return attach(this.pwmListeners, listener);
+  }
+
+  /**
+   * Receives the bytes of a one-wire LED stream (ws2812), most significant bit first as sent. They may be a view of
+   * somebody's memory: copy what is to be kept.
+   */
+  onStream(listener: (bytes: Uint8Array) => void): Stop {
+    return attach(this.streamListeners, listener);
+  }
+
+  /** Sends an LED stream. The level does not move: afterwards the wire is where its ends leave it (rule S2). */
+  stream(bytes: Uint8Array): void {
+    tellAll(this.streamListeners, bytes);
+  }
+
+  /** Low wins over high, a stronger statement (level, analog, PWM) over a pull: rules W2, W3. */
+  private winner(): Drive | undefined {
+    let winner: Drive | undefined;
+    for (const { drive } of this.ends) {
+      if (!drive) continue;
+      if (drive.kind === 'level' && drive.level === 0) return drive;
+      winner ??= drive;
+    }
+    return winner;
+  }
+
+  private settle(): void {
+    const drive = this.winner();
+    const level = drive ? levelOf(drive, this.settled) : this.pulledLevel();
+    const pwm = drive?.kind === 'pwm' ? drive.pwm : null;
+    if (level !== this.settled) {
+      this.settled = level;
+      this.changes.push(() => tellAll(this.levelListeners, level));
+    }
+    if (pwm !== this.settledPwm) {
+      this.settledPwm = pwm;
+      this.changes.push(() => tellAll(this.pwmListeners, pwm));
+    }
+    this.tell();
+  }
+
+  private tell(): void {
+    if (this.telling) return;
+    this.telling = true;
+    try {
+      for (let change = this.changes.shift(); change; change = this.changes.shift()) change();
+    } finally {
+      this.telling = false;
+    }
+  }
+
+  /** Up wins when both directions pull (rule W5); without any pull a floating wire reads 0 (rule W6). */
+  private pulledLevel(): Level {
+    return this.ends.some((end) => end.pull === 'up') ? 1 : 0;
+  }
+}
+
+/** Input thresholds: nRF52833 product specification, GPIO: V_IH 0.7 × VDD, V_IL 0.3 × VDD; in between as it was (rule W7). */
+function levelOf(drive: Drive, before: Level): Level {
+  if (drive.kind === 'level') return drive.level;
+  const fraction = drive.kind === 'analog' ? drive.fraction : drive.pwm.dutyFraction;
+  if (fraction >= 0.7) return 1;
+  if (fraction <= 0.3) return 0;
+  return before;
+}
+
+interface Listener<T> {
+  readonly tell: (news: T) => void;
+}
+type Listeners<T> = Set<Listener<T>>;
+
+function attach<T>(listeners: Listeners<T>, tell: (news: T) => void): Stop {
+  const listener = { tell };
+  listeners.add(listener);
+  return () => {
+    listeners.delete(listener);
+  };
+}
+
+/** Tells those who listen now; one who is stopped on the way hears nothing any more (rule W10). */
+function tellAll<T>(listeners: Listeners<T>, news: T): void {
+  for (const listener of [...listeners]) if (listeners.has(listener)) listener.tell(news);
+}

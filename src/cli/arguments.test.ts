@@ -1,0 +1,90 @@
+import { describe, expect, it } from 'vitest';
+import { parseCommand, type RunOptions } from './arguments';
+import { parseDuration } from './duration';
+
+function optionsOf(line: string): RunOptions {
+  const command = parseCommand(line.split(' '));
+  if (command.type !== 'run') throw new Error(JSON.stringify(command));
+  return command.options;
+}
+
+function problemOf(line: string): string {
+  const command = parseCommand(line === '' ? [] : line.split(' '));
+  return command.type === 'bad' ? command.problem : `not bad: ${JSON.stringify(command)}`;
+}
+
+describe('the command line', () => {
+  it('needs no more than a program', () => {
+    expect(optionsOf('run main.py')).toEqual({
+      program: 'main.py',
+      files: [],
+      scene: null,
+      robot: 'auto',
+      board: 'auto',
+      forUs: null,
+      seed: 1,
+      reality: 0,
+      input: null,
+      trace: null,
+      json: false,
+      quiet: false,
+    });
+  });
+
+  it('takes every option, before and after the program, and --file several times', () => {
+    const line =
+      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --for 1.5s --seed 7 --reality 0 --input i.json --trace t.csv --quiet';
+    expect(optionsOf(line)).toEqual({
+      program: 'main.py',
+      files: ['a.py', 'b.py'],
+      scene: 's.json',
+      robot: 'none',
+      board: 'microbit-v2',
+      forUs: 1_500_000,
+      seed: 7,
+      reality: 0,
+      input: 'i.json',
+      trace: 't.csv',
+      json: true,
+      quiet: true,
+    });
+  });
+
+  it('shows the help wherever --help stands', () => {
+    expect(parseCommand(['--help']).type).toBe('help');
+    expect(parseCommand(['run', 'main.py', '-h']).type).toBe('help');
+    expect(parseCommand(['help']).type).toBe('help');
+    expect(parseCommand(['--version']).type).toBe('version');
+  });
+
+  it.each([
+    ['', /What shall it do\? For example: parcours run main\.py/],
+    ['run', /Which program\?/],
+    ['drive main.py', /Unknown command "drive"/],
+    ['run a.py b.py', /what is "b\.py"\? Further files come with --file/],
+    ['run main.py --speed 3', /Unknown option --speed\. Known: --file, --scene/],
+    ['run main.py --scene', /--scene needs a value/],
+    ['run main.py --scene --json', /--scene needs a value/],
+    ['run main.py --json=yes', /--json takes no value/],
+    ['run main.py --for 20', /--for: "20" has no unit\. Did you mean 20s\?/],
+    ['run main.py --for soon', /--for: "soon" is not a time\. Write it like 500ms, 20s or 2min/],
+    ['run main.py --for 0s', /no time at all/],
+    ['run main.py --for -5s', /not a time|needs a value/],
+    ['run main.py --for 2000min', /too long; the limit is 1440min/],
+    ['run main.py --seed x', /--seed: "x" is not a whole number/],
+    ['run main.py --seed 1.5', /--seed: "1\.5" is not a whole number/],
+    ['run main.py --reality 2', /--reality: "2" is not a number from 0 to 1/],
+    ['run main.py --reality 0.5', /--reality: 0\.5 is not available yet\. Use 0/],
+  ])('refuses "%s"', (line, message) => {
+    expect(problemOf(line)).toMatch(message);
+  });
+});
+
+describe('a time', () => {
+  it('is written with its unit', () => {
+    expect(parseDuration('500ms')).toEqual({ us: 500_000 });
+    expect(parseDuration('20s')).toEqual({ us: 20_000_000 });
+    expect(parseDuration('2min')).toEqual({ us: 120_000_000 });
+    expect(parseDuration('0.25s')).toEqual({ us: 250_000 });
+  });
+});

@@ -1,0 +1,111 @@
+import { parseArgs } from 'node:util';
+import { parseDuration } from './duration';
+
+/** What `parcours run` was asked to do. */
+export interface RunOptions {
+  readonly program: string;
+  readonly files: readonly string[];
+  readonly scene: string | null;
+  readonly robot: string;
+  readonly board: string;
+  /** `null`: until the program ends. */
+  readonly forUs: number | null;
+  readonly seed: number;
+  readonly reality: number;
+  readonly input: string | null;
+  readonly trace: string | null;
+  readonly json: boolean;
+  readonly quiet: boolean;
+}
+
+/** What the command line asks for. */
+export type Command =
+  | { readonly type: 'run'; readonly options: RunOptions }
+  | { readonly type: 'help' }
+  | { readonly type: 'version' }
+  | { readonly type: 'bad'; readonly problem: string };
+
+const texts = ['file', 'scene', 'robot', 'board', 'for', 'seed', 'reality', 'input', 'trace'] as const;
+const flags = ['json', 'quiet', 'help', 'version'] as const;
+
+type Text = (typeof texts)[number];
+type Flag = (typeof flags)[number];
+
+const isText = (name: string): name is Text => (texts as readonly string[]).includes(name);
+const isFlag = (name: string): name is Flag => (flags as readonly string[]).includes(name);
+
+const bad = (problem: string): Command => ({ type: 'bad', problem });
+
+/** Reads the words after `parcours`. */
+export function parseCommand(words: readonly string[]): Command {
+  const options = {
+    ...Object.fromEntries(texts.map((name) => [name, { type: 'string' as const }])),
+    ...Object.fromEntries(flags.map((name) => [name, { type: 'boolean' as const }])),
+    help: { type: 'boolean' as const, short: 'h' },
+  };
+  const { tokens } = parseArgs({ args: [...words], options, strict: false, allowPositionals: true, tokens: true });
+  const given = new Map<Text, string[]>();
+  const set = new Set<Flag>();
+  const positionals: string[] = [];
+  for (const token of tokens) {
+    if (token.kind === 'positional') positionals.push(token.value);
+    if (token.kind !== 'option') continue;
+    const { name, rawName, value } = token;
+    if (isFlag(name)) {
+      if (value !== undefined) return bad(`${rawName} takes no value.`);
+      set.add(name);
+    } else if (isText(name)) {
+      if (value === undefined || (value.startsWith('--') && !token.inlineValue)) return bad(`${rawName} needs a value.`);
+      given.set(name, [...(given.get(name) ?? []), value]);
+    } else {
+      return bad(`Unknown option ${rawName}. Known: ${[...texts, ...flags].map((known) => `--${known}`).join(', ')}.`);
+    }
+  }
+  return commandOf(positionals, given, set);
+}
+
+function commandOf(positionals: readonly string[], given: ReadonlyMap<Text, string[]>, set: ReadonlySet<Flag>): Command {
+  if (set.has('help') || (positionals[0] === 'help' && positionals.length === 1)) return { type: 'help' };
+  if (set.has('version')) return { type: 'version' };
+  const [command, program, ...more] = positionals;
+  if (command === undefined) return bad('What shall it do? For example: parcours run main.py');
+  if (command !== 'run') return bad(`Unknown command "${command}". For example: parcours run main.py`);
+  if (program === undefined) return bad('Which program? For example: parcours run main.py');
+  if (more.length > 0) return bad(`One program at a time: what is "${more[0] ?? ''}"? Further files come with --file.`);
+  return runCommand(program, given, set);
+}
+
+function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: ReadonlySet<Flag>): Command {
+  const last = (name: Text): string | undefined => given.get(name)?.at(-1);
+  const forText = last('for');
+  const duration = forText === undefined ? null : parseDuration(forText);
+  if (duration && 'problem' in duration) return bad(`--for: ${duration.problem}`);
+  if (duration?.us === 0) return bad(`--for: "${forText ?? ''}" is no time at all.`);
+  const seed = numberOf(last('seed') ?? '1');
+  if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
+    return bad(`--seed: "${last('seed') ?? ''}" is not a whole number from 0 to ${0xffffffff}.`);
+  }
+  const reality = numberOf(last('reality') ?? '0');
+  if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
+  if (reality !== 0) return bad(`--reality: ${reality} is not available yet. Use 0, the ideal robot.`);
+  return {
+    type: 'run',
+    options: {
+      program,
+      files: given.get('file') ?? [],
+      scene: last('scene') ?? null,
+      robot: last('robot') ?? 'auto',
+      board: last('board') ?? 'auto',
+      forUs: duration?.us ?? null,
+      seed,
+      reality,
+      input: last('input') ?? null,
+      trace: last('trace') ?? null,
+      json: set.has('json'),
+      quiet: set.has('quiet'),
+    },
+  };
+}
+
+/** NaN for everything that is not a plain decimal number. */
+const numberOf = (text: string): number => (/^\d+(\.\d+)?$/.test(text) ? Number(text) : NaN);

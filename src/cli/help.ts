@@ -1,0 +1,43 @@
+/** What `parcours --help` prints. */
+export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
+
+  npx parcours run MAIN.py [options]
+
+The program drives exactly as in the browser, only as fast as this computer can. What it
+prints appears here. Two runs with the same files, options and seed are the same.
+
+Which course, which robot
+  --scene FILE.json   the course; without it: an empty arena of 1200 x 900 mm,
+                      the robot in its centre, heading to the right
+  --robot NAME        maqueen-lite, or none for the microcomputer alone
+                      (default: the course's, else by what the program imports)
+  --board NAME        microbit-v2
+  --file DRIVER.py    puts a further file on the board, for instance a module that
+                      MAIN.py imports; may be given several times
+
+How long, and what happens
+  --for TIME          run for exactly this long, for example 500ms, 20s or 2min; the world
+                      goes on when the program ends (default: until the program ends,
+                      at most 10 minutes of simulated time)
+  --input FILE.json   buttons, sensors, typed text and the hand, each at its time:
+                      [ { "at": "1s", "button": "a", "down": true },
+                        { "at": "2s", "serial": "hello\\r\\n" },
+                        { "at": "3s", "sensor": "lightLevel", "value": 10 },
+                        { "at": "4s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } } ]
+  --seed NUMBER       where chance begins (default 1): random numbers repeat with it
+  --reality NUMBER    0 = the ideal robot (default); nothing else yet
+
+What you get
+  --json              at the end one line with everything about the run, for other programs
+  --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet
+  --quiet             neither the program's output nor progress
+
+  --help, --version
+
+Exit code: 0 the program finished, or its time was over; 1 it ended with an error;
+2 something is wrong with the command or a file.
+
+Examples
+  npx parcours run line.py --scene courses/closed-line/scene.json --for 60s
+  npx parcours run main.py --file my_driver.py --for 20s --trace way.csv
+`;

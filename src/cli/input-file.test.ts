@@ -1,0 +1,53 @@
+import { describe, expect, it } from 'vitest';
+import { parseInputs } from './input-file';
+
+describe('an input file', () => {
+  it('gives every action its time in µs', () => {
+    const text = `[
+      {"at":"1s","button":"a","down":true},
+      {"at":"2s","serial":"hi\\r\\n"},
+      {"at":"3s","sensor":"lightLevel","value":10},
+      {"at":"3500ms","sensor":"gesture","value":"shake"},
+      {"at":"4s","place":{"xMm":0,"yMm":0,"headingDeg":90}},
+      {"at":"5s","placeBlock":{"id":"b1","xMm":10,"yMm":20}},
+      {"at":"6s","touch":"pinLogo","down":false},
+      {"at":"7s","interrupt":true}
+    ]`;
+    expect(parseInputs(text)).toEqual({
+      inputs: [
+        { timeUs: 1_000_000, action: { type: 'button', button: 'a', down: true } },
+        { timeUs: 2_000_000, action: { type: 'serial', text: 'hi\r\n' } },
+        { timeUs: 3_000_000, action: { type: 'sensor', id: 'lightLevel', value: 10 } },
+        { timeUs: 3_500_000, action: { type: 'sensor', id: 'gesture', value: 'shake' } },
+        { timeUs: 4_000_000, action: { type: 'place', pose: { xMm: 0, yMm: 0, headingDeg: 90 } } },
+        { timeUs: 5_000_000, action: { type: 'place-block', id: 'b1', pose: { xMm: 10, yMm: 20, headingDeg: 0 } } },
+        { timeUs: 6_000_000, action: { type: 'touch', pad: 'pinLogo', down: false } },
+        { timeUs: 7_000_000, action: { type: 'interrupt' } },
+      ],
+    });
+  });
+
+  it.each([
+    ['{', /is not JSON/],
+    ['{}', /must be a list/],
+    ['[3]', /^\[0\]: must be an object/],
+    ['[{"button":"a","down":true}]', /^\[0\]\.at: must be a time in quotes such as "1s"/],
+    ['[{"at":1,"button":"a","down":true}]', /^\[0\]\.at: must be a time in quotes such as "1s", not 1/],
+    ['[{"at":"1","button":"a","down":true}]', /^\[0\]\.at: "1" has no unit\. Did you mean 1s\?/],
+    ['[{"at":"1s"}]', /^\[0\]: must have one of button, touch, serial.*none of them/],
+    ['[{"at":"1s","button":"a","serial":"x"}]', /^\[0\]: .*both button and serial/],
+    ['[{"at":"1s","serial":"x"},{"at":"1s","button":"c","down":true}]', /^\[1\]\.button: must be "a" or "b", not "c"/],
+    ['[{"at":"1s","button":"a"}]', /^\[0\]\.down: is missing; it must be true or false/],
+    ['[{"at":"1s","button":"a","down":1}]', /^\[0\]\.down: must be true or false, not 1/],
+    ['[{"at":"1s","button":"a","dwon":true}]', /^\[0\]\.dwon: is unknown here\. Known: at, button, down/],
+    ['[{"at":"1s","touch":"pin9","down":true}]', /^\[0\]\.touch: must be one of pinLogo/],
+    ['[{"at":"1s","sensor":"lightLevel","value":null}]', /^\[0\]\.value: must be a number or a text, not null/],
+    ['[{"at":"1s","place":{"xMm":1}}]', /^\[0\]\.place\.yMm: is missing/],
+    ['[{"at":"1s","place":{"x":1,"y":2}}]', /^\[0\]\.place\.x: is unknown here\. Known: xMm, yMm, headingDeg/],
+    ['[{"at":"1s","placeBlock":{"xMm":1,"yMm":2}}]', /^\[0\]\.placeBlock\.id: is missing/],
+    ['[{"at":"5s","radio":"go"}]', /^\[0\]\.radio: messages by radio are not available yet/],
+  ])('is refused when it is %s', (text, message) => {
+    const parsed = parseInputs(text);
+    expect('problem' in parsed ? parsed.problem : 'no problem').toMatch(message);
+  });
+});

@@ -1,0 +1,135 @@
+import type { InputAction, InputEvent, PlacedPose } from '#simulation/input';
+import { parseDuration } from './duration';
+
+/** The actions of an input file in its own order, or a problem that names entry and field. */
+export type ParsedInputs = { readonly inputs: readonly InputEvent[] } | { readonly problem: string };
+
+/** Most entries. Chosen: a hand moved for an hour makes fewer. */
+const MAX_ENTRIES = 100_000;
+
+type Fields = Readonly<Record<string, unknown>>;
+
+/** What is wrong with one field, for `Entry.fail`. */
+interface Bad {
+  readonly field: string;
+  readonly problem: string;
+}
+
+/** Reads an `--input` file. What only the board knows (sensors and their ranges) is checked when the run is made. */
+export function parseInputs(text: string): ParsedInputs {
+  let value: unknown;
+  try {
+    value = JSON.parse(text);
+  } catch (error) {
+    return { problem: `is not JSON: ${error instanceof Error ? error.message : String(error)}` };
+  }
+  if (!Array.isArray(value)) return { problem: 'must be a list [ … ] of entries such as { "at": "1s", "button": "a", "down": true }.' };
+  if (value.length > MAX_ENTRIES) return { problem: `has ${value.length} entries; the limit is ${MAX_ENTRIES}.` };
+  const inputs: InputEvent[] = [];
+  for (const [index, entry] of value.entries()) {
+    const read = readEntry(entry);
+    if ('problem' in read) return { problem: `[${index}]${read.field === '' ? '' : `.${read.field}`}: ${read.problem}` };
+    inputs.push(read);
+  }
+  return { inputs };
+}
+
+function readEntry(entry: unknown): InputEvent | Bad {
+  if (!isObject(entry)) return { field: '', problem: `must be an object { … }, not ${JSON.stringify(entry)}.` };
+  if (typeof entry.at !== 'string') {
+    return { field: 'at', problem: `must be a time in quotes such as "1s", not ${JSON.stringify(entry.at) ?? 'nothing'}.` };
+  }
+  const at = parseDuration(entry.at);
+  if ('problem' in at) return { field: 'at', problem: at.problem };
+  const kinds = Object.keys(readers).filter((kind) => kind in entry);
+  const [kind = ''] = kinds;
+  const reader = readers[kind];
+  if (!reader || kinds.length > 1) {
+    const found = kinds.length > 1 ? `both ${kinds.join(' and ')}` : 'none of them';
+    return { field: '', problem: `must have one of ${Object.keys(readers).join(', ')}; it has ${found}.` };
+  }
+  const { fields, read } = reader;
+  const strange = Object.keys(entry).find((key) => key !== 'at' && key !== kind && !fields.includes(key));
+  if (strange !== undefined) return { field: strange.slice(0, 40), problem: `is unknown here. Known: ${['at', kind, ...fields].join(', ')}.` };
+  const action = read(entry);
+  return 'problem' in action ? action : { timeUs: at.us, action };
+}
+
+const touchPads = ['pinLogo', 'pin0', 'pin1', 'pin2'];
+
+type ReadAction = (entry: Fields) => InputAction | Bad;
+
+/** How to read each kind of entry, and which further fields it has. */
+const readers: Readonly<Record<string, { readonly fields: readonly string[]; readonly read: ReadAction }>> = {
+  button: { fields: ['down'], read: readButton },
+  touch: { fields: ['down'], read: readTouch },
+  serial: { fields: [], read: readSerial },
+  sensor: { fields: ['value'], read: readSensor },
+  place: { fields: [], read: readPlace },
+  placeBlock: { fields: [], read: readPlaceBlock },
+  interrupt: { fields: [], read: readInterrupt },
+  radio: { fields: [], read: readRadio },
+};
+
+function readButton(entry: Fields): InputAction | Bad {
+  const { button, down } = entry;
+  if (button !== 'a' && button !== 'b') return wrong('button', '"a" or "b"', button);
+  if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
+  return { type: 'button', button, down };
+}
+
+function readTouch(entry: Fields): InputAction | Bad {
+  const { touch, down } = entry;
+  if (typeof touch !== 'string' || !touchPads.includes(touch)) return wrong('touch', `one of ${touchPads.join(', ')}`, touch);
+  if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
+  return { type: 'touch', pad: touch, down };
+}
+
+function readSerial({ serial }: Fields): InputAction | Bad {
+  return typeof serial === 'string' ? { type: 'serial', text: serial } : wrong('serial', 'a text in quotes', serial);
+}
+
+function readSensor({ sensor, value }: Fields): InputAction | Bad {
+  if (typeof sensor !== 'string') return wrong('sensor', 'the name of a sensor in quotes', sensor);
+  if (typeof value !== 'string' && typeof value !== 'number') return wrong('value', 'a number or a text', value);
+  return { type: 'sensor', id: sensor, value };
+}
+
+function readPlace({ place }: Fields): InputAction | Bad {
+  const pose = readPose(place, 'place', []);
+  return 'problem' in pose ? pose : { type: 'place', pose };
+}
+
+function readPlaceBlock({ placeBlock }: Fields): InputAction | Bad {
+  const pose = readPose(placeBlock, 'placeBlock', ['id']);
+  if ('problem' in pose) return pose;
+  const id = isObject(placeBlock) ? placeBlock.id : undefined;
+  return typeof id === 'string' ? { type: 'place-block', id, pose } : wrong('placeBlock.id', "a block's id in quotes", id);
+}
+
+function readPose(value: unknown, path: string, further: readonly string[]): PlacedPose | Bad {
+  if (!isObject(value)) return wrong(path, 'an object { "xMm": …, "yMm": …, "headingDeg": … }', value);
+  const known = ['xMm', 'yMm', 'headingDeg', ...further];
+  const strange = Object.keys(value).find((key) => !known.includes(key));
+  if (strange !== undefined) return { field: `${path}.${strange.slice(0, 40)}`, problem: `is unknown here. Known: ${known.join(', ')}.` };
+  const { xMm, yMm, headingDeg = 0 } = value;
+  if (typeof xMm !== 'number') return wrong(`${path}.xMm`, 'a number', xMm);
+  if (typeof yMm !== 'number') return wrong(`${path}.yMm`, 'a number', yMm);
+  if (typeof headingDeg !== 'number') return wrong(`${path}.headingDeg`, 'a number', headingDeg);
+  return { xMm, yMm, headingDeg };
+}
+
+function readInterrupt({ interrupt }: Fields): InputAction | Bad {
+  return interrupt === true ? { type: 'interrupt' } : wrong('interrupt', 'true', interrupt);
+}
+
+function readRadio(): Bad {
+  return { field: 'radio', problem: 'messages by radio are not available yet. Leave this entry out.' };
+}
+
+const wrong = (field: string, wanted: string, found: unknown): Bad => ({
+  field,
+  problem: found === undefined ? `is missing; it must be ${wanted}.` : `must be ${wanted}, not ${JSON.stringify(found).slice(0, 60)}.`,
+});
+
+const isObject = (value: unknown): value is Fields => typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -1,0 +1,31 @@
+/** The command line's entry: reads the words, runs, sets the exit code. */
+import { version } from '../../package.json';
+import { parseCommand } from './arguments';
+import { help } from './help';
+import { createTerminal } from './terminal';
+import { run } from './run';
+
+/** A reader that has gone away (`parcours run … | head`) wants nothing more. */
+process.stdout.on('error', (error: NodeJS.ErrnoException) => {
+  if (error.code === 'EPIPE') process.exit(1);
+  throw error;
+});
+
+const command = parseCommand(process.argv.slice(2));
+switch (command.type) {
+  case 'help':
+    process.stdout.write(help);
+    break;
+  case 'version':
+    process.stdout.write(`${version}\n`);
+    break;
+  case 'bad':
+    process.stderr.write(`parcours: ${command.problem}\nHelp: npx parcours --help\n`);
+    process.exitCode = 2;
+    break;
+  case 'run':
+    process.exitCode = await run(command.options, createTerminal(process.stdout, process.stderr, command.options.quiet));
+    break;
+  default:
+    command satisfies never;
+}

@@ -1,0 +1,103 @@
+import { describe, expect, it } from 'vitest';
+import { exitCodeOf, jsonLine, rounded, wrappedDeg, type Report } from './report';
+import { createTerminal } from './terminal';
+import { traceHeader, traceLine } from './trace-csv';
+
+const report: Report = {
+  ended: 'finished',
+  exception: null,
+  simulatedMs: 1,
+  wallMs: 2,
+  realTimeFactor: 0.5,
+  robot: null,
+  display: '00000:00000:00000:00000:00000',
+  heapFree: 1,
+  traceHash: 'ab',
+};
+
+describe('the report', () => {
+  it('is one line with exactly the promised fields in their order', () => {
+    const line = jsonLine(report, 'one\ntwo\n');
+    expect(line).not.toContain('\n');
+    expect(Object.keys(JSON.parse(line) as object)).toEqual([
+      ...['ended', 'exception', 'simulatedMs', 'wallMs', 'realTimeFactor', 'robot', 'display', 'console', 'heapFree', 'traceHash'],
+    ]);
+  });
+
+  it('gives exit code 1 for a program that ended badly, else 0', () => {
+    expect((['finished', 'time-limit', 'exception', 'panic', 'stopped', 'stuck'] as const).map(exitCodeOf)).toEqual([
+      0, 0, 1, 1, 1, 1,
+    ]);
+  });
+
+  it('turns headings into more than -180° up to 180°', () => {
+    expect([0, 180, -180, 181, -181, 720, 540].map(wrappedDeg)).toEqual([0, 180, 180, -179, 179, 0, 180]);
+  });
+
+  it('knows no negative zero', () => {
+    expect(Object.is(rounded(-0.0001), 0)).toBe(true);
+  });
+});
+
+describe('the trace file', () => {
+  const row = {
+    timeUs: 20_000,
+    xMm: 100.12345,
+    yMm: 50,
+    headingRad: Math.PI / 2,
+    leftMmPerS: 100,
+    rightMmPerS: -100,
+    leftDuty: 0.5,
+    rightDuty: -0.5,
+    lineSensors: [
+      { name: 'left', bright: true },
+      { name: 'right', bright: false },
+    ],
+    distanceMm: null,
+    collisions: 3,
+  };
+
+  it('names its columns, one for each line sensor', () => {
+    expect(traceHeader(row)).toBe(
+      't_ms,x_mm,y_mm,heading_deg,left_mm_s,right_mm_s,left_duty,right_duty,line_left,line_right,distance_mm,collisions',
+    );
+  });
+
+  it('has one line per moment, with nothing where there is no distance', () => {
+    expect(traceLine(row)).toBe('20,100.123,50,90,100,-100,0.5,-0.5,1,0,,3');
+  });
+});
+
+describe('the terminal', () => {
+  function watch(isTTY: boolean, quiet = false) {
+    const written: string[] = [];
+    const out = { write: (text: string) => written.push(`out:${text}`), isTTY };
+    const err = { write: (text: string) => written.push(`err:${text}`), isTTY };
+    return { terminal: createTerminal(out, err, quiet), written };
+  }
+
+  it('puts the report on a line of its own', () => {
+    const { terminal, written } = watch(false);
+    terminal.program('half a line');
+    terminal.line('{}');
+    expect(written).toEqual(['out:half a line', 'out:\n{}\n']);
+  });
+
+  it('shows progress only where a person looks on', () => {
+    const piped = watch(false);
+    piped.terminal.progress(1000, 100);
+    const quiet = watch(true, true);
+    quiet.terminal.progress(1000, 100);
+    expect([...piped.written, ...quiet.written]).toEqual([]);
+    const seen = watch(true);
+    seen.terminal.progress(1500, 99.6);
+    seen.terminal.program('hello\n');
+    expect(seen.written).toEqual(['err:\r\u001b[K1.5 s simulated, 100 × real time', 'err:\r\u001b[K', 'out:hello\n']);
+  });
+
+  it('says nothing of the program when quiet', () => {
+    const { terminal, written } = watch(false, true);
+    terminal.program('hello\n');
+    expect(written).toEqual([]);
+  });
+});

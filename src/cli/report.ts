@@ -1,0 +1,102 @@
+import type { Simulation } from '#simulation/simulation';
+
+/** How a run ended, as a word for programs. */
+export type EndedWord = 'finished' | 'time-limit' | 'exception' | 'panic' | 'stopped' | 'stuck';
+
+/** The exception that ended the program. */
+export interface ReportedException {
+  readonly type: string;
+  readonly message: string;
+  readonly line: number | null;
+  readonly traceback: string;
+}
+
+/** The robot at the end. */
+export interface ReportedRobot {
+  readonly type: string;
+  readonly xMm: number;
+  readonly yMm: number;
+  /** Counter-clockwise from +x, more than −180 up to 180. */
+  readonly headingDeg: number;
+  /** Since the start, counter-clockwise positive, not wrapped. */
+  readonly turnedDeg: number;
+  readonly pathMm: number;
+  readonly collisions: number;
+  readonly leds: { readonly left: number; readonly right: number };
+  readonly rgb: readonly (readonly [number, number, number])[];
+  readonly servos: Readonly<Record<string, number>>;
+}
+
+/** Everything about a run except its console: what `--json` prints, in this order. */
+export interface Report {
+  readonly ended: EndedWord;
+  readonly exception: ReportedException | null;
+  readonly simulatedMs: number;
+  readonly wallMs: number;
+  readonly realTimeFactor: number;
+  readonly robot: ReportedRobot | null;
+  /** Digits 0 … 9 per LED, rows parted by colons. */
+  readonly display: string;
+  readonly heapFree: number;
+  readonly traceHash: string;
+}
+
+/** What is to be told about a run now. While its program goes on, `ended` is `time-limit`. */
+export function reportOf(simulation: Simulation, wallMs: number): Report {
+  const { ended, nowUs } = simulation;
+  const snapshot = simulation.snapshot();
+  const simulatedMs = nowUs / 1000;
+  return {
+    ended: ended === null ? 'time-limit' : ended.kind === 'fault' ? 'panic' : ended.kind,
+    exception: ended?.exception ?? null,
+    simulatedMs,
+    wallMs: rounded(wallMs),
+    realTimeFactor: wallMs > 0 ? rounded(simulatedMs / wallMs) : 0,
+    robot: snapshot.robot && reportedRobot(snapshot.robot),
+    display: displayText(snapshot.display),
+    heapFree: simulation.heapFree(),
+    traceHash: simulation.traceHash,
+  };
+}
+
+/** The line that `--json` prints. */
+export function jsonLine(report: Report, console: string): string {
+  const { heapFree, traceHash, ...rest } = report;
+  return JSON.stringify({ ...rest, console, heapFree, traceHash });
+}
+
+/** 0 for a run without exception, 1 for one that ended badly. */
+export function exitCodeOf(ended: EndedWord): 0 | 1 {
+  return ended === 'finished' || ended === 'time-limit' ? 0 : 1;
+}
+
+function reportedRobot(robot: NonNullable<ReturnType<Simulation['snapshot']>['robot']>): ReportedRobot {
+  const { pose, state } = robot;
+  return {
+    type: robot.type,
+    xMm: rounded(pose.xMm),
+    yMm: rounded(pose.yMm),
+    headingDeg: rounded(wrappedDeg(degOf(pose.headingRad))),
+    turnedDeg: rounded(degOf(robot.turnedRad)),
+    pathMm: rounded(robot.pathMm),
+    collisions: robot.collisions,
+    leds: { left: state.leds.left, right: state.leds.right },
+    rgb: state.rgb,
+    servos: state.servos,
+  };
+}
+
+/** Radians to degrees. */
+export const degOf = (rad: number): number => (rad * 180) / Math.PI;
+
+/** The same direction, more than −180° up to 180°. */
+export function wrappedDeg(deg: number): number {
+  const rest = deg % 360;
+  return rest > 180 ? rest - 360 : rest <= -180 ? rest + 360 : rest;
+}
+
+/** To three digits after the point, without a negative zero: enough for reading; the exact run is in the trace hash. */
+export const rounded = (value: number): number => Math.round(value * 1000) / 1000 + 0;
+
+const displayText = (pixels: readonly number[]): string =>
+  [0, 5, 10, 15, 20].map((row) => pixels.slice(row, row + 5).join('')).join(':');

@@ -1,0 +1,74 @@
+import { closeSync, openSync } from 'node:fs';
+import type { RunOptions } from './arguments';
+import { reasonOf, readRunFiles } from './read-files';
+import { exitCodeOf, jsonLine, type Report } from './report';
+import { supervise } from './supervise';
+import type { Terminal } from './terminal';
+
+/** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
+const DEFAULT_LIMIT_US = 600_000_000;
+
+/**
+ * Does what `parcours run` promises.
+ *
+ * @returns the exit code: 0 well, 1 the program ended with an error, 2 bad usage or a bad file
+ */
+export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
+  const read = readRunFiles(options);
+  if ('problem' in read) return refuse(read.problem, terminal);
+  const trace = options.trace === null ? null : openTrace(options.trace);
+  if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
+  const { robot, board, seed, reality } = options;
+  const outcome = await supervise(
+    {
+      setup: { ...read, robot, board, seed, reality, keepTrace: trace !== null },
+      untilUs: options.forUs ?? DEFAULT_LIMIT_US,
+      untilProgramEnds: options.forUs === null,
+      traceFile: trace && trace.file,
+    },
+    terminal,
+  );
+  if (trace) closeSync(trace.file);
+  switch (outcome.type) {
+    case 'refused':
+      return refuse(placed(outcome.problem, options), terminal);
+    case 'broken':
+      terminal.message(`parcours: something broke inside. Please report this.\n${outcome.problem}`);
+      return 1;
+    case 'ran':
+      tellEnd(outcome.report, options, terminal);
+      if (options.json) terminal.line(jsonLine(outcome.report, outcome.console));
+      return exitCodeOf(outcome.report.ended);
+  }
+}
+
+function refuse(problem: string, terminal: Terminal): 2 {
+  for (const line of problem.split('\n')) terminal.message(`parcours: ${line}`);
+  return 2;
+}
+
+/** Says which file a problem of the whole set-up stands in. */
+function placed(problem: string, options: RunOptions): string {
+  if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
+  if (problem.startsWith('robot.at') && options.scene !== null) return `${options.scene}: ${problem}`;
+  return problem;
+}
+
+function openTrace(path: string): { readonly file: number } | { readonly problem: string } {
+  try {
+    return { file: openSync(path, 'w') };
+  } catch (error) {
+    return { problem: `${path}: ${reasonOf(error)}` };
+  }
+}
+
+/** What the program's own output does not say. */
+function tellEnd({ ended, exception, simulatedMs }: Report, { quiet, forUs }: RunOptions, terminal: Terminal): void {
+  if (ended === 'stuck') {
+    terminal.message('parcours: no sign of life for 10 s: the program is inside one call that does not end. Stopped.');
+  } else if (ended === 'time-limit' && forUs === null && !quiet) {
+    terminal.message(`parcours: stopped after ${simulatedMs / 60_000} simulated minutes. A longer run: --for 30min`);
+  } else if (ended === 'exception' && quiet && exception) {
+    terminal.message(exception.traceback.trimEnd());
+  }
+}

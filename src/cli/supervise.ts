@@ -1,0 +1,120 @@
+import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
+import type { Report } from './report';
+import type { Terminal } from './terminal';
+import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
+
+/** How a run came out. */
+export type Outcome =
+  | { readonly type: 'ran'; readonly report: Report; readonly console: string }
+  | { readonly type: 'refused'; readonly problem: string }
+  | { readonly type: 'broken'; readonly problem: string };
+
+/** Without a heartbeat for so long (wall time), the run is stuck inside one call that never ends. */
+const STUCK_MS = 10_000;
+
+/** What an interrupted program gets for its `finally`, in ms of wall time. */
+const FAREWELL_MS = 500;
+
+const LOOK_MS = 100;
+
+/**
+ * C stack of the thread in MB. Chosen: deep recursion of a Python program goes through many wasm frames, and the limit
+ * that counts must be the VM's own, the same everywhere.
+ */
+const STACK_MB = 32;
+
+/** What is known of a run that was ended before it could say anything. */
+const nothingYet: Report = {
+  ended: 'stuck',
+  exception: null,
+  simulatedMs: 0,
+  wallMs: 0,
+  realTimeFactor: 0,
+  robot: null,
+  display: '00000:00000:00000:00000:00000',
+  heapFree: 0,
+  traceHash: '',
+};
+
+/** Runs the task in a thread of its own, passes its output on, and ends it when it is stuck or Ctrl-C is pressed. */
+export function supervise(task: Omit<WorkerTask, 'shared'>, terminal: Terminal): Promise<Outcome> {
+  const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
+  const workerData: WorkerTask = { ...task, shared };
+  const worker = new Worker(fileURLToPath(new URL('./worker.mjs', import.meta.url)), {
+    workerData,
+    resourceLimits: { stackSizeMb: STACK_MB },
+  });
+  let latest = nothingYet;
+  let console = '';
+  const take = (message: { readonly console: string; readonly report: Report }): void => {
+    console += message.console;
+    latest = message.report;
+    terminal.program(message.console);
+  };
+  return new Promise((resolve) => {
+    const watch = watchBeat(shared, () => finish({ type: 'ran', report: { ...latest, ended: 'stuck' }, console }));
+    const interruption = onInterrupt(shared, () => finish({ type: 'ran', report: { ...latest, ended: 'stopped' }, console }));
+    function finish(outcome: Outcome): void {
+      watch.stop();
+      interruption.stop();
+      terminal.clearProgress();
+      void worker.terminate();
+      resolve(outcome);
+    }
+    worker.on('message', (message: WorkerMessage) => {
+      switch (message.type) {
+        case 'progress':
+          take(message);
+          return terminal.progress(message.report.simulatedMs, message.report.realTimeFactor);
+        case 'done': {
+          take(message);
+          const report = interruption.happened() ? { ...message.report, ended: 'stopped' as const } : message.report;
+          return finish({ type: 'ran', report, console });
+        }
+        case 'refused':
+        case 'broken':
+          return finish(message);
+        default:
+          message satisfies never;
+      }
+    });
+    worker.on('error', (error: Error) => finish({ type: 'broken', problem: error.stack ?? error.message }));
+  });
+}
+
+/** Calls `stuck` when the beat has not changed for `STUCK_MS`. */
+function watchBeat(shared: Int32Array, stuck: () => void): { stop(): void } {
+  let beat = 0;
+  let changedMs = performance.now();
+  const timer = setInterval(() => {
+    const now = Atomics.load(shared, BEAT);
+    if (now !== beat) {
+      beat = now;
+      changedMs = performance.now();
+    } else if (performance.now() - changedMs > STUCK_MS) {
+      stuck();
+    }
+  }, LOOK_MS);
+  return { stop: () => clearInterval(timer) };
+}
+
+/** On the first Ctrl-C the program is interrupted, after `FAREWELL_MS` or on the second one `end` is called. */
+function onInterrupt(shared: Int32Array, end: () => void): { stop(): void; happened(): boolean } {
+  let timer: NodeJS.Timeout | null = null;
+  const interrupt = (): void => {
+    if (timer) return end();
+    Atomics.store(shared, INTERRUPT, 1);
+    timer = setTimeout(end, FAREWELL_MS);
+  };
+  process.on('SIGINT', interrupt);
+  process.on('SIGTERM', interrupt);
+  return {
+    happened: () => timer !== null,
+    stop() {
+      if (timer) clearTimeout(timer);
+      process.off('SIGINT', interrupt);
+      process.off('SIGTERM', interrupt);
+    },
+  };
+}

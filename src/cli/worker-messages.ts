@@ -1,0 +1,29 @@
+import type { RunSetup } from '#simulation/run-setup';
+import type { Report } from './report';
+
+/** What the worker is started with. */
+export interface WorkerTask {
+  readonly setup: RunSetup;
+  /** Simulated time at which the run ends; with `untilProgramEnds` it may end sooner. */
+  readonly untilUs: number;
+  readonly untilProgramEnds: boolean;
+  /** An open file for the trace, or `null`. */
+  readonly traceFile: number | null;
+  /** Shared words, see `BEAT` and `INTERRUPT`. */
+  readonly shared: Int32Array;
+}
+
+/** Index of the shared word that the worker counts up while time passes. */
+export const BEAT = 0;
+
+/** Index of the shared word that is 1 when the program is to be interrupted. */
+export const INTERRUPT = 1;
+
+/** From the worker, in this order: any number of `progress`, then one of the others. */
+export type WorkerMessage =
+  | { readonly type: 'progress'; readonly console: string; readonly report: Report }
+  | { readonly type: 'done'; readonly console: string; readonly report: Report }
+  /** The set-up cannot be run: the user's mistake. */
+  | { readonly type: 'refused'; readonly problem: string }
+  /** Something broke inside: our mistake. */
+  | { readonly type: 'broken'; readonly problem: string };

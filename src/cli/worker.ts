@@ -1,0 +1,79 @@
+/** The thread in which a headless run happens: nothing here waits, and nothing stops it but the run's end or `terminate`. */
+import { existsSync, readFileSync, writeSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { parentPort, workerData } from 'node:worker_threads';
+import { checkRun } from '#simulation/run-problem';
+import { Simulation } from '#simulation/simulation';
+import { reportOf } from './report';
+import { traceHeader, traceLine } from './trace-csv';
+import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
+
+/** Simulated time between two looks at the outside. Chosen: one row of the trace; takes well under 10 ms of wall time. */
+const SLICE_US = 20_000;
+
+/** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
+const MESSAGE_MS = 50;
+
+const post = (message: WorkerMessage): void => parentPort?.postMessage(message);
+
+function readFirmware(): Uint8Array<ArrayBuffer> {
+  const places = ['./vm.wasm', '../../.cache/vm/vm.wasm'].map((place) => fileURLToPath(new URL(place, import.meta.url)));
+  const place = places.find((candidate) => existsSync(candidate));
+  if (place === undefined) throw new Error(`The VM is missing (${places.join(', ')}). Run: npm run setup`);
+  return new Uint8Array(readFileSync(place));
+}
+
+/** Writes the rows that came since the last call. */
+function createTraceWriter(simulation: Simulation, file: number | null): () => void {
+  let written = 0;
+  return () => {
+    if (file === null) return;
+    const rows = simulation.trace.slice(written);
+    const [first] = rows;
+    if (!first) return;
+    if (written === 0) writeSync(file, `${traceHeader(first)}\n`);
+    writeSync(file, rows.map((row) => `${traceLine(row)}\n`).join(''));
+    written += rows.length;
+  };
+}
+
+function runToEnd(simulation: Simulation, task: WorkerTask): void {
+  const { shared, untilUs, untilProgramEnds } = task;
+  const writeTrace = createTraceWriter(simulation, task.traceFile);
+  const startMs = performance.now();
+  let toldMs = startMs;
+  let isInterrupted = false;
+  const isOver = (): boolean => simulation.nowUs >= untilUs || (simulation.ended !== null && (untilProgramEnds || isInterrupted));
+  while (!isOver()) {
+    const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
+    if (untilProgramEnds) simulation.advanceProgramTo(nextUs);
+    else simulation.advanceTo(nextUs);
+    Atomics.add(shared, BEAT, 1);
+    if (!isInterrupted && Atomics.load(shared, INTERRUPT) === 1) {
+      isInterrupted = true;
+      simulation.interrupt();
+    }
+    const nowMs = performance.now();
+    if (nowMs - toldMs < MESSAGE_MS) continue;
+    toldMs = nowMs;
+    writeTrace();
+    post({ type: 'progress', console: simulation.takeConsole(), report: reportOf(simulation, nowMs - startMs) });
+  }
+  const wallMs = performance.now() - startMs;
+  writeTrace();
+  post({ type: 'done', console: simulation.takeConsole(), report: reportOf(simulation, wallMs) });
+}
+
+async function work(task: WorkerTask): Promise<void> {
+  const checked = checkRun(task.setup);
+  if ('problem' in checked) return post({ type: 'refused', problem: checked.problem });
+  const firmware = await WebAssembly.compile(readFirmware());
+  Atomics.add(task.shared, BEAT, 1);
+  const simulation = await Simulation.create(task.setup, firmware);
+  Atomics.add(task.shared, BEAT, 1);
+  runToEnd(simulation, task);
+}
+
+await work(workerData as WorkerTask).catch((error: unknown) =>
+  post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) }),
+);

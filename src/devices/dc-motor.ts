@@ -1,0 +1,18 @@
+/**
+ * What a motor driver makes of its two numbers: a direction and a speed byte become a signed duty.
+ * Source of the coding: DFRobot pxt-maqueen `maqueen.ts` (direction 0 forward, 1 backward; PWM 0 … 255, 0 stops).
+ */
+
+/** The speed byte of a motor that is driven all the time. */
+export const FULL_SPEED = 255;
+
+/**
+ * The share of time a motor is driven, −1 (full backward) … 1 (full forward); 0 when the speed byte is 0.
+ *
+ * @param direction 0 forward; any other byte backward (only 0 and 1 are documented; the rest is chosen)
+ * @param speed PWM byte, 0 … 255
+ */
+export function signedDuty(direction: number, speed: number): number {
+  if (speed === 0) return 0; // also keeps −0 out of snapshots
+  return (direction === 0 ? speed : -speed) / FULL_SPEED;
+}

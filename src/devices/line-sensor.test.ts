@@ -1,0 +1,40 @@
+import { describe, expect, it } from 'vitest';
+import { Wire } from '#board/wire';
+import { attachLineSensor } from './line-sensor';
+
+function sensorOver(start: number) {
+  const wire = new Wire('P13');
+  let reflectance = start;
+  const sensor = attachLineSensor(wire, () => reflectance);
+  const over = (next: number): number => {
+    reflectance = next;
+    sensor.sample();
+    return wire.level;
+  };
+  return { wire, sensor, over };
+}
+
+describe('a digital line sensor', () => {
+  it('reads 1 on the bare floor from the first moment', () => expect(sensorOver(1).wire.level).toBe(1));
+
+  it('reads 0 on a black line from the first moment', () => expect(sensorOver(0).wire.level).toBe(0));
+
+  it('changes to 0 below 45 % and back to 1 above 55 % reflectance', () => {
+    const { over } = sensorOver(1);
+    expect([0.6, 0.5, 0.46, 0.44, 0.5, 0.54, 0.56].map(over)).toEqual([1, 1, 1, 0, 0, 0, 1]);
+  });
+
+  it('shows the same to its blue LED as to the wire', () => {
+    const { sensor, over } = sensorOver(1);
+    over(0);
+    expect(sensor.isBright()).toBe(false);
+    over(1);
+    expect(sensor.isBright()).toBe(true);
+  });
+
+  it('lets the wire float when detached', () => {
+    const { wire, sensor } = sensorOver(1);
+    sensor.stop();
+    expect(wire.level).toBe(0);
+  });
+});

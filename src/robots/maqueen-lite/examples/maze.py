@@ -1,0 +1,5 @@
+# Durch das Labyrinth
+from mbrobot import *
+
+setSpeed(40)
+forward()

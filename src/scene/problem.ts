@@ -1,0 +1,52 @@
+/** What can be wrong with a course. The web translates by this code and the problem's parameters. */
+export type SceneProblemCode =
+  | 'too-long'
+  | 'not-json'
+  | 'not-a-scene'
+  | 'unknown-version'
+  | 'newer-version'
+  | 'missing'
+  | 'wrong-type'
+  | 'not-whole'
+  | 'out-of-range'
+  | 'too-many'
+  | 'unknown-property'
+  | 'unknown-value'
+  | 'duplicate-id'
+  | 'wall-without-length'
+  | 'robot-outside'
+  | 'robot-inside'
+  | 'unknown-robot'
+  | 'unknown-board';
+
+/** One thing that is wrong with a course: where, what stands there, and what to do. */
+export interface SceneProblem {
+  readonly code: SceneProblemCode;
+  /** Place in the file such as `objects[2].to`; empty for the file as a whole. */
+  readonly path: string;
+  /** What stands there, shortened; empty when nothing does. */
+  readonly value: string;
+  /** Figures and words of the message, for translations. */
+  readonly params: Readonly<Record<string, string | number>>;
+  /** One English sentence or two, naming place, value and way out. */
+  readonly message: string;
+}
+
+const SHOWN_CHARACTERS = 60; // chosen: fits one line of a terminal together with the message
+
+/** A value as it would stand in a file, cut to a readable length; looks two levels deep only, however deep the value is. */
+export function shown(value: unknown): string {
+  const text = Array.isArray(value) ? shownList(value) : shownPlain(value);
+  return text.length > SHOWN_CHARACTERS ? `${text.slice(0, SHOWN_CHARACTERS)}…` : text;
+}
+
+function shownList(list: readonly unknown[]): string {
+  const first = list.slice(0, 4).map((entry) => (Array.isArray(entry) ? '[…]' : shownPlain(entry)));
+  return list.length > 4 ? `[${first.join(', ')}, … ${list.length} entries]` : `[${first.join(', ')}]`;
+}
+
+function shownPlain(value: unknown): string {
+  if (typeof value === 'string') return JSON.stringify(value.slice(0, SHOWN_CHARACTERS));
+  if (typeof value === 'object' && value !== null) return `{ ${Object.keys(value).slice(0, 5).join(', ')} }`;
+  return String(value);
+}

@@ -1,0 +1,28 @@
+/** A pose as people write it: degrees counter-clockwise from +x. */
+export interface PlacedPose {
+  readonly xMm: number;
+  readonly yMm: number;
+  readonly headingDeg: number;
+}
+
+/** Something done to a run from outside. Plain data: it can be sent, logged and replayed. */
+export type InputAction =
+  | { readonly type: 'button'; readonly button: 'a' | 'b'; readonly down: boolean }
+  /** A finger on `pinLogo`, `pin0`, `pin1` or `pin2`. */
+  | { readonly type: 'touch'; readonly pad: string; readonly down: boolean }
+  /** Text typed into the console. */
+  | { readonly type: 'serial'; readonly text: string }
+  /** What a sensor of the board feels: `lightLevel`, `temperature`, `accelerometerX`, … */
+  | { readonly type: 'sensor'; readonly id: string; readonly value: number | string }
+  /** The hand puts the robot somewhere; it stands still there. */
+  | { readonly type: 'place'; readonly pose: PlacedPose }
+  /** The hand puts the block of this object id somewhere. */
+  | { readonly type: 'place-block'; readonly id: string; readonly pose: PlacedPose }
+  /** KeyboardInterrupt in the program. */
+  | { readonly type: 'interrupt' };
+
+/** An action and the simulated time at which it takes effect. */
+export interface InputEvent {
+  readonly timeUs: number;
+  readonly action: InputAction;
+}

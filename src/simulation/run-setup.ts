@@ -1,0 +1,21 @@
+import type { Scene } from '#scene/scene';
+import type { InputEvent } from './input';
+
+/** Everything a run depends on: the same set-up gives the same run, bit for bit, on every machine. Plain data. */
+export interface RunSetup {
+  readonly scene: Scene;
+  /** The files on the board by name; `main.py` is the program. */
+  readonly files: Readonly<Record<string, string>>;
+  /** Id of a robot type, `none` for the bare board, or `auto`: the scene's, else by the program's imports. */
+  readonly robot: string;
+  /** Id of a board type, or `auto`: the scene's, else by the program's imports. */
+  readonly board: string;
+  /** Whole number from which all chance is drawn. */
+  readonly seed: number;
+  /** 0 = ideal; other values come later. */
+  readonly reality: number;
+  /** A log to replay: each action takes effect at the first step of the world at or after its time. */
+  readonly inputs?: readonly InputEvent[];
+  /** Keeps every row of the trace in memory (about 3 kB per simulated second). Its hash is there in any case. */
+  readonly keepTrace?: boolean;
+}

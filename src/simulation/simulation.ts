@@ -1,0 +1,303 @@
+import { Board } from '#board/board';
+import { Clock } from '#core/clock';
+import type { Pose } from '#core/geometry';
+import { createRng } from '#core/rng';
+import type { Robot, RobotType } from '#robots/robot';
+import type { Scene } from '#scene/scene';
+import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
+import type { Chassis } from '#world/chassis';
+import { STEP_US, type BlockHandle, type World } from '#world/world';
+import { buildWorld } from './build-world';
+import { robotLibraries, type Hardware } from './hardware';
+import type { InputAction, InputEvent, PlacedPose } from './input';
+import { checkRun, createInputCheck } from './run-problem';
+import type { RunSetup } from './run-setup';
+import { scaledBody } from './scaled-body';
+import type { RobotSnapshot, Snapshot } from './snapshot';
+import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
+
+export type { InputAction, InputEvent, PlacedPose } from './input';
+export type { RunSetup } from './run-setup';
+export type { RobotSnapshot, Snapshot } from './snapshot';
+export type { TraceRow } from './trace';
+
+/** How and when the program ended. */
+export interface Ended extends VmEnd {
+  /** Simulated time. */
+  readonly timeUs: number;
+}
+
+/** The robot of a run: its electronics on the board and its body in the world. */
+interface Mounted {
+  readonly type: RobotType;
+  readonly robot: Robot;
+  readonly chassis: Chassis;
+}
+
+/**
+ * One run: program, board, robot and world under one clock. The same set-up gives the same run, whatever the pieces in
+ * which `advanceTo` is called. Running again from the start means creating it anew.
+ */
+export class Simulation {
+  private readonly clock = new Clock();
+  private readonly board: Board;
+  private readonly world: World;
+  private readonly blocks: ReadonlyMap<string, BlockHandle>;
+  private readonly mounted: Mounted | null;
+  private readonly hash = createTraceHash();
+  private readonly rows: TraceRow[] = [];
+  private readonly log: InputEvent[] = [];
+  /** Actions that wait for their step, in order of time. */
+  private readonly waiting: InputEvent[];
+  private readonly check: (action: InputAction) => string | null;
+  private output: string[] = [];
+  private vm: Vm | null = null;
+  private end: Ended | null = null;
+  private isFresh = true;
+
+  /**
+   * Builds a run and loads its program, which begins with the first `advanceTo`.
+   *
+   * @throws RangeError for a set-up that cannot be run, with the words of `checkRun`
+   */
+  static async create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Simulation> {
+    const hardware = checkRun(setup);
+    if ('problem' in hardware) throw new RangeError(hardware.problem);
+    const simulation = new Simulation(setup, hardware);
+    simulation.vm = await createVm({
+      firmware,
+      board: simulation.board,
+      clock: simulation.clock,
+      files: setup.files,
+      libraries: robotLibraries(hardware.robot),
+      seed: setup.seed,
+      write: (text) => simulation.output.push(text),
+    });
+    return simulation;
+  }
+
+  private constructor(
+    private readonly setup: RunSetup,
+    hardware: Hardware,
+  ) {
+    const built = buildWorld(setup.scene);
+    this.world = built.world;
+    this.blocks = built.blocks;
+    // The step is the first alarm of all: at one and the same microsecond the world moves before anything else happens.
+    this.clock.every(STEP_US, () => this.step());
+    this.board = new Board(hardware.board, this.clock);
+    this.mounted = hardware.robot && this.mount(hardware.robot);
+    this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
+    this.check = createInputCheck(new Board(hardware.board, new Clock()), setup.scene, hardware.robot !== null);
+  }
+
+  /** Simulated time since the start. */
+  get nowUs(): number {
+    return this.clock.nowUs;
+  }
+
+  /** How the program ended, or `null` while it runs. The world goes on in either case. */
+  get ended(): Ended | null {
+    return this.end;
+  }
+
+  /** Every action so far with the time at which it took effect: as `inputs` of an equal set-up it repeats this run. */
+  get inputLog(): readonly InputEvent[] {
+    return this.log;
+  }
+
+  /** One row per 20 ms, when the set-up asks to keep them; without a robot none. */
+  get trace(): readonly TraceRow[] {
+    return this.rows;
+  }
+
+  /** Fingerprint of the trajectory so far, 64 hexadecimal digits; see `createTraceHash`. */
+  get traceHash(): string {
+    return this.hash.hex();
+  }
+
+  /** The course this run began with. */
+  get scene(): Scene {
+    return this.setup.scene;
+  }
+
+  /** Free bytes on the program's heap. */
+  heapFree(): number {
+    return this.machine.heapFree();
+  }
+
+  /**
+   * Lets program and world run until simulated time `us`; after the program's end the world goes on alone. A call of
+   * the device that is under way then is finished first, so the clock may stand a little later.
+   */
+  advanceTo(us: number): void {
+    this.advanceProgramTo(us);
+    if (us > this.nowUs) this.clock.advanceTo(us);
+  }
+
+  /** Like `advanceTo`, but stops at once when the program ends. */
+  advanceProgramTo(us: number): void {
+    if (this.isFresh) this.begin();
+    if (this.end !== null || us <= this.nowUs) return;
+    this.machine.resume(us);
+    const { ended } = this.machine;
+    if (ended) this.end = { ...ended, timeUs: this.nowUs };
+  }
+
+  /**
+   * Does something from outside. It takes effect at the next step of the world, is stamped with that time and logged.
+   *
+   * @throws RangeError for a sensor, pad or block that is not there and a value out of range; nothing is done then
+   */
+  input(action: InputAction): void {
+    const problem = this.check(action);
+    if (problem !== null) throw new RangeError(problem);
+    const timeUs = this.nowUs;
+    const place = this.waiting.findIndex((event) => event.timeUs > timeUs);
+    this.waiting.splice(place < 0 ? this.waiting.length : place, 0, { timeUs, action });
+  }
+
+  /** KeyboardInterrupt in the program, at the next step of the world. */
+  interrupt(): void {
+    this.input({ type: 'interrupt' });
+  }
+
+  /** The whole run now. */
+  snapshot(): Snapshot {
+    const { board } = this;
+    const hz = board.music.frequencyHz;
+    return {
+      timeUs: this.nowUs,
+      running: this.end === null ? 'program' : 'world',
+      display: Array.from(board.display.pixels),
+      buttons: { a: board.buttonA.isDown, b: board.buttonB.isDown },
+      touch: Object.fromEntries(Array.from(board.touch, ([name, pad]) => [padId(name), pad.isDown])),
+      robot: this.robotSnapshot(),
+      blocks: Object.fromEntries(Array.from(this.blocks, ([id, block]) => [id, block.pose()])),
+      sound: hz === null ? null : { hz },
+    };
+  }
+
+  /** What was printed since the last call. */
+  takeConsole(): string {
+    const text = this.output.join('');
+    this.output = [];
+    return text;
+  }
+
+  /** Lets go of the VM and its memory. Nothing else may be called afterwards. */
+  dispose(): void {
+    this.mounted?.robot.detach();
+    this.vm = null;
+  }
+
+  private get machine(): Vm {
+    if (!this.vm) throw new Error('The simulation was used before it was created.');
+    return this.vm;
+  }
+
+  private mount(type: RobotType): Mounted {
+    const { at, heading, scale } = this.setup.scene.robot;
+    const { clock, board, world } = this;
+    const start: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
+    const chassis = world.addChassis(scaledBody(type.body, scale), start);
+    const robot = type.attach({
+      clock,
+      board,
+      chassis,
+      ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+      distance: (from, headingRad, cone) =>
+        world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
+      rng: createRng(this.setup.seed).fork('robot'),
+      reality: this.setup.reality,
+      scale,
+    });
+    return { type, robot, chassis };
+  }
+
+  /** What happens at time 0, before the program's first bytecode. */
+  private begin(): void {
+    this.isFresh = false;
+    this.takeInputs();
+    this.addTraceRow();
+  }
+
+  private step(): void {
+    this.takeInputs();
+    this.world.step();
+    if (this.nowUs % TRACE_PERIOD_US === 0) this.addTraceRow();
+  }
+
+  private takeInputs(): void {
+    for (let next = this.waiting[0]; next && next.timeUs <= this.nowUs; next = this.waiting[0]) {
+      this.waiting.shift();
+      this.log.push({ timeUs: this.nowUs, action: next.action });
+      this.act(next.action);
+    }
+  }
+
+  private act(action: InputAction): void {
+    switch (action.type) {
+      case 'button':
+        return this.board.sensors.set(action.button === 'a' ? 'buttonA' : 'buttonB', action.down ? 1 : 0);
+      case 'touch':
+        return this.board.sensors.set(action.pad, action.down ? 1 : 0);
+      case 'serial':
+        return this.machine.feed(action.text);
+      case 'sensor':
+        return this.board.sensors.set(action.id, action.value);
+      case 'place':
+        return this.mounted?.chassis.place(poseOf(action.pose));
+      case 'place-block':
+        return this.blocks.get(action.id)?.place(poseOf(action.pose));
+      case 'interrupt':
+        return this.machine.interrupt();
+      default:
+        action satisfies never;
+    }
+  }
+
+  private addTraceRow(): void {
+    if (!this.mounted) return;
+    const { chassis, robot } = this.mounted;
+    const { xMm, yMm, headingRad } = chassis.pose();
+    this.hash.add(this.nowUs, xMm, yMm, headingRad);
+    if (this.setup.keepTrace !== true) return;
+    const state = robot.state();
+    this.rows.push({
+      timeUs: this.nowUs,
+      xMm,
+      yMm,
+      headingRad,
+      leftMmPerS: chassis.wheelSpeedMmPerS(0),
+      rightMmPerS: chassis.wheelSpeedMmPerS(1),
+      leftDuty: state.duty.left,
+      rightDuty: state.duty.right,
+      lineSensors: state.lineSensors.map(({ name, bright }) => ({ name, bright })),
+      distanceMm: state.ultrasonic?.distanceMm ?? null,
+      collisions: chassis.collisions(),
+    });
+  }
+
+  private robotSnapshot(): RobotSnapshot | null {
+    if (!this.mounted) return null;
+    const { type, chassis, robot } = this.mounted;
+    return {
+      type: type.id,
+      scale: this.setup.scene.robot.scale,
+      pose: chassis.pose(),
+      wheelTurnRad: [chassis.wheelTurnRad(0), chassis.wheelTurnRad(1)],
+      state: robot.state(),
+      collisions: chassis.collisions(),
+      pathMm: chassis.pathMm(),
+      turnedRad: chassis.turnedRad(),
+    };
+  }
+}
+
+const radOf = (degrees: number): number => (degrees * Math.PI) / 180;
+
+const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
+
+/** A touch pad's sensor id: `pinLogo` for `pin_logo`. */
+const padId = (name: string): string => name.replace('_logo', 'Logo');

@@ -1,0 +1,274 @@
+// Turns the published MicroPython .wasm into one that can be suspended anywhere, counts its work, collects garbage
+// inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
+// What the run-time side expects of the result stands in ../run/firmware.ts.
+import binaryen from 'binaryen';
+import { addressOfText, expressionEnd, flat, joinModule, only, onlyFunction, onlyMatch, replaceOnce, splitModule } from './wat.mjs';
+
+/** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
+export const STACK_LIMIT_BYTES = 72 * 1024;
+
+const EMPTY = '\\(i32\\.const 0\\)';
+
+/** @param {Uint8Array} published the .wasm of the npm package  @returns {Uint8Array} the firmware */
+export function transform(published, report = () => {}) {
+  report('reading');
+  const original = binaryen.readBinary(published);
+  const features = original.getFeatures();
+  const build = (module, passes) => {
+    const result = binaryen.parseText(joinModule(module));
+    result.setFeatures(features);
+    if (!result.validate()) throw new Error('The transformed module is not valid WebAssembly.');
+    result.runPasses(passes);
+    return result;
+  };
+  // The pass that spills pointers looks the stack pointer up by its name.
+  const module = splitModule(original.emitText().replace(/\$global\$0(?!\d)/g, '$__stack_pointer'));
+  original.dispose();
+  declareHost(module);
+  collectInsideFixedHeap(module);
+  tellHeapEnd(module);
+  freeReserveOnMemoryError(module);
+  hideLibraryFrames(module, findInterpreter(module));
+  exportScheduler(module);
+  replaceEndlessLoops(module);
+  limitStack(module);
+
+  report('spilling pointers for the collector');
+  const spilled = build(module, ['spill-pointers']);
+  // Metering comes after: a tick allocates nothing, so pointers need not be spilled for it, and must not be. What lies
+  // in the stack slots would depend on when ticks come, hence on how often the program is suspended, and with it what
+  // the (conservative) collector keeps.
+  const metered = splitModule(spilled.emitText());
+  spilled.dispose();
+  meter(metered, findInterpreter(metered));
+
+  report('making it suspendable');
+  binaryen.setOptimizeLevel(2);
+  binaryen.setShrinkLevel(0);
+  binaryen.setPassArgument('asyncify-imports', 'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick');
+  const result = build(metered, ['asyncify']);
+  report('optimising');
+  result.optimize();
+  const bytes = result.emitBinary();
+  result.dispose();
+  return bytes;
+}
+
+/** mp_execute_bytecode is the function with the widest jump table: the dispatch of the bytecodes. */
+function findInterpreter(module) {
+  const widest = [...module.functions].map(([name, text]) => ({ name, labels: widestTable(flat(text)) }));
+  return only(
+    widest.filter(({ labels }) => labels >= 80),
+    'bytecode interpreter',
+  ).name;
+}
+
+const widestTable = (text) =>
+  Math.max(0, ...[...text.matchAll(/\(br_table ((?:\$\S+ )+)/g)].map((match) => match[1].trim().split(' ').length));
+
+/**
+ * The published build collects only between programs: gc_collect() raises a flag, gc_collect_top_level() acts on it.
+ * Ours marks at once, from the globals, the Python stack and the C stack (to which spill-pointers brings all pointers).
+ */
+function collectInsideFixedHeap(module) {
+  const collect = onlyFunction(
+    module,
+    'gc_collect',
+    new RegExp(`^\\(func \\$\\S+ \\(i32\\.store8 offset=(\\d+) ${EMPTY} \\(i32\\.const 1\\)\\)\\)$`),
+  );
+  const top = onlyFunction(
+    module,
+    'gc_collect_top_level',
+    new RegExp(`\\(i32\\.store8 offset=${collect.match[1]} ${EMPTY} ${EMPTY}\\) \\(call \\$([^\\s)]+)\\) \\(call \\$([^\\s)]+)\\)`),
+  );
+  const [start, end] = [top.match[1], top.match[2]];
+  const stack = onlyMatch(
+    flat(module.functions.get(start)),
+    'Python stack bounds',
+    /\(i32\.sub \(i32\.load offset=(\d+) \(i32\.const (\d+)\)\) \(local\.tee \$\d+ \(i32\.load offset=\1 \(i32\.const (\d+)\)\)\)\)/,
+  );
+  const current = Number(stack[1]) + Number(stack[2]);
+  const bottom = Number(stack[1]) + Number(stack[3]);
+  const overflowed = onlyMatch(
+    flat(module.functions.get(end)),
+    'mark stack overflow flag',
+    /\(i32\.eqz \(i32\.load offset=(\d+) \(i32\.const (\d+)\)\)\)/,
+  );
+  const overflow = Number(overflowed[1]) + Number(overflowed[2]);
+  const load = (address) => `(i32.load (i32.const ${address}))`;
+  const store = (address, value) => `(i32.store (i32.const ${address}) ${value})`;
+  module.functions.set(
+    collect.name,
+    `(func $${collect.name} (local $overflow i32) (local $bottom i32) (local $current i32)
+      (call $${start})
+      (local.set $overflow ${load(overflow)})
+      (local.set $bottom ${load(bottom)})
+      (local.set $current ${load(current)})
+      ${store(bottom, '(global.get $__stack_pointer)')}
+      ${store(current, '(global.get $stack_base)')}
+      (call $${start})
+      ${store(overflow, `(i32.or ${load(overflow)} (local.get $overflow))`)}
+      ${store(bottom, '(local.get $bottom)')}
+      ${store(current, '(local.get $current)')}
+      (call $${end}))`,
+  );
+  const split = onlyFunction(module, 'gc_get_max_new_split', /^\(func \$\S+ \(result i32\) \(i32\.const 134217728\)\)$/);
+  module.functions.set(split.name, `(func $${split.name} (result i32) (i32.const 0))`);
+  chargeAllocations(module, collect.name);
+}
+
+/** gc_init learns where the heap ends, so that the run-time side can divide it between library and program. */
+function tellHeapEnd(module) {
+  const init = onlyFunction(module, 'gc_init', /^\(func \$\S+ \(param \$0 i32\) \(param \$1 i32\) \(local [^)]*\) \(i32\.store .*\(i32\.const 524\)/);
+  const text = flat(module.functions.get(init.name));
+  const body = bodyStart(text);
+  const tell = '(global.set $heap_end (i32.and (local.get $1) (i32.const -16)))';
+  module.functions.set(init.name, `${text.slice(0, body)}${tell} ${text.slice(body)}`);
+}
+
+/** gc_alloc is the large one of the two callers of gc_collect; an allocation by the pupil's code costs time. */
+function chargeAllocations(module, collect) {
+  const allocate = onlyFunction(
+    module,
+    'gc_alloc',
+    new RegExp(`^\\(func \\$\\S+ \\(param \\$0 i32\\) \\(param \\$1 i32\\) \\(result i32\\).*\\(call \\$${collect}\\)`),
+  );
+  const text = flat(module.functions.get(allocate.name));
+  const body = bodyStart(text);
+  const charge = `(if (global.get $in_program) (then (global.set $gas (i32.sub (global.get $gas) (global.get $allocation_cost)))))`;
+  module.functions.set(allocate.name, `${text.slice(0, body)}${charge} ${text.slice(body)}`);
+}
+
+/** Where the instructions begin, after the parameters, results and locals. */
+function bodyStart(text) {
+  let place = text.indexOf(' ', '(func '.length) + 1;
+  while (/^\((param|result|local|type) /.test(text.slice(place))) place = expressionEnd(text, place) + 1;
+  return place;
+}
+
+/**
+ * A MemoryError needs memory itself, for its message and its traceback. The library lays a reserve aside in the heap;
+ * the C function that raises the error gives it free first, so that even a heap full of small objects ends in an error
+ * that names its line.
+ */
+function freeReserveOnMemoryError(module) {
+  const fail = addressOfText(module, 'memory allocation failed, allocating %u bytes');
+  const raise = onlyFunction(module, 'm_malloc_fail', new RegExp(`^\\(func \\$\\S+ \\(param \\$0 i32\\) .*\\(i32\\.const ${fail}\\)`));
+  const free = onlyFunction(
+    module,
+    'gc_free',
+    /^\(func \$\S+ \(param \$0 i32\) (?:\(local \$\d+ i32\) )*\(block \$\S+ \(br_if \$\S+ \(i32\.eqz \(local\.get \$0\)\)\) \(br_if \$\S+ \(i32\.gt_u \(i32\.and \(i32\.load16_u/,
+  );
+  const text = flat(module.functions.get(raise.name));
+  const body = bodyStart(text);
+  const giveFree = `(if (global.get $reserve) (then (call $${free.name} (global.get $reserve)) (global.set $reserve (i32.const 0))))`;
+  module.functions.set(raise.name, `${text.slice(0, body)}${giveFree} ${text.slice(body)}`);
+}
+
+/**
+ * At each bytecode: code of the pupil (above `program_start` in memory, where the library ends) uses up `gas`, which
+ * is simulated time; code of our library uses up `library_gas`, which only makes sure that nothing spins for ever.
+ */
+function meter(module, interpreter) {
+  const text = flat(module.functions.get(interpreter));
+  const table = only(
+    [...text.matchAll(/\(br_table ((?:\$\S+ )+)/g)].filter((match) => match[1].trim().split(' ').length >= 80),
+    'bytecode dispatch',
+  );
+  const operand = table.index + table[0].length;
+  const end = expressionEnd(text, operand);
+  const expression = text.slice(operand, end);
+  const code = onlyMatch(expression, 'bytecode pointer', /\(i32\.load8_u \(local\.get \$(\d+)\)\)/)[1];
+  const use = (global) =>
+    `(global.set $${global} (i32.sub (global.get $${global}) (i32.const 1))) (if (i32.le_s (global.get $${global}) (i32.const 0)) (then (call $tick)))`;
+  const metered = `(block (result i32)
+    (if (i32.ge_u (local.get $${code}) (global.get $program_start))
+      (then (global.set $in_program (i32.const 1)) ${use('gas')})
+      (else (global.set $in_program (i32.const 0)) ${use('library_gas')}))
+    ${expression})`;
+  module.functions.set(interpreter, text.slice(0, operand) + metered + text.slice(end));
+}
+
+/** Frames of library code are left out of tracebacks where they arise: the interpreter adds one per function it leaves. */
+function hideLibraryFrames(module, interpreter) {
+  const addFrame = importName(module, 'invoke_viiii');
+  const text = flat(module.functions.get(interpreter));
+  const call = onlyMatch(text, 'mp_obj_exception_add_traceback', new RegExp(`\\(call \\$${addFrame.replace('$', '\\$')} \\(i32\\.const`));
+  const end = expressionEnd(text, call.index);
+  // code_state is the interpreter's first parameter; its first word is the function, whose fourth is the bytecode.
+  const code = '(i32.load offset=12 (i32.load (local.get $0)))';
+  const guarded = `(if (i32.ge_u ${code} (global.get $program_start)) (then ${text.slice(call.index, end)}))`;
+  module.functions.set(interpreter, text.slice(0, call.index) + guarded + text.slice(end));
+}
+
+function importName(module, name) {
+  return onlyMatch(module.head, `import ${name}`, new RegExp(`\\(import "env" "${name}" \\(func \\$([^\\s)]+)`))[1];
+}
+
+/**
+ * Exports mp_sched_schedule, a question (1 = a callback can run, 2 = an exception is pending) and a way to have any
+ * exception raised in the program, as the published mp_sched_keyboard_interrupt does with its own.
+ */
+function exportScheduler(module) {
+  const interrupt = onlyMatch(module.head, 'mp_sched_keyboard_interrupt', /\(export "mp_sched_keyboard_interrupt" \(func \$([^\s)]+)\)\)/)[1];
+  const pending = onlyMatch(
+    flat(module.functions.get(interrupt)),
+    'pending exception and scheduler state',
+    /^\(func \$\S+ \(i32\.store offset=(\d+) \(i32\.const (\d+)\).*\(i32\.load16_u offset=(\d+) \(i32\.const (\d+)\)\)/,
+  );
+  const [exceptionAt, stateAt] = [Number(pending[1]) + Number(pending[2]), Number(pending[3]) + Number(pending[4])];
+  const schedule = onlyFunction(
+    module,
+    'mp_sched_schedule',
+    new RegExp(
+      `^\\(func \\$\\S+ \\(param \\$0 i32\\) \\(param \\$1 i32\\) \\(result i32\\)(?!.*br_table).*\\(i32\\.store16 offset=${pending[3]} \\(i32\\.const ${pending[4]}\\)`,
+    ),
+  );
+  module.head += `\n (export "mp_sched_schedule" (func $${schedule.name}))\n (export "queued" (func $queued))\n (export "set_pending" (func $set_pending))`;
+  module.functions.set(
+    'queued',
+    `(func $queued (result i32)
+      (i32.or
+        (i32.eqz (i32.load16_u (i32.const ${stateAt})))
+        (i32.shl (i32.ne (i32.load (i32.const ${exceptionAt})) (i32.const 0)) (i32.const 1))))`,
+  );
+  module.functions.set(
+    'set_pending',
+    `(func $set_pending (param $0 i32)
+      (i32.store (i32.const ${exceptionAt}) (local.get $0))
+      (if (i32.eq (i32.load16_u (i32.const ${stateAt})) (i32.const 1))
+        (then (i32.store16 (i32.const ${stateAt}) (i32.const 0)))))`,
+  );
+}
+
+/** The C code ends a hopeless situation in an empty endless loop (nlr_jump_fail, a fatal error): tell the host instead. */
+function replaceEndlessLoops(module) {
+  const loop = /\(loop \$(\S+) \(br \$\1\)\)/g;
+  let count = 0;
+  for (const [name, text] of module.functions) {
+    const line = flat(text);
+    const found = line.match(loop);
+    if (!found) continue;
+    count += found.length;
+    module.functions.set(name, line.replace(loop, '(call $fatal) (unreachable)'));
+  }
+  if (count !== 2) throw new Error(`Endless loops: expected 2 places, found ${count}.`);
+}
+
+/** The port allows 32 kB of C stack; the run-time side gives a larger one. */
+function limitStack(module) {
+  const init = onlyMatch(module.head, 'mp_js_init', /\(export "mp_js_init" \(func \$([^\s)]+)\)\)/)[1];
+  replaceOnce(module, init, 'C stack limit', /\(i32\.const 32768\)/, `(i32.const ${STACK_LIMIT_BYTES})`);
+}
+
+/** What the firmware needs of its host beside the published imports, and the counters it shares with it. */
+function declareHost(module) {
+  const lastImport = module.head.lastIndexOf('(import ');
+  const end = expressionEnd(module.head, lastImport);
+  const imports = ['tick', 'fatal'].map((name) => ` (import "host" "${name}" (func $${name}))`).join('\n');
+  const counters = ['gas', 'library_gas', 'allocation_cost', 'program_start', 'stack_base', 'heap_end', 'reserve']
+    .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
+    .join('\n');
+  const inProgram = ' (global $in_program (mut i32) (i32.const 0))';
+  module.head = `${module.head.slice(0, end)}\n${imports}\n${counters}\n${inProgram}${module.head.slice(end)}`;
+}

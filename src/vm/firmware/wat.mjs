@@ -1,0 +1,80 @@
+// Finding and replacing places in WebAssembly text. The text comes from binaryen, so its layout is regular:
+// one expression a line, functions at one blank of indentation.
+
+/** Splits a module's text into what stands before the functions, the functions by name, and the closing parenthesis. */
+export function splitModule(text) {
+  const parts = text.split(/\n (?=\(func )/);
+  const head = parts[0];
+  const last = parts.length - 1;
+  parts[last] = parts[last].replace(/\n\)\s*$/, '');
+  const functions = new Map();
+  for (const part of parts.slice(1)) functions.set(nameOf(part), part);
+  return { head, functions };
+}
+
+export function joinModule({ head, functions }) {
+  return `${head}\n ${[...functions.values()].join('\n ')}\n)\n`;
+}
+
+/** A function's text on one line with single blanks: what patterns are matched against. */
+export const flat = (text) => text.replace(/\s+/g, ' ').replace(/ \)/g, ')').trim();
+
+/**
+ * The one function that matches. The build stops when none or several do: then the published file has changed, and
+ * someone has to look.
+ */
+export function onlyFunction(module, what, pattern) {
+  const found = [];
+  for (const [name, text] of module.functions) {
+    const match = pattern.exec(flat(text));
+    if (match) found.push({ name, match });
+  }
+  return only(found, what);
+}
+
+/** The one element of a list, or an error that says what was looked for. */
+export function only(list, what) {
+  if (list.length !== 1) throw new Error(`${what}: expected one place, found ${list.length}.`);
+  return list[0];
+}
+
+/** The one match of a pattern in a text. */
+export function onlyMatch(text, what, pattern) {
+  return only([...text.matchAll(new RegExp(pattern, 'g'))], what);
+}
+
+/** Replaces the one occurrence of a pattern in a function. */
+export function replaceOnce(module, name, what, pattern, replacement) {
+  const text = flat(module.functions.get(name));
+  onlyMatch(text, what, pattern);
+  module.functions.set(name, text.replace(pattern, replacement));
+}
+
+/** The end (exclusive) of the expression whose parenthesis opens at `start`. */
+export function expressionEnd(text, start) {
+  let depth = 0;
+  for (let place = start; place < text.length; place++) {
+    if (text[place] === '(') depth++;
+    else if (text[place] === ')' && --depth === 0) return place + 1;
+  }
+  throw new Error('Unbalanced parentheses.');
+}
+
+/** The address at which a text constant of the C code lies in memory. */
+export function addressOfText(module, text) {
+  const segments = [...module.head.matchAll(/\(data \$\S+ \(i32\.const (\d+)\) "((?:[^"\\]|\\.)*)"\)/g)];
+  const found = segments
+    .map(([, start, content]) => ({ start: Number(start), at: unescape_(content).indexOf(text) }))
+    .filter(({ at }) => at >= 0);
+  const { start, at } = only(found, `text "${text}"`);
+  return start + at;
+}
+
+const ESCAPES = { n: '\n', t: '\t', r: '\r' };
+
+const unescape_ = (content) =>
+  content.replace(/\\([0-9a-f]{2})|\\(.)/g, (_, hex, other) =>
+    hex ? String.fromCharCode(parseInt(hex, 16)) : (ESCAPES[other] ?? other),
+  );
+
+const nameOf = (functionText) => /^\(func \$([^\s)]+)/.exec(functionText)[1];

@@ -1,0 +1,71 @@
+# Starts the device and runs the pupil's program. Not to be imported by programs.
+import __main__
+import gc
+import sys
+from uctypes import addressof
+
+import _hal
+
+_scope = __main__.__dict__
+# Room for errors when the heap is full: given free when memory runs out, or when the program has failed otherwise.
+_reserve = bytearray(4096)
+_hal.reserve(addressof(_reserve))
+
+
+def run():
+    """Runs main.py and tells the simulation how it ended."""
+    global _reserve
+    try:
+        execfile("main.py", _scope)
+    except SystemExit:
+        pass
+    except BaseException as error:
+        _reserve = None
+        _hal.report_begin()
+        sys.print_exception(error)
+        try:
+            text = str(error)
+        except BaseException:
+            text = ""
+        _hal.report_end(type(error).__name__, text)
+    _scope.clear()
+    gc.collect()
+    _hal.heap_free(gc.mem_free())
+
+
+def _fill(start):
+    """Fills what the library left free below `start`, so that every program finds the same empty heap above it."""
+    filling = None
+    size = 8192
+    while size >= 16:
+        block = [filling, bytearray(size)]
+        if max(addressof(block[1]) + size, id(block)) < start:
+            filling = block
+        else:
+            # Too large for what is left: give it back first, or it would be in the way of smaller ones.
+            block = None
+            gc.collect()
+            size //= 2
+    return filling
+
+
+# Everything a program may import is loaded now, into the library's part of the heap.
+import _sim
+import audio
+import log
+import machine
+import microbit
+import music
+import neopixel
+import os
+import power
+import radio
+import speech
+import time
+
+_hal_start = _hal.program_start()
+import _import
+
+gc.collect()
+_filling = _fill(_hal_start)
+gc.collect()

@@ -1,0 +1,246 @@
+# Image. Behaviour and errors: micropython-microbit-v2 microbit_image.c.
+import _hal
+from _sim import addressof, ints
+
+_glyph = _hal.glyph
+
+# The built-in images (micropython-microbit-v2 microbit_constimage.c): a base-32 digit per row, its highest bit on the left.
+_CONSTANTS = (
+    "HEART avve4 HEART_SMALL 0ae40 HAPPY 0a0he SMILE 000he SAD 0a0eh CONFUSED 0a0al ANGRY ha0vl "
+    "ASLEEP 0r0e0 SURPRISED a04a4 SILLY h0v57 FABULOUS vr0ae MEH a0248 YES 012k8 NO ha4ah CLOCK12 44400 "
+    "CLOCK1 22400 CLOCK2 03400 CLOCK3 00700 CLOCK4 00430 CLOCK5 00422 CLOCK6 00444 CLOCK7 00488 "
+    "CLOCK8 004o0 CLOCK9 00s00 CLOCK10 0o400 CLOCK11 88400 ARROW_N 4el44 ARROW_NE 7358g ARROW_E 42v24 "
+    "ARROW_SE g8537 ARROW_S 44le4 ARROW_SW 12kos ARROW_W 48v84 ARROW_NW sok21 TRIANGLE 04av0 "
+    "TRIANGLE_LEFT gokiv CHESSBOARD alala DIAMOND 4aha4 DIAMOND_SMALL 04a40 SQUARE vhhhv "
+    "SQUARE_SMALL 0eae0 RABBIT kkuqu COW hhve4 MUSIC_CROTCHET 444ss MUSIC_QUAVER 465ss "
+    "MUSIC_QUAVERS f99rr PITCHFORK llv44 XMAS 4e4ev PACMAN fqsuf TARGET 4ere4 TSHIRT rveee "
+    "ROLLERSKATE 33vva DUCK csfe0 HOUSE 4evea TORTOISE 0eva0 BUTTERFLY rv4vr STICKFIGURE 4v4ah "
+    "GHOST vlvvl SWORD 444e4 GIRAFFE o88ea SKULL elvee UMBRELLA ev4kc SNAKE orae0 SCISSORS pq4qp"
+)
+
+
+class MicroBitImage:
+    # A built-in image is one whole number, 25 bits, until it is looked at; any other has its pixels in a bytearray.
+    _w = 5
+    _h = 5
+
+    def __init__(self, *args):
+        n = len(args)
+        if n == 0:
+            self._b = bytearray(25)
+        elif n == 1:
+            text = args[0]
+            if not isinstance(text, str):
+                raise TypeError("Image(s) takes a string")
+            if len(text) == 1:
+                self._b = bytearray(25)
+                _glyph(text, addressof(self._b))
+            else:
+                self._parse(text)
+        elif n <= 3:
+            self._sized(*args)
+        else:
+            raise TypeError("function expected at most 3 arguments, got %d" % n)
+
+    def _sized(self, w, h, data=None):
+        ints(w, h)
+        if data is None:
+            self._b = bytearray(w * h)
+        else:
+            view = memoryview(data)
+            if w < 0 or h < 0 or w * h != len(view):
+                raise ValueError("image data is incorrect size")
+            self._b = bytearray(view)
+            for i in range(w * h):
+                if self._b[i] > 9:
+                    self._b[i] = 9
+        self._w = w
+        self._h = h
+
+    def _parse(self, text):
+        rows = text.replace("\n", ":").split(":")
+        if not rows[-1]:
+            rows.pop()
+        w = max(len(row) for row in rows) if rows else 0
+        self._w = w
+        self._h = len(rows)
+        self._b = pixels = bytearray(w * self._h)
+        start = 0
+        for row in rows:
+            i = start
+            for digit in row:
+                if digit > "9":
+                    raise ValueError("unexpected character in Image definition")
+                # Below '0' the device stores whatever comes out; only a space is meant to be dark.
+                if digit > "0":
+                    pixels[i] = ord(digit) - 48
+                i += 1
+            start += w
+
+    def _pixels(self):
+        b = self._b
+        if type(b) is int:
+            return bytes((b >> i & 1) * 9 for i in range(24, -1, -1))
+        return b
+
+    def _own(self):
+        b = self._b
+        if type(b) is int:
+            raise TypeError("image cannot be modified (try copying first)")
+        return b
+
+    def width(self):
+        return self._w
+
+    def height(self):
+        return self._h
+
+    def _place(self, x, y):
+        ints(x, y)
+        if x < 0 or y < 0:
+            raise ValueError("index cannot be negative")
+        if x >= self._w or y >= self._h:
+            raise ValueError("index too large")
+        return y * self._w + x
+
+    def get_pixel(self, x, y):
+        i = self._place(x, y)
+        b = self._b
+        if type(b) is int:
+            return (b >> 24 - i & 1) * 9
+        return b[i]
+
+    def set_pixel(self, x, y, value):
+        b = self._own()
+        ints(x, y, value)
+        if x >= 0 <= y and not 0 <= value <= 9:
+            raise ValueError("brightness out of bounds")
+        b[self._place(x, y)] = value
+
+    def fill(self, value):
+        b = self._own()
+        ints(value)
+        if not 0 <= value <= 9:
+            raise ValueError("brightness out of bounds")
+        for i in range(len(b)):
+            b[i] = value
+
+    def copy(self):
+        return _image(self._w, self._h, self._pixels())
+
+    def invert(self):
+        return _image(self._w, self._h, bytes(9 - p for p in self._pixels()))
+
+    def crop(self, x, y, w, h):
+        ints(x, y, w, h)
+        image = _image(max(w, 0), max(h, 0), None)
+        image._copy_from(self, x, y, image._w, image._h, 0, 0)
+        return image
+
+    def blit(self, src, x, y, w, h, xdest=0, ydest=None):
+        self._own()
+        if not isinstance(src, MicroBitImage):
+            raise TypeError("expecting an image")
+        if ydest is None:
+            if xdest:
+                raise TypeError("must specify both offsets")
+            ydest = 0
+        ints(x, y, w, h, xdest, ydest)
+        if w < 0 or h < 0:
+            raise ValueError("size cannot be negative")
+        self._copy_from(src, x, y, w, h, xdest, ydest)
+
+    def _copy_from(self, src, x, y, w, h, xdest, ydest):
+        # What lies outside the source counts as dark; what lands outside this image is dropped.
+        pixels = src._pixels()
+        if src is self:
+            pixels = bytes(pixels)
+        to = self._b
+        for row in range(max(-ydest, 0), min(h, self._h - ydest)):
+            from_y = y + row
+            for column in range(max(-xdest, 0), min(w, self._w - xdest)):
+                from_x = x + column
+                inside = 0 <= from_x < src._w and 0 <= from_y < src._h
+                to[(ydest + row) * self._w + xdest + column] = pixels[from_y * src._w + from_x] if inside else 0
+
+    def _shift(self, x, y):
+        return self.crop(x, y, self._w, self._h)
+
+    def shift_left(self, n):
+        return self._shift(n, 0)
+
+    def shift_right(self, n):
+        return self._shift(-n, 0)
+
+    def shift_up(self, n):
+        return self._shift(0, n)
+
+    def shift_down(self, n):
+        return self._shift(0, -n)
+
+    def _sum(self, other, sign):
+        if self._w != other._w or self._h != other._h:
+            raise ValueError("images must be the same size")
+        a = self._pixels()
+        b = other._pixels()
+        return _image(self._w, self._h, bytes(min(max(a[i] + sign * b[i], 0), 9) for i in range(len(a))))
+
+    def __add__(self, other):
+        if not isinstance(other, MicroBitImage):
+            return NotImplemented
+        return self._sum(other, 1)
+
+    def __sub__(self, other):
+        if not isinstance(other, MicroBitImage):
+            return NotImplemented
+        return self._sum(other, -1)
+
+    def __mul__(self, factor):
+        factor = _number(factor)
+        if factor < 0:
+            raise ValueError("brightness multiplier must not be negative")
+        return _image(self._w, self._h, bytes(min(int(p * factor + 0.5), 9) for p in self._pixels()))
+
+    def __truediv__(self, divisor):
+        return self * (1.0 / _number(divisor))
+
+    def _rows(self):
+        pixels = self._pixels()
+        w = self._w
+        return ["".join(str(p) for p in pixels[y * w : (y + 1) * w]) + ":" for y in range(self._h)]
+
+    def __repr__(self):
+        return "Image('" + "".join(self._rows()) + "')"
+
+    def __str__(self):
+        return "Image(\n    '" + "'\n    '".join(self._rows()) + "'\n)"
+
+
+def _image(w, h, pixels):
+    image = object.__new__(MicroBitImage)
+    image._w = w
+    image._h = h
+    image._b = bytearray(w * h) if pixels is None else bytearray(pixels)
+    return image
+
+
+def _number(value):
+    if isinstance(value, (int, float)):
+        return value
+    raise TypeError("can't convert %s to float" % type(value).__name__)
+
+
+def _add_constants(words):
+    for i in range(0, len(words), 2):
+        image = object.__new__(MicroBitImage)
+        image._b = int(words[i + 1], 32)
+        setattr(MicroBitImage, words[i], image)
+
+
+def _add_list(name, members):
+    setattr(MicroBitImage, name, tuple(getattr(MicroBitImage, member) for member in members))
+
+
+_add_constants(_CONSTANTS.split())
+_add_list("ALL_CLOCKS", ["CLOCK%d" % (hour or 12) for hour in range(12)])
+_add_list("ALL_ARROWS", ["ARROW_" + way for way in "N NE E SE S SW W NW".split()])

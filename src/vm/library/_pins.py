@@ -1,0 +1,145 @@
+# Pins, touch pads and buttons. Names and errors: micropython-microbit-v2 microbit_pin.c, microbit_pinmode.c, microbit_button.c.
+import _hal
+from _sim import ints
+
+_read = _hal.pin_read
+_write = _hal.pin_write
+_read_analog = _hal.pin_read_analog
+_write_analog = _hal.pin_write_analog
+_mode = _hal.pin_mode
+_touched = _hal.touch_is
+_pressed = _hal.button_is
+_was_pressed = _hal.button_was
+_presses = _hal.button_presses
+
+_HELD = -1
+_OUT_OF_RANGE = -2
+
+
+def _held(n):
+    raise ValueError("Pin %d in %s mode" % (n, _mode(n)))
+
+
+class MicroBitDigitalPin:
+    PULL_UP = 0
+    PULL_DOWN = 1
+    NO_PULL = 2
+
+    def __init__(self, n):
+        self._n = n
+
+    def __repr__(self):
+        return "<" + type(self).__name__ + ">"
+
+    def read_digital(self):
+        level = _read(self._n)
+        if level < 0:
+            _held(self._n)
+        return level
+
+    def write_digital(self, value):
+        try:
+            r = _write(self._n, value | 0)
+        except TypeError:
+            r = ints(value)
+        if r:
+            if r == _HELD:
+                _held(self._n)
+            raise ValueError("value must be 0 or 1")
+
+    def write_analog(self, value):
+        r = _write_analog(self._n, value)
+        if r:
+            if r == _HELD:
+                _held(self._n)
+            if r == _OUT_OF_RANGE:
+                raise ValueError("value must be between 0 and 1023")
+            ints(value)
+
+    def set_pull(self, value):
+        ints(value)
+        if _hal.pin_set_pull(self._n, value):
+            _held(self._n)
+
+    def get_pull(self):
+        pull = _hal.pin_pull(self._n)
+        if pull < 0:
+            _held(self._n)
+        return pull
+
+    def get_mode(self):
+        return _mode(self._n)
+
+    def set_analog_period(self, period):
+        ints(period)
+        self.set_analog_period_microseconds(period * 1000)
+
+    def set_analog_period_microseconds(self, period):
+        ints(period)
+        if _hal.pin_set_period(self._n, period):
+            raise ValueError("invalid period")
+
+    def get_analog_period_microseconds(self):
+        return _hal.pin_period(self._n)
+
+
+class MicroBitAnalogDigitalPin(MicroBitDigitalPin):
+    def read_analog(self):
+        value = _read_analog(self._n)
+        if value < 0:
+            _held(self._n)
+        return value
+
+
+class MicroBitTouchOnlyPin:
+    RESISTIVE = 0
+    CAPACITIVE = 1
+
+    def __init__(self, n):
+        self._n = n
+
+    __repr__ = MicroBitDigitalPin.__repr__
+
+    def is_touched(self):
+        touched = _touched(self._n)
+        if touched is None:
+            _held(self._n)
+        return touched
+
+    def set_touch_mode(self, value):
+        ints(value)
+        if _hal.touch_set_kind(self._n, value):
+            _held(self._n)
+
+
+class MicroBitTouchPin(MicroBitAnalogDigitalPin):
+    RESISTIVE = 0
+    CAPACITIVE = 1
+    # The calls of polling loops, found without climbing through the bases.
+    read_digital = MicroBitDigitalPin.read_digital
+    write_digital = MicroBitDigitalPin.write_digital
+    is_touched = MicroBitTouchOnlyPin.is_touched
+    set_touch_mode = MicroBitTouchOnlyPin.set_touch_mode
+
+
+class MicroBitButton:
+    def __init__(self, n):
+        self._n = n
+
+    __repr__ = MicroBitDigitalPin.__repr__
+
+    def is_pressed(self):
+        return _pressed(self._n)
+
+    def was_pressed(self):
+        return _was_pressed(self._n)
+
+    def get_presses(self):
+        return _presses(self._n)
+
+
+def pin_number(pin):
+    """The number by which the simulation knows a pin."""
+    if isinstance(pin, MicroBitDigitalPin):
+        return pin._n
+    raise TypeError("expecting a pin")

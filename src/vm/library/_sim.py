@@ -1,0 +1,80 @@
+# What the library's modules share: buffer addresses, checks, callbacks.
+# Loaded first, while every built-in module can still be imported (see _import.py).
+import _hal
+from math import trunc
+from uctypes import addressof
+from utime import ticks_add, ticks_diff
+
+_throw = _hal.throw
+_callbacks = []
+_thrown = None
+
+
+def raw(buffer):
+    """The bytes of any object with a buffer, as bytes or bytearray."""
+    if isinstance(buffer, str):
+        return buffer.encode()
+    return bytes(memoryview(buffer))
+
+
+def ints(*values):
+    """Raises the device's TypeError for the first value that is not a whole number."""
+    for value in values:
+        range(value)
+
+
+def number(value):
+    """Raises the device's TypeError for what is neither a whole nor a broken number."""
+    trunc(value)
+
+
+def absent(name):
+    raise NotImplementedError(name + " is not simulated yet")
+
+
+class Absent:
+    """Stands where the device has something that is not simulated yet: every use says so by name."""
+
+    def __init__(self, name):
+        self._name = name
+
+    def __getattr__(self, name):
+        absent(self._name)
+
+    def __call__(self, *args, **kwargs):
+        absent(self._name)
+
+    def __getitem__(self, index):
+        absent(self._name)
+
+    def __setitem__(self, index, value):
+        absent(self._name)
+
+    def __repr__(self):
+        return "<" + self._name + " (not simulated yet)>"
+
+
+def remember(callback):
+    """The number under which the simulation calls this function."""
+    _callbacks.append(callback)
+    return len(_callbacks) - 1
+
+
+def _dispatch(number):
+    global _thrown
+    callback = _callbacks[number]
+    if not callback:
+        return
+    try:
+        callback()
+    except KeyboardInterrupt:
+        raise
+    except BaseException as error:
+        # Its last call. The main program ends with it: micropython-microbit-v2 modmicrobit.c, run_every.
+        # Kept here, so that it is not collected before it is raised there.
+        _callbacks[number] = None
+        _thrown = SystemExit(None, error)
+        _throw(id(_thrown))
+
+
+_hal.on_callback(id(_dispatch))

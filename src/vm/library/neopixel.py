@@ -1,0 +1,38 @@
+# NeoPixel as on the device: colours are kept in the order green, red, blue (, white) of the ws2812.
+from microbit import ws2812_write
+
+
+class NeoPixel:
+    ORDER = (1, 0, 2, 3)
+
+    def __init__(self, pin, n, bpp=3):
+        self.pin = pin
+        self.n = n
+        self.bpp = bpp
+        self.buf = bytearray(n * bpp)
+
+    def __setitem__(self, index, color):
+        place = index * self.bpp
+        for part in range(self.bpp):
+            self.buf[place + self.ORDER[part]] = color[part]
+
+    def __getitem__(self, index):
+        place = index * self.bpp
+        return tuple(self.buf[place + self.ORDER[part]] for part in range(self.bpp))
+
+    def __len__(self):
+        return self.n
+
+    def fill(self, color):
+        for index in range(self.n):
+            self[index] = color
+
+    def write(self):
+        ws2812_write(self.pin, self.buf)
+
+    show = write
+
+    def clear(self):
+        for place in range(len(self.buf)):
+            self.buf[place] = 0
+        self.write()

@@ -1,0 +1,196 @@
+import type { Clock } from '#core/clock';
+import { HAL_REFERENCE, type Firmware } from './firmware';
+import type { Machine, Syscall, SyscallTable, Value, Wait } from './syscall';
+import type { Memory } from './values';
+
+/** Library bytecodes that one call of the API may use for nothing; a longer one costs time like the pupil's own code. */
+const FREE_LIBRARY_BYTECODES = 20_000;
+/** The longest stretch without a tick, in µs: keeps the counter well within 32 bits. */
+const LONGEST_STRETCH_US = 1_000_000;
+/** Where a suspended program's stack is kept: the deepest recursion that the VM allows needs less (engine tests). */
+const UNWIND_BYTES = 1024 * 1024;
+
+const EXCEPTION_PENDING = 2;
+const REWINDING = 2;
+const UNWINDING = 1;
+
+/** Nobody's fault but ours or the C code's: the VM is in a state that it cannot leave, and its run ends. */
+export class VmFault extends Error {}
+
+/**
+ * Runs the firmware in pieces under the run's clock. It turns the firmware's counters into simulated time, answers
+ * syscalls, lets time pass while Python waits, and suspends the program where the time that it may use is over.
+ */
+export class Engine implements Machine {
+  private readonly table: readonly Syscall[];
+  private readonly references: ReadonlyMap<string, number>;
+  private readonly unwindBuffer: number;
+  /** What `gas` was set to last: the difference to what is left is the time used since, in µs. */
+  private stretchUs = 0;
+  private limitUs = 0;
+  private suspended = false;
+  private waiting: Wait | null = null;
+  private dispatcher = 0;
+  private ending = false;
+
+  constructor(
+    private readonly firmware: Firmware,
+    private readonly ram: Memory,
+    readonly clock: Clock,
+    syscalls: (engine: Engine) => SyscallTable,
+  ) {
+    const named = Object.entries(syscalls(this));
+    this.table = named.map(([, call]) => call);
+    this.references = new Map(named.map(([name], place) => [name, HAL_REFERENCE + 1 + place]));
+    this.unwindBuffer = firmware.malloc(UNWIND_BYTES);
+  }
+
+  // --- what a syscall may ask of the machine -----------------------------------------------------------------------
+
+  memory(address: number, length: number): Uint8Array {
+    return this.ram.bytes.subarray(address, address + length);
+  }
+
+  spend(us: number): void {
+    if (us > 0) this.clock.advanceTo(this.clock.nowUs + Math.ceil(us));
+  }
+
+  schedule(callback: number): boolean {
+    if (!this.dispatcher) return false;
+    return this.firmware.mp_sched_schedule(this.dispatcher, (callback << 1) | 1) !== 0;
+  }
+
+  get interruptPending(): boolean {
+    return (this.firmware.queued() & EXCEPTION_PENDING) !== 0;
+  }
+
+  /** The library's function (its address) that callbacks go through. */
+  setDispatcher(address: number): void {
+    this.dispatcher = address;
+  }
+
+  /** Raises the exception object at this address in the main program, at its next jump. */
+  throwInProgram(address: number): void {
+    this.firmware.set_pending(address);
+  }
+
+  /** Ends the program here: nothing of it runs again. */
+  end(): void {
+    this.ending = true;
+  }
+
+  // --- running -----------------------------------------------------------------------------------------------------
+
+  /**
+   * Runs `enter` (a call into the firmware) until it returns or the clock has reached the limit.
+   * Called again while suspended it goes on where it was.
+   *
+   * @returns true when the call has returned, false while it is suspended
+   */
+  run(enter: () => void, limitUs: number): boolean {
+    this.limitUs = limitUs;
+    if (this.suspended) this.firmware.asyncify_start_rewind(this.unwindBuffer);
+    else this.refill();
+    this.suspended = false;
+    enter();
+    if (this.firmware.asyncify_get_state() !== UNWINDING) return true;
+    this.firmware.asyncify_stop_unwind();
+    this.suspended = true;
+    return this.ending;
+  }
+
+  /** KeyboardInterrupt at the program's next jump. */
+  interrupt(): void {
+    this.firmware.mp_sched_keyboard_interrupt();
+  }
+
+  /** A counter has run out. */
+  tick(): void {
+    if (this.stopRewinding()) return this.refill();
+    if (this.firmware.library_gas.value <= 0) this.spend(FREE_LIBRARY_BYTECODES);
+    this.catchUp();
+    if (this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
+    else this.refill();
+  }
+
+  /** The program prints: this takes as long as the serial line needs for it. */
+  print(us: number): void {
+    this.catchUp();
+    this.spend(us);
+    this.refill();
+  }
+
+  /** The reference of a function of `_hal`, or −1. */
+  lookup(name: string): number {
+    return this.references.get(name) ?? -1;
+  }
+
+  /** Python calls a function of `_hal`; also the way back in when the program was suspended in such a call. */
+  call(reference: number, args: readonly Value[], resultAddress: number): void {
+    if (this.stopRewinding()) {
+      if (this.waiting) this.goOnWaiting(this.waiting, resultAddress);
+      return;
+    }
+    this.catchUp();
+    const answer = this.table[reference - HAL_REFERENCE - 1]?.(...args) ?? null;
+    if (this.ending) this.suspend();
+    else if (typeof answer === 'object' && answer) this.goOnWaiting(answer, resultAddress);
+    else this.answer(answer, resultAddress);
+  }
+
+  // --- inside ------------------------------------------------------------------------------------------------------
+
+  private stopRewinding(): boolean {
+    if (this.firmware.asyncify_get_state() !== REWINDING) return false;
+    this.firmware.asyncify_stop_rewind();
+    return true;
+  }
+
+  /** Lets time pass until what Python waits for has come, or until this stretch of time is used up. */
+  private goOnWaiting(wait: Wait, resultAddress: number): void {
+    this.waiting = wait;
+    while (!this.isOver(wait)) {
+      const next = Math.min(wait.untilUs, this.clock.nextAlarmUs);
+      if (next > this.limitUs) {
+        this.clock.advanceTo(Math.max(this.limitUs, this.clock.nowUs));
+        return this.suspend();
+      }
+      this.clock.advanceTo(Math.max(next, this.clock.nowUs));
+    }
+    this.waiting = null;
+    this.answer(wait.result(), resultAddress);
+  }
+
+  private isOver(wait: Wait): boolean {
+    return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || this.firmware.queued() !== 0 || this.ending;
+  }
+
+  private answer(value: Value, resultAddress: number): void {
+    this.ram.write(value, resultAddress);
+    this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
+    this.refill();
+  }
+
+  /** Brings the clock up to what the program has used since it was set last. */
+  private catchUp(): void {
+    const usedUs = this.stretchUs - this.firmware.gas.value;
+    this.stretchUs = this.firmware.gas.value;
+    if (usedUs > 0) this.clock.advanceTo(this.clock.nowUs + usedUs);
+  }
+
+  /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the time to use. */
+  private refill(): void {
+    const now = this.clock.nowUs;
+    const untilUs = Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
+    this.stretchUs = Math.max(1, untilUs - now);
+    this.firmware.gas.value = this.stretchUs;
+    if (this.firmware.library_gas.value <= 0) this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
+  }
+
+  private suspend(): void {
+    // The buffer opens with two words of its own: up to where it is filled, and where it ends.
+    this.ram.setWord(this.unwindBuffer, this.unwindBuffer + 8);
+    this.ram.setWord(this.unwindBuffer + 4, this.unwindBuffer + UNWIND_BYTES);
+    this.firmware.asyncify_start_unwind(this.unwindBuffer);
+  }
+}

@@ -1,0 +1,202 @@
+import type { Loader } from './loader';
+import type { Value } from './syscall';
+import { Memory, VALUE_BYTES } from './values';
+
+/** What the firmware exports: MicroPython's own entries and those that the build step added (../firmware/transform.mjs). */
+export interface Firmware {
+  readonly memory: WebAssembly.Memory;
+  readonly __indirect_function_table: WebAssembly.Table;
+  malloc(bytes: number): number;
+  free(address: number): void;
+  /** pystack in words, heap in bytes. */
+  mp_js_init(pystackWords: number, heapBytes: number): void;
+  proxy_c_init(): void;
+  mp_js_register_js_module(nameAddress: number, valueAddress: number): void;
+  /** Compiles and runs source text; the result or the exception goes to the 12 bytes at `resultAddress`. */
+  mp_js_do_exec(sourceAddress: number, bytes: number, resultAddress: number): void;
+  mp_sched_keyboard_interrupt(): void;
+  /** Queues a function and its argument (object references). 0 when the queue is full. */
+  mp_sched_schedule(callable: number, argument: number): number;
+  /** 1 = a queued callback can run, 2 = an exception is pending. */
+  queued(): number;
+  /** Raises the exception object at this address at the program's next jump. */
+  set_pending(exception: number): void;
+  emscripten_stack_get_current(): number;
+  _emscripten_stack_restore(address: number): void;
+  setThrew(threw: number, value: number): void;
+  __wasm_call_ctors(): void;
+  emscripten_stack_init(): void;
+  asyncify_start_unwind(buffer: number): void;
+  asyncify_stop_unwind(): void;
+  asyncify_start_rewind(buffer: number): void;
+  asyncify_stop_rewind(): void;
+  /** 0 = running, 1 = unwinding (suspending), 2 = rewinding (resuming). */
+  asyncify_get_state(): number;
+  /** Simulated µs until `tick`, counted down by the pupil's bytecodes and allocations. */
+  readonly gas: WebAssembly.Global;
+  /** Bytecodes of our library until `tick`. */
+  readonly library_gas: WebAssembly.Global;
+  /** What one allocation by the pupil's code costs, in units of `gas`. */
+  readonly allocation_cost: WebAssembly.Global;
+  /** Where in memory the library ends and the pupil's part of the heap begins. */
+  readonly program_start: WebAssembly.Global;
+  /** Where the C stack begins (it grows downwards); the collector scans from the stack pointer to here. */
+  readonly stack_base: WebAssembly.Global;
+  /** A block of the heap that is given free when memory runs out, for the error's own needs; 0 when it is used. */
+  readonly reserve: WebAssembly.Global;
+  /** Where the heap ends. */
+  readonly heap_end: WebAssembly.Global;
+}
+
+/** What the firmware asks of the run-time side. */
+export interface FirmwareHost {
+  /** A counter ran out. */
+  tick(): void;
+  /** The C code is in a state that it cannot leave. Must throw. */
+  fatal(): never;
+  /** Bytes for the console (stdout and stderr). */
+  write(bytes: Uint8Array): void;
+  /** A random 32-bit number. */
+  randomU32(): number;
+  /** Looks a name up in `_hal`: the reference of a function, or −1. */
+  lookup(name: string): number;
+  /** Calls the function with this reference. */
+  call(reference: number, args: readonly Value[], resultAddress: number): void;
+}
+
+/** The reference of the `_hal` object at the boundary; its functions have the references after it. */
+export const HAL_REFERENCE = 100;
+
+const ENOSYS = 52; // WASI error numbers, as the C library of the firmware has them
+const EROFS = 69;
+
+/**
+ * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
+ * for host objects and its file system are not used, so nothing of the host is in reach and nothing is shared between
+ * copies.
+ */
+export function instantiateFirmware(
+  module: WebAssembly.Module,
+  host: FirmwareHost,
+  loader: (memory: () => Memory) => Loader,
+): { readonly firmware: Firmware; readonly memory: Memory } {
+  let firmware: Firmware | undefined;
+  let memory: Memory | undefined;
+  const running = (): Firmware => firmware ?? notLoaded();
+  const inMemory = (): Memory => memory ?? notLoaded();
+  const files = loader(inMemory);
+  const imports = {
+    host: { tick: () => host.tick(), fatal: () => host.fatal() },
+    env: { ...invokers(running), ...boundary(inMemory, host), ...files.environment, ...system(host) },
+    wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
+  };
+  const exported = new WebAssembly.Instance(module, imports).exports as Firmware;
+  firmware = exported;
+  memory = new Memory(exported.memory.buffer, (bytes) => exported.malloc(bytes));
+  exported.emscripten_stack_init();
+  exported.__wasm_call_ctors();
+  return { firmware, memory };
+}
+
+function notLoaded(): never {
+  throw new Error('The firmware is not loaded yet.');
+}
+
+/**
+ * Calls through the function table that catch what C's longjmp throws (any number; ours and the engine's errors are
+ * objects and pass). While a suspended call is resumed the stack pointer stands at the deep place already, so the one
+ * taken on the way in is kept per nesting depth; else each exception caught after a suspension would leak C stack.
+ */
+function invokers(running: () => Firmware): Record<string, unknown> {
+  const stackAt: number[] = [];
+  let depth = 0;
+  const invoke = (index: number, ...args: readonly number[]): number => {
+    const firmware = running();
+    const level = depth++;
+    if (firmware.asyncify_get_state() !== 2) stackAt[level] = firmware.emscripten_stack_get_current();
+    try {
+      return firmware.__indirect_function_table.get(index)(...args);
+    } catch (thrown) {
+      firmware._emscripten_stack_restore(stackAt[level] ?? 0);
+      if (typeof thrown !== 'number') throw thrown;
+      firmware.setThrew(1, 0);
+      return 0;
+    } finally {
+      depth = level;
+    }
+  };
+  const names = ['v', 'vi', 'vii', 'viii', 'viiii', 'i', 'ii', 'iii', 'iiii', 'iiiii', 'iiiiii'];
+  const throwNumber = (): never => {
+    // eslint-disable-next-line @typescript-eslint/only-throw-error -- the contract of the C library: a number, not an error
+    throw Infinity;
+  };
+  return {
+    ...Object.fromEntries(names.map((name) => [`invoke_${name}`, invoke])),
+    _emscripten_throw_longjmp: throwNumber,
+  };
+}
+
+/** The place where Python meets the host: one object, `_hal`, whose attributes are functions. Everything else is refused. */
+function boundary(memory: () => Memory, host: FirmwareHost): Record<string, unknown> {
+  const nothing = (): number => 0;
+  const refuse = (): never => host.fatal();
+  const find = (reference: number, nameAddress: number): number =>
+    reference === HAL_REFERENCE ? host.lookup(memory().textUntilZero(nameAddress)) : -1;
+  const refused = [
+    'call0_kwarg calln_kwarg js_reflect_construct js_get_iter js_iter_next js_subscr_load js_subscr_store create_promise',
+    'js_then_resolve js_then_reject js_then_continue proxy_convert_mp_to_js_then_js_to_mp_obj_jsside',
+    'proxy_convert_mp_to_js_then_js_to_js_then_js_to_mp_obj_jsside js_get_error_info',
+  ];
+  return {
+    ...Object.fromEntries(refused.flatMap((line) => line.split(' ')).map((each) => [each, refuse])),
+    call0: (reference: number, out: number) => host.call(reference, [], out),
+    call1: (reference: number, _via: number, a: number, out: number) => host.call(reference, [memory().read(a)], out),
+    call2: (reference: number, _via: number, a: number, b: number, out: number) =>
+      host.call(reference, [memory().read(a), memory().read(b)], out),
+    calln: (reference: number, _via: number, count: number, first: number, out: number) =>
+      host.call(reference, Array.from({ length: count }, (_, i) => memory().read(first + i * VALUE_BYTES)), out),
+    has_attr: (reference: number, nameAddress: number) => Number(find(reference, nameAddress) >= 0),
+    lookup_attr: (reference: number, nameAddress: number, out: number) => {
+      const found = find(reference, nameAddress);
+      if (found < 0) return 0;
+      memory().writeReference(found, out);
+      return 1;
+    },
+    store_attr: nothing,
+    proxy_js_free_obj: nothing,
+    js_check_existing: () => -1,
+    js_get_proxy_js_ref_info: nothing,
+  };
+}
+
+/** Time and chance of the C code. Its own clock is never read: every way to it is replaced in the library. */
+function system(host: FirmwareHost): Record<string, unknown> {
+  return {
+    mp_js_random_u32: () => host.randomU32() | 0,
+    mp_js_ticks_ms: () => 0,
+    mp_js_time_ms: () => 0,
+    _abort_js: () => host.fatal(),
+    emscripten_resize_heap: () => 0,
+    ...Object.fromEntries(
+      ['chdir', 'mkdirat', 'poll', 'renameat', 'rmdir', 'unlinkat'].map((call) => [`__syscall_${call}`, () => -EROFS]),
+    ),
+    __syscall_getdents64: () => -ENOSYS,
+    __syscall_statfs64: () => -ENOSYS,
+  };
+}
+
+/** What the C code prints. */
+function output(memory: () => Memory, host: FirmwareHost): Record<string, unknown> {
+  const write = (_file: number, vectors: number, count: number, written: number): number => {
+    let total = 0;
+    for (let i = 0; i < count; i++) {
+      const address = memory().word(vectors + 8 * i);
+      const length = memory().word(vectors + 8 * i + 4);
+      if (length) host.write(memory().bytes.subarray(address, address + length));
+      total += length;
+    }
+    memory().setWord(written, total);
+    return 0;
+  };
+  return { fd_write: write, fd_sync: () => 0 };
+}

@@ -1,0 +1,34 @@
+// Parts of the platform that browsers and Node share and that the rooms' plain ES library does not declare.
+
+declare namespace WebAssembly {
+  /** A compiled .wasm file. */
+  class Module {
+    constructor(bytes: ArrayBufferView | ArrayBuffer);
+  }
+  /** Linear memory; `buffer` is a new object after the memory grew. */
+  class Memory {
+    readonly buffer: ArrayBuffer;
+  }
+  class Global {
+    value: number;
+  }
+  class Table {
+    get(index: number): (...args: readonly number[]) => number;
+  }
+  class Instance {
+    constructor(module: Module, imports: Readonly<Record<string, Readonly<Record<string, unknown>>>>);
+    readonly exports: unknown;
+  }
+}
+
+declare class TextDecoder {
+  constructor(label?: string, options?: { readonly fatal?: boolean });
+  decode(bytes?: Uint8Array, options?: { readonly stream?: boolean }): string;
+}
+
+declare class TextEncoder {
+  encode(text: string): Uint8Array;
+}
+
+/** The bytes of a base64 text, one per character. */
+declare function atob(base64: string): string;

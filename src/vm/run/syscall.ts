@@ -1,0 +1,38 @@
+import type { Clock } from '#core/clock';
+
+/** What crosses the boundary: whole numbers must fit 32 bits, other numbers are doubles, strings are short. */
+export type Value = number | string | boolean | null;
+
+/** What a syscall may ask of the VM. */
+export interface Machine {
+  /** The run's clock, already brought up to now when a syscall starts. */
+  readonly clock: Clock;
+  /** A view of the VM's memory: valid until the syscall returns. */
+  memory(address: number, length: number): Uint8Array;
+  /** Costs simulated time: moves the clock at once (alarms ring meanwhile). */
+  spend(us: number): void;
+  /**
+   * Queues the Python callback with this number: the VM calls the library's dispatcher with it at its next jump.
+   *
+   * @returns false when the queue is full
+   */
+  schedule(callback: number): boolean;
+  /** True when a KeyboardInterrupt waits to be raised. */
+  readonly interruptPending: boolean;
+}
+
+/**
+ * Returned by a syscall that blocks: the VM lets time pass until `untilUs`, or until `ready()` (asked after every
+ * alarm) is true, or less when a callback or an interrupt is queued; then Python gets `result()`.
+ */
+export interface Wait {
+  readonly untilUs: number;
+  ready?(): boolean;
+  result(): Value;
+}
+
+/** A function that Python can call. It never throws: it gives a negative errno or a documented value. */
+export type Syscall = (...args: readonly Value[]) => Value | Wait;
+
+/** All functions of the module `_hal`, by name. */
+export type SyscallTable = Readonly<Record<string, Syscall>>;

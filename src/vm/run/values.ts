@@ -1,0 +1,96 @@
+import type { Value } from './syscall';
+
+// The kinds of values at the boundary, as the port of MicroPython to WebAssembly numbers them (ports/webassembly/proxy_c.c).
+const FROM_PYTHON = { none: 1, bool: 2, int: 3, float: 4, str: 5 } as const;
+const TO_PYTHON = { null: 1, bool: 2, int: 3, double: 4, str: 5, object: 7 } as const;
+
+/** The bytes of one value at the boundary: kind and two words. */
+export const VALUE_BYTES = 12;
+
+/** The firmware's memory. It has a fixed size (the firmware is never given more), so the views stay valid. */
+export class Memory {
+  readonly bytes: Uint8Array;
+  private readonly view: DataView;
+
+  constructor(
+    buffer: ArrayBuffer,
+    private readonly malloc: (bytes: number) => number,
+  ) {
+    this.bytes = new Uint8Array(buffer);
+    this.view = new DataView(buffer);
+  }
+
+  word(address: number): number {
+    return this.view.getInt32(address, true);
+  }
+
+  setWord(address: number, value: number): void {
+    this.view.setInt32(address, value, true);
+  }
+
+  /** The UTF-8 text of so many bytes. */
+  text(address: number, length: number): string {
+    return new TextDecoder().decode(this.bytes.subarray(address, address + length));
+  }
+
+  /** The UTF-8 text up to the next zero byte. */
+  textUntilZero(address: number): string {
+    return this.text(address, this.bytes.indexOf(0, address) - address);
+  }
+
+  /** Puts a text and a closing zero byte into newly allocated memory. */
+  allocateText(text: string): { readonly address: number; readonly length: number } {
+    const bytes = new TextEncoder().encode(text);
+    const address = this.malloc(bytes.length + 1);
+    this.bytes.set(bytes, address);
+    this.bytes[address + bytes.length] = 0;
+    return { address, length: bytes.length };
+  }
+
+  /** Reads a value that Python passes. What is neither number, text, bool nor None reads as null. */
+  read(address: number): Value {
+    const view = this.view;
+    switch (view.getInt32(address, true)) {
+      case FROM_PYTHON.bool:
+        return view.getInt32(address + 4, true) !== 0;
+      case FROM_PYTHON.int:
+        return view.getInt32(address + 4, true);
+      case FROM_PYTHON.float:
+        return view.getFloat64(address + 4, true);
+      case FROM_PYTHON.str:
+        return this.text(view.getInt32(address + 8, true), view.getInt32(address + 4, true));
+      default:
+        return null;
+    }
+  }
+
+  /** Writes a value for Python. Whole numbers of 32 bits become ints, other numbers floats. */
+  write(value: Value, address: number): void {
+    const view = this.view;
+    if (typeof value === 'number') {
+      if ((value | 0) === value) {
+        view.setInt32(address, TO_PYTHON.int, true);
+        view.setInt32(address + 4, value, true);
+      } else {
+        view.setInt32(address, TO_PYTHON.double, true);
+        view.setFloat64(address + 4, value, true);
+      }
+    } else if (value === null) {
+      view.setInt32(address, TO_PYTHON.null, true);
+    } else if (typeof value === 'boolean') {
+      view.setInt32(address, TO_PYTHON.bool, true);
+      view.setInt32(address + 4, Number(value), true);
+    } else {
+      const text = this.allocateText(value);
+      view.setInt32(address, TO_PYTHON.str, true);
+      view.setInt32(address + 4, text.length, true);
+      view.setInt32(address + 8, text.address, true);
+    }
+  }
+
+  /** Writes a reference to a host object: `_hal` or one of its functions. */
+  writeReference(reference: number, address: number): void {
+    this.setWord(address, TO_PYTHON.object);
+    this.setWord(address + 4, reference);
+  }
+}

@@ -1,0 +1,65 @@
+import type { Board } from '#board/board';
+import type { Clock } from '#core/clock';
+import { ConsolePort } from './console-port';
+import { Files } from './files';
+import { Report, type VmEnd } from './report';
+import { Session } from './session';
+
+export type { VmEnd, VmException } from './report';
+
+/** What a VM needs to run a program. */
+export interface VmSetup {
+  /** The compiled firmware (.cache/vm/vm.wasm). */
+  readonly firmware: WebAssembly.Module;
+  readonly board: Board;
+  readonly clock: Clock;
+  /** The pupil's files by name; `main.py` is the program. */
+  readonly files: Readonly<Record<string, string>>;
+  /** The robot's libraries by name; a pupil's file of the same name wins. They do not show in `os.listdir()`. */
+  readonly libraries: Readonly<Record<string, string>>;
+  readonly seed: number;
+  /** Receives what the program prints. */
+  write(text: string): void;
+}
+
+/** A microcomputer's MicroPython: one program, run piece by piece under the run's clock. */
+export interface Vm {
+  /** Runs until the clock reaches the limit (µs; a call of the device that is under way may pass it) or the program ends. */
+  resume(limitUs: number): void;
+  /** How the program ended, or `null` while it runs. */
+  readonly ended: VmEnd | null;
+  /** Raises KeyboardInterrupt in the program. */
+  interrupt(): void;
+  /** Text that a person types on the serial line. */
+  feed(text: string): void;
+  /** What `gc.mem_free()` gave when the program ended, in bytes; 0 while it runs. */
+  heapFree(): number;
+}
+
+/** From power-up to the first line of main.py. Chosen: a micro:bit V2 takes about half a second. */
+const RESET_US = 500_000;
+
+/** Makes a VM. The program begins with the first `resume`. */
+export function createVm(setup: VmSetup): Vm {
+  const files = new Files(setup.files);
+  const report = new Report(setup.write);
+  const port = new ConsolePort((bytes) => report.write(bytes));
+  let session = new Session(setup, { files, port, report });
+  return {
+    resume: (limitUs) => {
+      while (report.ended === null && setup.clock.nowUs < limitUs) {
+        const state = session.run(limitUs);
+        if (state !== 'reset') return;
+        // Like the device: files stay, everything else begins anew.
+        setup.clock.advanceTo(setup.clock.nowUs + RESET_US);
+        session = new Session(setup, { files, port, report });
+      }
+    },
+    get ended() {
+      return report.ended;
+    },
+    interrupt: () => session.interrupt(),
+    feed: (text) => port.feed(text),
+    heapFree: () => report.heapFree,
+  };
+}

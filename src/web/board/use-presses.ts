@@ -1,0 +1,77 @@
+import { onBeforeUnmount, onMounted, shallowRef, type ShallowRef } from 'vue';
+import { Presses, type BoardKey, type PressListener } from './presses';
+
+/** How long a press lasts that comes as a mere click, from a screen reader or a switch, in ms. */
+const CLICK_MS = 200; // chosen: a button of the board must be down for about 40 ms to count
+
+/** Handlers for one thing that can be pressed; for `v-on`. */
+export interface PressHandlers {
+  pointerdown(event: PointerEvent): void;
+  pointerup(event: PointerEvent): void;
+  pointercancel(event: PointerEvent): void;
+  lostpointercapture(event: PointerEvent): void;
+  keydown(event: KeyboardEvent): void;
+  keyup(event: KeyboardEvent): void;
+  blur(): void;
+  click(event: MouseEvent): void;
+  contextmenu(event: Event): void;
+}
+
+/** Lets fingers, mouse, keyboard and screen readers press the keys of the board. */
+export function usePresses(listener: PressListener): {
+  readonly down: Readonly<ShallowRef<ReadonlySet<BoardKey>>>;
+  /** The handlers of something that presses these keys. */
+  handlersFor(keys: readonly BoardKey[]): PressHandlers;
+} {
+  const down = shallowRef<ReadonlySet<BoardKey>>(new Set());
+  const presses = new Presses({
+    press(key) {
+      down.value = new Set([...down.value, key]);
+      listener.press(key);
+    },
+    release(key) {
+      down.value = new Set([...down.value].filter((other) => other !== key));
+      listener.release(key);
+    },
+  });
+  const letGoAll = (): void => presses.letGoAll();
+  onMounted(() => window.addEventListener('blur', letGoAll));
+  onBeforeUnmount(() => {
+    window.removeEventListener('blur', letGoAll);
+    letGoAll();
+  });
+  return { down, handlersFor: (keys) => handlers(presses, keys) };
+}
+
+function handlers(presses: Presses, keys: readonly BoardKey[]): PressHandlers {
+  const name = keys.join('+');
+  const letGo = (event: PointerEvent): void => presses.letGo(`pointer ${String(event.pointerId)}`);
+  const isPressKey = (event: KeyboardEvent): boolean => event.key === 'Enter' || event.key === ' ';
+  return {
+    pointerdown(event) {
+      if (event.button !== 0) return;
+      if (event.currentTarget instanceof Element) event.currentTarget.setPointerCapture(event.pointerId);
+      presses.hold(`pointer ${String(event.pointerId)}`, keys);
+    },
+    pointerup: letGo,
+    pointercancel: letGo,
+    lostpointercapture: letGo,
+    keydown(event) {
+      if (!isPressKey(event)) return;
+      event.preventDefault();
+      if (!event.repeat) presses.hold(`key ${name}`, keys);
+    },
+    keyup(event) {
+      if (!isPressKey(event)) return;
+      event.preventDefault(); // else a space would click as well
+      presses.letGo(`key ${name}`);
+    },
+    blur: () => presses.letGo(`key ${name}`),
+    click(event) {
+      if (event.detail !== 0) return; // a real click was a pointer before
+      presses.hold(`click ${name}`, keys);
+      setTimeout(() => presses.letGo(`click ${name}`), CLICK_MS);
+    },
+    contextmenu: (event) => event.preventDefault(), // a finger that holds a key asks for no menu
+  };
+}

@@ -1,0 +1,56 @@
+import type { Block, Scene } from '#scene/scene';
+import type { ArenaRobot, ArenaSnapshot, PlacedBlock } from './arena-model';
+import { placedBlock } from './draw-blocks';
+
+/** What stands in the arena at one moment. */
+export interface Arranged {
+  readonly robot: ArenaRobot | null;
+  /** The blocks that can be pushed. */
+  readonly blocks: readonly PlacedBlock[];
+}
+
+/** The course as it stands before a run, or as a snapshot of a run says. */
+export function arranged(scene: Scene, snapshot: ArenaSnapshot | null): Arranged {
+  const blocks = scene.objects
+    .filter((object): object is Block => object.type === 'block')
+    .map((block) => {
+      const placed = placedBlock(block);
+      const pose = snapshot?.blocks[block.id];
+      return pose === undefined ? placed : { ...placed, pose };
+    });
+  return { robot: snapshot === null ? robotAtStart(scene) : snapshot.robot, blocks };
+}
+
+/** The robot of a course where it starts, with everything off. */
+export function robotAtStart(scene: Scene): ArenaRobot {
+  const { at, heading } = scene.robot;
+  return {
+    pose: { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 },
+    wheelTurnRad: [0, 0],
+    state: { leds: { left: 0, right: 0 }, rgb: [], lineSensors: [], ultrasonic: null },
+  };
+}
+
+/** What a text about the robot can say, in the units of the classroom. */
+export interface ArenaSummary {
+  readonly xCm: number;
+  readonly yCm: number;
+  /** Whole degrees counter-clockwise from +x, −179 … 180. */
+  readonly headingDeg: number;
+  /** What the ultrasonic sensor faces, or `null`: nothing, or no such sensor. */
+  readonly distanceCm: number | null;
+}
+
+/** The figures of a summary, or `null` without a robot. */
+export function summaryOf(robot: ArenaRobot | null): ArenaSummary | null {
+  if (robot === null) return null;
+  const turns = robot.pose.headingRad / (2 * Math.PI);
+  const headingDeg = Math.round((turns - Math.round(turns)) * 360) + 0;
+  const distanceMm = robot.state.ultrasonic?.distanceMm ?? null;
+  return {
+    xCm: Math.round(robot.pose.xMm / 10),
+    yCm: Math.round(robot.pose.yMm / 10),
+    headingDeg: headingDeg === -180 ? 180 : headingDeg,
+    distanceCm: distanceMm === null ? null : Math.round(distanceMm / 10),
+  };
+}

@@ -1,0 +1,70 @@
+import { readdirSync, readFileSync, statSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { readRobotDrawing, withPixelSize } from './robot-drawing';
+
+const svg = `<!-- a <g id="led-left"> in a comment -->
+<svg xmlns="http://www.w3.org/2000/svg" viewBox="-50 -80 100 120" width="100mm" height="120mm">
+  <g filter="url(#blur)"><circle id="rgb-0" cx="-33" cy="-46" r="18"/><circle id="rgb-1" cx="-27" cy="17" r="17" /></g>
+  <g id="wheel-left">
+    <rect x="-39.7" y="-21.5" width="9.4" height="43" rx="3.4" fill="#14171a"/>
+    <g class="tread"><g><path d="M-38.9 -17.5l3.9 -1.6"/></g><path d="M0 0"/></g>
+  </g>
+  <circle id="line-left" cx="-7" cy="-35" r="3.6"/><circle id="line-right" cx="7" cy="-35" r="3.6"/>
+  <g id="led-right"><circle class="glow" cx="27" cy="-50" r="9"/><circle cx="27" cy="-49" r="3.1"/><circle class="lit" cx="27" cy="-49" r="2.5"/></g>
+  <g id="display"><rect x="-9" y="-25" width="2" height="1.5"/><rect x="-5" y="-25" width="2" height="1.5"/></g>
+  <circle id="screw" cx="1" cy="2" r="3"/>
+</svg>`;
+
+describe('a robot drawing', () => {
+  const drawing = readRobotDrawing(svg);
+
+  it('knows the tyre of 9.4 × 43 mm on the left and none on the right', () => {
+    expect(drawing.wheels.left).toEqual({ x: -39.7, y: -21.5, width: 9.4, height: 43 });
+    expect(drawing.wheels.right).toBeNull();
+  });
+
+  it('knows 2 lights under the body, 1 red light, 2 line sensors by name and the lights of the display', () => {
+    expect(drawing.rgb.map((light) => light.radius)).toEqual([18, 17]);
+    expect(drawing.leds).toEqual({ left: null, right: { x: 27, y: -49, radius: 2.5 } });
+    expect([...drawing.line].map(([name, light]) => [name, light.x])).toEqual([
+      ['left', -7],
+      ['right', 7],
+    ]);
+    expect(drawing.display.map((light) => light.x)).toEqual([-9, -5]);
+  });
+
+  it('leaves the lights under the body and the still tread out of the picture, and nothing else', () => {
+    expect(drawing.svg).not.toContain('rgb-');
+    expect(drawing.svg).not.toContain('tread');
+    expect(drawing.svg).toContain('rx="3.4" fill="#14171a"/>');
+    expect(drawing.svg).toContain('id="screw"');
+    expect(drawing.svg).toContain('class="lit"');
+  });
+
+  it('covers 160 × 160 mm when the file does not say what it covers', () => {
+    expect(drawing.viewBox).toEqual({ x: -50, y: -80, width: 100, height: 120 });
+    expect(readRobotDrawing('<svg></svg>').viewBox).toEqual({ x: -80, y: -80, width: 160, height: 160 });
+  });
+
+  it('gets a size of 200 × 240 px in place of its own', () => {
+    const sized = withPixelSize(svg, 200, 240);
+    expect(sized).toContain('<svg width="200" height="240"');
+    expect(sized).not.toContain('100mm');
+    expect(withPixelSize('<svg viewBox="0 0 1 1"/>', 1, 1)).toContain('xmlns="http://www.w3.org/2000/svg"');
+  });
+});
+
+const rooms = new URL('../../robots/', import.meta.url);
+const robots = readdirSync(rooms).filter((name) => statSync(new URL(name, rooms)).isDirectory());
+
+describe.each(robots)('the drawing of %s', (robot) => {
+  const drawing = readRobotDrawing(readFileSync(new URL(`${robot}/robot.svg`, rooms), 'utf8'));
+
+  it('marks both wheels, both red lights and the 25 lights of the display', () => {
+    expect(drawing.wheels.left?.x).toBeLessThan(0);
+    expect(drawing.wheels.right?.x).toBeGreaterThan(0);
+    expect(drawing.leds.left?.x).toBeLessThan(0);
+    expect(drawing.leds.right?.x).toBeGreaterThan(0);
+    expect(drawing.display).toHaveLength(25);
+  });
+});

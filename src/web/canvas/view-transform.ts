@@ -1,0 +1,120 @@
+import type { Vec } from '#core/geometry';
+
+/** How the arena lies on the canvas; y goes up in the arena and down on the canvas. */
+export interface View {
+  readonly pxPerMm: number;
+  /** Where the arena's lower left corner is, in CSS px from the canvas's upper left corner. */
+  readonly leftPx: number;
+  readonly bottomPx: number;
+}
+
+/** An arena `[width, height]` in mm. */
+export type ArenaSize = readonly [widthMm: number, heightMm: number];
+
+/** A canvas in CSS px. */
+export interface CanvasSize {
+  readonly widthPx: number;
+  readonly heightPx: number;
+}
+
+/** From world mm to CSS px. */
+export function toPx(view: View, at: Vec): Vec {
+  return { x: view.leftPx + at.x * view.pxPerMm, y: view.bottomPx - at.y * view.pxPerMm };
+}
+
+/** From CSS px to world mm. */
+export function toMm(view: View, at: Vec): Vec {
+  return { x: (at.x - view.leftPx) / view.pxPerMm, y: (view.bottomPx - at.y) / view.pxPerMm };
+}
+
+/** Room for the rulers and the floor's shadow; less where space is short. */
+export function marginsPx(canvas: CanvasSize): { left: number; right: number; top: number; bottom: number } {
+  const narrow = canvas.widthPx < 480; // chosen: a phone held upright
+  return narrow ? { left: 30, right: 14, top: 12, bottom: 28 } : { left: 42, right: 26, top: 18, bottom: 36 };
+}
+
+/** The view that shows the whole arena, centred, as large as it goes. */
+export function fitView(arena: ArenaSize, canvas: CanvasSize): View {
+  const margin = marginsPx(canvas);
+  const freeWidth = Math.max(20, canvas.widthPx - margin.left - margin.right);
+  const freeHeight = Math.max(20, canvas.heightPx - margin.top - margin.bottom);
+  const pxPerMm = Math.min(freeWidth / arena[0], freeHeight / arena[1]);
+  return {
+    pxPerMm,
+    leftPx: margin.left + (freeWidth - arena[0] * pxPerMm) / 2,
+    bottomPx: margin.top + (freeHeight + arena[1] * pxPerMm) / 2,
+  };
+}
+
+/** How far one may zoom, in px per mm: out to half the fitting size, in until a robot fills a screen. */
+export function zoomLimits(arena: ArenaSize, canvas: CanvasSize): { min: number; max: number } {
+  const fit = fitView(arena, canvas).pxPerMm;
+  return { min: fit * 0.5, max: Math.max(fit * 8, 8) }; // chosen: 8 px per mm shows a robot at 640 px
+}
+
+/** The zoom relative to the fitting view, in percent: 100 shows the whole arena. */
+export function zoomPercent(view: View, arena: ArenaSize, canvas: CanvasSize): number {
+  return (view.pxPerMm / fitView(arena, canvas).pxPerMm) * 100;
+}
+
+/**
+ * Zooms by a factor, within the limits, keeping the place under `around` (CSS px) where it is as far as the arena's
+ * edge allows.
+ */
+export function zoomView(view: View, factor: number, around: Vec, arena: ArenaSize, canvas: CanvasSize): View {
+  const limits = zoomLimits(arena, canvas);
+  const pxPerMm = Math.min(limits.max, Math.max(limits.min, view.pxPerMm * factor));
+  const fixed = toMm(view, around);
+  const moved = { pxPerMm, leftPx: around.x - fixed.x * pxPerMm, bottomPx: around.y + fixed.y * pxPerMm };
+  return keepInSight(moved, arena, canvas);
+}
+
+/** Moves the picture by so many px, never beyond the arena's edge. */
+export function panView(view: View, byPx: Vec, arena: ArenaSize, canvas: CanvasSize): View {
+  return keepInSight(
+    { pxPerMm: view.pxPerMm, leftPx: view.leftPx + byPx.x, bottomPx: view.bottomPx + byPx.y },
+    arena,
+    canvas,
+  );
+}
+
+/** The same view when the canvas has another size: the centre stays in the centre. */
+export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, after: CanvasSize): View {
+  const centre = toMm(view, { x: before.widthPx / 2, y: before.heightPx / 2 });
+  const limits = zoomLimits(arena, after);
+  const pxPerMm = Math.min(limits.max, Math.max(limits.min, view.pxPerMm));
+  const moved = {
+    pxPerMm,
+    leftPx: after.widthPx / 2 - centre.x * pxPerMm,
+    bottomPx: after.heightPx / 2 + centre.y * pxPerMm,
+  };
+  return keepInSight(moved, arena, after);
+}
+
+/** Centres what is smaller than the canvas and lets nothing empty be scrolled in beside what is larger. */
+function keepInSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
+  const margin = marginsPx(canvas);
+  const width = arena[0] * view.pxPerMm;
+  const height = arena[1] * view.pxPerMm;
+  return {
+    pxPerMm: view.pxPerMm,
+    leftPx: keep(view.leftPx, width, margin.left, canvas.widthPx - margin.right),
+    bottomPx: keep(view.bottomPx - height, height, margin.top, canvas.heightPx - margin.bottom) + height,
+  };
+}
+
+/** Start of a stretch of this length that fills `from` … `to`, or lies in its middle when it is shorter. */
+function keep(start: number, length: number, from: number, to: number): number {
+  if (length <= to - from) return (from + to - length) / 2;
+  return Math.min(from, Math.max(to - length, start));
+}
+
+/**
+ * Canvas pixels per CSS px: the screen's own ratio, less when the canvas would get too large to fill 60 times a
+ * second without a graphics card.
+ */
+export function backingRatio(canvas: CanvasSize, devicePixelRatio: number): number {
+  const mostPixels = 5_000_000; // chosen: a tablet of 2360 × 1640 needs 3.9 million
+  const area = Math.max(1, canvas.widthPx * canvas.heightPx);
+  return Math.max(0.5, Math.min(devicePixelRatio, Math.sqrt(mostPixels / area)));
+}

@@ -1,0 +1,90 @@
+import { defaultKeymap, history, historyKeymap, indentWithTab } from '@codemirror/commands';
+import { pythonLanguage } from '@codemirror/lang-python';
+import {
+  bracketMatching,
+  HighlightStyle,
+  indentOnInput,
+  indentUnit,
+  LanguageSupport,
+  syntaxHighlighting,
+} from '@codemirror/language';
+import { EditorState, type Extension } from '@codemirror/state';
+import {
+  dropCursor,
+  EditorView,
+  highlightActiveLine,
+  highlightActiveLineGutter,
+  highlightSpecialChars,
+  keymap,
+  lineNumbers,
+} from '@codemirror/view';
+import { tags } from '@lezer/highlight';
+
+import { wrongLineField } from './wrong-line';
+
+/** Colours come from the page's variables, so one style serves light and dark. */
+const colours = HighlightStyle.define([
+  { tag: [tags.keyword, tags.operatorKeyword, tags.modifier], color: 'var(--c-kw)', fontWeight: '600' },
+  { tag: [tags.string, tags.special(tags.string)], color: 'var(--c-str)' },
+  { tag: tags.comment, color: 'var(--c-com)', fontStyle: 'italic' },
+  { tag: [tags.number, tags.bool, tags.null, tags.self], color: 'var(--c-num)' },
+  {
+    tag: [tags.function(tags.variableName), tags.function(tags.propertyName), tags.function(tags.definition(tags.variableName))],
+    color: 'var(--c-fn)',
+  },
+  { tag: [tags.className, tags.meta], color: 'var(--c-fn)' },
+  { tag: tags.invalid, color: 'var(--stop)' },
+]);
+
+const look = EditorView.theme({
+  '&': { height: '100%', backgroundColor: 'transparent', color: 'var(--text)', fontSize: '13.5px' },
+  '&.cm-focused': { outline: 'none' },
+  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '22px', overscrollBehavior: 'contain' },
+  '.cm-content': { padding: '8px 0 16px', caretColor: 'var(--text)' },
+  '.cm-line': { padding: '0 16px 0 6px' },
+  '.cm-gutters': { backgroundColor: 'transparent', border: 'none', color: 'var(--gutter)', fontSize: '12.5px' },
+  '.cm-lineNumbers .cm-gutterElement': { minWidth: '38px', padding: '0 10px 0 4px' },
+  '.cm-activeLine': { backgroundColor: 'transparent' },
+  '.cm-activeLineGutter': { backgroundColor: 'transparent' },
+  '&.cm-focused .cm-activeLine, &.cm-focused .cm-activeLineGutter': { backgroundColor: 'var(--select)' },
+  '&.cm-focused .cm-activeLineGutter': { boxShadow: 'inset 3px 0 0 var(--brand)' },
+  '.cm-matchingBracket, &.cm-focused .cm-matchingBracket': {
+    backgroundColor: 'var(--accent-soft)',
+    outline: '1px solid var(--accent-line)',
+  },
+  '.cm-wrongLine, &.cm-focused .cm-activeLine.cm-wrongLine': {
+    backgroundColor: 'var(--stop-soft)',
+    boxShadow: 'inset 3px 0 0 var(--stop)',
+  },
+  '.cm-specialChar': { color: 'var(--stop)' },
+});
+
+/** The editor for Python: four spaces, Tab indents, Escape and then Tab leaves, Ctrl+Enter runs. */
+export function editorExtensions(options: { label: string; onChange(text: string): void; onRun(): void }): Extension {
+  return [
+    lineNumbers(),
+    highlightActiveLine(),
+    highlightActiveLineGutter(),
+    highlightSpecialChars(),
+    history(),
+    dropCursor(),
+    indentOnInput(),
+    bracketMatching(),
+    new LanguageSupport(pythonLanguage),
+    syntaxHighlighting(colours),
+    indentUnit.of('    '),
+    EditorState.tabSize.of(4),
+    wrongLineField,
+    look,
+    EditorView.contentAttributes.of({ 'aria-label': options.label, spellcheck: 'false', autocapitalize: 'off', autocorrect: 'off' }),
+    keymap.of([
+      { key: 'Mod-Enter', run: () => (options.onRun(), true), preventDefault: true, stopPropagation: true },
+      ...defaultKeymap,
+      ...historyKeymap,
+      indentWithTab,
+    ]),
+    EditorView.updateListener.of((update) => {
+      if (update.docChanged) options.onChange(update.state.doc.toString());
+    }),
+  ];
+}

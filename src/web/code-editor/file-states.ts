@@ -1,0 +1,71 @@
+import { EditorState, type Extension } from '@codemirror/state';
+import { EditorView } from '@codemirror/view';
+
+import { markWrongLine } from './wrong-line';
+
+/** What the editor is asked to show. */
+export interface Shown {
+  readonly name: string;
+  readonly text: string;
+}
+
+/** One editor for all tabs: every file keeps its own undo steps, cursor and scroll place while another one is shown. */
+export class FileStates {
+  private readonly view: EditorView;
+  private readonly hidden = new Map<string, { state: EditorState; top: number }>();
+  private name: string;
+
+  constructor(
+    parent: HTMLElement,
+    shown: Shown,
+    private readonly extensionsFor: (name: string) => Extension,
+  ) {
+    this.name = shown.name;
+    this.view = new EditorView({ parent, state: this.stateOf(shown) });
+  }
+
+  /** Shows a file; a text that was changed elsewhere replaces the one that was being edited. */
+  show(shown: Shown): void {
+    const { view } = this;
+    if (shown.name !== this.name) {
+      this.hidden.set(this.name, { state: view.state, top: view.scrollDOM.scrollTop });
+      const kept = this.hidden.get(shown.name);
+      this.name = shown.name;
+      view.setState(kept?.state ?? this.stateOf(shown));
+      requestAnimationFrame(() => view.scrollDOM.scrollTo({ top: kept?.top ?? 0 }));
+    }
+    if (view.state.doc.toString() !== shown.text) view.setState(this.stateOf(shown));
+  }
+
+  /** Forgets files that are gone. */
+  keepOnly(names: readonly string[]): void {
+    for (const name of this.hidden.keys()) if (!names.includes(name)) this.hidden.delete(name);
+  }
+
+  /** Forgets all other files' states, as when another language names them anew. */
+  refresh(text: string): void {
+    this.hidden.clear();
+    const { selection } = this.view.state;
+    this.view.setState(EditorState.create({ doc: text, selection, extensions: this.extensionsFor(this.name) }));
+  }
+
+  markWrong(line: number | null): void {
+    this.view.dispatch({ effects: markWrongLine.of(line) });
+  }
+
+  /** Puts the cursor into a line and brings it into view. */
+  jumpTo(line: number): void {
+    const { view } = this;
+    const { from } = view.state.doc.line(Math.min(Math.max(1, line), view.state.doc.lines));
+    view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
+    view.focus();
+  }
+
+  destroy(): void {
+    this.view.destroy();
+  }
+
+  private stateOf({ name, text }: Shown): EditorState {
+    return EditorState.create({ doc: text, extensions: this.extensionsFor(name) });
+  }
+}

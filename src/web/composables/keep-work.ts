@@ -1,0 +1,71 @@
+import { watch } from 'vue';
+
+import { workFromText, workToText, type Work } from '../project/history';
+import { createTabStorage, renameTab, tabName, type TabStorage, type TextStore } from '../project/tab-storage';
+import type { WorkModel } from './use-work';
+
+/** How long after the last keystroke the work is saved, in ms. */
+const SAVE_AFTER_MS = 300; // chosen: a crash costs at most a word
+
+/** This tab's storage, or one that forgets where the browser forbids storing. */
+export async function openTabStorage(): Promise<TabStorage> {
+  try {
+    const [session, local]: [TextStore, TextStore] = [sessionStorage, localStorage];
+    const name = tabName(session);
+    if (name !== null && !(await holdsName(name))) renameTab(session, newTabName);
+    const storage = createTabStorage(session, local, newTabName);
+    const own = tabName(session);
+    if (own !== null && own !== name) void holdsName(own);
+    return storage;
+  } catch {
+    return { load: () => null, save: () => true };
+  }
+}
+
+/** The stored work, if there is any and it can be read. */
+export function storedWork(storage: TabStorage): Work | null {
+  const text = storage.load();
+  return text === null ? null : workFromText(text);
+}
+
+/** Saves the work shortly after every change, and at once when the page is left. */
+export function keepWork(model: WorkModel, storage: TabStorage, onFull: () => void): void {
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  function save(): void {
+    if (timer === undefined) return;
+    clearTimeout(timer);
+    timer = undefined;
+    if (!storage.save(workToText(model.work.value))) onFull();
+  }
+  watch(model.work, () => {
+    clearTimeout(timer);
+    timer = setTimeout(save, SAVE_AFTER_MS);
+  });
+  addEventListener('pagehide', save);
+  document.addEventListener('visibilitychange', () => {
+    if (document.visibilityState === 'hidden') save();
+  });
+}
+
+/** Begins with the time, so that sorting names sorts by age. */
+function newTabName(): string {
+  return `${Date.now().toString(36).padStart(9, '0')}-${Math.floor(Math.random() * 1e9).toString(36)}`;
+}
+
+/**
+ * Holds a lock in this tab's name as long as the page lives. A duplicated tab has the same name in its copied session
+ * store, finds the lock taken and must take another name; so two tabs never write the same copy.
+ */
+function holdsName(name: string): Promise<boolean> {
+  // Web Locks are missing on plain http: duplicated tabs then share their copy, their sessions stay apart all the same.
+  const locks = (navigator as Partial<Navigator>).locks;
+  if (locks === undefined) return Promise.resolve(true);
+  return new Promise((resolve) => {
+    locks
+      .request(`parcours.tab.${name}`, { ifAvailable: true }, (lock) => {
+        resolve(lock !== null);
+        return lock === null ? undefined : new Promise<void>(() => {});
+      })
+      .catch(() => resolve(true));
+  });
+}

@@ -1,0 +1,49 @@
+import { THEMES } from '../project/settings';
+import { useApp, type App } from './use-app';
+import { loadBeside, loadFiles, replaceFile, saveFile } from './use-file-transfer';
+
+/** What several bars and keys offer alike, inside any panel. */
+export function useCommands() {
+  return useCommandsOf(useApp());
+}
+
+/** The same for whoever holds the app's parts already. */
+export function useCommandsOf(app: App) {
+  /** Takes files in, from the picker or dropped onto the page. */
+  function take(files: Iterable<File>): void {
+    void loadFiles(app, files, ({ file, as }) =>
+      app.dialogs.ask({
+        kind: 'choose',
+        title: 'files.askTitle',
+        text: 'files.askText',
+        values: { file: file.name },
+        choices: [
+          { key: 'code.cancel', run: () => undefined },
+          { key: 'files.askReplace', look: 'outline', run: () => replaceFile(app, file) },
+          { key: 'files.askRename', values: { as }, look: 'run', run: () => loadBeside(app, file) },
+        ],
+      }),
+    );
+  }
+
+  function load(): void {
+    const picker = document.createElement('input');
+    picker.type = 'file';
+    picker.accept = '.py,text/x-python';
+    picker.multiple = true;
+    picker.addEventListener('change', () => take(picker.files ?? []));
+    picker.click();
+  }
+
+  return {
+    take,
+    load,
+    save: (): void => saveFile(app, app.work.open.value),
+    /** The other one of light and dark than is shown now. */
+    switchTheme: (): void => {
+      const dark = document.documentElement.dataset['theme'] === 'dark';
+      app.settings.change({ theme: dark ? 'light' : 'dark' });
+    },
+    themes: THEMES,
+  };
+}

@@ -1,0 +1,75 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from '../console/console-log';
+import type { Advice } from '../console/error-advice';
+
+/** How often new output is shown, in ms. Not by animation frames: those stop in a tab that is not seen. */
+const SHOW_EVERY_MS = 50; // chosen: 20 times a second reads as at once
+
+/** The console as the page shows it: output is gathered and shown in one go, twenty times a second at most. */
+export class ConsoleModel {
+  readonly entries: ShallowRef<readonly ConsoleEntry[]> = shallowRef([]);
+  readonly isCut = shallowRef(false);
+  /** There is output the pupil may not have seen, on a screen where the console is behind a tab. */
+  readonly isNew = shallowRef(false);
+  private readonly log = new ConsoleLog();
+  private pending = '';
+  private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** Adds output of the program. */
+  write(text: string): void {
+    this.pending += text;
+    this.timer ??= setTimeout(() => this.show(), SHOW_EVERY_MS);
+  }
+
+  /** Adds what the pupil typed. */
+  echo(text: string): void {
+    this.show();
+    this.log.write(text, 'input');
+    this.show();
+  }
+
+  startRun(number: number): void {
+    this.show();
+    this.log.add({ kind: 'run', number });
+    this.show();
+  }
+
+  addError(place: ErrorPlace | null, advice: Advice): void {
+    this.show();
+    this.log.add({ kind: 'error', place, advice });
+    this.show();
+  }
+
+  /** The program was stopped by the pupil: its last traceback is no alarm. */
+  quieten(): void {
+    this.show();
+    this.log.quieten();
+    this.show();
+  }
+
+  clear(): void {
+    this.pending = '';
+    this.log.clear();
+    this.show();
+    this.isNew.value = false;
+  }
+
+  /** Everything that is kept, as text. */
+  toText(): string {
+    this.show();
+    return this.log.toText();
+  }
+
+  private show(): void {
+    clearTimeout(this.timer);
+    this.timer = undefined;
+    if (this.pending !== '') {
+      this.log.write(this.pending);
+      this.pending = '';
+    }
+    if (this.entries.value !== this.log.entries) this.isNew.value = this.log.entries.length > 0;
+    this.entries.value = this.log.entries;
+    this.isCut.value = this.log.isCut;
+  }
+}

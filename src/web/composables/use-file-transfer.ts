@@ -1,0 +1,79 @@
+import { courseName } from '../project/courses';
+import { FILE_BYTES, freeName, MAIN, nameProblem, type SourceFile } from '../project/project';
+import type { App } from './use-app';
+
+/** A loaded file whose name is taken: the pupil says what is to become of it. */
+export interface Conflict {
+  readonly file: SourceFile;
+  /** The free name it could have. */
+  readonly as: string;
+}
+
+/** Saves a file of the work as a download. */
+export function saveFile({ notices }: Pick<App, 'notices'>, file: SourceFile): void {
+  const url = URL.createObjectURL(new Blob([file.text], { type: 'text/x-python' }));
+  const link = document.createElement('a');
+  link.href = url;
+  link.download = file.name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(url), 10_000); // Safari reads the file after the click has returned
+  notices.show({ kind: 'ok', key: 'files.saved', values: { file: file.name } });
+}
+
+/** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
+export async function loadFiles(app: App, files: Iterable<File>, ask: (conflict: Conflict) => void): Promise<void> {
+  for (const loaded of files) {
+    const file = await readFile(app, loaded);
+    if (file === null) continue;
+    const own = app.work.find(file.name);
+    if (own?.text === file.text) app.work.show(file.name);
+    else if (own === undefined) app.work.create(file.name, file.text);
+    else if (own.text.trim() === '') app.work.setText(file.name, file.text);
+    else {
+      ask({ file, as: freeName(file.name, app.work.files.value) });
+      continue;
+    }
+    app.notices.show({ kind: 'ok', key: 'files.loaded', values: { file: file.name } });
+  }
+}
+
+async function readFile({ notices }: Pick<App, 'notices'>, loaded: File): Promise<SourceFile | null> {
+  const file = loaded.name;
+  if (!file.toLowerCase().endsWith('.py') || nameProblem(file, []) !== null) {
+    notices.show({ kind: 'error', key: 'files.notPython', values: { file } });
+    return null;
+  }
+  if (loaded.size > FILE_BYTES) {
+    const values = { file, size: Math.ceil(loaded.size / 1024), max: FILE_BYTES / 1024 };
+    notices.show({ kind: 'error', key: 'files.tooLarge', values });
+    return null;
+  }
+  try {
+    const text = new TextDecoder('utf-8', { fatal: true }).decode(await loaded.arrayBuffer());
+    return { name: file, text: text.replaceAll('\r\n', '\n') };
+  } catch {
+    notices.show({ kind: 'error', key: 'files.notText', values: { file } });
+    return null;
+  }
+}
+
+/** What the present work is called where it is put aside. */
+export function workName({ work }: Pick<App, 'work'>): string {
+  const { scene, course } = work.work.value.project;
+  return courseName(scene, course);
+}
+
+/** Lets a loaded file take the place of the one with its name; the whole work is put aside first. */
+export function replaceFile(app: App, file: SourceFile): void {
+  app.work.replace(file, workName(app));
+  app.notices.show({ kind: 'ok', key: 'files.replaced', values: { file: file.name } });
+}
+
+/** Takes a loaded file in under a name that is free. */
+export function loadBeside(app: App, file: SourceFile): void {
+  const as = app.work.takeIn(file);
+  app.notices.show({ kind: 'ok', key: 'files.loadedAs', values: { file: file.name, as } });
+}
+
+/** The program's own file; it is always there. */
+export const mainFile = (app: Pick<App, 'work'>): SourceFile => app.work.find(MAIN) ?? { name: MAIN, text: '' };

@@ -1,0 +1,43 @@
+import { computed } from 'vue';
+
+import { t } from '../i18n';
+import type { TextKey } from '../i18n/texts';
+import type { App } from './use-app';
+
+/** Minutes, seconds and tenths of simulated time: `00:42.6`. */
+export function clockText(timeUs: number): string {
+  const tenths = Math.floor(timeUs / 100_000);
+  const minutes = Math.floor(tenths / 600);
+  const seconds = Math.floor(tenths / 10) % 60;
+  return `${String(minutes).padStart(2, '0')}:${String(seconds).padStart(2, '0')}.${tenths % 10}`;
+}
+
+/** The run's state in a word, its colour, and its clock. */
+export function useRunText({ run }: Pick<App, 'run'>) {
+  const state = computed((): { key: TextKey; tone: 'run' | 'stop' | 'warn' | '' } => {
+    const ended = run.ended.value;
+    if (ended !== null && ended.exception !== null) return { key: 'state.failed', tone: 'stop' };
+    switch (run.phase.value) {
+      case 'starting':
+        return { key: 'state.starting', tone: 'run' };
+      case 'running':
+        return { key: ended === null ? 'state.running' : 'state.finished', tone: 'run' };
+      case 'paused':
+        return { key: 'state.paused', tone: 'warn' };
+      case 'stopping':
+      case 'stopped':
+        return { key: 'state.stopped', tone: '' };
+      case 'killed':
+        return { key: 'state.killed', tone: 'warn' };
+      case 'failed':
+        return { key: 'state.failed', tone: 'stop' };
+      case 'ready':
+        return { key: 'state.ready', tone: '' };
+    }
+  });
+  return {
+    tone: computed(() => state.value.tone),
+    stateText: computed(() => t(state.value.key)),
+    timeText: computed(() => clockText(run.nowUs.value)),
+  };
+}

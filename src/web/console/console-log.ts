@@ -1,0 +1,169 @@
+import type { Advice } from './error-advice';
+
+/** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
+export type TextTone = 'plain' | 'error' | 'quiet' | 'input';
+
+/** One thing in the console, oldest first. `id` is stable while it is shown. */
+export type ConsoleEntry =
+  | { readonly id: number; readonly kind: 'run'; readonly number: number }
+  | { readonly id: number; readonly kind: 'text'; readonly tone: TextTone; readonly text: string; readonly lines: number }
+  | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
+
+/** Where an error happened: a file of the pupil and its line, counted from 1. */
+export interface ErrorPlace {
+  readonly file: string;
+  readonly line: number;
+}
+
+/** What the console keeps at most: enough to scroll back, little enough for a school tablet. */
+export const CONSOLE_LIMITS = { lines: 5000, lineCharacters: 2000, entryLines: 100, entryCharacters: 8000 } as const;
+
+const TRACEBACK = 'Traceback (most recent call last):';
+
+type NewEntry =
+  | { readonly kind: 'run'; readonly number: number }
+  | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
+type TextEntry = Extract<ConsoleEntry, { kind: 'text' }>;
+
+/**
+ * The console's memory: bounded, whatever a program prints. Text is kept in entries of at most 100 lines, so that new
+ * output touches one of them and the oldest ones can be dropped whole.
+ */
+export class ConsoleLog {
+  private kept: ConsoleEntry[] = [];
+  private lines = 0;
+  private nextId = 1;
+  private tone: TextTone = 'plain';
+  private lineStart = true;
+  private lineLength = 0;
+
+  /** Everything kept, oldest first; a new array after every change. */
+  get entries(): readonly ConsoleEntry[] {
+    return this.kept;
+  }
+
+  /** Older output has been dropped. */
+  get isCut(): boolean {
+    return this.cut;
+  }
+  private cut = false;
+
+  /** Adds output of the program; `\r` is left out, over-long lines are broken. */
+  write(text: string, tone?: TextTone): void {
+    const entries = this.kept.slice();
+    const clean = text.replaceAll('\r', '');
+    for (let from = 0; from < clean.length; ) {
+      const newline = clean.indexOf('\n', from);
+      const until = newline < 0 ? clean.length : newline + 1;
+      this.writePart(entries, clean.slice(from, until), tone);
+      from = until;
+    }
+    this.drop(entries);
+    this.kept = entries;
+  }
+
+  /** Adds a heading or an error card on a line of its own. */
+  add(entry: NewEntry): void {
+    if (entry.kind === 'run') this.tone = 'plain';
+    this.lineStart = true;
+    this.lineLength = 0;
+    this.lines += 1;
+    const entries = this.kept.concat({ ...entry, id: this.nextId++ });
+    this.drop(entries);
+    this.kept = entries;
+  }
+
+  /** Shows the last traceback quietly: the pupil stopped the program, nothing is wrong. */
+  quieten(): void {
+    const last = this.kept.findLastIndex((entry) => entry.kind === 'text' && entry.tone === 'error');
+    if (last < 0) return;
+    this.kept = this.kept.map((entry, index) =>
+      index === last && entry.kind === 'text' ? { ...entry, tone: 'quiet' as const } : entry,
+    );
+  }
+
+  clear(): void {
+    this.kept = [];
+    this.lines = 0;
+    this.cut = false;
+    this.lineStart = true;
+  }
+
+  /** All text that is kept, as the program wrote it. */
+  toText(): string {
+    return this.kept.map((entry) => (entry.kind === 'text' ? entry.text : '')).join('');
+  }
+
+  /** One line or a part of one. */
+  private writePart(entries: ConsoleEntry[], part: string, tone: TextTone | undefined): void {
+    if (this.lineStart && tone === undefined && part.startsWith(TRACEBACK)) this.tone = 'error';
+    const shown = tone ?? this.tone;
+    for (let from = 0; from < part.length; ) {
+      const room = CONSOLE_LIMITS.lineCharacters - this.lineLength;
+      const piece = part.slice(from, from + room);
+      from += piece.length;
+      const ends = piece.endsWith('\n');
+      const broken = !ends && piece.length === room;
+      this.append(entries, shown, broken ? `${piece}\n` : piece, ends || broken);
+    }
+    // A traceback ends with the line that names the exception: the first one that is not indented.
+    if (part.endsWith('\n') && this.tone === 'error' && !part.startsWith(TRACEBACK) && !part.startsWith(' ')) {
+      this.tone = 'plain';
+    }
+  }
+
+  private append(entries: ConsoleEntry[], tone: TextTone, piece: string, endsLine: boolean): void {
+    const last = entries.at(-1);
+    const starts = this.lineStart ? 1 : 0;
+    this.lines += starts;
+    this.lineStart = endsLine;
+    this.lineLength = endsLine ? 0 : this.lineLength + piece.length;
+    if (last?.kind === 'text' && last.tone === tone && (starts === 0 || hasRoom(last))) {
+      entries[entries.length - 1] = { ...last, text: last.text + piece, lines: last.lines + starts };
+    } else {
+      entries.push({ id: this.nextId++, kind: 'text', tone, text: piece, lines: 1 });
+    }
+  }
+
+  private drop(entries: ConsoleEntry[]): void {
+    let dropped = 0;
+    while (this.lines > CONSOLE_LIMITS.lines && dropped < entries.length - 1) {
+      const entry = entries[dropped];
+      this.lines -= entry?.kind === 'text' ? entry.lines : 1;
+      dropped += 1;
+    }
+    if (dropped === 0) return;
+    entries.splice(0, dropped);
+    this.cut = true;
+  }
+}
+
+function hasRoom(entry: TextEntry): boolean {
+  return entry.lines < CONSOLE_LIMITS.entryLines && entry.text.length < CONSOLE_LIMITS.entryCharacters;
+}
+
+/** A piece of shown text: plain, or the mention of a line of the pupil's files that can be jumped to. */
+export interface TextPiece {
+  readonly text: string;
+  readonly place: ErrorPlace | null;
+}
+
+/** Splits a traceback into plain text and mentions of lines in `files`. */
+export function withPlaces(text: string, files: readonly string[]): readonly TextPiece[] {
+  const pieces: TextPiece[] = [];
+  let from = 0;
+  for (const match of text.matchAll(/File "([^"\n]+)", line (\d+)/g)) {
+    const [mention, file, line] = match;
+    if (file === undefined || line === undefined || !files.includes(file)) continue;
+    if (match.index > from) pieces.push({ text: text.slice(from, match.index), place: null });
+    pieces.push({ text: mention, place: { file, line: Number(line) } });
+    from = match.index + mention.length;
+  }
+  if (from < text.length) pieces.push({ text: text.slice(from), place: null });
+  return pieces;
+}
+
+/** The innermost place of a traceback that is in one of the pupil's files. */
+export function lastPlace(traceback: string, files: readonly string[]): ErrorPlace | null {
+  return withPlaces(traceback, files).findLast((piece) => piece.place !== null)?.place ?? null;
+}

@@ -1,0 +1,20 @@
+import type { de } from './de';
+
+type Shape<T> = { readonly [K in keyof T]: T[K] extends string ? string : Shape<T[K]> };
+type Leaves<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Leaves<T[K]>}` }[keyof T & string];
+
+/** The shape every catalogue has. A language that misses a text does not compile. */
+export type Texts = Shape<typeof de>;
+
+/** The name of one text, such as `bar.run`. */
+export type TextKey = Leaves<typeof de>;
+
+/** What stands in a text's braces. */
+export type TextValues = Readonly<Record<string, string | number>>;
+
+/** Looks a text up in the chosen language. */
+export type Translate = (key: TextKey, values?: TextValues) => string;
+
+/** The languages of the app, as their two letters. */
+export const LANGUAGES = ['de', 'en'] as const;
+export type Language = (typeof LANGUAGES)[number];

@@ -1,0 +1,69 @@
+/**
+ * What the page and the worker that runs the simulation say to each other. Every message is plain data; every message the
+ * page can send is a `ToWorker`, every one it can receive a `FromWorker`. One worker serves one run and is then thrown away.
+ *
+ *     page                                   worker
+ *      │ prepare (compiled VM)  ───────────►  │
+ *      │ ◄───────────────────────── prepared  │
+ *      │ run (scene, files, options) ──────►  │
+ *      │ ◄────────────────────────── started  │
+ *      │ frame ────────────────────────────►  │   one per animation frame, answered when something moved
+ *      │ ◄───────────────── snapshot · alive  │
+ *      │ ◄─────────────────────────── console │
+ *      │ console-taken ────────────────────►  │   nothing more is sent before it: the program waits, the page never drowns
+ *      │ stop ─────────────────────────────►  │
+ *      │ ◄────────────────────────── stopped  │   or, after STOP_ANSWER_MS, the page ends the worker
+ */
+import type { InputAction } from '#simulation/input';
+import type { RunSetup } from '#simulation/run-setup';
+import type { Ended, Snapshot } from '#simulation/simulation';
+
+/** How fast simulated time runs against the wall clock; `max` is as fast as the machine can. */
+export type Speed = 0.25 | 0.5 | 1 | 2 | 4 | 8 | 'max';
+
+/** All speeds, slowest first. */
+export const SPEEDS: readonly Speed[] = [0.25, 0.5, 1, 2, 4, 8, 'max'];
+
+/** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
+export const STEP_PRESS_US = 20_000;
+
+/** How long Stop waits for the worker's answer before the page ends the worker, in ms of wall time. */
+export const STOP_ANSWER_MS = 500;
+
+/** From the page to the worker. */
+export type ToWorker =
+  /** First message: the compiled VM. A `WebAssembly.Module` is shared, not copied. */
+  | { readonly type: 'prepare'; readonly firmware: WebAssembly.Module }
+  /** Starts the run. `paused` starts it standing still. */
+  | { readonly type: 'run'; readonly setup: RunSetup; readonly speed: Speed; readonly paused: boolean }
+  /** Simulated time stands still until `resume` or `step`. */
+  | { readonly type: 'pause' }
+  | { readonly type: 'resume' }
+  /** `STEP_PRESS_US` of simulated time, then still again. */
+  | { readonly type: 'step' }
+  | { readonly type: 'speed'; readonly speed: Speed }
+  /** A button, the hand, a sensor, serial text: takes effect at the next step of the world. */
+  | { readonly type: 'input'; readonly action: InputAction }
+  /** The page is ready to draw: the next change is answered by one `snapshot`. */
+  | { readonly type: 'frame' }
+  /** The last `console` batch has been taken in. */
+  | { readonly type: 'console-taken' }
+  /** KeyboardInterrupt in the program, a moment for its `finally`, then the end. */
+  | { readonly type: 'stop' };
+
+/** From the worker to the page. */
+export type FromWorker =
+  /** The VM is there; `run` starts at once. */
+  | { readonly type: 'prepared' }
+  | { readonly type: 'started' }
+  | { readonly type: 'snapshot'; readonly snapshot: Snapshot }
+  /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
+  | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
+  /** Output of the program, at most one batch under way. */
+  | { readonly type: 'console'; readonly text: string }
+  /** The program is over; the world goes on until `stop`. Comes after all of the program's output. */
+  | { readonly type: 'program-ended'; readonly ended: Ended }
+  /** The run is over; all output has been sent. The worker does nothing more. */
+  | { readonly type: 'stopped' }
+  /** The run could not start or broke inside (our fault, not the program's). */
+  | { readonly type: 'failed'; readonly message: string };

@@ -1,0 +1,232 @@
+import type { InputAction } from '#simulation/input';
+import type { RunSetup } from '#simulation/run-setup';
+import type { Ended, Snapshot } from '#simulation/simulation';
+
+import { createOutbox } from './outbox';
+import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
+import { STEP_PRESS_US, type FromWorker, type Speed, type ToWorker } from './protocol';
+
+/** What the runner needs of a `Simulation`. */
+export interface Run {
+  readonly nowUs: number;
+  readonly ended: Ended | null;
+  advanceTo(us: number): void;
+  input(action: InputAction): void;
+  interrupt(): void;
+  snapshot(): Snapshot;
+  takeConsole(): string;
+  dispose(): void;
+}
+
+/** The runner's surroundings, so that a test can stand in for the worker. */
+export interface Surroundings {
+  post(message: FromWorker): void;
+  /** Wall clock in ms. */
+  nowMs(): number;
+  /** Calls `task` after `delayMs`, letting messages in first; 0 means as soon as they are in. */
+  later(task: () => void, delayMs: number): void;
+  create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Run>;
+}
+
+/** Longest stretch without looking at messages, in ms of wall time: half a frame. */
+const SLICE_MS = 8;
+/** Rest between two slices when the run is on time, in ms. */
+const REST_MS = 8;
+/** Time between two heartbeats, in ms. */
+const HEARTBEAT_MS = 100;
+/** What a stopped program gets for its `finally`, in ms of wall time: Stop should answer within 100 ms. */
+const FAREWELL_MS = 50;
+
+/** Drives one run by the page's messages: lets simulated time pass in slices, at the pace of the wall clock times the speed. */
+export class Runner {
+  private firmware: WebAssembly.Module | null = null;
+  private run: Run | null = null;
+  private stopped = false;
+  private paused = false;
+  private speed: Speed = 1;
+  private stepUntilUs = 0;
+  private pieceUs = 4000;
+  private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
+  private frameWanted = false;
+  private changed = true;
+  private endTold = false;
+  private ticking = false;
+  private aliveAtMs = 0;
+  private readonly meter = createSpeedMeter();
+  private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
+
+  constructor(private readonly at: Surroundings) {}
+
+  /** Does what a message of the page says. */
+  receive(message: ToWorker): void {
+    switch (message.type) {
+      case 'prepare':
+        this.firmware = message.firmware;
+        this.at.post({ type: 'prepared' });
+        break;
+      case 'run':
+        this.paused = message.paused;
+        this.speed = message.speed;
+        this.start(message.setup);
+        break;
+      case 'stop':
+        this.stop();
+        break;
+      case 'frame':
+        this.frameWanted = true;
+        if (this.paused) this.schedule(0);
+        break;
+      case 'console-taken':
+        this.outbox.taken();
+        this.schedule(0);
+        break;
+      case 'input':
+        this.input(message.action);
+        break;
+      default:
+        this.changePace(message);
+    }
+  }
+
+  private changePace(message: Extract<ToWorker, { type: 'pause' | 'resume' | 'step' | 'speed' }>): void {
+    switch (message.type) {
+      case 'pause':
+        this.paused = true;
+        this.stepUntilUs = this.run?.nowUs ?? 0;
+        break;
+      case 'resume':
+        this.paused = false;
+        break;
+      case 'step':
+        this.paused = true;
+        this.stepUntilUs = Math.max(this.stepUntilUs, this.run?.nowUs ?? 0) + STEP_PRESS_US;
+        break;
+      case 'speed':
+        this.speed = message.speed;
+        break;
+      default:
+        message satisfies never;
+    }
+    this.anchorHere();
+    this.schedule(0);
+  }
+
+  private start(setup: RunSetup): void {
+    if (this.firmware === null) {
+      this.fail(new Error('run before prepare'));
+      return;
+    }
+    this.at.create(setup, this.firmware).then(
+      (created) => {
+        this.run = created;
+        this.anchorHere();
+        this.at.post({ type: 'started' });
+        if (this.stopped) this.stop();
+        else this.schedule(0);
+      },
+      (error: unknown) => this.fail(error),
+    );
+  }
+
+  private input(action: InputAction): void {
+    if (this.stopped) return;
+    this.guarded(() => this.run?.input(action));
+    this.changed = true;
+    this.schedule(0);
+  }
+
+  /** Ends the run: interrupt, a moment for its `finally`, all of its output, the last picture. */
+  private stop(): void {
+    this.stopped = true;
+    const run = this.run;
+    if (run === null) return; // still being created: start() comes back here
+    this.guarded(() => {
+      if (run.ended === null) {
+        run.interrupt();
+        const untilMs = this.at.nowMs() + FAREWELL_MS;
+        while (run.ended === null && this.at.nowMs() < untilMs) run.advanceTo(run.nowUs + 4000);
+        this.outbox.put(run.takeConsole());
+      }
+      this.outbox.flush();
+      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+      run.dispose();
+      this.run = null;
+      this.at.post({ type: 'stopped' });
+    });
+  }
+
+  private tick(): void {
+    this.ticking = false;
+    const run = this.run;
+    if (run === null || this.stopped) return;
+    this.guarded(() => {
+      this.advance(run, this.at.nowMs() + SLICE_MS);
+      const nowMs = this.at.nowMs();
+      this.meter.note(nowMs, run.nowUs);
+      this.anchor = withoutBacklog(this.anchor, nowMs, run.nowUs);
+      this.tell(run, nowMs);
+      const behind = run.nowUs < this.limitUs(run);
+      if (behind) this.schedule(0);
+      else if (!this.paused) this.schedule(REST_MS);
+    });
+  }
+
+  private advance(run: Run, untilMs: number): void {
+    const limitUs = this.limitUs(run);
+    while (run.nowUs < limitUs && !this.outbox.isFull) {
+      const startMs = this.at.nowMs();
+      if (startMs >= untilMs) return;
+      run.advanceTo(Math.min(limitUs, run.nowUs + this.pieceUs));
+      this.changed = true;
+      this.pieceUs = nextPieceUs(this.pieceUs, this.at.nowMs() - startMs);
+      this.outbox.put(run.takeConsole());
+    }
+  }
+
+  /** Simulated time the run may reach now. */
+  private limitUs(run: Run): number {
+    if (this.outbox.isFull) return run.nowUs;
+    return this.paused ? this.stepUntilUs : dueUs(this.anchor, this.at.nowMs());
+  }
+
+  /** Tells the page what it waits for. */
+  private tell(run: Run, nowMs: number): void {
+    if (this.frameWanted && this.changed) {
+      this.frameWanted = this.changed = false;
+      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+    }
+    if (run.ended !== null && !this.endTold && this.outbox.isEmpty) {
+      this.endTold = true;
+      this.at.post({ type: 'program-ended', ended: run.ended });
+    }
+    if (nowMs - this.aliveAtMs >= HEARTBEAT_MS) {
+      this.aliveAtMs = nowMs;
+      this.at.post({ type: 'alive', nowUs: run.nowUs, achieved: this.paused ? null : this.meter.factor() });
+    }
+  }
+
+  private schedule(delayMs: number): void {
+    if (this.ticking) return;
+    this.ticking = true;
+    this.at.later(() => this.tick(), delayMs);
+  }
+
+  private anchorHere(): void {
+    this.anchor = { wallMs: this.at.nowMs(), simulatedUs: this.run?.nowUs ?? 0, speed: this.speed };
+    this.meter.reset();
+  }
+
+  /** Runs `task`; an error in it is ours: it ends the run and is told to the page. */
+  private guarded(task: () => void): void {
+    try {
+      task();
+    } catch (error) {
+      this.fail(error);
+    }
+  }
+
+  private fail(error: unknown): void {
+    this.stopped = true;
+    this.at.post({ type: 'failed', message: error instanceof Error ? error.message : String(error) });
+  }
+}

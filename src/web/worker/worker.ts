@@ -1,0 +1,33 @@
+/** The module worker that owns one run. It says and hears what `protocol.ts` lists; all of its logic is in `runner.ts`. */
+import { Simulation } from '#simulation/simulation';
+
+import { closeDoors } from './moat';
+import type { ToWorker } from './protocol';
+import { Runner } from './runner';
+
+closeDoors(globalThis);
+
+// A message to oneself comes back at once, but after the messages already waiting: setTimeout would add 4 ms each time.
+const channel = new MessageChannel();
+let next: (() => void) | null = null;
+channel.port1.onmessage = () => {
+  const task = next;
+  next = null;
+  task?.();
+};
+
+const runner = new Runner({
+  post: (message) => postMessage(message),
+  nowMs: () => performance.now(),
+  later(task, delayMs) {
+    if (delayMs > 0) {
+      setTimeout(task, delayMs);
+    } else {
+      next = task;
+      channel.port2.postMessage(null);
+    }
+  },
+  create: (setup, firmware) => Simulation.create(setup, firmware),
+});
+
+addEventListener('message', (event: MessageEvent<ToWorker>) => runner.receive(event.data));

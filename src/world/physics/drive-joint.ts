@@ -1,0 +1,206 @@
+import { exactCos, exactSin } from '#core/exact-math';
+import type { ChassisType, WheelSide } from '../chassis';
+import { Joint, Vec2 } from './planck';
+import type { Body, TimeStep } from './planck';
+import { GRAVITY, UNITS_PER_MM, UNITS_PER_NEWTON } from './scale';
+import { solverBodyOf } from './solver-body';
+import type { SolverBody } from './solver-body';
+
+/** One driven wheel inside the solver; lengths in units, masses in g. */
+interface DrivenWheel {
+  /** Distance from the middle of the axle along the robot's y. */
+  readonly y: number;
+  /** Change of the wheel's speed over ground per unit of its impulse. */
+  readonly response: number;
+  /** Most impulse per second the tyre can pass on. */
+  readonly grip: number;
+  duty: number;
+  /** Speed of the rim. */
+  rim: number;
+  /** Impulse on the floor in this step. */
+  impulse: number;
+  /** Impulse of the motor and inertia of the rim, as far as they are known before the step is solved. */
+  push: number;
+  /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
+  stiffness: number;
+}
+
+/**
+ * The drive of a robot: two motors, two tyres, and the scrub of tyres and castor (see DriveLaw), solved together with the
+ * contacts of a step, so that pushing, stalling and sliding along walls follow from the same forces.
+ *
+ * Each wheel has its own speed and the inertia of its motor behind the gear. The floor holds rim and body together up to
+ * the tyre's grip; beyond it the wheel slips. (It extends Joint because that is planck's only way into its solver.)
+ */
+export class DriveJoint extends Joint {
+  private readonly body: Body;
+  private readonly solved: SolverBody;
+  private readonly wheels: readonly [DrivenWheel, DrivenWheel];
+  private readonly inverseMass: number;
+  private readonly inertia: number;
+  private readonly rimMass: number;
+  private readonly stallForce: number;
+  private readonly dryForce: number;
+  private readonly v0: number;
+  private readonly viscous: number;
+  /** Torque of the scrub per square of the mean speed. */
+  private readonly scrubPerSpeed2: number;
+  private readonly sideGrip: number;
+  private sideImpulse = 0;
+  private scrub = 0;
+  private maxScrub = 0;
+  private dry = 0;
+  private cos = 1;
+  private sin = 0;
+
+  constructor(floor: Body, body: Body, type: ChassisType) {
+    super({}, floor, body);
+    const drive = type.drive;
+    const [left, right] = type.wheels;
+    const mass = body.getMass();
+    this.body = body;
+    this.solved = solverBodyOf(body);
+    this.inverseMass = 1 / mass;
+    this.inertia = body.getInertia();
+    this.v0 = drive.v0MmPerS * UNITS_PER_MM;
+    this.viscous = drive.viscous;
+    this.stallForce = drive.stallForceN * UNITS_PER_NEWTON;
+    this.dryForce = this.stallForce * drive.coulomb;
+    // lag = (mass + 2 rim masses) / (2 slopes of the force), solved for the rim's mass
+    const slope = (this.stallForce * (1 + drive.viscous)) / this.v0;
+    this.rimMass = Math.max(slope * drive.lagS - mass / 2, 0);
+    const track = (left.atMm.y - right.atMm.y) * UNITS_PER_MM;
+    this.scrubPerSpeed2 = (this.stallForce * drive.yawResistance * track) / (this.v0 * this.v0);
+    const castorShare = type.castorMm ? type.centreOfMassMm.x / type.castorMm.x : 0;
+    const weightPerWheel = (mass * GRAVITY * (1 - castorShare)) / 2;
+    const wheel = (yMm: number, gripMu: number): DrivenWheel => {
+      const y = yMm * UNITS_PER_MM;
+      const response = this.inverseMass + (y * y) / this.inertia;
+      return { y, response, grip: gripMu * weightPerWheel, duty: 0, rim: 0, impulse: 0, push: 0, stiffness: 0 };
+    };
+    this.wheels = [wheel(left.atMm.y, left.gripMu), wheel(right.atMm.y, right.gripMu)];
+    this.sideGrip = this.wheels[0].grip + this.wheels[1].grip;
+  }
+
+  /** Sets the duty of a motor, −1 … 1. */
+  setDuty(side: WheelSide, duty: number): void {
+    this.wheels[side].duty = duty;
+  }
+
+  /** Speed of the rim in units/s. */
+  rimSpeed(side: WheelSide): number {
+    return this.wheels[side].rim;
+  }
+
+  /** Whether a motor drives or a wheel still turns. */
+  isMoving(): boolean {
+    const [left, right] = this.wheels;
+    return left.duty !== 0 || right.duty !== 0 || left.rim !== 0 || right.rim !== 0;
+  }
+
+  /** Stops the wheels and forgets the impulses of the last step, after the body was moved by hand. */
+  forget(): void {
+    for (const wheel of this.wheels) {
+      wheel.rim = 0;
+      wheel.impulse = 0;
+    }
+    this.sideImpulse = 0;
+    this.scrub = 0;
+  }
+
+  override initVelocityConstraints(step: TimeStep): void {
+    const [left, right] = this.wheels;
+    const { w } = this.solved.c_velocity;
+    // The heading in the middle of the step: curves then keep their radius to second order.
+    const heading = this.solved.c_position.a + 0.5 * step.dt * w;
+    this.cos = exactCos(heading);
+    this.sin = exactSin(heading);
+    this.dry = this.dryForce * step.dt;
+    this.prepare(left, step.dt);
+    this.prepare(right, step.dt);
+    const meanSpeed = (left.rim + right.rim) / 2;
+    this.maxScrub = this.scrubPerSpeed2 * meanSpeed * meanSpeed * step.dt;
+    this.push(left.impulse, right.impulse, this.sideImpulse, this.scrub);
+  }
+
+  private prepare(wheel: DrivenWheel, dt: number): void {
+    // A shorted motor (duty 0) brakes as strongly as one at full duty resists its own speed.
+    const resisting = wheel.duty === 0 ? 1 : Math.abs(wheel.duty);
+    wheel.push = this.rimMass * wheel.rim + this.stallForce * wheel.duty * dt;
+    wheel.stiffness = this.rimMass + ((this.stallForce * (resisting + this.viscous)) / this.v0) * dt;
+  }
+
+  override solveVelocityConstraints(step: TimeStep): void {
+    const [left, right] = this.wheels;
+    const velocity = this.solved.c_velocity;
+    const twist = clamp(this.scrub - velocity.w * this.inertia, this.maxScrub) - this.scrub;
+    this.scrub += twist;
+    this.push(0, 0, 0, twist);
+
+    // Both wheels from the same state, so that equal duties stay equal to the last bit.
+    const forward = velocity.v.x * this.cos + velocity.v.y * this.sin;
+    const leftImpulse = this.tyreImpulse(left, forward - left.y * velocity.w, step.dt);
+    const rightImpulse = this.tyreImpulse(right, forward - right.y * velocity.w, step.dt);
+    this.push(leftImpulse - left.impulse, rightImpulse - right.impulse, 0, 0);
+    left.impulse = leftImpulse;
+    right.impulse = rightImpulse;
+
+    const sideways = velocity.v.y * this.cos - velocity.v.x * this.sin;
+    const side = clamp(this.sideImpulse - sideways / this.inverseMass, this.sideGrip * step.dt) - this.sideImpulse;
+    this.sideImpulse += side;
+    this.push(0, 0, side, 0);
+  }
+
+  /**
+   * Impulse of a tyre on the body: the one that makes rim and floor equally fast, or all the grip there is.
+   * The motor's pull falls linearly with the speed being solved for and its dry friction opposes it, hence the soft
+   * threshold.
+   */
+  private tyreImpulse(wheel: DrivenWheel, speed: number, dt: number): number {
+    const withoutTyre = speed - wheel.response * wheel.impulse;
+    const common = soften(wheel.push + withoutTyre / wheel.response, this.dry) / (wheel.stiffness + 1 / wheel.response);
+    return clamp((common - withoutTyre) / wheel.response, wheel.grip * dt);
+  }
+
+  private push(left: number, right: number, side: number, twist: number): void {
+    const velocity = this.solved.c_velocity;
+    const forward = (left + right) * this.inverseMass;
+    const sideways = side * this.inverseMass;
+    velocity.v.x += forward * this.cos - sideways * this.sin;
+    velocity.v.y += forward * this.sin + sideways * this.cos;
+    velocity.w += (twist - (left * this.wheels[0].y + right * this.wheels[1].y)) / this.inertia;
+  }
+
+  /** To be called after each step: the rims take the speed that motor and tyre left them with. */
+  settle(): void {
+    if (!this.body.isAwake()) return this.forget();
+    for (const wheel of this.wheels) wheel.rim = soften(wheel.push - wheel.impulse, this.dry) / wheel.stiffness;
+  }
+
+  override solvePositionConstraints(): boolean {
+    return true;
+  }
+
+  // The rest is asked for by planck's type and used by nobody here.
+  override getAnchorA(): Vec2 {
+    return this.body.getPosition();
+  }
+  override getAnchorB(): Vec2 {
+    return this.body.getPosition();
+  }
+  override getReactionForce(): Vec2 {
+    return new Vec2(0, 0);
+  }
+  override getReactionTorque(): number {
+    return 0;
+  }
+  override _reset(): void {
+    this.forget();
+  }
+}
+
+const clamp = (value: number, limit: number): number => (value > limit ? limit : value < -limit ? -limit : value);
+
+/** Takes `amount` off the size of a value, down to 0: what dry friction leaves of a push. */
+const soften = (value: number, amount: number): number =>
+  value > amount ? value - amount : value < -amount ? value + amount : 0;

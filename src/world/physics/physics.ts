@@ -1,0 +1,83 @@
+import type { Pose, Vec } from '#core/geometry';
+import type { ChassisType } from '../chassis';
+import { rectangleCorners } from '../shapes';
+import type { BlockShape, WorldSize } from '../shapes';
+import { STEP_S } from '../step';
+import { BlockBody } from './block-body';
+import { PlanckWorld, PolygonShape, Vec2 } from './planck';
+import type { Body, Contact } from './planck';
+import { CONTACT_FRICTION, RobotBody } from './robot-body';
+import { toUnits } from './scale';
+
+// Rounds of the solver per step. Chosen: a train of five blocks is pushed without lag; more changes nothing visible.
+const VELOCITY_ROUNDS = 12;
+const POSITION_ROUNDS = 4;
+
+/** Thickness of the wall around the arena, in mm; outside it, so nobody sees it. Chosen: thick enough to push anything back in. */
+const EDGE_MM = 200;
+
+/** Bodies that push each other. All that the rest of the world knows about the physics engine. */
+export interface Physics {
+  /** Adds something solid that never moves: a convex outline, counter-clockwise, world mm. */
+  addFixture(cornersMm: readonly Vec[]): void;
+  addBlock(block: BlockShape): BlockBody;
+  addRobot(type: ChassisType, pose: Pose): RobotBody;
+  /** Moves all bodies on by one step of the world. */
+  step(): void;
+}
+
+/** Makes an arena with a wall around its edge and nothing in it. */
+export function createPhysics(size: WorldSize): Physics {
+  const world = new PlanckWorld({ gravity: new Vec2(0, 0), allowSleep: true, continuousPhysics: false });
+  // Two bodies: those joined to the floor would otherwise pass through the walls.
+  const floor = world.createBody();
+  const walls = world.createBody();
+  const robots: RobotBody[] = [];
+
+  const robotOf = (body: Body): RobotBody | undefined => robots.find((robot) => robot.owns(body));
+  world.on('begin-contact', (contact: Contact) => {
+    const a = contact.getFixtureA();
+    const b = contact.getFixtureB();
+    robotOf(a.getBody())?.beginTouch(b);
+    robotOf(b.getBody())?.beginTouch(a);
+  });
+  world.on('end-contact', (contact: Contact) => {
+    const a = contact.getFixtureA();
+    const b = contact.getFixtureB();
+    robotOf(a.getBody())?.endTouch(b);
+    robotOf(b.getBody())?.endTouch(a);
+  });
+
+  const physics: Physics = {
+    addFixture(cornersMm) {
+      walls.createFixture({ shape: new PolygonShape(cornersMm.map(toUnits)), friction: CONTACT_FRICTION });
+    },
+    addBlock: (block) => new BlockBody(world, floor, block),
+    addRobot(type, pose) {
+      const robot = new RobotBody(world, floor, type, pose);
+      robots.push(robot);
+      return robot;
+    },
+    step() {
+      for (const robot of robots) robot.beforeStep();
+      world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
+      for (const robot of robots) robot.afterStep();
+    },
+  };
+  for (const corners of edgeWalls(size)) physics.addFixture(corners);
+  return physics;
+}
+
+/** The four walls around the arena: right, top, left, bottom. */
+function edgeWalls({ widthMm, heightMm }: WorldSize): Vec[][] {
+  const boxAt = (x: number, y: number, sizeMm: Vec): Vec[] =>
+    rectangleCorners(sizeMm).map((corner) => ({ x: corner.x + x, y: corner.y + y }));
+  const long = { x: EDGE_MM, y: heightMm + 2 * EDGE_MM };
+  const wide = { x: widthMm + 2 * EDGE_MM, y: EDGE_MM };
+  return [
+    boxAt(widthMm + EDGE_MM / 2, heightMm / 2, long),
+    boxAt(widthMm / 2, heightMm + EDGE_MM / 2, wide),
+    boxAt(-EDGE_MM / 2, heightMm / 2, long),
+    boxAt(widthMm / 2, -EDGE_MM / 2, wide),
+  ];
+}

@@ -1,0 +1,156 @@
+import type { Pose, Vec } from '#core/geometry';
+import type { Chassis, ChassisType, WheelSide } from '../chassis';
+import { STEP_S } from '../step';
+import { DriveJoint } from './drive-joint';
+import { PolygonShape, Vec2 } from './planck';
+import type { Body, Fixture, PlanckWorld } from './planck';
+import { MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
+
+/** Robot against wall or block. Chosen: ABS on wood or plastic. */
+export const CONTACT_FRICTION = 0.3;
+
+/** A touch that begins within this many steps after the last one of the same thing is the same collision. Chosen: 0.1 s. */
+const SAME_COLLISION_STEPS = 25;
+
+interface Touch {
+  /** How many of the robot's convex parts touch it now. */
+  parts: number;
+  lastStep: number;
+}
+
+/** A robot's body with its drive, and what it has done so far. */
+export class RobotBody implements Chassis {
+  private readonly body: Body;
+  private readonly joint: DriveJoint;
+  private readonly type: ChassisType;
+  private readonly touches = new Map<Fixture, Touch>();
+  private steps = 0;
+  private lastX: number;
+  private lastY: number;
+  private lastAngle: number;
+  private path = 0;
+  private turned = 0;
+  private collisionCount = 0;
+  private readonly wheelTurn: [number, number] = [0, 0];
+
+  constructor(world: PlanckWorld, floor: Body, type: ChassisType, pose: Pose) {
+    this.type = type;
+    this.body = createBody(world, type, pose);
+    this.joint = new DriveJoint(floor, this.body, type);
+    world.createJoint(this.joint);
+    this.lastX = this.body.getPosition().x;
+    this.lastY = this.body.getPosition().y;
+    this.lastAngle = this.body.getAngle();
+  }
+
+  owns(body: Body): boolean {
+    return this.body === body;
+  }
+
+  pose(): Pose {
+    const { x, y } = this.body.getPosition();
+    return { xMm: x * MM_PER_UNIT, yMm: y * MM_PER_UNIT, headingRad: this.body.getAngle() };
+  }
+
+  place(pose: Pose): void {
+    this.body.setTransform(toUnits({ x: pose.xMm, y: pose.yMm }), pose.headingRad);
+    this.body.setLinearVelocity(new Vec2(0, 0));
+    this.body.setAngularVelocity(0);
+    this.joint.forget();
+    this.lastX = this.body.getPosition().x;
+    this.lastY = this.body.getPosition().y;
+    this.lastAngle = this.body.getAngle();
+  }
+
+  setDuty(wheel: WheelSide, duty: number): void {
+    this.joint.setDuty(wheel, Math.min(Math.max(duty, -1), 1));
+  }
+
+  wheelSpeedMmPerS(wheel: WheelSide): number {
+    return this.joint.rimSpeed(wheel) * MM_PER_UNIT;
+  }
+
+  wheelTurnRad(wheel: WheelSide): number {
+    return this.wheelTurn[wheel];
+  }
+
+  turnedRad(): number {
+    return this.turned;
+  }
+
+  pathMm(): number {
+    return this.path * MM_PER_UNIT;
+  }
+
+  collisions(): number {
+    return this.collisionCount;
+  }
+
+  toWorld(point: Vec): Vec {
+    const { x, y } = this.body.getWorldPoint(toUnits(point));
+    return { x: x * MM_PER_UNIT, y: y * MM_PER_UNIT };
+  }
+
+  beforeStep(): void {
+    if (this.joint.isMoving()) this.body.setAwake(true);
+  }
+
+  afterStep(): void {
+    this.steps++;
+    this.joint.settle();
+    if (!this.body.isAwake()) return;
+    const { x, y } = this.body.getPosition();
+    const angle = this.body.getAngle();
+    const dx = x - this.lastX;
+    const dy = y - this.lastY;
+    this.path += Math.sqrt(dx * dx + dy * dy);
+    this.turned += angle - this.lastAngle;
+    this.lastX = x;
+    this.lastY = y;
+    this.lastAngle = angle;
+    const [left, right] = this.type.wheels;
+    this.wheelTurn[0] += (this.wheelSpeedMmPerS(0) * STEP_S) / left.radiusMm;
+    this.wheelTurn[1] += (this.wheelSpeedMmPerS(1) * STEP_S) / right.radiusMm;
+  }
+
+  beginTouch(other: Fixture): void {
+    const touch = this.touches.get(other);
+    if (!touch) {
+      this.touches.set(other, { parts: 1, lastStep: this.steps });
+      this.collisionCount++;
+      return;
+    }
+    if (touch.parts === 0 && this.steps - touch.lastStep > SAME_COLLISION_STEPS) this.collisionCount++;
+    touch.parts++;
+  }
+
+  endTouch(other: Fixture): void {
+    const touch = this.touches.get(other);
+    if (!touch) return;
+    touch.parts--;
+    touch.lastStep = this.steps;
+  }
+}
+
+function createBody(world: PlanckWorld, type: ChassisType, pose: Pose): Body {
+  const body = world.createBody({
+    type: 'dynamic',
+    position: toUnits({ x: pose.xMm, y: pose.yMm }),
+    angle: pose.headingRad,
+  });
+  for (const part of type.outlineMm) {
+    body.createFixture({ shape: new PolygonShape(part.map(toUnits)), density: 1, friction: CONTACT_FRICTION });
+  }
+  // Inertia of the outline about its own middle, for a mass of 1 g.
+  const shape = { mass: 0, center: new Vec2(0, 0), I: 0 };
+  body.getMassData(shape);
+  const spread =
+    (shape.I - shape.mass * (shape.center.x * shape.center.x + shape.center.y * shape.center.y)) / shape.mass;
+  const own = type.inertiaGMm2 === undefined ? type.massG * spread : type.inertiaGMm2 * UNITS_PER_MM * UNITS_PER_MM;
+  // The solver's centre of mass is the middle of the axle, with the inertia about it: the drive law was fitted to what the
+  // wheels do, which already holds what the centre's real place does to them in curves. It still decides who carries the weight.
+  const centre = type.centreOfMassMm;
+  const offset = (centre.x * centre.x + centre.y * centre.y) * UNITS_PER_MM * UNITS_PER_MM;
+  body.setMassData({ mass: type.massG, center: new Vec2(0, 0), I: own + type.massG * offset });
+  return body;
+}

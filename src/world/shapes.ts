@@ -1,0 +1,69 @@
+import type { Pose, Vec } from '#core/geometry';
+
+/** Size of the arena in mm; a solid wall runs around its edge. */
+export interface WorldSize {
+  readonly widthMm: number;
+  readonly heightMm: number;
+}
+
+/** A straight wall: a box along the line from one point to the other, as long as that line. */
+export interface WallShape {
+  readonly fromMm: Vec;
+  readonly toMm: Vec;
+  readonly thicknessMm: number;
+}
+
+/** A rectangular block, movable or fixed. */
+export interface BlockShape {
+  /** Its middle. */
+  readonly atMm: Vec;
+  /** Length along its own x and y. */
+  readonly sizeMm: Vec;
+  readonly angleRad: number;
+  readonly fixed: boolean;
+}
+
+/** A block in the world. */
+export interface BlockHandle {
+  /** Its middle and its angle (not wrapped). */
+  pose(): Pose;
+  /** The hand: puts the block there, standing still. Fixed blocks can be moved this way too. */
+  place(pose: Pose): void;
+}
+
+/** A line drawn on the floor with a round pen. */
+export interface StrokeShape {
+  /** A single point makes a dot. */
+  readonly pointsMm: readonly Vec[];
+  readonly widthMm: number;
+  /** 0 black … 1 like the bare floor. */
+  readonly reflectance: number;
+}
+
+/** Corners of a wall in world mm, counter-clockwise. Throws RangeError when it has no length or no thickness. */
+export function wallCorners(wall: WallShape): Vec[] {
+  const { fromMm: from, toMm: to, thicknessMm } = wall;
+  const lengthMm = Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));
+  if (!(lengthMm > 0)) throw new RangeError(`A wall needs a length; this one starts and ends at ${from.x}, ${from.y}.`);
+  if (!(thicknessMm > 0)) throw new RangeError(`A wall needs a thickness above 0 mm, not ${thicknessMm}.`);
+  const x = (((from.y - to.y) / lengthMm) * thicknessMm) / 2;
+  const y = (((to.x - from.x) / lengthMm) * thicknessMm) / 2;
+  return [
+    { x: from.x - x, y: from.y - y },
+    { x: to.x - x, y: to.y - y },
+    { x: to.x + x, y: to.y + y },
+    { x: from.x + x, y: from.y + y },
+  ];
+}
+
+/** Corners of a rectangle about the origin, mm, counter-clockwise. */
+export function rectangleCorners(sizeMm: Vec): Vec[] {
+  const x = sizeMm.x / 2;
+  const y = sizeMm.y / 2;
+  return [
+    { x: -x, y: -y },
+    { x, y: -y },
+    { x, y },
+    { x: -x, y },
+  ];
+}

@@ -1,0 +1,41 @@
+import { copyFile, mkdir } from 'node:fs/promises';
+import { fileURLToPath } from 'node:url';
+import { defineConfig, type Plugin } from 'vite';
+
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** Puts the VM beside the bundle that loads it. */
+const vmBeside = (folder: string): Plugin => ({
+  name: 'vm-beside',
+  async writeBundle() {
+    await mkdir(folder, { recursive: true });
+    await copyFile(here('.cache/vm/vm.wasm'), `${folder}/vm.wasm`);
+  },
+});
+
+/**
+ * Bundles what runs in Node, with all packages inside, so that it starts without compiling TypeScript:
+ * the command line to dist/cli and, with `--mode bench`, the benchmarks to dist/bench.
+ */
+export default defineConfig(({ mode }) => {
+  const bench = mode === 'bench';
+  const outDir = here(bench ? 'dist/bench' : 'dist/cli');
+  return {
+    publicDir: false,
+    plugins: [vmBeside(outDir)],
+    ssr: { noExternal: true, target: 'node' },
+    build: {
+      ssr: true,
+      outDir,
+      emptyOutDir: true,
+      target: 'node20',
+      minify: false, // a stack trace in a problem report stays readable
+      rolldownOptions: {
+        input: bench
+          ? { bench: here('bench/bench.ts') }
+          : { main: here('src/cli/main.ts'), worker: here('src/cli/worker.ts') },
+        output: { entryFileNames: '[name].mjs', chunkFileNames: 'part-[name].mjs' },
+      },
+    },
+  };
+});
