@@ -22,11 +22,26 @@ writeFileSync(here('golden.json'), `${JSON.stringify(golden, null, 2)}\n`);
 function record(run) {
   const trace = join(scratch, 'trace.csv');
   const files = [here(`${run.folder}/main.py`), '--scene', here(`${run.folder}/scene.json`)];
-  const args = ['run', ...files, '--for', `${run.forMs}ms`, '--seed', String(run.seed), '--trace', trace, '--json', '--quiet'];
-  const { stdout, stderr, status } = spawnSync(process.execPath, [here('../bin/parcours.mjs'), ...args], { encoding: 'utf8' });
+  const args = [
+    'run',
+    ...files,
+    '--for',
+    `${run.forMs}ms`,
+    '--seed',
+    String(run.seed),
+    '--trace',
+    trace,
+    '--json',
+    '--quiet',
+  ];
+  const { stdout, stderr, status } = spawnSync(process.execPath, [here('../bin/parcours.mjs'), ...args], {
+    encoding: 'utf8',
+  });
   if (status !== 0) throw new Error(`${run.folder} ended with ${status}: ${stderr}`);
   const report = JSON.parse(stdout.trim().split('\n').at(-1));
-  console.log(`${run.folder}: ${report.ended}, ${report.realTimeFactor} x real time, ${report.robot.collisions} collisions`);
+  console.log(
+    `${run.folder}: ${report.ended}, ${report.realTimeFactor} x real time, ${report.robot.collisions} collisions`,
+  );
   run.traceHash = report.traceHash;
   if (run.folder.startsWith('golden/')) return;
   writeFileSync(here(`${run.folder}/expected.csv`), thinned(readFileSync(trace, 'utf8')));

@@ -1,9 +1,19 @@
 import { expect, type App } from './app';
 
-/** The things that tests touch, by their `data-testid`. */
-export const on = (name: string): string => `[data-testid="${name}"]`;
+/** The things that tests touch. */
+const PLACES = {
+  run: 'button.run',
+  stop: 'button.stop',
+  reset: 'button.reset',
+  console: '[role=log]',
+  editor: '.code-editor .cm-content',
+  arena: '[role=application]',
+} as const;
 
-const EDITOR = `${on('editor')} .cm-content`;
+/** Selector of a thing on the page. */
+export const on = (name: keyof typeof PLACES): string => PLACES[name];
+
+const EDITOR = on('editor');
 
 /** Opens the app and waits until a program can be typed. */
 export async function openApp(app: App): Promise<void> {
@@ -46,9 +56,9 @@ export interface Shown {
 /** Where the robot stands, as the arena says it. */
 export function robotIn(app: App): Promise<Shown> {
   return app.evaluate((css) => {
-    const element = document.querySelector<HTMLElement>(css);
-    const number = (name: string): number => Number(element?.dataset[name] ?? Number.NaN);
-    return { xMm: number('xMm'), yMm: number('yMm'), headingDeg: number('headingDeg') };
+    const said = document.querySelector(`${css} p`)?.textContent ?? '';
+    const [x, y, heading] = Array.from(said.matchAll(/-?[\d.]+/g), Number);
+    return { xMm: 10 * (x ?? NaN), yMm: 10 * (y ?? NaN), headingDeg: heading ?? NaN };
   }, on('arena'));
 }
 
@@ -56,6 +66,6 @@ export function robotIn(app: App): Promise<Shown> {
 export const consoleIn = (app: App): Promise<string> => app.text(on('console'));
 
 /** Whether a button can be pressed. */
-export function isEnabled(app: App, name: string): Promise<boolean> {
+export function isEnabled(app: App, name: keyof typeof PLACES): Promise<boolean> {
   return app.evaluate((css) => document.querySelector<HTMLButtonElement>(css)?.disabled === false, on(name));
 }

@@ -12,7 +12,9 @@ const root = new URL('..', import.meta.url);
 const folder = new URL('src/vm/library/', root);
 
 const modules = {};
-for (const file of readdirSync(folder).filter((name) => name.endsWith('.py')).sort()) {
+for (const file of readdirSync(folder)
+  .filter((name) => name.endsWith('.py'))
+  .sort()) {
   const source = readFileSync(new URL(file, folder), 'utf8');
   // The firmware's small integers have 31 bits; the file name is what marks a frame as the library's.
   const result = await compile(file, source, ['-msmall-int-bits=31', '-s', `/lib/${file}`], wasm);

@@ -9,7 +9,7 @@ for side in range(4):
     forward()
     delay(1200)
     left()
-    delay(415)          # so lange dauert eine Vierteldrehung
+    delay(372)          # so lange dauert eine Vierteldrehung
 
 setLED(0)
 fillRGB(0, 60, 0)

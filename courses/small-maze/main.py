@@ -1,20 +1,16 @@
 # Durch das Labyrinth
-# Der Roboter misst nur nach vorne. Vor einer Wand schaut er zuerst nach links.
-# Ist dort auch eine Wand, dreht er um und nimmt den Weg nach rechts.
+# Der Roboter misst nur nach vorne. Steht er vor einer Wand, schaut er zuerst nach links.
+# Ist dort auch eine Wand, geht es rechts weiter. Das Ziel ist eine schwarze Linie.
 from mbrobot import *
 
-QUARTER_TURN = 415      # Millisekunden für 90 Grad mit setSpeed(50)
+QUARTER_TURN = 372      # Millisekunden für 90 Grad mit setSpeed(50)
 NEAR = 6                # Zentimeter: so nahe fährt er an eine Wand heran
 
-def turn_left():
-    left()
+def turn(direction):
+    direction()         # left oder right
     delay(QUARTER_TURN)
     stop()
     delay(200)          # ruhig stehen, dann erst messen
-
-def turn_around():
-    turn_left()
-    turn_left()
 
 def at_finish():
     return irLeft.read_digital() == 0 and irRight.read_digital() == 0
@@ -27,9 +23,10 @@ while not at_finish():
     else:
         stop()
         delay(200)
-        turn_left()
+        turn(left)
         if getDistance() < 20:
-            turn_around()
+            turn(right)
+            turn(right)
     delay(10)
 
 stop()

@@ -55,7 +55,8 @@ export function parseCommand(words: readonly string[]): Command {
       if (value !== undefined) return bad(`${rawName} takes no value.`);
       set.add(name);
     } else if (isText(name)) {
-      if (value === undefined || (value.startsWith('--') && !token.inlineValue)) return bad(`${rawName} needs a value.`);
+      if (value === undefined || (value.startsWith('--') && !token.inlineValue))
+        return bad(`${rawName} needs a value.`);
       given.set(name, [...(given.get(name) ?? []), value]);
     } else {
       return bad(`Unknown option ${rawName}. Known: ${[...texts, ...flags].map((known) => `--${known}`).join(', ')}.`);
@@ -64,7 +65,11 @@ export function parseCommand(words: readonly string[]): Command {
   return commandOf(positionals, given, set);
 }
 
-function commandOf(positionals: readonly string[], given: ReadonlyMap<Text, string[]>, set: ReadonlySet<Flag>): Command {
+function commandOf(
+  positionals: readonly string[],
+  given: ReadonlyMap<Text, string[]>,
+  set: ReadonlySet<Flag>,
+): Command {
   if (set.has('help') || (positionals[0] === 'help' && positionals.length === 1)) return { type: 'help' };
   if (set.has('version')) return { type: 'version' };
   const [command, program, ...more] = positionals;

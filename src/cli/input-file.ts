@@ -23,12 +23,14 @@ export function parseInputs(text: string): ParsedInputs {
   } catch (error) {
     return { problem: `is not JSON: ${error instanceof Error ? error.message : String(error)}` };
   }
-  if (!Array.isArray(value)) return { problem: 'must be a list [ … ] of entries such as { "at": "1s", "button": "a", "down": true }.' };
+  if (!Array.isArray(value))
+    return { problem: 'must be a list [ … ] of entries such as { "at": "1s", "button": "a", "down": true }.' };
   if (value.length > MAX_ENTRIES) return { problem: `has ${value.length} entries; the limit is ${MAX_ENTRIES}.` };
   const inputs: InputEvent[] = [];
   for (const [index, entry] of value.entries()) {
     const read = readEntry(entry);
-    if ('problem' in read) return { problem: `[${index}]${read.field === '' ? '' : `.${read.field}`}: ${read.problem}` };
+    if ('problem' in read)
+      return { problem: `[${index}]${read.field === '' ? '' : `.${read.field}`}: ${read.problem}` };
     inputs.push(read);
   }
   return { inputs };
@@ -37,7 +39,10 @@ export function parseInputs(text: string): ParsedInputs {
 function readEntry(entry: unknown): InputEvent | Bad {
   if (!isObject(entry)) return { field: '', problem: `must be an object { … }, not ${JSON.stringify(entry)}.` };
   if (typeof entry.at !== 'string') {
-    return { field: 'at', problem: `must be a time in quotes such as "1s", not ${JSON.stringify(entry.at) ?? 'nothing'}.` };
+    return {
+      field: 'at',
+      problem: `must be a time in quotes such as "1s", not ${JSON.stringify(entry.at) ?? 'nothing'}.`,
+    };
   }
   const at = parseDuration(entry.at);
   if ('problem' in at) return { field: 'at', problem: at.problem };
@@ -50,7 +55,8 @@ function readEntry(entry: unknown): InputEvent | Bad {
   }
   const { fields, read } = reader;
   const strange = Object.keys(entry).find((key) => key !== 'at' && key !== kind && !fields.includes(key));
-  if (strange !== undefined) return { field: strange.slice(0, 40), problem: `is unknown here. Known: ${['at', kind, ...fields].join(', ')}.` };
+  if (strange !== undefined)
+    return { field: strange.slice(0, 40), problem: `is unknown here. Known: ${['at', kind, ...fields].join(', ')}.` };
   const action = read(entry);
   return 'problem' in action ? action : { timeUs: at.us, action };
 }
@@ -80,7 +86,8 @@ function readButton(entry: Fields): InputAction | Bad {
 
 function readTouch(entry: Fields): InputAction | Bad {
   const { touch, down } = entry;
-  if (typeof touch !== 'string' || !touchPads.includes(touch)) return wrong('touch', `one of ${touchPads.join(', ')}`, touch);
+  if (typeof touch !== 'string' || !touchPads.includes(touch))
+    return wrong('touch', `one of ${touchPads.join(', ')}`, touch);
   if (typeof down !== 'boolean') return wrong('down', 'true or false', down);
   return { type: 'touch', pad: touch, down };
 }
@@ -104,14 +111,17 @@ function readPlaceBlock({ placeBlock }: Fields): InputAction | Bad {
   const pose = readPose(placeBlock, 'placeBlock', ['id']);
   if ('problem' in pose) return pose;
   const id = isObject(placeBlock) ? placeBlock.id : undefined;
-  return typeof id === 'string' ? { type: 'place-block', id, pose } : wrong('placeBlock.id', "a block's id in quotes", id);
+  return typeof id === 'string'
+    ? { type: 'place-block', id, pose }
+    : wrong('placeBlock.id', "a block's id in quotes", id);
 }
 
 function readPose(value: unknown, path: string, further: readonly string[]): PlacedPose | Bad {
   if (!isObject(value)) return wrong(path, 'an object { "xMm": …, "yMm": …, "headingDeg": … }', value);
   const known = ['xMm', 'yMm', 'headingDeg', ...further];
   const strange = Object.keys(value).find((key) => !known.includes(key));
-  if (strange !== undefined) return { field: `${path}.${strange.slice(0, 40)}`, problem: `is unknown here. Known: ${known.join(', ')}.` };
+  if (strange !== undefined)
+    return { field: `${path}.${strange.slice(0, 40)}`, problem: `is unknown here. Known: ${known.join(', ')}.` };
   const { xMm, yMm, headingDeg = 0 } = value;
   if (typeof xMm !== 'number') return wrong(`${path}.xMm`, 'a number', xMm);
   if (typeof yMm !== 'number') return wrong(`${path}.yMm`, 'a number', yMm);
@@ -129,7 +139,11 @@ function readRadio(): Bad {
 
 const wrong = (field: string, wanted: string, found: unknown): Bad => ({
   field,
-  problem: found === undefined ? `is missing; it must be ${wanted}.` : `must be ${wanted}, not ${JSON.stringify(found).slice(0, 60)}.`,
+  problem:
+    found === undefined
+      ? `is missing; it must be ${wanted}.`
+      : `must be ${wanted}, not ${JSON.stringify(found).slice(0, 60)}.`,
 });
 
-const isObject = (value: unknown): value is Fields => typeof value === 'object' && value !== null && !Array.isArray(value);
+const isObject = (value: unknown): value is Fields =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);

@@ -24,7 +24,10 @@ switch (command.type) {
     process.exitCode = 2;
     break;
   case 'run':
-    process.exitCode = await run(command.options, createTerminal(process.stdout, process.stderr, command.options.quiet));
+    process.exitCode = await run(
+      command.options,
+      createTerminal(process.stdout, process.stderr, command.options.quiet),
+    );
     break;
   default:
     command satisfies never;

@@ -72,7 +72,8 @@ function readText(path: string, maxBytes: number): string {
   try {
     const status = statSync(path);
     if (status.isDirectory()) refuse(path, 'is a folder. A file is wanted.');
-    if (status.size > maxBytes) refuse(path, `has ${status.size} bytes; the limit is ${maxBytes}. Is it the right file?`);
+    if (status.size > maxBytes)
+      refuse(path, `has ${status.size} bytes; the limit is ${maxBytes}. Is it the right file?`);
     bytes = readFileSync(path);
   } catch (error) {
     if (error instanceof BadFile) throw error;

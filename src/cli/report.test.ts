@@ -20,7 +20,18 @@ describe('the report', () => {
     const line = jsonLine(report, 'one\ntwo\n');
     expect(line).not.toContain('\n');
     expect(Object.keys(JSON.parse(line) as object)).toEqual([
-      ...['ended', 'exception', 'simulatedMs', 'wallMs', 'realTimeFactor', 'robot', 'display', 'console', 'heapFree', 'traceHash'],
+      ...[
+        'ended',
+        'exception',
+        'simulatedMs',
+        'wallMs',
+        'realTimeFactor',
+        'robot',
+        'display',
+        'console',
+        'heapFree',
+        'traceHash',
+      ],
     ]);
   });
 

@@ -54,7 +54,9 @@ export function supervise(task: Omit<WorkerTask, 'shared'>, terminal: Terminal):
   };
   return new Promise((resolve) => {
     const watch = watchBeat(shared, () => finish({ type: 'ran', report: { ...latest, ended: 'stuck' }, console }));
-    const interruption = onInterrupt(shared, () => finish({ type: 'ran', report: { ...latest, ended: 'stopped' }, console }));
+    const interruption = onInterrupt(shared, () =>
+      finish({ type: 'ran', report: { ...latest, ended: 'stopped' }, console }),
+    );
     function finish(outcome: Outcome): void {
       watch.stop();
       interruption.stop();

@@ -50,7 +50,9 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
       // Half a line of the program's output would be overwritten: progress waits for the line's end.
       if (!showsProgress || (out.isTTY === true && !atLineStart)) return;
       shown = true;
-      err.write(`${CLEAR_LINE}${(simulatedMs / 1000).toFixed(1)} s simulated, ${Math.round(realTimeFactor)} × real time`);
+      err.write(
+        `${CLEAR_LINE}${(simulatedMs / 1000).toFixed(1)} s simulated, ${Math.round(realTimeFactor)} × real time`,
+      );
     },
   };
 }

@@ -17,7 +17,9 @@ const MESSAGE_MS = 50;
 const post = (message: WorkerMessage): void => parentPort?.postMessage(message);
 
 function readFirmware(): Uint8Array<ArrayBuffer> {
-  const places = ['./vm.wasm', '../../.cache/vm/vm.wasm'].map((place) => fileURLToPath(new URL(place, import.meta.url)));
+  const places = ['./vm.wasm', '../../.cache/vm/vm.wasm'].map((place) =>
+    fileURLToPath(new URL(place, import.meta.url)),
+  );
   const place = places.find((candidate) => existsSync(candidate));
   if (place === undefined) throw new Error(`The VM is missing (${places.join(', ')}). Run: npm run setup`);
   return new Uint8Array(readFileSync(place));
@@ -43,7 +45,8 @@ function runToEnd(simulation: Simulation, task: WorkerTask): void {
   const startMs = performance.now();
   let toldMs = startMs;
   let isInterrupted = false;
-  const isOver = (): boolean => simulation.nowUs >= untilUs || (simulation.ended !== null && (untilProgramEnds || isInterrupted));
+  const isOver = (): boolean =>
+    simulation.nowUs >= untilUs || (simulation.ended !== null && (untilProgramEnds || isInterrupted));
   while (!isOver()) {
     const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
     if (untilProgramEnds) simulation.advanceProgramTo(nextUs);

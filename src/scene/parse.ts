@@ -20,8 +20,7 @@ import {
 
 /** A scene, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
 export type ParsedScene =
-  | { readonly scene: Scene }
-  | { readonly problem: string; readonly problems: readonly SceneProblem[] };
+  { readonly scene: Scene } | { readonly problem: string; readonly problems: readonly SceneProblem[] };
 
 /** Reads a course file. Never throws; a file with a problem loads nothing. */
 export function parseScene(text: string): ParsedScene {
@@ -64,14 +63,23 @@ function failed(problems: readonly SceneProblem[]): ParsedScene {
 
 /** Format and version come first: a newer file must not be judged by older rules. */
 function isOurs(value: unknown, reader: Reader): value is Fields {
-  if (typeof value !== 'object' || value === null || Array.isArray(value) || !('format' in value) || value.format !== SCENE_FORMAT) {
+  if (
+    typeof value !== 'object' ||
+    value === null ||
+    Array.isArray(value) ||
+    !('format' in value) ||
+    value.format !== SCENE_FORMAT
+  ) {
     const format = typeof value === 'object' && value !== null && 'format' in value ? value.format : undefined;
     reader.report('not-a-scene', 'format', format, `This is not a course file: "format" must be "${SCENE_FORMAT}".`);
     return false;
   }
   const version = 'version' in value ? value.version : undefined;
   if (version === SCENE_VERSION) return true;
-  const params = { version: typeof version === 'number' ? version : String(version).slice(0, 20), known: SCENE_VERSION };
+  const params = {
+    version: typeof version === 'number' ? version : String(version).slice(0, 20),
+    known: SCENE_VERSION,
+  };
   if (typeof version === 'number' && version > SCENE_VERSION && Number.isInteger(version)) {
     const what = `Scene version ${version} is newer than this app (${SCENE_VERSION}). Reload the page to update.`;
     reader.report('newer-version', 'version', version, what, params);
@@ -135,7 +143,14 @@ function readObjects(value: unknown, reader: Reader): SceneObject[] {
 function noteId(id: string, path: string, places: Map<string, string>, reader: Reader): void {
   const other = places.get(id);
   if (other === undefined) places.set(id, path);
-  else reader.report('duplicate-id', `${path}.id`, id, `"${id}" is already the id of ${other}. Give each object its own.`, { other });
+  else
+    reader.report(
+      'duplicate-id',
+      `${path}.id`,
+      id,
+      `"${id}" is already the id of ${other}. Give each object its own.`,
+      { other },
+    );
 }
 
 const objectTypes = ['wall', 'block', 'fixed-block', 'stroke'] as const;

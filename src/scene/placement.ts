@@ -27,13 +27,17 @@ const TOLERANCE_MM = 1;
  *
  * @param footprint convex parts of the robot at scale 1, in its own frame
  */
-export function placementProblems(scene: Scene, footprint: readonly Outline[] = smallestFootprint): readonly SceneProblem[] {
+export function placementProblems(
+  scene: Scene,
+  footprint: readonly Outline[] = smallestFootprint,
+): readonly SceneProblem[] {
   const parts = footprint.map((part) => placed(part, scene.robot));
   const outside = outsideProblem(scene, parts);
   if (outside) return [outside];
   for (const [index, object] of scene.objects.entries()) {
     const solid = solidOutline(object);
-    if (solid && parts.some((part) => overlap(part, solid) > TOLERANCE_MM)) return [insideProblem(scene.robot, object, index)];
+    if (solid && parts.some((part) => overlap(part, solid) > TOLERANCE_MM))
+      return [insideProblem(scene.robot, object, index)];
   }
   return [];
 }

@@ -56,9 +56,15 @@ export class Reader {
     }
     for (const key of Object.keys(value)) {
       if (known.includes(key)) continue;
-      this.report('unknown-property', join(path, shownKey(key)), undefined, `unknown property. Known here: ${known.join(', ')}.`, {
-        known: known.join(', '),
-      });
+      this.report(
+        'unknown-property',
+        join(path, shownKey(key)),
+        undefined,
+        `unknown property. Known here: ${known.join(', ')}.`,
+        {
+          known: known.join(', '),
+        },
+      );
     }
     return value as Fields;
   }

@@ -23,7 +23,8 @@ function firstProblem(setup: RunSetup, { board, robot }: Hardware): string | nul
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
   const inputs = setup.inputs ?? [];
-  const check = inputs.length > 0 ? createInputCheck(new Board(board, new Clock()), setup.scene, robot !== null) : () => null;
+  const check =
+    inputs.length > 0 ? createInputCheck(new Board(board, new Clock()), setup.scene, robot !== null) : () => null;
   for (const [index, { timeUs, action }] of inputs.entries()) {
     const problem = timeUs >= 0 ? check(action) : `${timeUs} µs lies before the start.`;
     if (problem !== null) return `[${index}]: ${problem}`;

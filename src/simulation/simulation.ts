@@ -44,6 +44,7 @@ export class Simulation {
   private readonly world: World;
   private readonly blocks: ReadonlyMap<string, BlockHandle>;
   private readonly mounted: Mounted | null;
+  private readonly vm: Vm;
   private readonly hash = createTraceHash();
   private readonly rows: TraceRow[] = [];
   private readonly log: InputEvent[] = [];
@@ -51,33 +52,25 @@ export class Simulation {
   private readonly waiting: InputEvent[];
   private readonly check: (action: InputAction) => string | null;
   private output: string[] = [];
-  private vm: Vm | null = null;
   private end: Ended | null = null;
   private isFresh = true;
 
   /**
    * Builds a run and loads its program, which begins with the first `advanceTo`.
    *
-   * @throws RangeError for a set-up that cannot be run, with the words of `checkRun`
+   * @throws RangeError (as a rejection) for a set-up that cannot be run, with the words of `checkRun`
    */
-  static async create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Simulation> {
-    const hardware = checkRun(setup);
-    if ('problem' in hardware) throw new RangeError(hardware.problem);
-    const simulation = new Simulation(setup, hardware);
-    simulation.vm = await createVm({
-      firmware,
-      board: simulation.board,
-      clock: simulation.clock,
-      files: setup.files,
-      libraries: robotLibraries(hardware.robot),
-      seed: setup.seed,
-      write: (text) => simulation.output.push(text),
+  static create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Simulation> {
+    return new Promise((resolve) => {
+      const hardware = checkRun(setup);
+      if ('problem' in hardware) throw new RangeError(hardware.problem);
+      resolve(new Simulation(setup, firmware, hardware));
     });
-    return simulation;
   }
 
   private constructor(
     private readonly setup: RunSetup,
+    firmware: WebAssembly.Module,
     hardware: Hardware,
   ) {
     const built = buildWorld(setup.scene);
@@ -88,6 +81,15 @@ export class Simulation {
     this.board = new Board(hardware.board, this.clock);
     this.mounted = hardware.robot && this.mount(hardware.robot);
     this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
+    this.vm = createVm({
+      firmware,
+      board: this.board,
+      clock: this.clock,
+      files: setup.files,
+      libraries: robotLibraries(hardware.robot),
+      seed: setup.seed,
+      write: (text) => this.output.push(text),
+    });
     this.check = createInputCheck(new Board(hardware.board, new Clock()), setup.scene, hardware.robot !== null);
   }
 
@@ -121,9 +123,9 @@ export class Simulation {
     return this.setup.scene;
   }
 
-  /** Free bytes on the program's heap. */
+  /** Free bytes on the program's heap when it ended; 0 while it runs. */
   heapFree(): number {
-    return this.machine.heapFree();
+    return this.vm.heapFree();
   }
 
   /**
@@ -139,8 +141,8 @@ export class Simulation {
   advanceProgramTo(us: number): void {
     if (this.isFresh) this.begin();
     if (this.end !== null || us <= this.nowUs) return;
-    this.machine.resume(us);
-    const { ended } = this.machine;
+    this.vm.resume(us);
+    const { ended } = this.vm;
     if (ended) this.end = { ...ended, timeUs: this.nowUs };
   }
 
@@ -185,15 +187,9 @@ export class Simulation {
     return text;
   }
 
-  /** Lets go of the VM and its memory. Nothing else may be called afterwards. */
+  /** Takes the robot off the board; the memory goes with the last reference. Nothing else may be called afterwards. */
   dispose(): void {
     this.mounted?.robot.detach();
-    this.vm = null;
-  }
-
-  private get machine(): Vm {
-    if (!this.vm) throw new Error('The simulation was used before it was created.');
-    return this.vm;
   }
 
   private mount(type: RobotType): Mounted {
@@ -243,7 +239,7 @@ export class Simulation {
       case 'touch':
         return this.board.sensors.set(action.pad, action.down ? 1 : 0);
       case 'serial':
-        return this.machine.feed(action.text);
+        return this.vm.feed(action.text);
       case 'sensor':
         return this.board.sensors.set(action.id, action.value);
       case 'place':
@@ -251,7 +247,7 @@ export class Simulation {
       case 'place-block':
         return this.blocks.get(action.id)?.place(poseOf(action.pose));
       case 'interrupt':
-        return this.machine.interrupt();
+        return this.vm.interrupt();
       default:
         action satisfies never;
     }

@@ -2,7 +2,17 @@
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
 // What the run-time side expects of the result stands in ../run/firmware.ts.
 import binaryen from 'binaryen';
-import { addressOfText, expressionEnd, flat, joinModule, only, onlyFunction, onlyMatch, replaceOnce, splitModule } from './wat.mjs';
+import {
+  addressOfText,
+  expressionEnd,
+  flat,
+  joinModule,
+  only,
+  onlyFunction,
+  onlyMatch,
+  replaceOnce,
+  splitModule,
+} from './wat.mjs';
 
 /** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
 export const STACK_LIMIT_BYTES = 72 * 1024;
@@ -26,7 +36,7 @@ export function transform(published, report = () => {}) {
   original.dispose();
   declareHost(module);
   collectInsideFixedHeap(module);
-  tellHeapEnd(module);
+  tellHeapPlace(module);
   freeReserveOnMemoryError(module);
   hideLibraryFrames(module, findInterpreter(module));
   exportScheduler(module);
@@ -79,7 +89,9 @@ function collectInsideFixedHeap(module) {
   const top = onlyFunction(
     module,
     'gc_collect_top_level',
-    new RegExp(`\\(i32\\.store8 offset=${collect.match[1]} ${EMPTY} ${EMPTY}\\) \\(call \\$([^\\s)]+)\\) \\(call \\$([^\\s)]+)\\)`),
+    new RegExp(
+      `\\(i32\\.store8 offset=${collect.match[1]} ${EMPTY} ${EMPTY}\\) \\(call \\$([^\\s)]+)\\) \\(call \\$([^\\s)]+)\\)`,
+    ),
   );
   const [start, end] = [top.match[1], top.match[2]];
   const stack = onlyMatch(
@@ -112,17 +124,26 @@ function collectInsideFixedHeap(module) {
       ${store(current, '(local.get $current)')}
       (call $${end}))`,
   );
-  const split = onlyFunction(module, 'gc_get_max_new_split', /^\(func \$\S+ \(result i32\) \(i32\.const 134217728\)\)$/);
+  const split = onlyFunction(
+    module,
+    'gc_get_max_new_split',
+    /^\(func \$\S+ \(result i32\) \(i32\.const 134217728\)\)$/,
+  );
   module.functions.set(split.name, `(func $${split.name} (result i32) (i32.const 0))`);
   chargeAllocations(module, collect.name);
 }
 
-/** gc_init learns where the heap ends, so that the run-time side can divide it between library and program. */
-function tellHeapEnd(module) {
-  const init = onlyFunction(module, 'gc_init', /^\(func \$\S+ \(param \$0 i32\) \(param \$1 i32\) \(local [^)]*\) \(i32\.store .*\(i32\.const 524\)/);
+/** gc_init tells where the heap lies, so that the run-time side can divide it between library and program. */
+function tellHeapPlace(module) {
+  const init = onlyFunction(
+    module,
+    'gc_init',
+    /^\(func \$\S+ \(param \$0 i32\) \(param \$1 i32\) \(local [^)]*\) \(i32\.store .*\(i32\.const 524\)/,
+  );
   const text = flat(module.functions.get(init.name));
   const body = bodyStart(text);
-  const tell = '(global.set $heap_end (i32.and (local.get $1) (i32.const -16)))';
+  const tell =
+    '(global.set $heap_start (local.get $0)) (global.set $heap_end (i32.and (local.get $1) (i32.const -16)))';
   module.functions.set(init.name, `${text.slice(0, body)}${tell} ${text.slice(body)}`);
 }
 
@@ -153,7 +174,11 @@ function bodyStart(text) {
  */
 function freeReserveOnMemoryError(module) {
   const fail = addressOfText(module, 'memory allocation failed, allocating %u bytes');
-  const raise = onlyFunction(module, 'm_malloc_fail', new RegExp(`^\\(func \\$\\S+ \\(param \\$0 i32\\) .*\\(i32\\.const ${fail}\\)`));
+  const raise = onlyFunction(
+    module,
+    'm_malloc_fail',
+    new RegExp(`^\\(func \\$\\S+ \\(param \\$0 i32\\) .*\\(i32\\.const ${fail}\\)`),
+  );
   const free = onlyFunction(
     module,
     'gc_free',
@@ -193,7 +218,11 @@ function meter(module, interpreter) {
 function hideLibraryFrames(module, interpreter) {
   const addFrame = importName(module, 'invoke_viiii');
   const text = flat(module.functions.get(interpreter));
-  const call = onlyMatch(text, 'mp_obj_exception_add_traceback', new RegExp(`\\(call \\$${addFrame.replace('$', '\\$')} \\(i32\\.const`));
+  const call = onlyMatch(
+    text,
+    'mp_obj_exception_add_traceback',
+    new RegExp(`\\(call \\$${addFrame.replace('$', '\\$')} \\(i32\\.const`),
+  );
   const end = expressionEnd(text, call.index);
   // code_state is the interpreter's first parameter; its first word is the function, whose fourth is the bytecode.
   const code = '(i32.load offset=12 (i32.load (local.get $0)))';
@@ -210,7 +239,11 @@ function importName(module, name) {
  * exception raised in the program, as the published mp_sched_keyboard_interrupt does with its own.
  */
 function exportScheduler(module) {
-  const interrupt = onlyMatch(module.head, 'mp_sched_keyboard_interrupt', /\(export "mp_sched_keyboard_interrupt" \(func \$([^\s)]+)\)\)/)[1];
+  const interrupt = onlyMatch(
+    module.head,
+    'mp_sched_keyboard_interrupt',
+    /\(export "mp_sched_keyboard_interrupt" \(func \$([^\s)]+)\)\)/,
+  )[1];
   const pending = onlyMatch(
     flat(module.functions.get(interrupt)),
     'pending exception and scheduler state',
@@ -266,7 +299,16 @@ function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);
   const imports = ['tick', 'fatal'].map((name) => ` (import "host" "${name}" (func $${name}))`).join('\n');
-  const counters = ['gas', 'library_gas', 'allocation_cost', 'program_start', 'stack_base', 'heap_end', 'reserve']
+  const counters = [
+    'gas',
+    'library_gas',
+    'allocation_cost',
+    'program_start',
+    'stack_base',
+    'heap_start',
+    'heap_end',
+    'reserve',
+  ]
     .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
     .join('\n');
   const inProgram = ' (global $in_program (mut i32) (i32.const 0))';

@@ -15,22 +15,32 @@ _hal.reserve(addressof(_reserve))
 def run():
     """Runs main.py and tells the simulation how it ended."""
     global _reserve
+    failure = None
     try:
         execfile("main.py", _scope)
-    except SystemExit:
-        pass
+    except SystemExit as end:
+        # An error in a callback ends the program this way: _sim.py.
+        if len(end.args) == 2:
+            failure = end.args[1]
     except BaseException as error:
-        _reserve = None
-        _hal.report_begin()
-        sys.print_exception(error)
-        try:
-            text = str(error)
-        except BaseException:
-            text = ""
-        _hal.report_end(type(error).__name__, text)
+        failure = error
+    _reserve = None
+    _hal.run_every_stop()
+    if failure is not None:
+        _report(failure)
     _scope.clear()
     gc.collect()
     _hal.heap_free(gc.mem_free())
+
+
+def _report(error):
+    _hal.report_begin()
+    sys.print_exception(error)
+    try:
+        text = str(error)
+    except BaseException:
+        text = ""
+    _hal.report_end(type(error).__name__, text)
 
 
 def _fill(start):
@@ -49,7 +59,9 @@ def _fill(start):
     return filling
 
 
-# Everything a program may import is loaded now, into the library's part of the heap.
+# Everything a program may import is loaded now, into the library's part of the heap: from the library alone, no file of
+# the user's that has such a name.
+sys.path[:] = ["/lib"]
 import _sim
 import audio
 import log
@@ -66,6 +78,7 @@ import time
 _hal_start = _hal.program_start()
 import _import
 
+sys.path[:] = ["", "/lib"]
 gc.collect()
 _filling = _fill(_hal_start)
 gc.collect()

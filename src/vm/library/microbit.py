@@ -78,10 +78,13 @@ def set_volume(volume):
 
 def panic(n=999):
     _ints(n)
+    display.show([Image.SAD] + list("%03d" % n), 800, wait=False, loop=True)
+    _h.run_every_stop()
     _h.panic(n)
 
 
 def reset():
+    _h.run_every_stop()
     _h.reset()
 
 

@@ -41,7 +41,7 @@ export class Files {
 
   /** Begins a file anew, empty. @returns the file, or a negative errno: name too long, no room */
   create(name: string): StoredFile | number {
-    if ([...name].length > MAX_NAME_CHARACTERS) return -Errno.ENOENT;
+    if (Array.from(name).length > MAX_NAME_CHARACTERS) return -Errno.ENOENT;
     this.stored.delete(name);
     if (this.freeChunks < 1) return -Errno.ENOSPC;
     const file: StoredFile = { name, bytes: new Uint8Array(0) };
@@ -76,16 +76,11 @@ export class Files {
   }
 }
 
-/** The file system of a board with these files on it. */
-export function createFiles(initial: Readonly<Record<string, string>>): Files {
-  return new Files(initial);
-}
-
 /** What is wrong with files for a board, in words for the user; `null` when they fit. */
 export function fileProblem(files: Readonly<Record<string, string>>): string | null {
   let chunks = 0;
   for (const [name, text] of Object.entries(files)) {
-    const length = [...name].length;
+    const length = Array.from(name).length;
     if (length > MAX_NAME_CHARACTERS)
       return `The file name ${name} has ${length} characters; the board takes ${MAX_NAME_CHARACTERS}.`;
     chunks += chunksOf(name, new TextEncoder().encode(text).length);

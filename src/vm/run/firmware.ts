@@ -44,6 +44,8 @@ export interface Firmware {
   readonly stack_base: WebAssembly.Global;
   /** A block of the heap that is given free when memory runs out, for the error's own needs; 0 when it is used. */
   readonly reserve: WebAssembly.Global;
+  /** Where the collector's tables begin; the heap's blocks follow them. */
+  readonly heap_start: WebAssembly.Global;
   /** Where the heap ends. */
   readonly heap_end: WebAssembly.Global;
 }
@@ -154,7 +156,11 @@ function boundary(memory: () => Memory, host: FirmwareHost): Record<string, unkn
     call2: (reference: number, _via: number, a: number, b: number, out: number) =>
       host.call(reference, [memory().read(a), memory().read(b)], out),
     calln: (reference: number, _via: number, count: number, first: number, out: number) =>
-      host.call(reference, Array.from({ length: count }, (_, i) => memory().read(first + i * VALUE_BYTES)), out),
+      host.call(
+        reference,
+        Array.from({ length: count }, (_, i) => memory().read(first + i * VALUE_BYTES)),
+        out,
+      ),
     has_attr: (reference: number, nameAddress: number) => Number(find(reference, nameAddress) >= 0),
     lookup_attr: (reference: number, nameAddress: number, out: number) => {
       const found = find(reference, nameAddress);

@@ -6,7 +6,7 @@ describe('serial_input', () => {
     const { call, port, sent } = createHalBench();
     port.feed('hallp\x7fo\r\n');
     expect(call('serial_input')).toBe('hallo');
-    expect(sent()).toBe('hallp\b \bo\r\n');
+    expect(sent()).toBe('hallp\b \bo\n');
   });
 
   it('takes Return and newline as one end of line, two newlines as two', () => {

@@ -8,7 +8,7 @@ const START_BAUD = 115_200; // micropython-microbit-v2 README: the REPL's speed
 const Key = { CTRL_D: 4, BACKSPACE: 8, NEWLINE: 10, RETURN: 13, FIRST_PRINTABLE: 32, DELETE: 127 } as const;
 const END_OF_INPUT = 4;
 const RUB_OUT = Uint8Array.of(8, 32, 8);
-const LINE_END = Uint8Array.of(13, 10);
+const LINE_END = Uint8Array.of(10); // as print ends a line
 
 /**
  * The serial line.

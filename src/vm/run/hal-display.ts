@@ -23,85 +23,108 @@ const BAD_BRIGHTNESS = -2;
  * - glyph(character, address): writes 25 pixels
  */
 export function createDisplayCalls(machine: Machine, board: Board): SyscallTable {
-  return { ...pictures(machine, board), ...pixels(machine, board) };
+  const stage = createStage(machine, board);
+  return { ...atOnce(machine, board, stage), ...sequences(board, stage), ...pixels(machine, board) };
 }
 
-function pictures(machine: Machine, board: Board): SyscallTable {
+/** What the calls that show something share. */
+interface Stage {
+  /** A new picture or animation begins and replaces the one before; costs the call. */
+  readonly begin: () => void;
+  /** Counts them. */
+  readonly turn: () => number;
+  readonly builtIn: (bits: Value | undefined) => Uint8Array;
+  readonly image: (address: Value | undefined, w: Value | undefined, h: Value | undefined) => Uint8Array;
+}
+
+function createStage(machine: Machine, board: Board): Stage {
+  const unpacked = new Map<number, Uint8Array>();
+  let turn = 0;
+  return {
+    begin: () => {
+      machine.spend(board.type.costsUs.callUs);
+      turn++;
+    },
+    turn: () => turn,
+    builtIn: (bits) => {
+      const key = wholeOf(bits) ?? 0;
+      const frame = unpacked.get(key) ?? unpack(key);
+      unpacked.set(key, frame);
+      return frame;
+    },
+    image: (address, w, h) => {
+      const [width, height] = [wholeOf(w) ?? 0, wholeOf(h) ?? 0];
+      return cut(machine.memory(wholeOf(address) ?? 0, width * height), width, height);
+    },
+  };
+}
+
+function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
   const { display } = board;
-  const { callUs } = board.type.costsUs;
-  const builtIn = new Map<number, Uint8Array>();
-  let frames: Uint8Array[] = [];
-  let animation = 0;
-  const unpacked = (bits: Value | undefined): Uint8Array => {
-    const key = wholeOf(bits) ?? 0;
-    const frame = builtIn.get(key) ?? unpack(key);
-    builtIn.set(key, frame);
-    return frame;
-  };
-  const imageAt = (address: Value | undefined, w: Value | undefined, h: Value | undefined): Uint8Array => {
-    const [width, height] = [wholeOf(w) ?? 0, wholeOf(h) ?? 0];
-    return cut(machine.memory(wholeOf(address) ?? 0, width * height), width, height);
-  };
-  const showAtOnce = (frame: Uint8Array): null => {
-    machine.spend(callUs);
-    animation++;
+  const show = (frame: Uint8Array): null => {
+    stage.begin();
     display.show(frame);
     return null;
   };
-  const add = (frame: Uint8Array): null => {
-    frames.push(frame);
-    return null;
-  };
-  const run = (delayMs: Value | undefined, loop: Value | undefined, clear: Value | undefined): boolean => {
-    machine.spend(callUs);
-    animation++;
-    display.showFrames(frames, { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, clear: clear === true });
-    frames = [];
-    return display.isAnimating;
-  };
   return {
-    display_show_bits: (bits) => showAtOnce(unpacked(bits)),
-    display_show_image: (address, w, h) => showAtOnce(imageAt(address, w, h)),
+    display_show_bits: (bits) => show(stage.builtIn(bits)),
+    display_show_image: (address, w, h) => show(stage.image(address, w, h)),
     display_show_text: (text, delayMs, loop, clear) => {
-      const characters = [...textOf(text)];
+      const characters = Array.from(textOf(text));
       const [first] = characters;
       if (first === undefined) {
         display.stopAnimation();
         return false;
       }
       if (characters.length === 1 && loop !== true && clear !== true) {
-        showAtOnce(display.glyph(first));
+        show(display.glyph(first));
         return false;
       }
-      frames = characters.map((character) => display.glyph(character));
-      return run(delayMs, loop, clear);
+      stage.begin();
+      const frames = characters.map((character) => display.glyph(character));
+      display.showFrames(frames, { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, clear: clear === true });
+      return display.isAnimating;
     },
+    display_clear: () => {
+      stage.begin();
+      display.clear();
+      return null;
+    },
+    display_busy: (): Wait => {
+      const awaited = stage.turn();
+      const isOver = (): boolean => stage.turn() !== awaited || !display.isAnimating;
+      return { untilUs: isOver() ? machine.clock.nowUs : Infinity, ready: isOver, result: () => !isOver() };
+    },
+  };
+}
+
+function sequences(board: Board, stage: Stage): SyscallTable {
+  const { display } = board;
+  let frames: Uint8Array[] = [];
+  const add = (frame: Uint8Array): null => {
+    frames.push(frame);
+    return null;
+  };
+  return {
     display_begin: () => {
       frames = [];
       display.stopAnimation();
       return null;
     },
-    display_add_bits: (bits) => add(unpacked(bits)),
-    display_add_image: (address, w, h) => add(imageAt(address, w, h)),
+    display_add_bits: (bits) => add(stage.builtIn(bits)),
+    display_add_image: (address, w, h) => add(stage.image(address, w, h)),
     display_add_text: (text) => add(display.glyph(textOf(text))),
-    display_run: run,
+    display_run: (delayMs, loop, clear) => {
+      stage.begin();
+      display.showFrames(frames, { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, clear: clear === true });
+      frames = [];
+      return display.isAnimating;
+    },
     display_scroll: (text, delayMs, loop, monospace) => {
-      machine.spend(callUs);
-      animation++;
+      stage.begin();
       const options = { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, monospace: monospace === true };
       display.scroll(textOf(text), options);
       return null;
-    },
-    display_clear: () => {
-      machine.spend(callUs);
-      animation++;
-      display.clear();
-      return null;
-    },
-    display_busy: (): Wait => {
-      const awaited = animation;
-      const isOver = (): boolean => animation !== awaited || !display.isAnimating;
-      return { untilUs: isOver() ? machine.clock.nowUs : Infinity, ready: isOver, result: () => !isOver() };
     },
   };
 }

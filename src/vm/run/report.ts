@@ -24,8 +24,8 @@ export class Report {
   private readonly decoder = new TextDecoder();
   private tracebackFrom: string[] | null = null;
   private end: VmEnd | null = null;
-  /** Free bytes of the program's heap when it ended. */
-  heapFree = 0;
+  /** Free bytes of the program's heap when it ended; `null` before. */
+  heapFree: number | null = null;
 
   /** @param tell receives what the console shows */
   constructor(private readonly tell: (text: string) => void) {}
@@ -55,7 +55,7 @@ export class Report {
         return null;
       },
       heap_free: (bytes) => {
-        this.heapFree = typeof bytes === 'number' ? bytes : 0;
+        this.heapFree = typeof bytes === 'number' ? bytes : null;
         return null;
       },
     };

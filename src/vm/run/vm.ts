@@ -32,7 +32,7 @@ export interface Vm {
   interrupt(): void;
   /** Text that a person types on the serial line. */
   feed(text: string): void;
-  /** What `gc.mem_free()` gave when the program ended, in bytes; 0 while it runs. */
+  /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end what was free then. */
   heapFree(): number;
 }
 
@@ -60,6 +60,6 @@ export function createVm(setup: VmSetup): Vm {
     },
     interrupt: () => session.interrupt(),
     feed: (text) => port.feed(text),
-    heapFree: () => report.heapFree,
+    heapFree: () => report.heapFree ?? session.heapFree,
   };
 }

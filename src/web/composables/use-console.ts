@@ -38,6 +38,7 @@ export class ConsoleModel {
   addError(place: ErrorPlace | null, advice: Advice): void {
     this.show();
     this.log.add({ kind: 'error', place, advice });
+    this.isNew.value = true;
     this.show();
   }
 
@@ -66,9 +67,9 @@ export class ConsoleModel {
     this.timer = undefined;
     if (this.pending !== '') {
       this.log.write(this.pending);
+      this.isNew.value = true;
       this.pending = '';
     }
-    if (this.entries.value !== this.log.entries) this.isNew.value = this.log.entries.length > 0;
     this.entries.value = this.log.entries;
     this.isCut.value = this.log.isCut;
   }

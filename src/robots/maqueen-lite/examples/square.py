@@ -2,15 +2,17 @@
 # Vier Mal: geradeaus, dann eine Vierteldrehung nach links.
 from mbrobot import *
 
-SIDE_TIME = 1500            # Millisekunden für eine Seite
-TURN_TIME = 300             # Millisekunden für 90 Grad. Stimmt die Drehung? Probiere andere Werte!
+SIDE = 1500             # Millisekunden für eine Seite
+QUARTER_TURN = 372      # Millisekunden für 90 Grad. Probiere andere Zahlen!
 
 setSpeed(50)
 
 for side in range(4):
     forward()
-    delay(SIDE_TIME)
+    delay(SIDE)
+    stop()
+    delay(200)
     left()
-    delay(TURN_TIME)
-
-stop()
+    delay(QUARTER_TURN)
+    stop()
+    delay(200)

@@ -1,0 +1,46 @@
+// node scripts/screenshots.mjs: takes the pictures of the README from the running app, with the Chromium that the tests use.
+import { mkdir } from 'node:fs/promises';
+import { chromium } from '@playwright/test';
+import { engines } from './browsers.mjs';
+import { Failure, main, note, root } from './progress.mjs';
+import { serve } from './serve.mjs';
+import { buildApp, setUp } from './setup.mjs';
+
+const PICTURES = [
+  { name: 'app', width: 1440, height: 900, dark: false },
+  { name: 'app-dark', width: 1440, height: 900, dark: true },
+  { name: 'tablet', width: 820, height: 1180, dark: false },
+  { name: 'phone', width: 390, height: 844, dark: false },
+];
+/** Long enough for the first course's robot to be on its way. */
+const DRIVING_MS = 6_000;
+
+/** Opens the app as on a first visit, lets its first course drive for a while and takes a picture. */
+async function take(browser, url, { name, width, height, dark }) {
+  const context = await browser.newContext({
+    viewport: { width, height },
+    colorScheme: dark ? 'dark' : 'light',
+    locale: 'en-GB',
+  });
+  const page = await context.newPage();
+  page.on('console', (message) => note(`${name}: the page says ${message.text()}`));
+  await page.goto(url);
+  await page.click('[data-testid="run"]');
+  await page.waitForTimeout(DRIVING_MS);
+  await page.screenshot({ path: `${root}docs/images/${name}.png` });
+  await context.close();
+  note(`docs/images/${name}.png`);
+}
+
+await main(import.meta.url, async () => {
+  await setUp();
+  await buildApp();
+  const [{ env, missing }] = engines();
+  if (missing) throw new Failure(`The pictures need Chromium: ${missing}.`);
+  await mkdir(`${root}docs/images`, { recursive: true });
+  const server = await serve({ port: 0 });
+  const browser = await chromium.launch({ executablePath: env.PARCOURS_CHROMIUM });
+  for (const picture of PICTURES) await take(browser, server.url, picture);
+  await browser.close();
+  await server.close();
+});

@@ -1,0 +1,274 @@
+import { readFileSync } from 'node:fs';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { parseSceneValue } from '#scene/parse';
+import { defaultScene, type Scene } from '#scene/scene';
+import { importedModules } from './hardware';
+import type { RunSetup } from './run-setup';
+import { Simulation } from './simulation';
+import { createTraceHash } from './trace';
+
+let firmware: WebAssembly.Module;
+beforeAll(() => {
+  firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
+});
+
+const lines = (...texts: string[]): string => texts.join('\n');
+
+function setupOf(program: string, change: Partial<RunSetup> = {}): RunSetup {
+  const base = {
+    scene: defaultScene(),
+    files: { 'main.py': program },
+    robot: 'auto',
+    board: 'auto',
+    seed: 1,
+    reality: 0,
+  };
+  return { ...base, ...change };
+}
+
+const start = (program: string, change: Partial<RunSetup> = {}) =>
+  Simulation.create(setupOf(program, change), firmware);
+
+async function runFor(program: string, ms: number, change: Partial<RunSetup> = {}): Promise<Simulation> {
+  const simulation = await start(program, change);
+  simulation.advanceTo(ms * 1000);
+  return simulation;
+}
+
+function sceneWith(...objects: object[]): Scene {
+  const parsed = parseSceneValue({ format: 'parcours-scene', version: 1, robot: { at: [300, 450] }, objects });
+  if (!('scene' in parsed)) throw new Error(parsed.problem);
+  return parsed.scene;
+}
+
+const drive = lines('from mbrobot import *', 'forward()', 'delay(1000)', 'leftArc(0.2)', 'delay(1000)', 'stop()');
+
+describe('a run', () => {
+  it('drives the robot that the program steers, and prints what it prints', async () => {
+    const simulation = await runFor(`${drive}\nprint('there')`, 3000);
+    expect(simulation.snapshot().robot?.pose.xMm).toBeGreaterThan(700);
+    expect(simulation.takeConsole()).toBe('there\n');
+    expect(simulation.takeConsole()).toBe('');
+  });
+
+  it('goes on after the program has ended: the motors keep turning', async () => {
+    const simulation = await start(lines('from mbrobot import *', 'forward()'));
+    simulation.advanceProgramTo(500_000);
+    expect(simulation.ended).toMatchObject({ kind: 'finished', exception: null });
+    expect(simulation.nowUs).toBeLessThan(100_000);
+    simulation.advanceTo(1_000_000);
+    expect(simulation.snapshot().running).toBe('world');
+    expect(simulation.snapshot().robot?.pose.xMm).toBeGreaterThan(680);
+  });
+
+  it('tells an exception with its line', async () => {
+    const simulation = await runFor(lines('x = 1', 'def f():', '  return x / 0', 'f()'), 100);
+    expect(simulation.ended).toMatchObject({ kind: 'exception', exception: { type: 'ZeroDivisionError', line: 3 } });
+    expect(simulation.takeConsole()).toMatch(/Traceback[^]*File "main.py", line 3, in f\n/);
+  });
+
+  it('is the same to the last bit whatever the pieces in which time passes', async () => {
+    const program = lines(drive, 'import random', 'while True:', '  delay(random.randrange(50))', '  right()');
+    const whole = await runFor(program, 4000);
+    const pieces = await start(program);
+    for (let us = 0; us <= 4_000_000; us += 777) pieces.advanceTo(us);
+    pieces.advanceTo(4_000_000);
+    expect(pieces.traceHash).toBe(whole.traceHash);
+    expect(pieces.nowUs).toBe(whole.nowUs);
+    const otherSeed = await runFor(program, 4000, { seed: 2 });
+    expect(otherSeed.traceHash).not.toBe(whole.traceHash);
+  });
+
+  it('begins anew with every creation', async () => {
+    const first = await runFor(drive, 2500);
+    const again = await runFor(drive, 2500);
+    expect(again.traceHash).toBe(first.traceHash);
+    expect(again.snapshot()).toEqual(first.snapshot());
+  });
+
+  it('keeps a row of the trace every 20 ms, beginning at 0, when asked to', async () => {
+    const simulation = await runFor(drive, 1000, { keepTrace: true });
+    expect(simulation.trace.map((row) => row.timeUs)).toEqual(Array.from({ length: 51 }, (_, n) => n * 20_000));
+    expect(simulation.trace[0]).toMatchObject({ xMm: 600, yMm: 450, headingRad: 0, collisions: 0 });
+    expect((await runFor(drive, 1000)).trace).toEqual([]);
+  });
+
+  it('counts collisions and stops at a wall', async () => {
+    const simulation = await runFor(lines('from mbrobot import *', 'forward()'), 10_000);
+    const robot = simulation.snapshot().robot;
+    expect(robot?.collisions).toBe(1);
+    expect(robot?.pose.xMm).toBeGreaterThan(1130);
+    expect(robot?.pose.xMm).toBeLessThan(1145);
+  });
+
+  it('shows blocks by their id, and pushes them', async () => {
+    const scene = sceneWith({ id: 'box', type: 'block', at: [500, 450], size: [50, 50] });
+    const simulation = await runFor(lines('from mbrobot import *', 'setSpeed(80)', 'forward()'), 2000, { scene });
+    expect(simulation.snapshot().blocks.box?.xMm).toBeGreaterThan(550);
+  });
+
+  it('lets the line sensors read what the course paints', async () => {
+    const scene = sceneWith({
+      id: 's',
+      type: 'stroke',
+      points: [
+        [300, 457],
+        [400, 457],
+      ],
+      width: 10,
+    });
+    const program = lines('from mbrobot import *', 'print(irLeft.read_digital(), irRight.read_digital())');
+    expect((await runFor(program, 100, { scene })).takeConsole()).toBe('0 1\n');
+  });
+});
+
+describe('input from outside', () => {
+  const watch = lines(
+    'from microbit import *',
+    'was = False',
+    'while True:',
+    '  now = button_a.is_pressed()',
+    '  if now != was:',
+    '    print(running_time(), now)',
+    '    was = now',
+  );
+
+  it('takes effect at the next step of the world and is logged with that time', async () => {
+    const simulation = await start(watch);
+    simulation.advanceTo(101_000);
+    simulation.input({ type: 'button', button: 'a', down: true });
+    simulation.advanceTo(300_000);
+    simulation.input({ type: 'button', button: 'a', down: false });
+    simulation.advanceTo(500_000);
+    expect(simulation.inputLog.map((event) => event.timeUs)).toEqual([104_000, 304_000]);
+    expect(simulation.takeConsole()).toMatch(/^1\d\d True\n3\d\d False\n$/);
+  });
+
+  it('replays from its log to the same run', async () => {
+    const program = lines(
+      'from mbrobot import *',
+      'from microbit import *',
+      'while True:',
+      '  if button_a.is_pressed():',
+      '    left()',
+      '  else:',
+      '    forward()',
+      '  delay(7)',
+    );
+    const live = await start(program);
+    for (const [us, down] of [
+      [333_333, true],
+      [700_001, false],
+      [900_123, true],
+    ] as const) {
+      live.advanceTo(us);
+      live.input({ type: 'button', button: 'a', down });
+    }
+    live.advanceTo(1_500_000);
+    live.input({ type: 'place', pose: { xMm: 300, yMm: 200, headingDeg: 45 } });
+    live.advanceTo(3_000_000);
+    const replayed = await runFor(program, 3000, { inputs: live.inputLog });
+    expect(replayed.traceHash).toBe(live.traceHash);
+    expect(replayed.inputLog).toEqual(live.inputLog);
+  });
+
+  it('may be there from the start: at 0 ms the button is down before the program begins', async () => {
+    const inputs = [{ timeUs: 0, action: { type: 'sensor', id: 'lightLevel', value: 10 } } as const];
+    const program = lines('from microbit import *', 'print(display.read_light_level())');
+    expect((await runFor(program, 200, { inputs })).takeConsole()).toBe('10\n');
+  });
+
+  it('puts the robot and blocks where the hand puts them', async () => {
+    const scene = sceneWith({ id: 'box', type: 'block', at: [500, 450], size: [50, 50] });
+    const simulation = await start('', { scene });
+    simulation.input({ type: 'place', pose: { xMm: 700, yMm: 200, headingDeg: 90 } });
+    simulation.input({ type: 'place-block', id: 'box', pose: { xMm: 100, yMm: 100, headingDeg: 45 } });
+    simulation.advanceTo(100_000);
+    const { robot, blocks } = simulation.snapshot();
+    expect(robot?.pose).toMatchObject({ xMm: 700, yMm: 200 });
+    expect(robot?.pose.headingRad).toBeCloseTo(Math.PI / 2, 9);
+    expect(blocks.box?.xMm).toBeCloseTo(100, 6);
+  });
+
+  it('feeds the serial line', async () => {
+    const inputs = [{ timeUs: 50_000, action: { type: 'serial', text: 'Ada\r' } } as const];
+    const simulation = await runFor("print('Hello', input('Name? '))", 500, { inputs });
+    expect(simulation.takeConsole()).toContain('Hello Ada');
+  });
+
+  it('interrupts a program that never ends, and so does the replay', async () => {
+    const simulation = await start('while True: pass');
+    simulation.advanceTo(100_000);
+    simulation.interrupt();
+    simulation.advanceTo(200_000);
+    expect(simulation.ended).toMatchObject({ kind: 'stopped', exception: { type: 'KeyboardInterrupt' } });
+    const replayed = await runFor('while True: pass', 200, { inputs: simulation.inputLog });
+    expect(replayed.ended).toEqual(simulation.ended);
+  });
+
+  it.each([
+    [{ type: 'sensor', id: 'lightLevel', value: 999 }, /lightLevel: 999 is not a number within 0 … 255/],
+    [{ type: 'sensor', id: 'smell', value: 1 }, /no sensor "smell"\. Known are/],
+    [{ type: 'touch', pad: 'pin7', down: true }, /no sensor "pin7"/],
+    [{ type: 'place', pose: { xMm: -1, yMm: 2, headingDeg: 0 } }, /xMm: -1 is not within 0 … 1200/],
+    [{ type: 'place', pose: { xMm: 1, yMm: NaN, headingDeg: 0 } }, /yMm: NaN/],
+    [
+      { type: 'place-block', id: 'q', pose: { xMm: 1, yMm: 2, headingDeg: 0 } },
+      /no movable block "q"\. This course has none/,
+    ],
+  ] as const)('refuses %j', async (action, message) => {
+    const simulation = await start('');
+    expect(() => simulation.input(action)).toThrow(message);
+    const inputs = [{ timeUs: 0, action }];
+    await expect(start('', { inputs })).rejects.toThrow(message);
+    await expect(start('', { inputs })).rejects.toThrow('[0]: ');
+  });
+});
+
+describe('what a run is made of', () => {
+  it('is a Maqueen Lite on a micro:bit V2 unless something else is asked for', async () => {
+    expect((await start('')).snapshot().robot?.type).toBe('maqueen-lite');
+    expect((await start('', { robot: 'none' })).snapshot().robot).toBeNull();
+  });
+
+  it('answers a driver with OSError 19 when there is no robot', async () => {
+    const program = lines(
+      'from microbit import i2c',
+      'try:',
+      '  i2c.write(0x10, bytes(3))',
+      'except OSError as e:',
+      '  print(e)',
+    );
+    expect((await runFor(program, 100, { robot: 'none' })).takeConsole()).toMatch(/19/);
+  });
+
+  it.each([
+    [{ robot: 'tank' }, 'Unknown robot "tank". Known robots: maqueen-lite, none.'],
+    [{ board: 'arduino' }, 'Unknown board "arduino". Known boards: microbit-v2.'],
+    [{ reality: 0.5 }, 'Reality 0.5 is not available yet. Use 0, the ideal robot.'],
+  ])('is refused for %j', async (change, message) => {
+    await expect(start('', change)).rejects.toThrow(message);
+  });
+
+  it('is refused when the real outline of the robot stands in a wall', async () => {
+    const scene = sceneWith({ id: 'w', type: 'wall', from: [350, 400], to: [350, 500] });
+    await expect(start('', { scene })).rejects.toThrow(
+      /robot.at: at \[300, 450\] the robot stands inside the wall "w"/,
+    );
+  });
+
+  it('guesses by the imports, whatever their form', () => {
+    const source = lines('import a, b as c', 'from d import *', '  import e.f', '# import g', 'print("import h")');
+    expect(importedModules(source)).toEqual(['a', 'b', 'd', 'e']);
+  });
+});
+
+describe('the fingerprint of a trajectory', () => {
+  it('is the SHA-256 of its rows: time in ms, x, y and heading as little-endian doubles', () => {
+    const hash = createTraceHash();
+    // printf of the 32 bytes of (20, 1.5, -0 as 0, 3) into sha256sum
+    expect(hash.hex()).toBe('e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855');
+    hash.add(20_000, 1.5, -0, 3);
+    expect(hash.hex()).toBe('2757c988030ead90f0d9eeb70e259bc0db49de4032bca2114703394aa3d58cca');
+  });
+});

@@ -1,0 +1,104 @@
+import { describe, expect, it } from 'vitest';
+import { linesOf, play } from './testing/play';
+
+describe('run_every', () => {
+  it('calls its function while the program sleeps, and sleep takes as long as it should', () => {
+    const program = `
+n = 0
+@run_every(ms=20)
+def tick():
+    global n
+    n += 1
+print(took(sleep, 1000), 48 <= n <= 51)`;
+    expect(linesOf(program)).toEqual(['1000 True']);
+  });
+
+  it('calls its function while the program spins', () => {
+    const program = `
+n = 0
+def tick():
+    global n
+    n += 1
+run_every(tick, s=1)
+while n < 3:
+    pass
+print(running_time() // 100)`;
+    expect(linesOf(program)).toEqual(['30']);
+  });
+
+  it('goes on during a scroll, a melody, input and a pulse', () => {
+    const run = play(`
+from microbit import *
+import music, machine
+n = 0
+@run_every(ms=100)
+def tick():
+    global n
+    n += 1
+def count(f, *a):
+    before = n
+    f(*a)
+    print(n > before + 3)
+count(display.scroll, 'hello')
+count(music.play, 'c:16')
+count(machine.time_pulse_us, pin1, 1)
+count(input)`);
+    run.until(15_000).vm.feed('x\r');
+    expect(run.until(25_000).printed()).toBe('True\nTrue\nTrue\nx\nTrue\n');
+  });
+
+  it('lets a callback sleep itself', () => {
+    const program = `
+n = 0
+@run_every(ms=50)
+def slow():
+    global n
+    sleep(80)
+    n += 1
+sleep(1000)
+print(n > 8)`;
+    expect(linesOf(program)).toEqual(['True']);
+  });
+
+  it('ends the program with the error of a callback, which except Exception does not catch', () => {
+    const run = play(`
+from microbit import *
+@run_every(ms=20)
+def tick():
+    nothing
+try:
+    sleep(1000)
+except Exception:
+    print('caught')
+print('on')`).until(3000);
+    expect(run.ended()?.kind).toBe('exception');
+    expect(run.ended()?.exception).toMatchObject({
+      type: 'NameError',
+      message: "name 'nothing' isn't defined",
+      line: 5,
+    });
+    expect(run.printed()).not.toContain('on\n');
+  });
+
+  it('takes its periods by name only', () => {
+    expect(linesOf("err(run_every, print, 5)\nerr(lambda: run_every(print, ms='a'))")).toEqual([
+      'TypeError: run_every() takes 1 positional arguments but 2 were given',
+      "TypeError: can't convert str to int",
+    ]);
+  });
+});
+
+describe('input', () => {
+  it('asks, echoes and returns the line', () => {
+    const run = play("name = input('Name? ')\nprint('Hallo', name)");
+    expect(run.until(100).printed()).toBe('Name? ');
+    run.vm.feed('Ada\r');
+    expect(run.until(200).printed()).toBe('Name? Ada\nHallo Ada\n');
+  });
+
+  it('raises EOFError at Ctrl-D', () => {
+    const run = play("try:\n    input()\nexcept EOFError:\n    print('end')").until(10);
+    run.vm.feed('\x04');
+    expect(run.until(100).printed()).toBe('end\n');
+  });
+});

@@ -1,0 +1,88 @@
+import { describe, expect, it } from 'vitest';
+import { linesOf, play } from './testing/play';
+
+describe('display in Python', () => {
+  it('shows one picture or character at once', () => {
+    const run = play('from microbit import *\ndisplay.show(Image.HEART)\nsleep(10)\ndisplay.show(7)\n').until(5);
+    expect(run.bench.picture()).toBe('.9.9.\n99999\n99999\n.999.\n..9..');
+    expect(run.until(20).bench.picture()).toBe('99999\n...9.\n..9..\n.9...\n9....');
+  });
+
+  it('takes as long as the device on its 6 ms tick', () => {
+    const program = `
+print(took(display.show, '12'), took(display.show, 'abc', 100), took(display.show, 'abc', 100, clear=True))
+print(took(display.scroll, 'Hi', delay=60), took(display.scroll, 7, 60, monospace=True))
+print(took(display.show, Image.ALL_CLOCKS, delay=50))
+print(took(display.scroll, 'Hi', wait=False), took(display.show, ''), took(display.show, []))`;
+    const lines = linesOf(program);
+    // A call begins anywhere between two ticks: up to 6 ms less, 1 ms of rounding.
+    const expected = [804, 306, 408, 720, 600, 648];
+    const measured = lines.slice(0, 3).flatMap((line) => line.split(' ').map(Number));
+    expect(measured).toHaveLength(expected.length);
+    expected.forEach((ms, i) => expect(Math.abs(ms - (measured[i] ?? 0) - 3)).toBeLessThanOrEqual(4));
+    expect(lines[3]).toBe('0 0 0');
+  });
+
+  it('goes on in the background with wait=False, and the next show replaces it', () => {
+    const run = play(`
+from microbit import *
+display.show('AB', delay=60, wait=False, loop=True)
+sleep(1000)
+display.show(Image.HEART)
+sleep(1000)`);
+    const pictures = new Set<string>();
+    for (let ms = 10; ms < 900; ms += 10) pictures.add(run.until(ms).bench.picture());
+    expect(pictures.size).toBe(2);
+    expect(run.until(1500).bench.picture()).toBe('.9.9.\n99999\n99999\n.999.\n..9..');
+  });
+
+  it('asks a generator for its pictures one by one', () => {
+    const run = play(`
+from microbit import *
+def forever():
+    while True:
+        yield 'x'
+        yield Image.HEART
+display.show(forever(), 100)`);
+    expect(run.until(3050).ended()).toBeNull();
+    expect(run.bench.board.display.pixels.some((led) => led > 0)).toBe(true);
+  });
+
+  it('sets and gets pixels, and clear has worked when it returns', () => {
+    const program = `
+display.set_pixel(2, 3, 7)
+print(display.get_pixel(2, 3))
+display.clear()
+display.set_pixel(0, 0, 9)
+sleep(20)
+print(display.get_pixel(2, 3), display.get_pixel(0, 0))
+print(display.is_on(), display.read_light_level())
+display.off()
+print(display.is_on(), pin3.read_digital())
+display.on()
+err(pin3.read_digital)`;
+    expect(linesOf(program)).toEqual(['7', '0 9', 'True 127', 'False 0', 'ValueError: Pin 3 in display mode']);
+  });
+
+  it('refuses mistakes in the words of the device', () => {
+    const program = `
+err(display.get_pixel, 5, 0)
+err(display.set_pixel, 0, 5, 1)
+err(display.set_pixel, 0, 0, 10)
+err(display.set_pixel, 0.5, 0, 1)
+err(display.show, [1])
+err(display.show, None)
+err(display.scroll, None)
+err(display.show, 'ab', 'x')`;
+    expect(linesOf(program)).toEqual([
+      'ValueError: index out of bounds',
+      'ValueError: index out of bounds',
+      'ValueError: brightness out of bounds',
+      "TypeError: can't convert float to int",
+      'TypeError: not an image',
+      "TypeError: 'NoneType' object isn't iterable",
+      "TypeError: can't convert 'NoneType' object to str implicitly",
+      "TypeError: can't convert str to int",
+    ]);
+  });
+});

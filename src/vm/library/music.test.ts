@@ -1,0 +1,69 @@
+import { describe, expect, it } from 'vitest';
+import { linesOf, play } from './testing/play';
+
+describe('music', () => {
+  it('plays a note of four ticks at 120 beats a minute in about half a second', () => {
+    const program = `
+import music
+print(music.get_tempo(), 490 <= took(music.play, ['c4:4']) <= 520, 490 <= took(music.play, 'c4:4') <= 520)
+print(100 <= took(music.pitch, 440, 100) <= 130, took(music.pitch, 440, 100, wait=False))
+music.set_tempo(bpm=60)
+print(music.get_tempo())
+music.reset()
+print(music.get_tempo())`;
+    expect(linesOf(program)).toEqual(['(120, 4) True True', 'True 0', '(60, 4)', '(120, 4)']);
+  });
+
+  it('has 21 melodies as tuples of notes, also after from music import *', () => {
+    const program = `
+import music
+print(music.BA_DING, len(music.NYAN), len([n for n in music.__all__ if n[0].isupper()]))
+from music import *
+print(len(ODE), POWER_DOWN[0])`;
+    expect(linesOf(program)).toEqual(["('b5:1', 'e6:3') 106 21", '30 g5:1']);
+  });
+
+  it('sounds on pin 0 while the program goes on, until stop', () => {
+    const run = play(`
+from microbit import *
+import music
+music.pitch(440)
+sleep(100)
+music.stop()
+sleep(100)`);
+    expect(run.until(50).bench.board.wire('P0').pwm?.periodUs).toBe(2272);
+    expect(run.until(150).bench.board.wire('P0').pwm).toBeNull();
+  });
+
+  it('stops when the waiting program is interrupted', () => {
+    const run = play(
+      "import music\ntry:\n    music.play(music.ODE)\nexcept KeyboardInterrupt:\n    print('stopped')\n",
+    );
+    expect(run.until(300).bench.board.music.isPlaying).toBe(true);
+    run.vm.interrupt();
+    expect(run.until(400).printed()).toBe('stopped\n');
+    expect(run.bench.board.music.isPlaying).toBe(false);
+  });
+
+  it('refuses mistakes in the words of the device', () => {
+    const program = `
+import music
+err(music.pitch, -1)
+err(music.pitch, 440, pin=pin3)
+err(music.pitch, 440, pin=pin_speaker)
+err(music.pitch, 440, pin=5)
+err(music.play, 5)
+err(lambda: music.nothing)
+music.pitch(440)
+err(pin0.write_digital, 1)`;
+    expect(linesOf(program)).toEqual([
+      'ValueError: invalid pitch',
+      'ValueError: Pin 3 in display mode',
+      'ValueError: pin_speaker not allowed',
+      'TypeError: expecting a pin',
+      "TypeError: 'int' object isn't iterable",
+      "AttributeError: 'module' object has no attribute 'nothing'",
+      'ValueError: Pin 0 in music mode',
+    ]);
+  });
+});

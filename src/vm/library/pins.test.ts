@@ -1,0 +1,109 @@
+import { describe, expect, it } from 'vitest';
+import { linesOf, play } from './testing/play';
+
+describe('pins in Python', () => {
+  it('have the classes of the device', () => {
+    expect(linesOf('print(pin0, pin3, pin5, pin_logo, button_a)')).toEqual([
+      '<MicroBitTouchPin> <MicroBitAnalogDigitalPin> <MicroBitDigitalPin> <MicroBitTouchOnlyPin> <MicroBitButton>',
+    ]);
+  });
+
+  it('read, pull and change their mode', () => {
+    const program = `
+print(pin0.read_digital(), pin0.get_mode(), pin0.get_pull())
+pin0.set_pull(pin0.PULL_UP)
+print(pin0.read_digital(), pin0.get_pull())
+pin0.write_digital(1)
+print(pin0.get_mode())
+err(pin0.get_pull)`;
+    expect(linesOf(program)).toEqual([
+      '0 read_digital 1',
+      '1 0',
+      'write_digital',
+      'ValueError: Pin 0 in write_digital mode',
+    ]);
+  });
+
+  it('refuse levels that are none in the words of the device', () => {
+    const program = `
+for value in (2, -1, '1', 1.0, None):
+    err(pin0.write_digital, value)
+pin0.write_digital(True)`;
+    expect(linesOf(program)).toEqual([
+      'ValueError: value must be 0 or 1',
+      'ValueError: value must be 0 or 1',
+      "TypeError: can't convert str to int",
+      "TypeError: can't convert float to int",
+      "TypeError: can't convert NoneType to int",
+    ]);
+  });
+
+  it('say who holds them', () => {
+    const program = `
+err(pin3.write_digital, 1)
+err(pin3.read_analog)
+err(pin5.write_digital, 1)
+print(pin5.read_digital(), pin5.get_mode())
+err(pin19.read_digital)
+err(pin20.write_analog, 3)`;
+    expect(linesOf(program)).toEqual([
+      'ValueError: Pin 3 in display mode',
+      'ValueError: Pin 3 in display mode',
+      'ValueError: Pin 5 in button mode',
+      '1 button',
+      'ValueError: Pin 19 in i2c mode',
+      'ValueError: Pin 20 in i2c mode',
+    ]);
+  });
+
+  it('write analog with a shared period', () => {
+    const program = `
+pin0.write_analog(512)
+pin1.write_analog(100)
+print(pin0.get_mode(), pin0.get_analog_period_microseconds())
+pin0.set_analog_period(10)
+print(pin1.get_analog_period_microseconds())
+err(pin0.set_analog_period, 0)
+err(pin0.write_analog, 1024)
+err(pin0.write_analog, -1)
+err(pin0.write_analog, 1023.6)
+err(pin0.write_analog, 'a')
+pin0.write_analog(0)
+print(pin0.get_mode(), pin2.get_analog_period_microseconds())`;
+    expect(linesOf(program)).toEqual([
+      'write_analog 20000',
+      '10000',
+      'ValueError: invalid period',
+      'ValueError: value must be between 0 and 1023',
+      'ValueError: value must be between 0 and 1023',
+      'ValueError: value must be between 0 and 1023',
+      "TypeError: can't convert str to int",
+      'unused -1',
+    ]);
+  });
+
+  it('read a voltage of half the supply as 512', () => {
+    expect(linesOf('print(pin2.read_analog())', {}, (bench) => bench.chip('P2').driveAnalog(0.5))).toEqual(['512']);
+  });
+
+  it('lack what the device lacks: pin8 has no read_analog, the logo no read_digital', () => {
+    expect(linesOf('err(lambda: pin8.read_analog())\nerr(lambda: pin_logo.read_digital())')).toEqual([
+      "AttributeError: 'MicroBitDigitalPin' object has no attribute 'read_analog'",
+      "AttributeError: 'MicroBitTouchOnlyPin' object has no attribute 'read_digital'",
+    ]);
+  });
+});
+
+describe('buttons and touch in Python', () => {
+  it('count a press of A and a touch of the logo while the program waits', () => {
+    const run = play(`
+from microbit import *
+sleep(200)
+print(button_a.was_pressed(), button_a.get_presses(), button_b.get_presses(), pin_logo.is_touched())
+print(button_a.was_pressed(), button_a.get_presses())`);
+    run.until(10).bench.board.buttonA.press();
+    run.bench.board.touch.get('pin_logo')?.press();
+    run.until(100).bench.board.buttonA.release();
+    expect(run.until(1000).printed()).toBe('True 1 0 True\nFalse 0\n');
+  });
+});

@@ -1,0 +1,75 @@
+import { readFileSync } from 'node:fs';
+import { createBench, type Bench } from '#board/testing/bench';
+import { createVm, type Vm, type VmEnd } from '../../run/vm';
+
+/** A program that runs on a board on the table. */
+export interface Play {
+  readonly bench: Bench;
+  readonly vm: Vm;
+  /** Everything printed so far; lines end with a newline, whatever the console ends them with. */
+  readonly printed: () => string;
+  /** Lets simulated time pass, the program running, until this many ms after the start. */
+  readonly until: (ms: number) => Play;
+  readonly ended: () => VmEnd | null;
+}
+
+const firmware = new WebAssembly.Module(readFileSync(new URL('../../../../.cache/vm/vm.wasm', import.meta.url)));
+
+/** Prepares a program (main.py) with further files; `setUp` connects what it is to meet. */
+export function play(
+  program: string,
+  files: Readonly<Record<string, string>> = {},
+  setUp: (bench: Bench) => void = () => undefined,
+): Play {
+  const bench = createBench();
+  setUp(bench);
+  let text = '';
+  const vm = createVm({
+    firmware,
+    board: bench.board,
+    clock: bench.clock,
+    files: { ...files, 'main.py': program },
+    libraries: {},
+    seed: 1,
+    write: (part) => {
+      text += part;
+    },
+  });
+  const self: Play = {
+    bench,
+    vm,
+    printed: () => text.replace(/\r/g, ''),
+    until: (ms) => {
+      vm.resume(ms * 1000);
+      return self;
+    },
+    ended: () => vm.ended,
+  };
+  return self;
+}
+
+const LIMIT_MS = 60_000;
+
+/** Prepended to programs of `linesOf`: err(f, …) prints the error that a call raises, took(f, …) its time in ms. */
+const PRELUDE = `
+def err(f, *a, **k):
+    try:
+        print('no error:', f(*a, **k))
+    except BaseException as e:
+        print(type(e).__name__ + ':', e)
+def took(f, *a, **k):
+    t = running_time()
+    f(*a, **k)
+    return running_time() - t
+`;
+
+/** Runs a program that imports microbit to its end, within a minute, and gives the lines that it printed. */
+export function linesOf(
+  program: string,
+  files: Readonly<Record<string, string>> = {},
+  setUp: (bench: Bench) => void = () => undefined,
+): string[] {
+  const run = play(`from microbit import *\n${PRELUDE}${program}`, files, setUp).until(LIMIT_MS);
+  if (run.ended() === null) throw new Error(`Not at its end after ${LIMIT_MS} ms. Printed:\n${run.printed()}`);
+  return run.printed().trimEnd().split('\n');
+}
