@@ -88,7 +88,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   if (duration?.us === 0) return bad(`--for: "${forText ?? ''}" is no time at all.`);
   const seed = numberOf(last('seed') ?? '1');
   if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
-    return bad(`--seed: "${last('seed') ?? ''}" is not a whole number from 0 to ${0xffffffff}.`);
+    return bad(`--seed: "${last('seed') ?? ''}" is not a whole number from 0 to 4294967295.`);
   }
   const reality = numberOf(last('reality') ?? '0');
   if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);

@@ -1,6 +1,7 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Report } from './report';
+import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
 import type { Terminal } from './terminal';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
@@ -17,6 +18,12 @@ const STUCK_MS = 10_000;
 const FAREWELL_MS = 500;
 
 const LOOK_MS = 100;
+
+/** Time between two looks for output. Chosen: looks immediate to a reader. */
+const DRAIN_MS = 20;
+
+/** About so much of the output the report holds; what comes after was only shown. Chosen: ten minutes of printing. */
+const MAX_CONSOLE_CHARACTERS = 16_000_000;
 
 /**
  * C stack of the thread in MB. Chosen: deep recursion of a Python program goes through many wasm frames, and the limit
@@ -38,51 +45,63 @@ const nothingYet: Report = {
 };
 
 /** Runs the task in a thread of its own, passes its output on, and ends it when it is stuck or Ctrl-C is pressed. */
-export function supervise(task: Omit<WorkerTask, 'shared'>, terminal: Terminal): Promise<Outcome> {
+export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal: Terminal): Promise<Outcome> {
   const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
-  const workerData: WorkerTask = { ...task, shared };
+  const output = passOn(createSharedConsole(), terminal);
+  const workerData: WorkerTask = { ...task, shared, console: output.shared };
   const worker = new Worker(fileURLToPath(new URL('./worker.mjs', import.meta.url)), {
     workerData,
     resourceLimits: { stackSizeMb: STACK_MB },
   });
   let latest = nothingYet;
-  let console = '';
-  const take = (message: { readonly console: string; readonly report: Report }): void => {
-    console += message.console;
-    latest = message.report;
-    terminal.program(message.console);
-  };
   return new Promise((resolve) => {
-    const watch = watchBeat(shared, () => finish({ type: 'ran', report: { ...latest, ended: 'stuck' }, console }));
-    const interruption = onInterrupt(shared, () =>
-      finish({ type: 'ran', report: { ...latest, ended: 'stopped' }, console }),
-    );
-    function finish(outcome: Outcome): void {
+    const ran = (report: Report): void => finish(() => ({ type: 'ran', report, console: output.all() }));
+    const watch = watchBeat(shared, () => ran({ ...latest, ended: 'stuck' }));
+    const interruption = onInterrupt(shared, () => ran({ ...latest, ended: 'stopped' }));
+    function finish(outcome: () => Outcome): void {
       watch.stop();
       interruption.stop();
+      output.stop();
       terminal.clearProgress();
       void worker.terminate();
-      resolve(outcome);
+      resolve(outcome());
     }
     worker.on('message', (message: WorkerMessage) => {
       switch (message.type) {
         case 'progress':
-          take(message);
-          return terminal.progress(message.report.simulatedMs, message.report.realTimeFactor);
-        case 'done': {
-          take(message);
-          const report = interruption.happened() ? { ...message.report, ended: 'stopped' as const } : message.report;
-          return finish({ type: 'ran', report, console });
-        }
+          latest = message.report;
+          return terminal.progress(latest.simulatedMs, latest.realTimeFactor);
+        case 'done':
+          return ran(interruption.happened() ? { ...message.report, ended: 'stopped' } : message.report);
         case 'refused':
         case 'broken':
-          return finish(message);
+          return finish(() => message);
         default:
           message satisfies never;
       }
     });
-    worker.on('error', (error: Error) => finish({ type: 'broken', problem: error.stack ?? error.message }));
+    worker.on('error', (error: Error) => finish(() => ({ type: 'broken', problem: error.stack ?? error.message })));
   });
+}
+
+/** Passes the program's output on to the terminal, every `DRAIN_MS` and at the end, and keeps it for the report. */
+function passOn(shared: SharedConsole, terminal: Terminal): { shared: SharedConsole; stop(): void; all(): string } {
+  const read = createConsoleReader(shared);
+  let all = '';
+  const drain = (): void => {
+    const text = read();
+    if (all.length < MAX_CONSOLE_CHARACTERS) all += text;
+    terminal.program(text);
+  };
+  const timer = setInterval(drain, DRAIN_MS);
+  return {
+    shared,
+    all: () => all,
+    stop() {
+      clearInterval(timer);
+      drain();
+    },
+  };
 }
 
 /** Calls `stuck` when the beat has not changed for `STUCK_MS`. */

@@ -1,5 +1,6 @@
 import type { RunSetup } from '#simulation/run-setup';
 import type { Report } from './report';
+import type { SharedConsole } from './shared-console';
 
 /** What the worker is started with. */
 export interface WorkerTask {
@@ -11,6 +12,8 @@ export interface WorkerTask {
   readonly traceFile: number | null;
   /** Shared words, see `BEAT` and `INTERRUPT`. */
   readonly shared: Int32Array;
+  /** Takes what the program prints. */
+  readonly console: SharedConsole;
 }
 
 /** Index of the shared word that the worker counts up while time passes. */
@@ -21,8 +24,8 @@ export const INTERRUPT = 1;
 
 /** From the worker, in this order: any number of `progress`, then one of the others. */
 export type WorkerMessage =
-  | { readonly type: 'progress'; readonly console: string; readonly report: Report }
-  | { readonly type: 'done'; readonly console: string; readonly report: Report }
+  | { readonly type: 'progress'; readonly report: Report }
+  | { readonly type: 'done'; readonly report: Report }
   /** The set-up cannot be run: the user's mistake. */
   | { readonly type: 'refused'; readonly problem: string }
   /** Something broke inside: our mistake. */

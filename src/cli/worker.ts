@@ -5,6 +5,7 @@ import { parentPort, workerData } from 'node:worker_threads';
 import { checkRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
 import { reportOf } from './report';
+import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
@@ -60,23 +61,26 @@ function runToEnd(simulation: Simulation, task: WorkerTask): void {
     if (nowMs - toldMs < MESSAGE_MS) continue;
     toldMs = nowMs;
     writeTrace();
-    post({ type: 'progress', console: simulation.takeConsole(), report: reportOf(simulation, nowMs - startMs) });
+    post({ type: 'progress', report: reportOf(simulation, nowMs - startMs) });
   }
   const wallMs = performance.now() - startMs;
   writeTrace();
-  post({ type: 'done', console: simulation.takeConsole(), report: reportOf(simulation, wallMs) });
+  post({ type: 'done', report: reportOf(simulation, wallMs) });
 }
 
 async function work(task: WorkerTask): Promise<void> {
   const checked = checkRun(task.setup);
-  if ('problem' in checked) return post({ type: 'refused', problem: checked.problem });
+  if ('problem' in checked) {
+    post({ type: 'refused', problem: checked.problem });
+    return;
+  }
   const firmware = await WebAssembly.compile(readFirmware());
   Atomics.add(task.shared, BEAT, 1);
-  const simulation = await Simulation.create(task.setup, firmware);
+  const simulation = await Simulation.create(task.setup, firmware, createConsoleWriter(task.console));
   Atomics.add(task.shared, BEAT, 1);
   runToEnd(simulation, task);
 }
 
-await work(workerData as WorkerTask).catch((error: unknown) =>
-  post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) }),
-);
+await work(workerData as WorkerTask).catch((error: unknown) => {
+  post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) });
+});

@@ -57,7 +57,7 @@ function objectText(object: SceneObject): string {
     case 'stroke':
       return braces([...head, ...strokeProperties(object)]);
     default:
-      throw object satisfies never;
+      return object satisfies never;
   }
 }
 

@@ -58,13 +58,14 @@ export class Simulation {
   /**
    * Builds a run and loads its program, which begins with the first `advanceTo`.
    *
+   * @param onPrint receives what the program prints at once; left out, it is kept for `takeConsole`
    * @throws RangeError (as a rejection) for a set-up that cannot be run, with the words of `checkRun`
    */
-  static create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Simulation> {
+  static create(setup: RunSetup, firmware: WebAssembly.Module, onPrint?: (text: string) => void): Promise<Simulation> {
     return new Promise((resolve) => {
       const hardware = checkRun(setup);
       if ('problem' in hardware) throw new RangeError(hardware.problem);
-      resolve(new Simulation(setup, firmware, hardware));
+      resolve(new Simulation(setup, firmware, hardware, onPrint));
     });
   }
 
@@ -72,6 +73,7 @@ export class Simulation {
     private readonly setup: RunSetup,
     firmware: WebAssembly.Module,
     hardware: Hardware,
+    onPrint: ((text: string) => void) | undefined,
   ) {
     const built = buildWorld(setup.scene);
     this.world = built.world;
@@ -88,7 +90,7 @@ export class Simulation {
       files: setup.files,
       libraries: robotLibraries(hardware.robot),
       seed: setup.seed,
-      write: (text) => this.output.push(text),
+      write: onPrint ?? ((text) => this.output.push(text)),
     });
     this.check = createInputCheck(new Board(hardware.board, new Clock()), setup.scene, hardware.robot !== null);
   }

@@ -4,16 +4,36 @@ import { aliases, mdi } from 'vuetify/iconsets/mdi-svg';
 /** Vuetify's own colours, taken from the same palette as `styles/tokens.css`. */
 const light: ThemeDefinition = {
   dark: false,
-  colors: { background: '#eceef1', surface: '#ffffff', primary: '#b24700', error: '#c3262b', info: '#1459b3', success: '#1b7a3a', warning: '#7a5200' },
+  colors: {
+    background: '#eceef1',
+    surface: '#ffffff',
+    primary: '#b24700',
+    error: '#c3262b',
+    info: '#1459b3',
+    success: '#1b7a3a',
+    warning: '#7a5200',
+  },
 };
 const dark: ThemeDefinition = {
   dark: true,
-  colors: { background: '#101317', surface: '#1a1e23', primary: '#ffb066', error: '#ff8a84', info: '#86b9ff', success: '#5fcb86', warning: '#f5c04a' },
+  colors: {
+    background: '#101317',
+    surface: '#1a1e23',
+    primary: '#ffb066',
+    error: '#ff8a84',
+    info: '#86b9ff',
+    success: '#5fcb86',
+    warning: '#f5c04a',
+  },
 };
 
 /** The app's Vuetify: only what its templates use is bundled, icons come as paths. */
 export const vuetify = createVuetify({
   theme: { defaultTheme: 'light', themes: { light, dark } },
   icons: { defaultSet: 'mdi', aliases, sets: { mdi } },
-  defaults: { VMenu: { offset: 6, transition: 'fade-transition' }, VListItem: { ripple: false }, VDialog: { transition: 'fade-transition' } },
+  defaults: {
+    VMenu: { offset: 6, transition: 'fade-transition' },
+    VListItem: { ripple: false },
+    VDialog: { transition: 'fade-transition' },
+  },
 });

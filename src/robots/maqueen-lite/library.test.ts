@@ -22,7 +22,7 @@ interface Surroundings {
 }
 
 /** Runs a program with the robot's libraries and listens to the wires. */
-async function run(
+function run(
   program: string,
   { isOn = true, distanceMm = Infinity, bright = [1, 0], forMs = 5000 }: Surroundings = {},
 ) {
@@ -41,7 +41,7 @@ async function run(
   const tones: number[] = [];
   board.wire('P0').onPwm((pwm) => tones.push(pwm ? Math.round(1_000_000 / pwm.periodUs) : 0));
   let output = '';
-  const vm = await createVm({
+  const vm = createVm({
     firmware,
     board,
     clock,
@@ -59,15 +59,15 @@ async function run(
 }
 
 /** The bytes sent to 0x10 by a program that has imported everything from mbrobot. */
-const bytesOf = async (program: string): Promise<number[][]> => {
-  const { messages, ended } = await run(`from mbrobot import *\n${program}`);
+const bytesOf = (program: string): number[][] => {
+  const { messages, ended } = run(`from mbrobot import *\n${program}`);
   expect(ended?.exception ?? null).toBeNull();
   return messages;
 };
 
 /** `Type: message` of the exception that ends a program. */
-const exceptionOf = async (program: string, surroundings?: Surroundings): Promise<string> => {
-  const { ended } = await run(`from mbrobot import *\n${program}`, surroundings);
+const exceptionOf = (program: string, surroundings?: Surroundings): string => {
+  const { ended } = run(`from mbrobot import *\n${program}`, surroundings);
   return `${ended?.exception?.type}: ${ended?.exception?.message}`;
 };
 
@@ -83,17 +83,17 @@ describe('mbrobot: driving, byte by byte (Tiger-Jython Robotics-Libraries mbrobo
     ['setSpeed(-20); forward()', [0, 0, 0, 0, 0]],
     ['setSpeed(500); forward()', [0, 0, 255, 0, 255]],
     ['setSpeed(77.9); forward()', [0, 0, 86, 0, 86]],
-  ])('%s sends %j', async (program, message) => {
-    expect(await bytesOf(program)).toEqual([message]);
+  ])('%s sends %j', (program, message) => {
+    expect(bytesOf(program)).toEqual([message]);
   });
 
-  it('has the power bytes 15 19 23 30 39 48 65 98 155 255 for 10 to 100 percent', async () => {
-    const messages = await bytesOf('for s in range(10, 101, 10):\n    setSpeed(s)\n    forward()');
+  it('has the power bytes 15 19 23 30 39 48 65 98 155 255 for 10 to 100 percent', () => {
+    const messages = bytesOf('for s in range(10, 101, 10):\n    setSpeed(s)\n    forward()');
     expect(messages.map((message) => message[2])).toEqual([15, 19, 23, 30, 39, 48, 65, 98, 155, 255]);
   });
 
-  it('sends nothing for setSpeed alone', async () => {
-    expect(await bytesOf('setSpeed(80)')).toEqual([]);
+  it('sends nothing for setSpeed alone', () => {
+    expect(bytesOf('setSpeed(80)')).toEqual([]);
   });
 
   it.each([
@@ -107,8 +107,8 @@ describe('mbrobot: driving, byte by byte (Tiger-Jython Robotics-Libraries mbrobo
     ['setSpeed(30); leftArc(0.2)', [0, 0, 23, 0, 48]],
     ['calibrate(20, 30); leftArc(0.2)', [0, 0, 21, 0, 39]], // power offset and differential are for straight driving
     ['calibrate(0, 0, 50); leftArc(0.2)', [0, 0, 18, 0, 39]],
-  ])('%s sends %j', async (program, message) => {
-    expect(await bytesOf(program)).toEqual([message]);
+  ])('%s sends %j', (program, message) => {
+    expect(bytesOf(program)).toEqual([message]);
   });
 
   it.each([
@@ -118,12 +118,12 @@ describe('mbrobot: driving, byte by byte (Tiger-Jython Robotics-Libraries mbrobo
     ['calibrate(0, 20)', 29, 49], // half of 20 slower left, half faster right at speed 50
     ['calibrate(0, -20)', 49, 29],
     ['setSpeed(100); calibrate(0, 20)', 235, 255],
-  ])('%s makes forward() send the powers %i and %i', async (program, left, right) => {
-    expect(await bytesOf(`${program}\nforward()`)).toEqual([[0, 0, left, 0, right]]);
+  ])('%s makes forward() send the powers %i and %i', (program, left, right) => {
+    expect(bytesOf(`${program}\nforward()`)).toEqual([[0, 0, left, 0, right]]);
   });
 
-  it('lets one motor turn and keeps the other one: motL.rotate(50), motR.rotate(-30), motL.rotate(0)', async () => {
-    expect(await bytesOf('motL.rotate(50)\nmotR.rotate(-30)\nmotL.rotate(0)\nmotR.rotate(200)')).toEqual([
+  it('lets one motor turn and keeps the other one: motL.rotate(50), motR.rotate(-30), motL.rotate(0)', () => {
+    expect(bytesOf('motL.rotate(50)\nmotR.rotate(-30)\nmotL.rotate(0)\nmotR.rotate(200)')).toEqual([
       [0, 0, 39, 0, 0],
       [0, 0, 39, 1, 23],
       [0, 1, 0, 1, 23],
@@ -131,8 +131,8 @@ describe('mbrobot: driving, byte by byte (Tiger-Jython Robotics-Libraries mbrobo
     ]);
   });
 
-  it('sets servos S1 and S2, also under the names P0 and P1', async () => {
-    expect(await bytesOf('setServo("S1", 90)\nsetServo("S2", 180)\nsetServo("P0", 0)\nsetServo("P1", 1)')).toEqual([
+  it('sets servos S1 and S2, also under the names P0 and P1', () => {
+    expect(bytesOf('setServo("S1", 90)\nsetServo("S2", 180)\nsetServo("P0", 0)\nsetServo("P1", 1)')).toEqual([
       [0x14, 90],
       [0x15, 180],
       [0x14, 0],
@@ -148,22 +148,22 @@ describe('mbrobot: errors', () => {
     ['setServo("S1", -1)', 'ValueError: Invalid angle. Must be between 0 and 180'],
     ['setRGB(4, 0, 0, 0)', 'ValueError: invalid RGB-LED position. Must be 0,1,2 or 3.'],
     ['irLeft.read_analog()', 'NameError: Maqueen Lite does not support reading analog sensor values.'],
-  ])('%s raises %s', async (program, exception) => {
-    expect(await exceptionOf(program)).toBe(exception);
+  ])('%s raises %s', (program, exception) => {
+    expect(exceptionOf(program)).toBe(exception);
   });
 
   it.each(['forward()', 'stop()', 'leftArc(0.2)', 'motL.rotate(10)', 'setServo("S1", 1)'])(
     'asks to switch the robot on when it does not answer to %s',
-    async (program) => {
+    (program) => {
       const message = 'RuntimeError: Please connect to Maqueen robot and switch it on.';
-      expect(await exceptionOf(program, { isOn: false })).toBe(message);
+      expect(exceptionOf(program, { isOn: false })).toBe(message);
     },
   );
 });
 
 describe('mbrobot: sensors, lights and sound', () => {
-  it('reads the line sensors: 1 bright on the left, 0 dark on the right', async () => {
-    const { lines } = await run('from mbrobot import *\nprint(irLeft.read_digital(), irRight.read_digital())');
+  it('reads the line sensors: 1 bright on the left, 0 dark on the right', () => {
+    const { lines } = run('from mbrobot import *\nprint(irLeft.read_digital(), irRight.read_digital())');
     expect(lines).toEqual(['1 0']);
   });
 
@@ -176,8 +176,8 @@ describe('mbrobot: sensors, lights and sound', () => {
     [2000, 200],
     [4400, 440],
     [Infinity, 255],
-  ])('getDistance() for a gap of %d mm is %i', async (distanceMm, expected) => {
-    const { lines } = await run('from mbrobot import *\nprint(getDistance())', { distanceMm });
+  ])('getDistance() for a gap of %d mm is %i', (distanceMm, expected) => {
+    const { lines } = run('from mbrobot import *\nprint(getDistance())', { distanceMm });
     expect(lines).toEqual([String(expected)]);
   });
 
@@ -188,45 +188,45 @@ describe('mbrobot: sensors, lights and sound', () => {
     ['setLED(0, 1)', [0, 1]],
     ['setLEDLeft(1)', [1, 0]],
     ['setLEDRight(1)', [0, 1]],
-  ])('%s makes the red lights %j', async (program, expected) => {
-    expect((await run(`from mbrobot import *\n${program}`)).leds).toEqual(expected);
+  ])('%s makes the red lights %j', (program, expected) => {
+    expect(run(`from mbrobot import *\n${program}`).leds).toEqual(expected);
   });
 
-  it('fills, sets and clears the colour lights', async () => {
-    const filled = await run('from mbrobot import *\nfillRGB(1, 2, 3)\nsetRGB(2, 9, 8, 7)');
+  it('fills, sets and clears the colour lights', () => {
+    const filled = run('from mbrobot import *\nfillRGB(1, 2, 3)\nsetRGB(2, 9, 8, 7)');
     expect(filled.rgb).toEqual([
       [1, 2, 3],
       [1, 2, 3],
       [9, 8, 7],
       [1, 2, 3],
     ]);
-    const cleared = await run('from mbrobot import *\nfillRGB(1, 2, 3)\nclearRGB()');
+    const cleared = run('from mbrobot import *\nfillRGB(1, 2, 3)\nclearRGB()');
     expect(cleared.rgb).toEqual(Array(4).fill([0, 0, 0]));
   });
 
-  it('hands out the colour lights as np_rgb_pixels', async () => {
-    const { rgb } = await run('from mbrobot import *\nnp_rgb_pixels[3] = (5, 6, 7)\nnp_rgb_pixels.show()');
+  it('hands out the colour lights as np_rgb_pixels', () => {
+    const { rgb } = run('from mbrobot import *\nnp_rgb_pixels[3] = (5, 6, 7)\nnp_rgb_pixels.show()');
     expect(rgb[3]).toEqual([5, 6, 7]);
   });
 
-  it('beeps at 440 Hz for 200 ms and goes on meanwhile', async () => {
+  it('beeps at 440 Hz for 200 ms and goes on meanwhile', () => {
     const program =
       'from mbrobot import *\nimport utime\nt = utime.ticks_ms()\nbeep()\nprint(utime.ticks_ms() - t < 20)\ndelay(500)';
-    const { lines, tones } = await run(program);
+    const { lines, tones } = run(program);
     expect(lines).toEqual(['True']);
     expect(tones.slice(0, 1)).toEqual([440]);
     expect(tones.at(-1)).toBe(0);
   });
 
-  it('sounds the alarm at 523 Hz (C5) in the background until it is switched off', async () => {
-    const { tones } = await run('from mbrobot import *\nsetAlarm(1)\ndelay(2000)\nsetAlarm(0)\ndelay(100)');
+  it('sounds the alarm at 523 Hz (C5) in the background until it is switched off', () => {
+    const { tones } = run('from mbrobot import *\nsetAlarm(1)\ndelay(2000)\nsetAlarm(0)\ndelay(100)');
     expect(new Set(tones.filter((tone) => tone > 0))).toEqual(new Set([523]));
     expect(tones.filter((tone) => tone > 0).length).toBeGreaterThan(2);
     expect(tones.at(-1)).toBe(0);
   });
 
-  it('sleeps with delay: 300 ms', async () => {
-    const { lines } = await run(
+  it('sleeps with delay: 300 ms', () => {
+    const { lines } = run(
       'from mbrobot import *\nimport utime\nt = utime.ticks_ms()\ndelay(300)\nprint(utime.ticks_ms() - t)',
     );
     expect(Math.abs(Number(lines[0]) - 300)).toBeLessThanOrEqual(1);
@@ -234,38 +234,38 @@ describe('mbrobot: sensors, lights and sound', () => {
 });
 
 describe('mbrobotmot and mbalarm (Tiger-Jython Aplu-Libraries)', () => {
-  it('drives single motors with power bytes in three-byte messages', async () => {
+  it('drives single motors with power bytes in three-byte messages', () => {
     const program = 'from mbrobotmot import *\nmotL.rotate(50)\nmotR.rotate(-70)\nmotR.rotate(0)';
-    expect((await run(program)).messages).toEqual([
+    expect(run(program).messages).toEqual([
       [0, 0, 50],
       [2, 1, 70],
       [2, 0, 0],
     ]);
   });
 
-  it('prints a hint and waits for ever when the robot is off', async () => {
-    const { lines, ended } = await run('from mbrobotmot import *\nmotL.rotate(50)\nprint("no")', { isOn: false });
+  it('prints a hint and waits for ever when the robot is off', () => {
+    const { lines, ended } = run('from mbrobotmot import *\nmotL.rotate(50)\nprint("no")', { isOn: false });
     expect(lines).toEqual(['Please switch on mbRobot!']);
     expect(ended).toBeNull();
   });
 
-  it('measures 30 cm and lights both lamps', async () => {
+  it('measures 30 cm and lights both lamps', () => {
     const program = 'from mbrobotmot import *\nsetLED(1)\nprint(getDistance(), irLeft.read_digital())';
-    const { lines, leds } = await run(program, { distanceMm: 300 });
+    const { lines, leds } = run(program, { distanceMm: 300 });
     expect(lines).toEqual(['30 1']);
     expect(leds).toEqual([1, 1]);
   });
 
-  it('has an alarm one octave higher, 1047 Hz (C6), and a beep of 2000 Hz', async () => {
-    const alarm = await run('from mbalarm import *\nimport microbit\nsetAlarm(1)\nmicrobit.sleep(1000)\nsetAlarm(0)');
+  it('has an alarm one octave higher, 1047 Hz (C6), and a beep of 2000 Hz', () => {
+    const alarm = run('from mbalarm import *\nimport microbit\nsetAlarm(1)\nmicrobit.sleep(1000)\nsetAlarm(0)');
     expect(Math.abs((alarm.tones[0] ?? 0) - 1047)).toBeLessThan(3);
-    const beep = await run('from mbalarm import *\nbeep()');
+    const beep = run('from mbalarm import *\nbeep()');
     expect(beep.tones[0]).toBe(2000);
   });
 });
 
 describe('drivers in other styles', () => {
-  it('measures 30 cm by watching the echo pin with ticks_us', async () => {
+  it('measures 30 cm by watching the echo pin with ticks_us', () => {
     const program = `
 from microbit import pin1, pin2
 import utime
@@ -279,10 +279,10 @@ while pin2.read_digital() == 0:
 while pin2.read_digital() == 1:
     end = utime.ticks_us()
 print(round(utime.ticks_diff(end, start) * 0.0343 / 2))`;
-    expect((await run(program, { distanceMm: 300 })).lines).toEqual(['30']);
+    expect(run(program, { distanceMm: 300 }).lines).toEqual(['30']);
   });
 
-  it('measures 30 cm with a first pulse of 1 ms and a second one of 20 ms (DFRobot pxt-maqueen)', async () => {
+  it('measures 30 cm with a first pulse of 1 ms and a second one of 20 ms (DFRobot pxt-maqueen)', () => {
     const program = `
 from microbit import pin1, pin2, sleep
 import machine
@@ -294,10 +294,10 @@ if pin2.read_digital() == 0:
     sleep(20)
     pin1.write_digital(0)
     print(round(machine.time_pulse_us(pin2, 1, 500 * 58) / 59))`;
-    expect((await run(program, { distanceMm: 300 })).lines).toEqual(['30']);
+    expect(run(program, { distanceMm: 300 }).lines).toEqual(['30']);
   });
 
-  it('finds the robot by scanning the bus and reads its version and motors back', async () => {
+  it('finds the robot by scanning the bus and reads its version and motors back', () => {
     const program = `
 from microbit import i2c
 print(i2c.scan())
@@ -309,6 +309,6 @@ i2c.write(0x10, bytearray([0, 0, 100]))
 i2c.write(0x10, bytearray([2, 1, 80]), False)
 i2c.write(0x10, b'\x00', repeat=True)
 print(list(i2c.read(0x10, 4)))`;
-    expect((await run(program)).lines).toEqual(['[16]', 'ROB0148-EN-4.0', '[0, 100, 1, 80]']);
+    expect(run(program).lines).toEqual(['[16]', 'ROB0148-EN-4.0', '[0, 100, 1, 80]']);
   });
 });

@@ -73,13 +73,13 @@ describe('Maqueen Lite on the floor', () => {
   });
 
   it.each([0.15, 0.2, 0.25, 0.3, 0.35, 0.4])(
-    'drives leftArc(%f) at speed 50 within 15 %% of that radius',
+    'drives leftArc(%f) at speed 50 within 15 percent of that radius',
     (radiusM) => {
       expect(Math.abs(drivenRadiusM(radiusM, 50) / radiusM - 1)).toBeLessThan(0.15);
     },
   );
 
-  it.each([30, 70, 100])('drives leftArc(0.2) at speed %i within 25 %% of 20 cm', (percent) => {
+  it.each([30, 70, 100])('drives leftArc(0.2) at speed %i within 25 percent of 20 cm', (percent) => {
     expect(Math.abs(drivenRadiusM(0.2, percent) / 0.2 - 1)).toBeLessThan(0.25);
   });
 

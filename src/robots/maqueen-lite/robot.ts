@@ -54,21 +54,23 @@ const REAR_WITH_WHEELS: readonly Vec[] = [
 
 const body: ChassisType = {
   outlineMm: [FRONT, REAR_WITH_WHEELS],
-  massG: 130, // 75 g kit as in shops' product pages, 9 g micro:bit, three AAA cells with holder 46 g: chosen, not weighed
+  massG: 130, // chosen, not weighed: about 75 g kit, 9 g micro:bit, 46 g for three AAA cells with their holder
   centreOfMassMm: { x: 8, y: 0 }, // between axle and castor, near the axle: chosen
   wheels: [
     { atMm: { x: 0, y: TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
     { atMm: { x: 0, y: -TRACK_MM / 2 }, radiusMm: WHEEL_RADIUS_MM, gripMu: GRIP_MU },
   ],
-  castorMm: { x: 46, y: 0 }, // ball between line sensors and front edge: chosen from pictures
+  castorMm: { x: 46, y: 0 }, // chosen: between line sensors and front edge
   drive: {
     // Fitted: scripts/fit-motor-law.mjs, residuals in docs/hardware/maqueen-lite-motor-law.md
     v0MmPerS: 401,
     coulomb: 0.0285,
     viscous: 0.106,
     yawResistance: 0.0414,
-    stallForceN: 1, // chosen: at byte 39 the robot pushes two 40 g blocks, at full power its tyres slip first
-    lagS: 0.03, // chosen: 0.13 s at the usual speed of 50, where the pulses leave the motors little pull; a robot that answers slower cannot follow a line
+    stallForceN: 1, // chosen: computed to push two 40 g blocks at byte 39; at full power the tyres slip first
+    // chosen: that is 0.13 s at the usual speed of 50, where the short pulses pull little; with twice as much the
+    // line follower among the examples loses the line in curves of 15 cm
+    lagS: 0.03,
   },
 };
 

@@ -30,7 +30,7 @@ def run():
         _report(failure)
     _scope.clear()
     gc.collect()
-    _hal.heap_free(gc.mem_free())
+    _hal.finish(gc.mem_free())
 
 
 def _report(error):

@@ -35,7 +35,8 @@ class MicroBitI2C:
             raise OSError(_ENODEV)
 
     def read(self, addr, n, repeat=False):
-        ints(n)
+        if type(n) is not int:
+            ints(n)
         if n < 0:
             raise MemoryError("memory allocation failed, allocating %d bytes" % (n & 0xFFFFFFFF))
         buf = bytes(n)

@@ -2,10 +2,12 @@ import type { Loader } from './loader';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
 
+type TableFunction = (...args: readonly number[]) => number;
+
 /** What the firmware exports: MicroPython's own entries and those that the build step added (../firmware/transform.mjs). */
 export interface Firmware {
   readonly memory: WebAssembly.Memory;
-  readonly __indirect_function_table: WebAssembly.Table;
+  readonly __indirect_function_table: { get(index: number): TableFunction };
   malloc(bytes: number): number;
   free(address: number): void;
   /** pystack in words, heap in bytes. */
@@ -69,6 +71,7 @@ export interface FirmwareHost {
 /** The reference of the `_hal` object at the boundary; its functions have the references after it. */
 export const HAL_REFERENCE = 100;
 
+const REWINDING = 2;
 const ENOSYS = 52; // WASI error numbers, as the C library of the firmware has them
 const EROFS = 69;
 
@@ -111,18 +114,27 @@ function notLoaded(): never {
  */
 function invokers(running: () => Firmware): Record<string, unknown> {
   const stackAt: number[] = [];
+  const functions: TableFunction[] = []; // asking the table each time takes 3 % of a run
   let depth = 0;
-  const invoke = (index: number, ...args: readonly number[]): number => {
+  const enter = (index: number): TableFunction => {
     const firmware = running();
-    const level = depth++;
-    if (firmware.asyncify_get_state() !== 2) stackAt[level] = firmware.emscripten_stack_get_current();
+    if (firmware.asyncify_get_state() !== REWINDING) stackAt[depth] = firmware.emscripten_stack_get_current();
+    depth++;
+    return (functions[index] ??= firmware.__indirect_function_table.get(index));
+  };
+  const caught = (thrown: unknown, level: number): number => {
+    running()._emscripten_stack_restore(stackAt[level] ?? 0);
+    if (typeof thrown !== 'number') throw thrown;
+    running().setThrew(1, 0);
+    return 0;
+  };
+  // Five arguments for all: what a function does not take it does not see, and nothing is gathered into an array.
+  const invoke = (index: number, a: number, b: number, c: number, d: number, e: number): number => {
+    const level = depth;
     try {
-      return firmware.__indirect_function_table.get(index)(...args);
+      return enter(index)(a, b, c, d, e);
     } catch (thrown) {
-      firmware._emscripten_stack_restore(stackAt[level] ?? 0);
-      if (typeof thrown !== 'number') throw thrown;
-      firmware.setThrew(1, 0);
-      return 0;
+      return caught(thrown, level);
     } finally {
       depth = level;
     }

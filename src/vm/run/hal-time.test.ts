@@ -56,10 +56,10 @@ describe('run_every', () => {
   });
 });
 
-/** The wire P1 goes high at `atUs` and low again after `lengthUs`. */
-const withPulse = (atUs: number, lengthUs: number): HalBench => {
+/** A wire goes high at `atUs` and low again after `lengthUs`. */
+const withPulse = (atUs: number, lengthUs: number, wire = 'P1'): HalBench => {
   const hal = createHalBench();
-  const chip = hal.bench.chip('P1');
+  const chip = hal.bench.chip(wire);
   chip.drive(0);
   hal.bench.clock.at(atUs, () => chip.drive(1));
   hal.bench.clock.at(atUs + lengthUs, () => chip.drive(0));
@@ -89,6 +89,12 @@ describe('pulse', () => {
   it('starts the time-out anew when the pulse begins', () => {
     const { call } = withPulse(1900, 1900);
     expect(call('pulse', 1, 1, 2000)).toBe(1900);
+  });
+
+  it('measures on a pin that something holds', () => {
+    const { call } = withPulse(1000, 583, 'P3');
+    expect(call('pulse', 3, 1, 5000)).toBe(583);
+    expect(call('pin_mode', 3)).toBe('display');
   });
 
   it('goes on measuring while a callback runs', () => {

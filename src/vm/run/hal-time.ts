@@ -151,11 +151,13 @@ function createPulseCalls(machine: Machine, board: Board): SyscallTable {
     },
   });
   const begin = (pin: Pin, wanted: Level, timeoutUs: number): Pulse => {
-    const measuring = pin.readDigital() === wanted;
-    const edge = (level: Level): void => {
+    // The device measures on a held pin too.
+    const level = pin.acquire('read_digital') === null ? pin.readDigital() : pin.wire.level;
+    const measuring = level === wanted;
+    const edge = (now: Level): void => {
       if (isOver(pulse)) return;
-      if (pulse.measuring && level !== wanted) pulse.answer = clock.nowUs - pulse.sinceUs;
-      if (!pulse.measuring && level === wanted) {
+      if (pulse.measuring && now !== wanted) pulse.answer = clock.nowUs - pulse.sinceUs;
+      if (!pulse.measuring && now === wanted) {
         pulse.measuring = true;
         pulse.sinceUs = clock.nowUs;
       }

@@ -12,9 +12,6 @@ declare namespace WebAssembly {
   class Global {
     value: number;
   }
-  class Table {
-    get(index: number): (...args: readonly number[]) => number;
-  }
   class Instance {
     constructor(module: Module, imports: Readonly<Record<string, Readonly<Record<string, unknown>>>>);
     readonly exports: unknown;

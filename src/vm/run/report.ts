@@ -41,8 +41,12 @@ export class Report {
     this.tell(text);
   }
 
-  /** The functions through which the library's runner tells how the program ended. */
-  syscalls(): SyscallTable {
+  /**
+   * The functions through which the library's runner tells how the program ended.
+   *
+   * @param endProgram lets nothing of it run any more
+   */
+  syscalls(endProgram: () => void): SyscallTable {
     return {
       report_begin: () => {
         this.tracebackFrom = [];
@@ -54,8 +58,9 @@ export class Report {
         this.fail(textOf(type), textOf(message), traceback);
         return null;
       },
-      heap_free: (bytes) => {
-        this.heapFree = typeof bytes === 'number' ? bytes : null;
+      finish: (heapFree) => {
+        this.heapFree = typeof heapFree === 'number' ? heapFree : null;
+        endProgram();
         return null;
       },
     };

@@ -9,7 +9,7 @@ import { createLoader, type FileLookup } from './loader';
 import type { Report } from './report';
 import type { SyscallTable } from './syscall';
 import { VALUE_BYTES, type Memory } from './values';
-import type { VmSetup } from './vm';
+import type { VmSetup } from './vm-setup';
 
 /** What outlives a reset of the board. */
 export interface SessionPorts {
@@ -63,7 +63,7 @@ export class Session {
     this.memory = memory;
     this.engine = engine = new Engine(firmware, memory, setup.clock, (machine) => ({
       ...createHal(machine, setup.board, ports.files, ports.port, rng),
-      ...ports.report.syscalls(),
+      ...ports.report.syscalls(() => machine.end()),
       ...this.ownSyscalls(machine),
     }));
     this.boot(setup.board.type.costsUs.allocationUs);

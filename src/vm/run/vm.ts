@@ -1,26 +1,11 @@
-import type { Board } from '#board/board';
-import type { Clock } from '#core/clock';
 import { ConsolePort } from './console-port';
 import { Files } from './files';
 import { Report, type VmEnd } from './report';
 import { Session } from './session';
+import type { VmSetup } from './vm-setup';
 
 export type { VmEnd, VmException } from './report';
-
-/** What a VM needs to run a program. */
-export interface VmSetup {
-  /** The compiled firmware (.cache/vm/vm.wasm). */
-  readonly firmware: WebAssembly.Module;
-  readonly board: Board;
-  readonly clock: Clock;
-  /** The pupil's files by name; `main.py` is the program. */
-  readonly files: Readonly<Record<string, string>>;
-  /** The robot's libraries by name; a pupil's file of the same name wins. They do not show in `os.listdir()`. */
-  readonly libraries: Readonly<Record<string, string>>;
-  readonly seed: number;
-  /** Receives what the program prints. */
-  write(text: string): void;
-}
+export type { VmSetup } from './vm-setup';
 
 /** A microcomputer's MicroPython: one program, run piece by piece under the run's clock. */
 export interface Vm {

@@ -21,6 +21,24 @@ export function arranged(scene: Scene, snapshot: ArenaSnapshot | null): Arranged
   return { robot: snapshot === null ? robotAtStart(scene) : snapshot.robot, blocks };
 }
 
+/** Whether all blocks lie where they lay. */
+export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlock[]): boolean {
+  return (
+    before.length === now.length &&
+    now.every(({ id, pose, sizeMm }, i) => {
+      const other = before[i];
+      return (
+        other?.id === id &&
+        other.sizeMm.x === sizeMm.x &&
+        other.sizeMm.y === sizeMm.y &&
+        other.pose.xMm === pose.xMm &&
+        other.pose.yMm === pose.yMm &&
+        other.pose.headingRad === pose.headingRad
+      );
+    })
+  );
+}
+
 /** The robot of a course where it starts, with everything off. */
 export function robotAtStart(scene: Scene): ArenaRobot {
   const { at, heading } = scene.robot;

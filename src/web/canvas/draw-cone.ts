@@ -1,11 +1,15 @@
 import type { Vec } from '#core/geometry';
 import type { ArenaCone } from './arena-model';
 import { drawPill } from './draw-pill';
+import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
 import { toPx, type CanvasSize, type View } from './view-transform';
 
 /** How far the fan is drawn when nothing is in range, in mm; it fades out there. */
-const OPEN_REACH_MM = 700;
+const OPEN_REACH_MM = 450;
+
+/** How far the fan fades out behind what it meets, in mm. */
+const BEYOND_MM = 130;
 
 /** Arcs follow each other at this distance, in mm. */
 const ARC_STEP_MM = 28;
@@ -23,6 +27,21 @@ export function labelPlace(hitPx: Vec, headingRad: number): Vec {
   const side = { x: Math.sin(headingRad), y: Math.cos(headingRad) }; // right of the axis, y down
   const up = side.y <= 0 ? 1 : -1;
   return { x: hitPx.x + side.x * up * 34, y: hitPx.y + side.y * up * 30 };
+}
+
+/** Where the fan is drawn, in CSS px. */
+export function coneBox(cone: ArenaCone, view: View): PxBox {
+  const from = toPx(view, cone.fromMm);
+  const radius = fanMm(cone) * view.pxPerMm;
+  const directions = [-0.5, -0.25, 0, 0.25, 0.5].map((share) => cone.headingRad + share * cone.openingRad);
+  const rim = directions.map((rad) => ({ x: from.x + radius * Math.cos(rad), y: from.y - radius * Math.sin(rad) }));
+  const sag = radius * (1 - Math.cos(cone.openingRad / 8)) + 4; // how far the rim bulges out between these points
+  return unionOf([from, ...rim].map((point) => boxAround(point, sag)));
+}
+
+/** How far the fan is drawn, in mm. */
+function fanMm(cone: ArenaCone): number {
+  return cone.distanceMm === null ? OPEN_REACH_MM : cone.distanceMm + BEYOND_MM;
 }
 
 /**
@@ -48,7 +67,7 @@ export function drawCone(
     context.closePath();
     context.fill();
   };
-  const beyond = (cone.distanceMm === null ? reachMm : reachMm + 130) * view.pxPerMm;
+  const beyond = fanMm(cone) * view.pxPerMm;
   const fade = context.createRadialGradient(from.x, from.y, 0, from.x, from.y, beyond);
   fade.addColorStop(0, withAlpha(palette.cone, 0.3));
   fade.addColorStop(0.55, withAlpha(palette.cone, 0.14));

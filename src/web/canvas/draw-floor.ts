@@ -1,22 +1,15 @@
+import type { PxBox } from './moving-window';
 import type { Palette } from './palette';
 import { marginsPx, toPx, type ArenaSize, type CanvasSize, type View } from './view-transform';
 
-/** The floor of the arena in CSS px. */
-export interface FloorPx {
-  readonly left: number;
-  readonly top: number;
-  readonly width: number;
-  readonly height: number;
-}
-
 /** Where the floor lies on the canvas. */
-export function floorPx(view: View, arena: ArenaSize): FloorPx {
+export function floorPx(view: View, arena: ArenaSize): PxBox {
   const corner = toPx(view, { x: 0, y: arena[1] });
   return { left: corner.x, top: corner.y, width: arena[0] * view.pxPerMm, height: arena[1] * view.pxPerMm };
 }
 
 /** The part of the canvas where things may be seen: all of it, but for rulers that lie over a floor out of sight. */
-export function sightPx(view: View, arena: ArenaSize, canvas: CanvasSize): FloorPx {
+export function sightPx(view: View, arena: ArenaSize, canvas: CanvasSize): PxBox {
   const floor = floorPx(view, arena);
   const margin = marginsPx(canvas);
   const ruler = { left: margin.left - 4, bottom: canvas.heightPx - margin.bottom + 4 };
@@ -100,7 +93,7 @@ function drawGrid(
   }
 }
 
-function fillRoundRect(context: CanvasRenderingContext2D, box: FloorPx, radius: number): void {
+function fillRoundRect(context: CanvasRenderingContext2D, box: PxBox, radius: number): void {
   context.beginPath();
   context.roundRect(box.left, box.top, box.width, box.height, radius);
   context.fill();

@@ -1,14 +1,15 @@
-import type { Pose } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import type { ArenaCone, ArenaRobot, PlacedBlock } from './arena-model';
 import type { Arranged } from './arranged';
 import { drawMovableBlock } from './draw-blocks';
-import { drawCone, drawHit } from './draw-cone';
-import { floorPx, sightPx, type FloorPx } from './draw-floor';
+import { coneBox, drawCone, drawHit } from './draw-cone';
+import { floorPx, sightPx } from './draw-floor';
 import { drawHeldPose, drawRing, type Ring } from './draw-hand';
-import { drawRobot, type RobotPainting } from './draw-robot';
+import { drawRobot, paintedRadiusMm, type RobotPainting } from './draw-robot';
 import { ringRadiusPx, type Hand } from './hand';
+import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
-import type { ArenaSize, CanvasSize, View } from './view-transform';
+import { toPx, type ArenaSize, type CanvasSize, type View } from './view-transform';
 
 /** Everything on the moving layer at one moment. */
 export interface MovingScene {
@@ -71,8 +72,23 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
   };
 }
 
+/** Draws the blocks that nobody holds. Drawn again only when one of them has moved. */
+export function drawBlocks(
+  context: CanvasRenderingContext2D,
+  view: View,
+  canvas: CanvasSize,
+  scene: MovingScene,
+  palette: Palette,
+): void {
+  context.save();
+  clipTo(context, sightPx(view, scene.arena, canvas));
+  for (const block of scene.blocks)
+    if (block.id !== scene.heldBlock) drawMovableBlock(context, view, block, false, palette);
+  context.restore();
+}
+
 /**
- * Draws the layer above the floor: blocks, cone, robot, hand. Called for every frame.
+ * Draws what moves all the time: cone, robot, what the hand holds, ring. Called for every frame.
  *
  * @param context draws in CSS px
  * @param ratio canvas pixels per CSS px
@@ -85,31 +101,22 @@ export function drawMoving(
   scene: MovingScene,
   palette: Palette,
 ): void {
-  context.clearRect(0, 0, canvas.widthPx, canvas.heightPx);
+  const { robot, cone } = scene;
   context.save();
   clipTo(context, sightPx(view, scene.arena, canvas));
-  for (const block of scene.blocks)
-    if (block.id !== scene.heldBlock) drawMovableBlock(context, view, block, false, palette);
-  if (scene.cone !== null) {
+  if (cone !== null) {
     context.save();
     clipTo(context, floorPx(view, scene.arena));
-    drawCone(context, view, scene.cone, scene.breathUs, palette);
+    drawCone(context, view, cone, scene.breathUs, palette);
     context.restore();
   }
-  const { robot } = scene;
-  if (robot !== null)
-    drawRobot(
-      context,
-      view,
-      ratio,
-      robot.now,
-      robot.painting,
-      { display: scene.display, scale: robot.scale, held: scene.robotHeld },
-      palette,
-    );
+  if (robot !== null) {
+    const appearance = { display: scene.display, scale: robot.scale, held: scene.robotHeld };
+    drawRobot(context, view, ratio, robot.now, robot.painting, appearance, palette);
+  }
   for (const block of scene.blocks)
     if (block.id === scene.heldBlock) drawMovableBlock(context, view, block, true, palette);
-  if (scene.cone !== null) drawHit(context, view, scene.cone, canvas, palette);
+  if (cone !== null) drawHit(context, view, cone, canvas, palette);
   if (scene.ring !== null) drawRing(context, view, scene.ring, palette);
   context.restore();
   if (scene.label !== null) {
@@ -118,7 +125,29 @@ export function drawMoving(
   }
 }
 
-function clipTo(context: CanvasRenderingContext2D, box: FloorPx): void {
+/** Room around a label, in px: half of the widest one, "123.4 | 123.4 cm". */
+const LABEL_PX = 80;
+
+/** Where `drawMoving` draws, in CSS px; larger than needed rather than smaller. */
+export function movingBox(scene: MovingScene, view: View): PxBox {
+  const boxes: PxBox[] = [];
+  const at = (pose: Pose): Vec => toPx(view, { x: pose.xMm, y: pose.yMm });
+  const { robot, cone, ring, label } = scene;
+  if (robot !== null) {
+    const reachMm = paintedRadiusMm(robot.painting.drawing) * robot.scale;
+    boxes.push(boxAround(at(robot.now.pose), reachMm * view.pxPerMm + 12));
+  }
+  if (cone !== null) boxes.push(coneBox(cone, view));
+  if (cone?.hitMm) boxes.push(boxAround(toPx(view, cone.hitMm), LABEL_PX));
+  if (ring !== null) boxes.push(boxAround(at(ring.pose), ring.radiusPx + 22));
+  if (label !== null) boxes.push(boxAround(at(label.pose), Math.max(LABEL_PX, label.distancePx + 20)));
+  const held = scene.blocks.find(({ id }) => id === scene.heldBlock);
+  if (held !== undefined)
+    boxes.push(boxAround(at(held.pose), Math.hypot(held.sizeMm.x, held.sizeMm.y) * 0.55 * view.pxPerMm + 12));
+  return unionOf(boxes);
+}
+
+function clipTo(context: CanvasRenderingContext2D, box: PxBox): void {
   context.beginPath();
   context.rect(box.left, box.top, box.width, box.height);
   context.clip();

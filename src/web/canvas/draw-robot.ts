@@ -24,6 +24,20 @@ export interface RobotAppearance {
   readonly held: boolean;
 }
 
+/** How far from the robot's origin its picture reaches, light and shadow included, in mm of the real robot. */
+export function paintedRadiusMm(drawing: RobotDrawing): number {
+  const { x, y, width, height } = drawing.viewBox;
+  const corner = Math.hypot(Math.max(-x, x + width), Math.max(-y, y + height));
+  const lights = drawing.rgb.map((spot) => Math.hypot(spot.x, spot.y) + spot.radius * UNDERGLOW_REACH);
+  return Math.max(corner + 10, ...lights) * HELD_SIZE;
+}
+
+/** Light on the floor reaches so many times farther than the light's circle in the drawing. */
+const UNDERGLOW_REACH = 1.75;
+
+/** In the hand the robot is nearer to the eye. */
+const HELD_SIZE = 1.04;
+
 /** Draws the robot: shadow, light on the floor, body, and what lives on it. */
 export function drawRobot(
   context: CanvasRenderingContext2D,
@@ -36,7 +50,7 @@ export function drawRobot(
 ): void {
   const { drawing, look } = painting;
   const at = toPx(view, { x: robot.pose.xMm, y: robot.pose.yMm });
-  const size = view.pxPerMm * appearance.scale * (appearance.held ? 1.04 : 1);
+  const size = view.pxPerMm * appearance.scale * (appearance.held ? HELD_SIZE : 1);
   const sprite = painting.sprites.at(size * ratio);
   const enter = (shiftPx: Vec): void => {
     context.save();
@@ -86,7 +100,7 @@ function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[]
     const color = state.rgb[i];
     if (color === undefined) return;
     const light = floorLight(color);
-    drawGlow(context, spot, spot.radius * 1.75, light.color, light.alpha);
+    drawGlow(context, spot, spot.radius * UNDERGLOW_REACH, light.color, light.alpha);
   });
 }
 

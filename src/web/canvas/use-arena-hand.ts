@@ -24,6 +24,8 @@ export interface ArenaHand {
     pointerdown(event: PointerEvent): void;
     pointermove(event: PointerEvent): void;
     pointerup(event: PointerEvent): void;
+    pointercancel(event: PointerEvent): void;
+    lostpointercapture(event: PointerEvent): void;
     pointerleave(): void;
     wheel(event: WheelEvent): void;
     keydown(event: KeyboardEvent): void;
@@ -82,7 +84,11 @@ export function useArenaHand(where: HandPlace): ArenaHand {
 
 function pointerHandlers(
   hand: Hand,
-): Pick<ArenaHand['on'], 'pointerdown' | 'pointermove' | 'pointerup' | 'pointerleave'> {
+): Pick<
+  ArenaHand['on'],
+  'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel' | 'lostpointercapture' | 'pointerleave'
+> {
+  const up = (event: PointerEvent): void => hand.pointerUp(event.pointerId);
   return {
     pointerdown(event) {
       if (event.button > 1) return;
@@ -91,7 +97,9 @@ function pointerHandlers(
       hand.pointerDown({ id: event.pointerId, at: placeOf(event), touch, pansOnly: event.button === 1 });
     },
     pointermove: (event) => hand.pointerMove(event.pointerId, placeOf(event)),
-    pointerup: (event) => hand.pointerUp(event.pointerId),
+    pointerup: up,
+    pointercancel: up,
+    lostpointercapture: up,
     pointerleave: () => hand.pointerLeave(),
   };
 }

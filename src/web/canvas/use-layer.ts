@@ -1,19 +1,20 @@
 import { onBeforeUnmount, type ShallowRef } from 'vue';
-import type { CanvasSize } from './view-transform';
 import { createFrameGate } from './frame-gate';
+import type { PxBox } from './moving-window';
 
 /** A canvas and how to paint all of it. */
 export interface Layer {
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
-  readonly size: () => CanvasSize;
   /** Canvas pixels per CSS px. */
   readonly ratio: () => number;
-  /** Paints in CSS px. */
+  /** What part of the arena's place on the page the canvas covers; asked before each painting. */
+  readonly place: () => PxBox;
+  /** Paints in CSS px of the arena's place; the canvas is empty before. */
   readonly paint: (context: CanvasRenderingContext2D) => void;
 }
 
 /**
- * Keeps a canvas as large as its place on the screen and paints it when asked, at most once per frame.
+ * Keeps a canvas on its place on the page and paints it when asked, at most once per frame.
  *
  * @returns asks for the layer to be painted
  */
@@ -23,11 +24,10 @@ export function useLayer(layer: Layer): () => void {
     const context = canvas?.getContext('2d') ?? null;
     if (canvas === null || context === null) return;
     const ratio = layer.ratio();
-    const width = Math.round(layer.size().widthPx * ratio);
-    const height = Math.round(layer.size().heightPx * ratio);
-    if (canvas.width !== width) canvas.width = width;
-    if (canvas.height !== height) canvas.height = height;
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    const place = layer.place();
+    putOn(canvas, place, ratio);
+    context.setTransform(ratio, 0, 0, ratio, -place.left * ratio, -place.top * ratio);
+    context.clearRect(place.left, place.top, place.width, place.height);
     layer.paint(context);
   };
   const gate = createFrameGate(
@@ -37,4 +37,14 @@ export function useLayer(layer: Layer): () => void {
   );
   onBeforeUnmount(() => gate.close());
   return () => gate.soon();
+}
+
+function putOn(canvas: HTMLCanvasElement, place: PxBox, ratio: number): void {
+  const width = Math.round(place.width * ratio);
+  const height = Math.round(place.height * ratio);
+  if (canvas.width !== width) canvas.width = width;
+  if (canvas.height !== height) canvas.height = height;
+  canvas.style.width = `${String(place.width)}px`;
+  canvas.style.height = `${String(place.height)}px`;
+  canvas.style.transform = `translate(${String(place.left)}px, ${String(place.top)}px)`;
 }

@@ -29,7 +29,11 @@ const colours = HighlightStyle.define([
   { tag: tags.comment, color: 'var(--c-com)', fontStyle: 'italic' },
   { tag: [tags.number, tags.bool, tags.null, tags.self], color: 'var(--c-num)' },
   {
-    tag: [tags.function(tags.variableName), tags.function(tags.propertyName), tags.function(tags.definition(tags.variableName))],
+    tag: [
+      tags.function(tags.variableName),
+      tags.function(tags.propertyName),
+      tags.function(tags.definition(tags.variableName)),
+    ],
     color: 'var(--c-fn)',
   },
   { tag: [tags.className, tags.meta], color: 'var(--c-fn)' },
@@ -76,7 +80,12 @@ export function editorExtensions(options: { label: string; onChange(text: string
     EditorState.tabSize.of(4),
     wrongLineField,
     look,
-    EditorView.contentAttributes.of({ 'aria-label': options.label, spellcheck: 'false', autocapitalize: 'off', autocorrect: 'off' }),
+    EditorView.contentAttributes.of({
+      'aria-label': options.label,
+      spellcheck: 'false',
+      autocapitalize: 'off',
+      autocorrect: 'off',
+    }),
     keymap.of([
       { key: 'Mod-Enter', run: () => (options.onRun(), true), preventDefault: true, stopPropagation: true },
       ...defaultKeymap,

@@ -8,7 +8,12 @@ export interface PaneGrid {
   readonly columns: string;
   readonly rows: string;
   readonly areas: string;
-  readonly splitters: readonly { readonly id: SplitterId; readonly axis: 'x' | 'y'; readonly sign: 1 | -1; readonly sizePx: number }[];
+  readonly splitters: readonly {
+    readonly id: SplitterId;
+    readonly axis: 'x' | 'y';
+    readonly sign: 1 | -1;
+    readonly sizePx: number;
+  }[];
 }
 
 /** The space the panes have, in px. */
@@ -35,7 +40,12 @@ export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: 
 }
 
 /** Lays the shown panes out. */
-export function gridOf(kind: LayoutKind, shown: Readonly<Record<Pane, boolean>>, wished: PaneSizes, room: Room): PaneGrid {
+export function gridOf(
+  kind: LayoutKind,
+  shown: Readonly<Record<Pane, boolean>>,
+  wished: PaneSizes,
+  room: Room,
+): PaneGrid {
   if (kind === 'phone') {
     const pane = (['code', 'board', 'arena', 'console'] as const).find((name) => shown[name]) ?? 'code';
     return { columns: 'minmax(0, 1fr)', rows: 'minmax(0, 1fr)', areas: `'${pane}'`, splitters: [] };

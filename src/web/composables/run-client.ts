@@ -78,10 +78,9 @@ export class RunClient {
     this.turn += 1;
     const worker = this.current;
     if (worker === null) return Promise.resolve('stopped');
-    worker.postMessage({ type: 'stop' });
     return new Promise((resolve) => {
       const timer = setTimeout(() => {
-        if (this.current !== worker) return;
+        this.onStopped = null;
         this.drop();
         this.options.onKilled();
         resolve('killed');
@@ -90,6 +89,7 @@ export class RunClient {
         clearTimeout(timer);
         resolve('stopped');
       };
+      worker.postMessage({ type: 'stop' });
     });
   }
 

@@ -12,7 +12,12 @@ export function useCourses(app: App) {
     const kept = work.work.value.previous[0];
     const values = { name: courseName(course.scene, course.id) };
     if (keep && kept !== undefined) {
-      notices.show({ kind: 'ok', key: 'course.keptWork', values, action: { key: 'course.restore', run: () => restore(kept) } });
+      notices.show({
+        kind: 'ok',
+        key: 'course.keptWork',
+        values,
+        action: { key: 'course.restore', run: () => restore(kept) },
+      });
     } else {
       notices.show({ kind: 'ok', key: 'course.opened', values });
     }

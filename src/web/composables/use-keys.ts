@@ -52,5 +52,9 @@ function command(event: KeyboardEvent, actions: KeyActions): void {
 /** Letters belong to text fields, and to menus, which jump to an entry by its first letter. */
 function takesText(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
-  return target.closest('input, textarea, select, [contenteditable="true"], [role="menu"], [role="listbox"], [role="dialog"]') !== null;
+  return (
+    target.closest(
+      'input, textarea, select, [contenteditable="true"], [role="menu"], [role="listbox"], [role="dialog"]',
+    ) !== null
+  );
 }

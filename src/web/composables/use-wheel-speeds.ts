@@ -13,7 +13,10 @@ export interface WheelSpeeds {
 const WINDOW_US = 250_000;
 
 /** How fast the wheels turn, from how far they have turned; `null` before a run. */
-export function useWheelSpeeds(run: RunModel, radiiMm: () => readonly number[]): Readonly<ShallowRef<WheelSpeeds | null>> {
+export function useWheelSpeeds(
+  run: RunModel,
+  radiiMm: () => readonly number[],
+): Readonly<ShallowRef<WheelSpeeds | null>> {
   const speeds = shallowRef<WheelSpeeds | null>(null);
   let since: { timeUs: number; turnRad: readonly [number, number] } | null = null;
   watch(run.snapshot, (snapshot) => {

@@ -6,7 +6,13 @@ export type TextTone = 'plain' | 'error' | 'quiet' | 'input';
 /** One thing in the console, oldest first. `id` is stable while it is shown. */
 export type ConsoleEntry =
   | { readonly id: number; readonly kind: 'run'; readonly number: number }
-  | { readonly id: number; readonly kind: 'text'; readonly tone: TextTone; readonly text: string; readonly lines: number }
+  | {
+      readonly id: number;
+      readonly kind: 'text';
+      readonly tone: TextTone;
+      readonly text: string;
+      readonly lines: number;
+    }
   | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
 
 /** Where an error happened: a file of the pupil and its line, counted from 1. */
@@ -23,6 +29,8 @@ const TRACEBACK = 'Traceback (most recent call last):';
 type NewEntry =
   | { readonly kind: 'run'; readonly number: number }
   | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
+/** A text entry while `write` adds to it; afterwards it never changes. */
+type OpenEntry = { -readonly [K in keyof TextEntry]: TextEntry[K] };
 type TextEntry = Extract<ConsoleEntry, { kind: 'text' }>;
 
 /**
@@ -36,6 +44,8 @@ export class ConsoleLog {
   private tone: TextTone = 'plain';
   private lineStart = true;
   private lineLength = 0;
+  private open: OpenEntry | null = null;
+  private cut = false;
 
   /** Everything kept, oldest first; a new array after every change. */
   get entries(): readonly ConsoleEntry[] {
@@ -46,18 +56,18 @@ export class ConsoleLog {
   get isCut(): boolean {
     return this.cut;
   }
-  private cut = false;
 
   /** Adds output of the program; `\r` is left out, over-long lines are broken. */
   write(text: string, tone?: TextTone): void {
     const entries = this.kept.slice();
     const clean = text.replaceAll('\r', '');
-    for (let from = 0; from < clean.length; ) {
+    for (let from = 0; from < clean.length;) {
       const newline = clean.indexOf('\n', from);
       const until = newline < 0 ? clean.length : newline + 1;
       this.writePart(entries, clean.slice(from, until), tone);
       from = until;
     }
+    this.closeEntry(entries);
     this.drop(entries);
     this.kept = entries;
   }
@@ -98,7 +108,7 @@ export class ConsoleLog {
   private writePart(entries: ConsoleEntry[], part: string, tone: TextTone | undefined): void {
     if (this.lineStart && tone === undefined && part.startsWith(TRACEBACK)) this.tone = 'error';
     const shown = tone ?? this.tone;
-    for (let from = 0; from < part.length; ) {
+    for (let from = 0; from < part.length;) {
       const room = CONSOLE_LIMITS.lineCharacters - this.lineLength;
       const piece = part.slice(from, from + room);
       from += piece.length;
@@ -112,17 +122,27 @@ export class ConsoleLog {
     }
   }
 
+  /** Adds to the entry being written; a full one, or one in another tone, is closed first. */
   private append(entries: ConsoleEntry[], tone: TextTone, piece: string, endsLine: boolean): void {
-    const last = entries.at(-1);
     const starts = this.lineStart ? 1 : 0;
     this.lines += starts;
     this.lineStart = endsLine;
     this.lineLength = endsLine ? 0 : this.lineLength + piece.length;
-    if (last?.kind === 'text' && last.tone === tone && (starts === 0 || hasRoom(last))) {
-      entries[entries.length - 1] = { ...last, text: last.text + piece, lines: last.lines + starts };
-    } else {
-      entries.push({ id: this.nextId++, kind: 'text', tone, text: piece, lines: 1 });
-    }
+    const last = this.open ?? entries.at(-1);
+    const fits = last?.kind === 'text' && last.tone === tone && (starts === 0 || hasRoom(last));
+    if (!fits) this.closeEntry(entries);
+    else if (this.open === null) entries.pop(); // taken up again: output in small pieces makes no small entries
+    const open = fits
+      ? (this.open ?? { ...last })
+      : { id: this.nextId++, kind: 'text' as const, tone, text: '', lines: 0 };
+    open.text += piece;
+    open.lines += starts;
+    this.open = open;
+  }
+
+  private closeEntry(entries: ConsoleEntry[]): void {
+    if (this.open !== null) entries.push(this.open);
+    this.open = null;
   }
 
   private drop(entries: ConsoleEntry[]): void {

@@ -13,8 +13,16 @@ export interface Course {
   readonly program: string;
 }
 
-const scenes = import.meta.glob<string>('../../../courses/*/scene.json', { query: '?raw', import: 'default', eager: true });
-const programs = import.meta.glob<string>('../../../courses/*/main.py', { query: '?raw', import: 'default', eager: true });
+const scenes = import.meta.glob<string>('../../../courses/*/scene.json', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+const programs = import.meta.glob<string>('../../../courses/*/main.py', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
 
 /** The course a first visit opens. */
 const FIRST = 'line';
@@ -27,7 +35,9 @@ export const courses: readonly Course[] = Object.entries(scenes)
 function readCourse(path: string, text: string): Course[] {
   const id = path.split('/').at(-2) ?? '';
   const parsed = parseScene(text);
-  return 'scene' in parsed ? [{ id, scene: parsed.scene, program: programs[path.replace('scene.json', MAIN)] ?? '' }] : [];
+  return 'scene' in parsed
+    ? [{ id, scene: parsed.scene, program: programs[path.replace('scene.json', MAIN)] ?? '' }]
+    : [];
 }
 
 /** A course as something to work on. */

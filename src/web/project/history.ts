@@ -22,7 +22,12 @@ export interface Work {
 }
 
 /** Puts `project` aside, newest first; the same work is kept once. */
-export function putAside(previous: readonly Previous[], project: Project, name: string, atMs: number): readonly Previous[] {
+export function putAside(
+  previous: readonly Previous[],
+  project: Project,
+  name: string,
+  atMs: number,
+): readonly Previous[] {
   const others = previous.filter((entry) => !isSameWork(entry.project, project));
   return [{ name, atMs, project }, ...others].slice(0, PREVIOUS_KEPT);
 }
@@ -51,7 +56,9 @@ export function workFromText(text: string): Work | null {
   const project = unpackProject(read.project);
   if (read.version !== 1 || project === null) return null;
   const open = project.files.find((file) => file.name === read.open)?.name ?? project.files[0]?.name;
-  const previous = Array.isArray(read.previous) ? read.previous.map(readPrevious).filter((entry) => entry !== null) : [];
+  const previous = Array.isArray(read.previous)
+    ? read.previous.map(readPrevious).filter((entry) => entry !== null)
+    : [];
   return open === undefined ? null : { project, open, previous };
 }
 

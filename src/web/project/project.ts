@@ -61,7 +61,7 @@ export function filesByName(files: readonly SourceFile[]): Readonly<Record<strin
 
 /** A project as plain data for the browser's storage. */
 export function packProject(project: Project): unknown {
-  return { files: project.files, scene: JSON.parse(serializeScene(project.scene)), course: project.course };
+  return { files: project.files, scene: JSON.parse(serializeScene(project.scene)) as unknown, course: project.course };
 }
 
 /** Reads what `packProject` made; `null` for anything else. */

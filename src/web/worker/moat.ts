@@ -1,5 +1,14 @@
 /** Doors to the network and to storage that a run has no use for. */
-const DOORS = ['fetch', 'XMLHttpRequest', 'WebSocket', 'EventSource', 'WebTransport', 'importScripts', 'indexedDB', 'caches'] as const;
+const DOORS = [
+  'fetch',
+  'XMLHttpRequest',
+  'WebSocket',
+  'EventSource',
+  'WebTransport',
+  'importScripts',
+  'indexedDB',
+  'caches',
+] as const;
 
 /**
  * Takes away from a worker's global what could reach the network or the disk, before the VM is loaded.

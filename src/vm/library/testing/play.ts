@@ -1,5 +1,5 @@
-import { readFileSync } from 'node:fs';
 import { createBench, type Bench } from '#board/testing/bench';
+import { firmware } from '../../run/testing/run-program';
 import { createVm, type Vm, type VmEnd } from '../../run/vm';
 
 /** A program that runs on a board on the table. */
@@ -12,8 +12,6 @@ export interface Play {
   readonly until: (ms: number) => Play;
   readonly ended: () => VmEnd | null;
 }
-
-const firmware = new WebAssembly.Module(readFileSync(new URL('../../../../.cache/vm/vm.wasm', import.meta.url)));
 
 /** Prepares a program (main.py) with further files; `setUp` connects what it is to meet. */
 export function play(

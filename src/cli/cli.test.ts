@@ -1,0 +1,247 @@
+import { spawn, spawnSync } from 'node:child_process';
+import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import type { Report } from './report';
+
+const folder = mkdtempSync(join(tmpdir(), 'parcours-cli-'));
+afterAll(() => rmSync(folder, { recursive: true }));
+beforeAll(() => {
+  if (!existsSync('dist/cli/main.mjs')) throw new Error('The command line is not built. Run: npm run setup');
+});
+
+/** Writes a file and gives its path. */
+function file(name: string, text: string | Uint8Array): string {
+  const path = join(folder, name);
+  writeFileSync(path, text);
+  return path;
+}
+
+/** Runs the bundle to its end. */
+function parcours(...args: string[]): { code: number | null; out: string; err: string } {
+  const { status, stdout, stderr } = spawnSync(process.execPath, ['bin/parcours.mjs', ...args], { encoding: 'utf8' });
+  return { code: status, out: stdout, err: stderr };
+}
+
+const lastLine = (text: string): Report & { console: string } =>
+  JSON.parse(text.trimEnd().split('\n').at(-1) ?? '') as Report & { console: string };
+
+const scene = (change: object): string => JSON.stringify({ format: 'parcours-scene', version: 1, ...change });
+const wall = { id: 'w', type: 'wall', from: [0, 0], to: [100, 0] };
+
+describe('parcours run', { timeout: 30_000 }, () => {
+  const hello = file('hello.py', "print('hello')\n");
+
+  it('prints what the program prints and exits with 0', () => {
+    expect(parcours('run', hello)).toEqual({ code: 0, out: 'hello\n', err: '' });
+  });
+
+  it('prints one line with everything after --json, on a line of its own', () => {
+    const { out } = parcours('run', file('half.py', "print('half a line', end='')"), '--json');
+    expect(out.split('\n')).toHaveLength(3);
+    const report = lastLine(out);
+    expect(Object.keys(report)).toEqual([
+      ...[
+        'ended',
+        'exception',
+        'simulatedMs',
+        'wallMs',
+        'realTimeFactor',
+        'robot',
+        'display',
+        'console',
+        'heapFree',
+        'traceHash',
+      ],
+    ]);
+    expect(Object.keys(report.robot ?? {})).toEqual([
+      ...['type', 'xMm', 'yMm', 'headingDeg', 'turnedDeg', 'pathMm', 'collisions', 'leds', 'rgb', 'servos'],
+    ]);
+    expect(report).toMatchObject({ ended: 'finished', exception: null, console: 'half a line' });
+    expect(report.robot).toMatchObject({ type: 'maqueen-lite', xMm: 600, yMm: 450, headingDeg: 0 });
+    expect(report.display).toBe('00000:00000:00000:00000:00000');
+    expect(report.traceHash).toMatch(/^[0-9a-f]{64}$/);
+  });
+
+  it('gives the same trace hash twice, and another one for another program', () => {
+    const drive = file('drive.py', 'from mbrobot import *\nforward()\ndelay(500)\nright()\ndelay(300)\nstop()\n');
+    const hash = () => lastLine(parcours('run', drive, '--json', '--for', '1s').out).traceHash;
+    expect(hash()).toBe(hash());
+  });
+
+  it('tells type, message, line and traceback of an exception and exits with 1', () => {
+    const { code, out } = parcours('run', file('bad.py', 'x = 1\nprint(y)\n'), '--json');
+    expect(code).toBe(1);
+    expect(out).toContain('File "main.py", line 2, in <module>');
+    const { exception } = lastLine(out);
+    expect(exception).toMatchObject({ type: 'NameError', line: 2 });
+    expect(exception?.message).toMatch(/y/);
+    expect(exception?.traceback).toMatch(/^Traceback \(most recent call last\):\n {2}File "main\.py", line 2/);
+  });
+
+  it('shows a syntax error with its line and exits with 1', () => {
+    const { code, out } = parcours('run', file('syntax.py', 'x = 1\nif x\n  pass\n'));
+    expect(code).toBe(1);
+    expect(out).toMatch(/File "main\.py", line 2[^]*SyntaxError: invalid syntax/);
+  });
+
+  it('finishes soon after the program, or exactly when --for says', () => {
+    const short = lastLine(parcours('run', hello, '--json').out);
+    expect(short.simulatedMs).toBeLessThan(100);
+    const long = lastLine(parcours('run', hello, '--json', '--for', '2s').out);
+    expect(long).toMatchObject({ ended: 'finished', simulatedMs: 2000 });
+    const cut = lastLine(parcours('run', file('loop.py', 'while True: pass'), '--json', '--for', '300ms').out);
+    expect(cut.ended).toBe('time-limit');
+    expect(cut.simulatedMs).toBeGreaterThanOrEqual(300);
+    expect(cut.simulatedMs).toBeLessThan(301);
+  });
+
+  it('puts further files on the board by their base name, and the program may import them', () => {
+    const driver = file('my_driver.py', 'def answer(): return 42\n');
+    const program = file('uses.py', 'import os, my_driver\nprint(my_driver.answer(), os.listdir())\n');
+    expect(parcours('run', program, '--file', driver).out).toMatch(/^42 \[.*'my_driver\.py'.*\]\n$/);
+  });
+
+  it('does at each time what the input file says', () => {
+    const input = file(
+      'input.json',
+      '[{"at":"200ms","button":"a","down":true},{"at":"400ms","serial":"hi\\r\\n"},{"at":"100ms","sensor":"temperature","value":-3}]',
+    );
+    const program = file(
+      'input.py',
+      'from microbit import *\nsleep(150)\nprint(temperature())\nwhile not button_a.is_pressed(): sleep(1)\nprint("a", running_time() // 100)\nprint(input())\n',
+    );
+    expect(parcours('run', program, '--input', input).out).toMatch(/^-3\na 2\nhi\r?\nhi\n$/);
+  });
+
+  it('writes the way of the robot, one line per 20 ms', () => {
+    const trace = join(folder, 'trace.csv');
+    expect(parcours('run', hello, '--for', '1s', '--trace', trace).code).toBe(0);
+    const rows = readFileSync(trace, 'utf8').trimEnd().split('\n');
+    expect(rows[0]).toMatch(/^t_ms,x_mm,y_mm,heading_deg,left_mm_s,right_mm_s,/);
+    expect(rows).toHaveLength(52);
+    expect(rows[51]).toMatch(/^1000,600,450,0,0,0,/);
+  });
+
+  it('says nothing of the program with --quiet, except its error', () => {
+    expect(parcours('run', hello, '--quiet')).toEqual({ code: 0, out: '', err: '' });
+    const { code, out, err } = parcours('run', file('quiet.py', '1/0'), '--quiet');
+    expect({ code, out }).toEqual({ code: 1, out: '' });
+    expect(err).toContain('ZeroDivisionError');
+  });
+
+  it('runs the bare board with --robot none', () => {
+    const report = lastLine(parcours('run', hello, '--robot', 'none', '--json').out);
+    expect(report.robot).toBeNull();
+  });
+
+  it('takes a program of 64 kB: it runs, or the board says that it is out of memory', () => {
+    const { code, out } = parcours('run', file('big.py', `${'# comment\n'.repeat(6_400)}print("done")\n`));
+    expect({ code, out }).toEqual({ code: 0, out: 'done\n' });
+    const full = parcours('run', file('full.py', Array.from({ length: 4_000 }, (_, n) => `v${n} = "${n}"\n`).join('')));
+    expect(full.code).toBe(1);
+    expect(full.out).toContain('MemoryError');
+  });
+});
+
+describe('parcours run with something wrong', { timeout: 30_000 }, () => {
+  const hello = file('fine.py', "print('hello')\n");
+  const table: readonly [what: string, args: readonly string[], message: RegExp][] = [
+    ['a missing program', ['nowhere.py'], /^parcours: nowhere\.py: there is no such file\.\n$/],
+    ['a folder as program', [folder], /is a folder/],
+    [
+      '10 MB of text as program',
+      [file('huge.py', 'x = 1\n'.repeat(1_700_000))],
+      /huge\.py: has 10200000 bytes; the limit is 1000000/,
+    ],
+    ['a program that is no text', [file('photo.py', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))], /is not text in UTF-8/],
+    ['a missing driver', [hello, '--file', 'nothing.py'], /nothing\.py: there is no such file/],
+    ['a driver twice', [hello, '--file', hello, '--file', hello], /there is already a file "fine\.py" on the board/],
+    ['no unit', [hello, '--for', '20'], /--for: "20" has no unit\. Did you mean 20s\?/],
+    ['an unknown option', [hello, '--turbo'], /Unknown option --turbo\. Known: /],
+    ['an unknown robot', [hello, '--robot', 'tank'], /Unknown robot "tank"\. Known robots: maqueen-lite/],
+    ['an unknown board', [hello, '--board', 'x'], /Unknown board "x"\. Known boards: microbit-v2/],
+    ['a missing course', [hello, '--scene', 'no.json'], /no\.json: there is no such file/],
+    [
+      'a course that is not JSON',
+      [hello, '--scene', file('a.json', '{\n "format": parcours }')],
+      /a\.json: .*not JSON: line 2, column 12/,
+    ],
+    [
+      'a newer course',
+      [hello, '--scene', file('b.json', scene({ version: 7 }))],
+      /Scene version 7 is newer than this app \(1\)/,
+    ],
+    [
+      'a wall of length 0',
+      [hello, '--scene', file('c.json', scene({ objects: [{ ...wall, to: [0, 0] }] }))],
+      /objects\[0\]\.to: the wall has length 0/,
+    ],
+    [
+      'a robot inside a wall',
+      [hello, '--scene', file('d.json', scene({ robot: { at: [50, 5] }, objects: [wall] }))],
+      /robot\.at: at \[50, 5\]/,
+    ],
+    ['10 MB of course', [hello, '--scene', file('e.json', ' '.repeat(10_000_000))], /e\.json: .*the limit is 4000000/],
+    ['inputs that are not JSON', [hello, '--input', file('f.json', 'x')], /f\.json: is not JSON/],
+    [
+      'an input of an unknown sensor',
+      [hello, '--input', file('g.json', '[{"at":"1s","sensor":"smell","value":1}]')],
+      /g\.json: \[0\]: There is no sensor "smell"/,
+    ],
+    ['a trace in no folder', [hello, '--trace', join(folder, 'no', 'trace.csv')], /trace\.csv: there is no such file/],
+  ];
+  it.each(table)('%s: says so and exits with 2', (_what, args, message) => {
+    const { code, out, err } = parcours('run', ...args);
+    expect({ code, out }).toEqual({ code: 2, out: '' });
+    expect(err).toMatch(message);
+    expect(err).not.toMatch(/\n +at /);
+  });
+
+  it('explains itself with --help', () => {
+    const { code, out } = parcours('--help');
+    expect(code).toBe(0);
+    for (const option of ['--file', '--scene', '--robot', '--for', '--json', '--trace']) expect(out).toContain(option);
+    expect(Math.max(...out.split('\n').map((line) => line.length))).toBeLessThanOrEqual(100);
+  });
+});
+
+describe('a run that does not end', { timeout: 40_000 }, () => {
+  async function interrupted(program: string): Promise<{ code: number | null; out: string; answeredMs: number }> {
+    const child = spawn(process.execPath, ['bin/parcours.mjs', 'run', file('endless.py', program), '--json']);
+    let out = '';
+    let sentMs = 0;
+    child.stdout.setEncoding('utf8').on('data', (text: string) => {
+      if (out === '') {
+        sentMs = performance.now();
+        child.kill('SIGINT');
+      }
+      out += text;
+    });
+    const code = await new Promise<number | null>((resolve) => child.on('close', resolve));
+    return { code, out, answeredMs: performance.now() - sentMs };
+  }
+
+  it.each([
+    ["print('go')\nwhile True: pass"],
+    ["while True: print('go')"],
+    ["print('go')\nwhile True:\n  try:\n    while True: pass\n  except: pass"],
+    ["print('go')\nsum(map(sum, [range(10**9)] * 100))"],
+  ])('is stopped by Ctrl-C: %j', async (program) => {
+    const { code, out } = await interrupted(program);
+    expect(code).toBe(1);
+    expect(lastLine(out).ended).toBe('stopped');
+  });
+
+  it('is ended as stuck when one call never comes back', () => {
+    const { code, out, err } = parcours(
+      'run',
+      file('stuck.py', "print('go')\nsum(map(sum, [range(10**9)] * 100))"),
+      '--json',
+    );
+    expect(code).toBe(1);
+    expect(lastLine(out)).toMatchObject({ ended: 'stuck', console: 'go\n' });
+    expect(err).toContain('no sign of life');
+  });
+});

@@ -1,0 +1,17 @@
+import type { Board } from '#board/board';
+import type { Clock } from '#core/clock';
+
+/** What a VM needs to run a program. */
+export interface VmSetup {
+  /** The compiled firmware (.cache/vm/vm.wasm). */
+  readonly firmware: WebAssembly.Module;
+  readonly board: Board;
+  readonly clock: Clock;
+  /** The pupil's files by name; `main.py` is the program. */
+  readonly files: Readonly<Record<string, string>>;
+  /** The robot's libraries by name; a pupil's file of the same name wins. They do not show in `os.listdir()`. */
+  readonly libraries: Readonly<Record<string, string>>;
+  readonly seed: number;
+  /** Receives what the program prints. */
+  write(text: string): void;
+}

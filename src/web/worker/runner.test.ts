@@ -1,0 +1,184 @@
+import { describe, expect, it } from 'vitest';
+
+import type { RunSetup } from '#simulation/run-setup';
+import type { Ended, Snapshot } from '#simulation/simulation';
+
+import type { FromWorker, ToWorker } from './protocol';
+import { Runner, type Run } from './runner';
+
+/** A run whose simulated time costs `costMs` of wall time per simulated ms, printing `perMs` characters in each. */
+function bench(options: { costMs?: number; perMs?: number; endsAtUs?: number; minds?: boolean } = {}) {
+  let wallMs = 0;
+  const posted: FromWorker[] = [];
+  const tasks: { task: () => void; atMs: number }[] = [];
+  const run = {
+    nowUs: 0,
+    ended: null as Ended | null,
+    printed: '',
+    inputs: [] as unknown[],
+    disposed: false,
+    advanceTo(us: number) {
+      wallMs += ((us - run.nowUs) / 1000) * (options.costMs ?? 0.01);
+      if (run.ended === null) run.printed += 'x'.repeat(Math.round(((us - run.nowUs) / 1000) * (options.perMs ?? 0)));
+      run.nowUs = us;
+      if (us >= (options.endsAtUs ?? Infinity)) run.ended ??= { kind: 'finished', exception: null, timeUs: us };
+    },
+    input: (action: unknown) => run.inputs.push(action),
+    interrupt() {
+      if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };
+    },
+    snapshot: () => ({ timeUs: run.nowUs }) as Snapshot,
+    takeConsole() {
+      const text = run.printed;
+      run.printed = '';
+      return text;
+    },
+    dispose: () => (run.disposed = true),
+  };
+  const runner = new Runner({
+    post: (message) => posted.push(message),
+    nowMs: () => wallMs,
+    later: (task, delayMs) => tasks.push({ task, atMs: wallMs + delayMs }),
+    create: () => Promise.resolve(run as unknown as Run),
+  });
+  let taken = 0;
+  const types = (): string[] => posted.map((message) => message.type);
+  const send = (message: ToWorker): void => runner.receive(message);
+  /** Lets wall time pass; the page takes console batches at once when `takes`. */
+  async function pass(ms: number, takes = true): Promise<void> {
+    await Promise.resolve();
+    const untilMs = wallMs + ms;
+    for (let rounds = 0; rounds < 10_000; rounds += 1) {
+      const next = tasks.sort((a, b) => a.atMs - b.atMs)[0];
+      if (next === undefined || next.atMs > untilMs || wallMs > untilMs) break;
+      tasks.shift();
+      wallMs = Math.max(wallMs, next.atMs);
+      next.task();
+      for (; takes && taken < types().filter((type) => type === 'console').length; taken += 1) {
+        send({ type: 'console-taken' });
+      }
+    }
+    wallMs = Math.max(wallMs, untilMs);
+  }
+  async function start(speed: 1 | 2 | 'max' = 1, paused = false): Promise<void> {
+    send({ type: 'prepare', firmware: {} as WebAssembly.Module });
+    send({ type: 'run', setup: {} as RunSetup, speed, paused });
+    await Promise.resolve();
+    await Promise.resolve();
+  }
+  return { run, send, pass, start, posted, types };
+}
+
+describe('the runner', () => {
+  it('lets a second of simulated time pass in a second, and two at double speed', async () => {
+    for (const speed of [1, 2] as const) {
+      const b = bench();
+      await b.start(speed);
+      await b.pass(1000);
+      expect(b.run.nowUs / 1e6).toBeCloseTo(speed, 1);
+    }
+  });
+
+  it('runs on without rest at full speed, yet looks at messages every 8 ms', async () => {
+    const b = bench({ costMs: 0.1 });
+    await b.start('max');
+    await b.pass(100);
+    expect(b.run.nowUs / 1000).toBeGreaterThan(900);
+    b.send({ type: 'pause' });
+    const { nowUs } = b.run;
+    await b.pass(100);
+    expect(b.run.nowUs).toBe(nowUs);
+  });
+
+  it('stands still while paused and moves 20 ms per step', async () => {
+    const b = bench();
+    await b.start(1, true);
+    await b.pass(100);
+    expect(b.run.nowUs).toBe(0);
+    b.send({ type: 'step' });
+    b.send({ type: 'step' });
+    await b.pass(100);
+    expect(b.run.nowUs).toBe(40_000);
+  });
+
+  it('tells the factor reached when the machine is too slow', async () => {
+    const b = bench({ costMs: 2 });
+    await b.start();
+    await b.pass(3000);
+    const alive = b.posted.filter((message) => message.type === 'alive').at(-1);
+    expect(alive?.type === 'alive' ? alive.achieved : null).toBeCloseTo(0.5, 1);
+  });
+
+  it('answers a frame with one snapshot, and only when something has moved', async () => {
+    const b = bench();
+    await b.start(1, true);
+    b.send({ type: 'frame' });
+    await b.pass(50);
+    expect(b.types().filter((type) => type === 'snapshot')).toHaveLength(1);
+    b.send({ type: 'frame' });
+    await b.pass(50);
+    expect(b.types().filter((type) => type === 'snapshot')).toHaveLength(1);
+    b.send({ type: 'step' });
+    await b.pass(50);
+    expect(b.types().filter((type) => type === 'snapshot')).toHaveLength(2);
+  });
+
+  it('lets the program wait when the page does not take its output', async () => {
+    const b = bench({ perMs: 1000 });
+    await b.start('max');
+    await b.pass(2000, false);
+    expect(b.types().filter((type) => type === 'console')).toHaveLength(1);
+    const { nowUs } = b.run;
+    expect(nowUs).toBeLessThan(1e6);
+    b.send({ type: 'console-taken' });
+    await b.pass(100);
+    expect(b.run.nowUs).toBeGreaterThan(nowUs);
+  });
+
+  it('tells the end of the program after its output, and lets the world go on', async () => {
+    const b = bench({ perMs: 10, endsAtUs: 100_000 });
+    await b.start();
+    await b.pass(500);
+    const ended = b.types().indexOf('program-ended');
+    expect(ended).toBeGreaterThan(b.types().indexOf('console'));
+    expect(b.run.nowUs).toBeGreaterThan(400_000);
+  });
+
+  it('stops with all output, a last picture and stopped', async () => {
+    const b = bench({ perMs: 10 });
+    await b.start();
+    await b.pass(100);
+    b.send({ type: 'stop' });
+    expect(b.types().slice(-2)).toEqual(['snapshot', 'stopped']);
+    expect(b.run.disposed).toBe(true);
+  });
+
+  it('gives a program that ignores the interrupt 50 ms, then drops it', async () => {
+    const b = bench({ minds: false, costMs: 1 });
+    await b.start();
+    await b.pass(100);
+    const { nowUs } = b.run;
+    b.send({ type: 'stop' });
+    expect(b.types().at(-1)).toBe('stopped');
+    expect((b.run.nowUs - nowUs) / 1000).toBeLessThan(60);
+  });
+
+  it('stops a run that is still being created', async () => {
+    const b = bench();
+    b.send({ type: 'prepare', firmware: {} as WebAssembly.Module });
+    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    b.send({ type: 'stop' });
+    await b.pass(10);
+    expect(b.types().at(-1)).toBe('stopped');
+  });
+
+  it('reports an error inside as failed and does nothing more', async () => {
+    const b = bench();
+    await b.start();
+    b.run.advanceTo = () => {
+      throw new Error('broken');
+    };
+    await b.pass(100);
+    expect(b.posted.at(-1)).toEqual({ type: 'failed', message: 'broken' });
+  });
+});
