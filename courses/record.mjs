@@ -40,7 +40,7 @@ function record(run) {
   if (status !== 0) throw new Error(`${run.folder} ended with ${status}: ${stderr}`);
   const report = JSON.parse(stdout.trim().split('\n').at(-1));
   process.stdout.write(
-    `${run.folder}: ${report.ended}, ${report.realTimeFactor} x real time, ${report.robot.collisions} collisions`,
+    `${run.folder}: ${report.ended}, ${report.realTimeFactor} x real time, ${report.robot.collisions} collisions\n`,
   );
   run.traceHash = report.traceHash;
   if (run.folder.startsWith('golden/')) return;

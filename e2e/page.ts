@@ -4,7 +4,7 @@ import { expect, type App } from './app';
 const PLACES = {
   run: 'button.run',
   stop: 'button.stop',
-  reset: 'button.reset',
+  reset: 'button[aria-label="Back to the start"], button[aria-label="Zurück auf Start"]',
   console: '[role=log]',
   editor: '.code-editor .cm-content',
   arena: '[role=application]',

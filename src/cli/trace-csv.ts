@@ -1,9 +1,9 @@
 import type { TraceRow } from '#simulation/trace';
 import { degOf, rounded, wrappedDeg } from './report';
 
-/** The first line of a trace file; the line sensors are those of the robot in `row`. */
-export function traceHeader(row: TraceRow): string {
-  const sensors = row.lineSensors.map((sensor) => `line_${sensor.name}`);
+/** The first line of a trace file; the line sensors are those of the robot in `row`, none without a robot. */
+export function traceHeader(row?: TraceRow): string {
+  const sensors = (row?.lineSensors ?? []).map((sensor) => `line_${sensor.name}`);
   return [
     ...['t_ms', 'x_mm', 'y_mm', 'heading_deg', 'left_mm_s', 'right_mm_s', 'left_duty', 'right_duty'],
     ...sensors,

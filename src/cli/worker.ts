@@ -26,17 +26,15 @@ function readFirmware(): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(place));
 }
 
-/** Writes the rows that came since the last call. */
+/** Writes the rows that came since the last call; the first call writes the names of the columns. */
 function createTraceWriter(simulation: Simulation, file: number | null): () => void {
-  let written = 0;
+  let written = -1;
   return () => {
     if (file === null) return;
-    const rows = simulation.trace.slice(written);
-    const [first] = rows;
-    if (!first) return;
-    if (written === 0) writeSync(file, `${traceHeader(first)}\n`);
+    if (written < 0) writeSync(file, `${traceHeader(simulation.trace[0])}\n`);
+    const rows = simulation.trace.slice(Math.max(written, 0));
     writeSync(file, rows.map((row) => `${traceLine(row)}\n`).join(''));
-    written += rows.length;
+    written = simulation.trace.length;
   };
 }
 

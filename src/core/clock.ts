@@ -35,7 +35,12 @@ export class Clock {
    * @returns a function that cancels the alarm
    */
   at(timeUs: number, ring: () => void): Stop {
-    const alarm: Alarm = { timeUs: Math.max(Math.ceil(timeUs), this.time), order: this.nextOrder++, ring, cancelled: false };
+    const alarm: Alarm = {
+      timeUs: Math.max(Math.ceil(timeUs), this.time),
+      order: this.nextOrder++,
+      ring,
+      cancelled: false,
+    };
     this.push(alarm);
     return () => {
       alarm.cancelled = true;

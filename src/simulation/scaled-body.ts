@@ -2,8 +2,8 @@ import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 
 /**
- * A body at another size: every length and the top speed grow with the scale; mass and forces stay, so that a small
- * robot and a large one speed up in the same time and push the same blocks.
+ * A body at another size: every length, the top speed and the motors' force grow with the scale, the mass stays. So a
+ * small and a large robot speed up in the same time, and everything they do looks alike at its own size.
  */
 export function scaledBody(body: ChassisType, scale: number): ChassisType {
   if (scale === 1) return body;
@@ -19,6 +19,10 @@ export function scaledBody(body: ChassisType, scale: number): ChassisType {
       { ...right, atMm: scaled(right.atMm), radiusMm: right.radiusMm * scale },
     ],
     ...(body.castorMm === undefined ? {} : { castorMm: scaled(body.castorMm) }),
-    drive: { ...body.drive, v0MmPerS: body.drive.v0MmPerS * scale },
+    drive: {
+      ...body.drive,
+      v0MmPerS: body.drive.v0MmPerS * scale,
+      stallForceN: body.drive.stallForceN * scale,
+    },
   };
 }

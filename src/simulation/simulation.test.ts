@@ -43,7 +43,7 @@ function sceneWith(...objects: object[]): Scene {
 
 const drive = lines('from mbrobot import *', 'forward()', 'delay(1000)', 'leftArc(0.2)', 'delay(1000)', 'stop()');
 
-describe('a run', () => {
+describe('a run', { timeout: 30_000 }, () => {
   it('drives the robot that the program steers, and prints what it prints', async () => {
     const simulation = await runFor(`${drive}\nprint('there')`, 3000);
     expect(simulation.snapshot().robot?.pose.xMm).toBeGreaterThan(700);
@@ -93,6 +93,28 @@ describe('a run', () => {
     expect((await runFor(drive, 1000)).trace).toEqual([]);
   });
 
+  it('drives twice as fast at scale 2, and sees the line with sensors twice as far apart', async () => {
+    const program = lines('from mbrobot import *', 'forward()', 'delay(2000)', 'stop()');
+    const scene = { ...defaultScene(), size: [3000, 900] as const };
+    const pathOf = async (scale: number) => {
+      const simulation = await runFor(program, 3000, { scene: { ...scene, robot: { ...scene.robot, scale } } });
+      return simulation.snapshot().robot?.pathMm ?? 0;
+    };
+    expect((await pathOf(2)) / (await pathOf(1))).toBeCloseTo(2, 1);
+    const wide = sceneWith({
+      id: 's',
+      type: 'stroke',
+      points: [
+        [300, 464],
+        [400, 464],
+      ],
+      width: 10,
+    });
+    const asks = lines('from mbrobot import *', 'print(irLeft.read_digital(), irRight.read_digital())');
+    const simulation = await runFor(asks, 100, { scene: { ...wide, robot: { ...wide.robot, scale: 2 } } });
+    expect(simulation.takeConsole()).toBe('0 1\n');
+  });
+
   it('counts collisions and stops at a wall', async () => {
     const simulation = await runFor(lines('from mbrobot import *', 'forward()'), 10_000);
     const robot = simulation.snapshot().robot;
@@ -122,7 +144,7 @@ describe('a run', () => {
   });
 });
 
-describe('input from outside', () => {
+describe('input from outside', { timeout: 30_000 }, () => {
   const watch = lines(
     'from microbit import *',
     'was = False',
@@ -225,7 +247,7 @@ describe('input from outside', () => {
   });
 });
 
-describe('what a run is made of', () => {
+describe('what a run is made of', { timeout: 30_000 }, () => {
   it('is a Maqueen Lite on a micro:bit V2 unless something else is asked for', async () => {
     expect((await start('')).snapshot().robot?.type).toBe('maqueen-lite');
     expect((await start('', { robot: 'none' })).snapshot().robot).toBeNull();

@@ -2,6 +2,9 @@ import type { Loader } from './loader';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
 
+/** Functions that the firmware imports, by name. */
+export type HostFunctions = Readonly<Record<string, (...args: never[]) => unknown>>;
+
 type TableFunction = (...args: readonly number[]) => number;
 
 /** What the firmware exports: MicroPython's own entries and those that the build step added (../firmware/transform.mjs). */
@@ -85,21 +88,20 @@ export function instantiateFirmware(
   host: FirmwareHost,
   loader: (memory: () => Memory) => Loader,
 ): { readonly firmware: Firmware; readonly memory: Memory } {
-  let firmware: Firmware | undefined;
-  let memory: Memory | undefined;
-  const running = (): Firmware => firmware ?? notLoaded();
-  const inMemory = (): Memory => memory ?? notLoaded();
+  const loaded: { firmware?: Firmware; memory?: Memory } = {};
+  const running = (): Firmware => loaded.firmware ?? notLoaded();
+  const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const files = loader(inMemory);
   const imports = {
     host: { tick: () => host.tick(), fatal: () => host.fatal() },
     env: { ...invokers(running), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
-  const exported = new WebAssembly.Instance(module, imports).exports as Firmware;
-  firmware = exported;
-  memory = new Memory(exported.memory.buffer, (bytes) => exported.malloc(bytes));
-  exported.emscripten_stack_init();
-  exported.__wasm_call_ctors();
+  const firmware = new WebAssembly.Instance(module, imports).exports as unknown as Firmware;
+  const memory = new Memory(firmware.memory.buffer, (bytes) => firmware.malloc(bytes));
+  Object.assign(loaded, { firmware, memory });
+  firmware.emscripten_stack_init();
+  firmware.__wasm_call_ctors();
   return { firmware, memory };
 }
 
@@ -112,7 +114,7 @@ function notLoaded(): never {
  * objects and pass). While a suspended call is resumed the stack pointer stands at the deep place already, so the one
  * taken on the way in is kept per nesting depth; else each exception caught after a suspension would leak C stack.
  */
-function invokers(running: () => Firmware): Record<string, unknown> {
+function invokers(running: () => Firmware): HostFunctions {
   const stackAt: number[] = [];
   const functions: TableFunction[] = []; // asking the table each time takes 3 % of a run
   let depth = 0;
@@ -151,7 +153,7 @@ function invokers(running: () => Firmware): Record<string, unknown> {
 }
 
 /** The place where Python meets the host: one object, `_hal`, whose attributes are functions. Everything else is refused. */
-function boundary(memory: () => Memory, host: FirmwareHost): Record<string, unknown> {
+function boundary(memory: () => Memory, host: FirmwareHost): HostFunctions {
   const nothing = (): number => 0;
   const refuse = (): never => host.fatal();
   const find = (reference: number, nameAddress: number): number =>
@@ -188,7 +190,7 @@ function boundary(memory: () => Memory, host: FirmwareHost): Record<string, unkn
 }
 
 /** Time and chance of the C code. Its own clock is never read: every way to it is replaced in the library. */
-function system(host: FirmwareHost): Record<string, unknown> {
+function system(host: FirmwareHost): HostFunctions {
   return {
     mp_js_random_u32: () => host.randomU32() | 0,
     mp_js_ticks_ms: () => 0,
@@ -204,7 +206,7 @@ function system(host: FirmwareHost): Record<string, unknown> {
 }
 
 /** What the C code prints. */
-function output(memory: () => Memory, host: FirmwareHost): Record<string, unknown> {
+function output(memory: () => Memory, host: FirmwareHost): HostFunctions {
   const write = (_file: number, vectors: number, count: number, written: number): number => {
     let total = 0;
     for (let i = 0; i < count; i++) {

@@ -1,9 +1,10 @@
+import type { HostFunctions } from './firmware';
 import type { Memory } from './values';
 
 /** The host functions through which the firmware finds and reads the files it imports. */
 export interface Loader {
-  readonly environment: Readonly<Record<string, unknown>>;
-  readonly wasi: Readonly<Record<string, unknown>>;
+  readonly environment: HostFunctions;
+  readonly wasi: HostFunctions;
 }
 
 /** Gives the bytes of a file by its path (`main.py`, `/lib/microbit.mpy`), or `undefined` when there is none. */
@@ -70,7 +71,7 @@ export function createLoader(lookup: FileLookup): (memory: () => Memory) => Load
 function reading(
   memory: () => Memory,
   open: ReadonlyMap<number, { readonly bytes: Uint8Array; position: number }>,
-): Record<string, unknown> {
+): HostFunctions {
   return {
     fd_read: (file: number, vectors: number, count: number, out: number) => {
       const opened = open.get(file);

@@ -14,7 +14,6 @@ import type { Work } from '../project/history';
 import type { TabStorage } from '../project/tab-storage';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
-import type { WorkerPort } from './run-client';
 import { ConsoleModel } from './use-console';
 import { useDialogs, type DialogsModel } from './use-dialogs';
 import { useLayout, type LayoutModel } from './use-layout';
@@ -124,8 +123,7 @@ type RunParts = Pick<App, 'work' | 'console' | 'jump' | 'hand' | 'notices' | 'la
 function createRun(parts: RunParts): RunModel {
   let runs = 0;
   const run: RunModel = new RunModel({
-    createWorker: () =>
-      new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' }) as unknown as WorkerPort,
+    createWorker: () => new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' }),
     firmware: compileFirmware,
     setup: () => setupOf(parts),
     onStart: () => {

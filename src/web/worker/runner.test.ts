@@ -61,7 +61,7 @@ function bench(options: { costMs?: number; perMs?: number; endsAtUs?: number; mi
     wallMs = Math.max(wallMs, untilMs);
   }
   async function start(speed: 1 | 2 | 'max' = 1, paused = false): Promise<void> {
-    send({ type: 'prepare', firmware: {} as WebAssembly.Module });
+    send({ type: 'prepare', firmware: {} });
     send({ type: 'run', setup: {} as RunSetup, speed, paused });
     await Promise.resolve();
     await Promise.resolve();
@@ -165,7 +165,7 @@ describe('the runner', () => {
 
   it('stops a run that is still being created', async () => {
     const b = bench();
-    b.send({ type: 'prepare', firmware: {} as WebAssembly.Module });
+    b.send({ type: 'prepare', firmware: {} });
     b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
     b.send({ type: 'stop' });
     await b.pass(10);
