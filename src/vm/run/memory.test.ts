@@ -84,6 +84,12 @@ describe('a full heap', () => {
     }
   }
 
+  it('says so when the program itself is too long: 64 kB', () => {
+    const { console, ended } = runProgram('value = 12345\n'.repeat(4700));
+    expect(ended?.exception?.type).toBe('MemoryError');
+    expect(console).toContain('main.py: the program is too long for the board. It has 65800 characters');
+  });
+
   it('says how much was wanted, in the words of the device', () => {
     expect(runProgram('bytearray(70000)').ended?.exception?.message).toBe(
       'memory allocation failed, allocating 70000 bytes',

@@ -27,8 +27,14 @@ export class Report {
   /** Free bytes of the program's heap when it ended; `null` before. */
   heapFree: number | null = null;
 
-  /** @param tell receives what the console shows */
-  constructor(private readonly tell: (text: string) => void) {}
+  /**
+   * @param tell receives what the console shows
+   * @param programCharacters the length of main.py
+   */
+  constructor(
+    private readonly tell: (text: string) => void,
+    private readonly programCharacters: number,
+  ) {}
 
   get ended(): VmEnd | null {
     return this.end;
@@ -85,8 +91,14 @@ export class Report {
     this.end ??= { kind: 'fault', exception: { type: 'InternalError', message: text, line: null, traceback: text } };
   }
 
+  /** Without a line, memory was used up before the program began: while it was being translated. */
+  private tooLong(): string {
+    return `the program is too long for the board. It has ${this.programCharacters} characters; about 20000 fit.`;
+  }
+
   private fail(type: string, message: string, traceback: string): void {
     const exception = { type, message, line: innermostLine(traceback), traceback };
+    if (type === 'MemoryError' && exception.line === null) this.tell(`main.py: ${this.tooLong()}\n`);
     this.end ??= { kind: type === 'KeyboardInterrupt' ? 'stopped' : 'exception', exception };
   }
 }

@@ -27,7 +27,7 @@ const RESET_US = 500_000;
 /** Makes a VM. The program begins with the first `resume`. */
 export function createVm(setup: VmSetup): Vm {
   const files = new Files(setup.files);
-  const report = new Report((text) => setup.write(text));
+  const report = new Report((text) => setup.write(text), setup.files['main.py']?.length ?? 0);
   const port = new ConsolePort((bytes) => report.write(bytes));
   let session = new Session(setup, { files, port, report });
   return {

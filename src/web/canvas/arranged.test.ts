@@ -1,0 +1,39 @@
+import { describe, expect, it } from 'vitest';
+import type { Scene } from '#scene/scene';
+import { arranged, lieStill, summaryOf } from './arranged';
+
+describe('the arena before and during a run', () => {
+  const scene: Scene = {
+    name: '',
+    description: '',
+    size: [1200, 900],
+    board: null,
+    robot: { type: null, at: [600, 450], heading: 270, scale: 1 },
+    objects: [
+      { type: 'block', id: 'b', at: [100, 100], size: [50, 50], turn: 2 },
+      { type: 'fixed-block', id: 'f', at: [300, 100], size: [50, 50], turn: 0 },
+    ],
+  };
+  const moved = { xMm: 120, yMm: 100, headingRad: 1 };
+
+  it('shows the robot at its start and the block that can be pushed turned by 90°', () => {
+    const { robot, blocks } = arranged(scene, null);
+    expect(robot?.pose.xMm).toBe(600);
+    expect(blocks.map(({ id, pose }) => [id, pose.headingRad])).toEqual([['b', Math.PI / 2]]);
+  });
+
+  it('shows the block where the run has pushed it', () => {
+    const snapshot = { timeUs: 0, display: [], robot: null, blocks: { b: moved } };
+    const during = arranged(scene, snapshot);
+    expect(during.robot).toBeNull();
+    expect(during.blocks[0]?.pose).toEqual(moved);
+    expect(lieStill(arranged(scene, null).blocks, during.blocks)).toBe(false);
+    expect(lieStill(during.blocks, arranged(scene, snapshot).blocks)).toBe(true);
+  });
+
+  it('is summed up as 60 cm, 45 cm, -90 degrees, no distance', () => {
+    const { robot } = arranged(scene, null);
+    expect(summaryOf(robot)).toEqual({ xCm: 60, yCm: 45, headingDeg: -90, distanceCm: null });
+    expect(summaryOf(null)).toBeNull();
+  });
+});
