@@ -24,13 +24,15 @@ def run():
             failure = end.args[1]
     except BaseException as error:
         failure = error
-    _reserve = None
     _hal.run_every_stop()
     if failure is not None:
+        _hal.reserve(0)
+        _reserve = None
         _report(failure)
+        failure = None
     _scope.clear()
     gc.collect()
-    _hal.finish(gc.mem_free())
+    _hal.finish()
 
 
 def _report(error):

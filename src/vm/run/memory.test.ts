@@ -18,6 +18,12 @@ describe('the heap', () => {
     expect(free).toBeGreaterThan(59 * KIB);
   });
 
+  it('is empty again when the program has ended', () => {
+    const { heapFree } = runProgram('data = [str(i) for i in range(500)]');
+    expect(heapFree).toBeGreaterThan(62 * KIB);
+    expect(heapFree).toBeLessThanOrEqual(4002 * 16);
+  });
+
   it('survives a million short-lived objects', () => {
     const { console } = runProgram('n = 0\nfor i in range(1000000):\n    n += len([i, i + 1])\nprint(n)', {
       forUs: 1e12,

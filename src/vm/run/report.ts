@@ -24,9 +24,6 @@ export class Report {
   private readonly decoder = new TextDecoder();
   private tracebackFrom: string[] | null = null;
   private end: VmEnd | null = null;
-  /** Free bytes of the program's heap when it ended; `null` before. */
-  heapFree: number | null = null;
-
   /**
    * @param tell receives what the console shows
    * @param programCharacters the length of main.py
@@ -64,8 +61,7 @@ export class Report {
         this.fail(textOf(type), textOf(message), traceback);
         return null;
       },
-      finish: (heapFree) => {
-        this.heapFree = typeof heapFree === 'number' ? heapFree : null;
+      finish: () => {
         endProgram();
         return null;
       },

@@ -88,10 +88,10 @@ export class Session {
     this.engine.interrupt();
   }
 
-  /** Free bytes of the heap, counted in the collector's table; nothing runs for it. */
+  /** Free bytes of the program's part of the heap, counted in the collector's table: nothing runs for it. */
   get heapFree(): number {
-    const { heap_start: start, heap_end: end } = this.firmware;
-    return freeBytes(this.memory.bytes, start.value, end.value);
+    const { heap_start: start, heap_end: end, program_start: program } = this.firmware;
+    return freeBytes(this.memory.bytes, { start: start.value, program: program.value, end: end.value });
   }
 
   private ownSyscalls(engine: Engine): SyscallTable {
@@ -157,24 +157,23 @@ export class Session {
 const EXCEPTION = -1;
 
 /**
- * What `gc.mem_free()` would give. The heap opens with a table of two bits for each block of 16 bytes, 0 = free; with
- * the finaliser table of half its size and the blocks, one byte of the table stands for 65.5 bytes of heap (py/gc.c).
+ * What `gc.mem_free()` would give for the program's part. The heap opens with a table of two bits for each block of 16
+ * bytes, 0 = free; with the finaliser table of half its size and the blocks, one byte of the table stands for 65.5
+ * bytes of heap (py/gc.c).
  */
-export function freeBytes(memory: Uint8Array, start: number, end: number): number {
-  const tableBytes = Math.floor(((end - start - 1) * 2) / 131);
+function freeBytes(
+  memory: Uint8Array,
+  heap: { readonly start: number; readonly program: number; readonly end: number },
+): number {
+  const tableBytes = Math.floor(((heap.end - heap.start - 1) * 2) / 131);
+  const firstBlock = (heap.program - (heap.end - tableBytes * 64)) / 16;
   let free = 0;
-  for (let place = start; place < start + tableBytes; place++) {
-    const blocks = memory[place] ?? 0;
-    free += FREE_BLOCKS[(blocks | (blocks >> 1)) & 0x55] ?? 0;
+  for (let block = firstBlock; block < tableBytes * 4; block++) {
+    const state = ((memory[heap.start + (block >> 2)] ?? 0) >> (2 * (block & 3))) & 3;
+    if (state === 0) free++;
   }
   return free * 16;
 }
-
-/** How many of four blocks are free, by the byte in which bit 0, 2, 4, 6 say "in use". */
-const FREE_BLOCKS = Uint8Array.from(
-  { length: 0x56 },
-  (_, byte) => [1, 4, 16, 64].filter((bit) => !(byte & bit)).length,
-);
 
 /** User files win over robot libraries; the device's own modules lie in a folder of their own. */
 function lookupIn(setup: VmSetup): FileLookup {

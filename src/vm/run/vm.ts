@@ -17,7 +17,7 @@ export interface Vm {
   interrupt(): void;
   /** Text that a person types on the serial line. */
   feed(text: string): void;
-  /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end what was free then. */
+  /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end those it left. */
   heapFree(): number;
 }
 
@@ -45,6 +45,6 @@ export function createVm(setup: VmSetup): Vm {
     },
     interrupt: () => session.interrupt(),
     feed: (text) => port.feed(text),
-    heapFree: () => report.heapFree ?? session.heapFree,
+    heapFree: () => session.heapFree,
   };
 }

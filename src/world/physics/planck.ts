@@ -14,4 +14,4 @@ if (!Number.isNaN(new Rot(1e9).s)) {
 }
 
 export type { Body, Contact, Fixture, TimeStep } from 'planck';
-export { Joint, PolygonShape, Vec2, World as PlanckWorld };
+export { Joint, PolygonShape, Rot, Vec2, World as PlanckWorld };
