@@ -1,5 +1,8 @@
+import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { runProgram } from './testing/run-program';
+
+const read = (name: string): string => readFileSync(new URL(`./testing/${name}`, import.meta.url), 'utf8');
 
 const programs = {
   recursion: `
@@ -95,6 +98,10 @@ describe('a program that is suspended again and again', () => {
     const program =
       'x = 0\nfor i in range(300):\n    try:\n        x += 1 // (i % 3)\n    except ZeroDivisionError:\n        x += 5\nprint(x)';
     expect(runProgram(program, { sliceUs: 1 })).toEqual(runProgram(program));
+  });
+
+  it.each([700, 20_000, Infinity])('goes as deep as ever, whatever is called, in slices of %i µs', (sliceUs) => {
+    expect(runProgram(read('depth.py'), { sliceUs }).console).toBe(read('depth.txt'));
   });
 
   it('allows at least 100 nested calls and then raises RuntimeError', () => {

@@ -82,6 +82,7 @@ export function editorExtensions(options: { label: string; onChange(text: string
     look,
     EditorView.contentAttributes.of({
       'aria-label': options.label,
+      tabindex: '0',
       spellcheck: 'false',
       autocapitalize: 'off',
       autocorrect: 'off',

@@ -86,7 +86,7 @@ export const de = {
     buttons: 'Tasten',
     pressA: 'Taste A',
     pressB: 'Taste B',
-    pressBoth: 'Tasten A und B zusammen',
+    pressBoth: 'Tasten A + B zusammen',
     logo: 'Logo berühren',
     keys: 'Auf der Tastatur: a, b und l (Logo)',
     sensors: 'Sensoren',

@@ -88,7 +88,7 @@ export const en: Texts = {
     buttons: 'Buttons',
     pressA: 'Button A',
     pressB: 'Button B',
-    pressBoth: 'Buttons A and B together',
+    pressBoth: 'Buttons A + B together',
     logo: 'Touch the logo',
     keys: 'On the keyboard: a, b and l (logo)',
     sensors: 'Sensors',

@@ -34,25 +34,6 @@ export function createGround(): Ground {
   const nearest: number[] = [];
   const found: number[] = [];
 
-  const register = (segment: Segment, halfWidth: number): void => {
-    const firstColumn = cellOf(Math.min(segment.ax, segment.ax + segment.dx) - halfWidth);
-    const lastColumn = cellOf(Math.max(segment.ax, segment.ax + segment.dx) + halfWidth);
-    const firstRow = cellOf(Math.min(segment.ay, segment.ay + segment.dy) - halfWidth);
-    const lastRow = cellOf(Math.max(segment.ay, segment.ay + segment.dy) + halfWidth);
-    const reach = halfWidth + CELL_MM * 0.7072; // half the diagonal of a cell, and a little
-    for (let column = firstColumn; column <= lastColumn; column++) {
-      for (let row = firstRow; row <= lastRow; row++) {
-        const x = (column + 0.5) * CELL_MM;
-        const y = (row + 0.5) * CELL_MM;
-        if (distanceSquared(segment, x, y) > reach * reach) continue;
-        const key = keyOf(column, row);
-        const cell = cells.get(key);
-        if (cell) cell.push(segment);
-        else cells.set(key, [segment]);
-      }
-    }
-  };
-
   const collect = (cell: readonly Segment[] | undefined, x: number, y: number): void => {
     if (!cell) return;
     for (const segment of cell) {
@@ -69,7 +50,7 @@ export function createGround(): Ground {
       halfWidths.push(stroke.widthMm / 2);
       reflectances.push(stroke.reflectance);
       nearest.push(Infinity);
-      for (const segment of segmentsOf(stroke.pointsMm, index)) register(segment, stroke.widthMm / 2);
+      for (const segment of segmentsOf(stroke.pointsMm, index)) register(cells, segment, stroke.widthMm / 2);
     },
     reflectanceAt(x, y, radiusMm) {
       const lastColumn = cellOf(x + radiusMm);
@@ -96,6 +77,26 @@ const cellOf = (coordinateMm: number): number => Math.floor(coordinateMm / CELL_
 
 /** Arenas go up to 10 m; 65 536 cells of 32 mm reach far beyond. */
 const keyOf = (column: number, row: number): number => column * 65536 + row;
+
+/** Puts a segment into every cell that its ink can reach. */
+function register(cells: Map<number, Segment[]>, segment: Segment, halfWidth: number): void {
+  const firstColumn = cellOf(Math.min(segment.ax, segment.ax + segment.dx) - halfWidth);
+  const lastColumn = cellOf(Math.max(segment.ax, segment.ax + segment.dx) + halfWidth);
+  const firstRow = cellOf(Math.min(segment.ay, segment.ay + segment.dy) - halfWidth);
+  const lastRow = cellOf(Math.max(segment.ay, segment.ay + segment.dy) + halfWidth);
+  const reach = halfWidth + CELL_MM * 0.7072; // half the diagonal of a cell, and a little
+  for (let column = firstColumn; column <= lastColumn; column++) {
+    for (let row = firstRow; row <= lastRow; row++) {
+      const x = (column + 0.5) * CELL_MM;
+      const y = (row + 0.5) * CELL_MM;
+      if (distanceSquared(segment, x, y) > reach * reach) continue;
+      const key = keyOf(column, row);
+      const cell = cells.get(key);
+      if (cell) cell.push(segment);
+      else cells.set(key, [segment]);
+    }
+  }
+}
 
 function segmentsOf(points: readonly Vec[], stroke: number): Segment[] {
   const segments: Segment[] = [];

@@ -40,7 +40,7 @@ export interface Rig {
   readonly world: World;
   readonly robot: Chassis;
   /** Sets both duties, in bytes of 255 as the robot's controller takes them, and lets the time pass. */
-  drive(leftByte: number, rightByte: number, seconds: number): void;
+  readonly drive: (leftByte: number, rightByte: number, seconds: number) => void;
 }
 
 /** Makes an arena of 4 × 4 m (or as asked) with a robot. */
