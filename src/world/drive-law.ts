@@ -7,7 +7,7 @@
  *
  * and the floor resists turning with a torque F0 · m · track, m = yawResistance · (V / v0)², V the mean speed of the wheels.
  * That torque acts like friction: it can cancel the difference of the wheels, never reverse it, and there is none in a
- * turn on the spot (V = 0). At rest in a curve the wheels therefore run at v0 · (D − coulomb ∓ m) / (D + viscous), outer
+ * turn on the spot (V = 0). In a steady curve the wheels therefore run at v0 · (D − coulomb ∓ m) / (D + viscous), outer
  * wheel minus, inner plus. Duty 0 shorts the motor: it brakes like a motor at full duty whose supply is 0.
  */
 export interface DriveLaw {

@@ -1,9 +1,6 @@
-import type { Loader } from './loader';
+import type { HostFunctions, Loader } from './loader';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
-
-/** Functions that the firmware imports, by name. */
-export type HostFunctions = Readonly<Record<string, (...args: never[]) => unknown>>;
 
 type TableFunction = (...args: readonly number[]) => number;
 

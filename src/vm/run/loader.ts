@@ -1,5 +1,7 @@
-import type { HostFunctions } from './firmware';
 import type { Memory } from './values';
+
+/** Functions that the firmware imports, by name. */
+export type HostFunctions = Readonly<Record<string, (...args: never[]) => unknown>>;
 
 /** The host functions through which the firmware finds and reads the files it imports. */
 export interface Loader {

@@ -30,7 +30,7 @@ export interface Obstacle {
 /** Rays of a beam with an incidence limit lie this far apart. Chosen: finds a flat wall at 2 m within 0.1 mm. */
 const RAY_STEP_RAD = 0.00872664625997165; // 0.5°
 
-/** Half a beam in its own frame: sensor at the origin looking along x; edges run from (ax, ay) to (bx, by). */
+/** An edge that faces the sensor, from (ax, ay) to (bx, by) in the beam's frame: sensor at the origin, looking along x. */
 interface Edge {
   readonly ax: number;
   readonly ay: number;
