@@ -1,5 +1,8 @@
 import { defineConfig } from '@playwright/test';
 
+/** What needs Playwright's own `page`: the network, the console, axe. */
+const IN_CHROMIUM_ALONE = '**/*.chromium.test.ts';
+
 /**
  * The browser tests. `npm run e2e` starts them: it builds the app, serves it with the headers of a real host and tells
  * by environment variables where the app and the browsers are.
@@ -31,6 +34,7 @@ export default defineConfig({
     },
     {
       name: 'firefox',
+      testIgnore: IN_CHROMIUM_ALONE,
       use: {
         browserName: 'firefox',
         channel: 'moz-firefox', // drives an unpatched Firefox over WebDriver BiDi
@@ -38,6 +42,6 @@ export default defineConfig({
         launchOptions: { executablePath: process.env['PARCOURS_FIREFOX'] ?? '/usr/bin/firefox-esr' },
       },
     },
-    { name: 'webkit', use: { browserName: 'webkit' } }, // e2e/webkit.ts drives WebKitGTK; Playwright never starts it
+    { name: 'webkit', testIgnore: IN_CHROMIUM_ALONE, use: { browserName: 'webkit' } }, // e2e/webkit.ts drives WebKitGTK; Playwright never starts it
   ],
 });

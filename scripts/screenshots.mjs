@@ -1,4 +1,4 @@
-// node scripts/screenshots.mjs: takes the pictures of the README from the running app, with the Chromium that the tests use.
+// npm run screenshots: takes the pictures of the README from the running app, with the Chromium that the tests use.
 import { mkdir } from 'node:fs/promises';
 import { chromium } from '@playwright/test';
 import { engines } from './browsers.mjs';
@@ -10,7 +10,6 @@ const PICTURES = [
   { name: 'app', width: 1440, height: 900, dark: false },
   { name: 'app-dark', width: 1440, height: 900, dark: true },
   { name: 'tablet', width: 820, height: 1180, dark: false },
-  { name: 'phone', width: 390, height: 844, dark: false },
 ];
 /** Long enough for the first course's robot to be on its way. */
 const DRIVING_MS = 6_000;
@@ -25,7 +24,7 @@ async function take(browser, url, { name, width, height, dark }) {
   const page = await context.newPage();
   page.on('console', (message) => note(`${name}: the page says ${message.text()}`));
   await page.goto(url);
-  await page.click('[data-testid="run"]');
+  await page.click('button.run');
   await page.waitForTimeout(DRIVING_MS);
   await page.screenshot({ path: `${root}docs/images/${name}.png` });
   await context.close();

@@ -1,0 +1,17 @@
+import { computed, type ComputedRef } from 'vue';
+
+/** A computed list or record that stays the same object while its values do: what is drawn from it is not drawn anew. */
+export function steady<T extends object>(values: () => T): ComputedRef<T> {
+  return computed<T>((before) => {
+    const now = values();
+    return before !== undefined && sameValues(before, now) ? before : now;
+  });
+}
+
+function sameValues(one: object, other: object): boolean {
+  const keys = Object.keys(one);
+  return (
+    keys.length === Object.keys(other).length &&
+    keys.every((key) => Object.is(one[key as keyof typeof one], other[key as keyof typeof other]))
+  );
+}
