@@ -58,7 +58,8 @@ export function useLongPress(): Readonly<ShallowRef<Hint | null>> {
   };
   for (const [type, listener] of Object.entries(listeners)) addEventListener(type, listener as EventListener, true);
   onScopeDispose(() => {
-    for (const [type, listener] of Object.entries(listeners)) removeEventListener(type, listener as EventListener, true);
+    for (const [type, listener] of Object.entries(listeners))
+      removeEventListener(type, listener as EventListener, true);
   });
   return hint;
 }

@@ -115,7 +115,8 @@ export const de = {
     zoomOut: 'Verkleinern',
     fit: 'Ganze Arena zeigen',
     hand: 'Hand: Zieh den Roboter, dreh ihn am Griff.',
-    place: 'Zurück auf Start',
+    summary: 'Roboter bei x {x} cm, y {y} cm, Richtung {heading} Grad.',
+    summaryDistance: 'Vor ihm in {cm} cm ist ein Hindernis.',
   },
   console: {
     pane: 'Konsole',

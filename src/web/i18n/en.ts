@@ -117,7 +117,8 @@ export const en: Texts = {
     zoomOut: 'Zoom out',
     fit: 'Show the whole arena',
     hand: 'Hand: drag the robot, turn it by its handle.',
-    place: 'Back to the start',
+    summary: 'Robot at x {x} cm, y {y} cm, heading {heading} degrees.',
+    summaryDistance: 'An obstacle is {cm} cm ahead.',
   },
   console: {
     pane: 'Console',
