@@ -1,19 +1,19 @@
-# Erste Fahrt
-# Ein Quadrat und ein Kreis. Verändere die Zahlen und schau, was passiert!
+# Hindernissen ausweichen
+# Der Ultraschall misst den Abstand nach vorne in Zentimetern.
 from mbrobot import *
 
-setSpeed(50)
+setSpeed(40)
 setLED(1)
 
-for side in range(4):
-    forward()
-    delay(1200)
-    left()
-    delay(372)          # so lange dauert eine Vierteldrehung
-
-setLED(0)
-fillRGB(0, 60, 0)
-rightArc(0.15)          # ein Kreis mit 15 cm Radius
-delay(7000)
-stop()
-clearRGB()
+while True:
+    if getDistance() < 15:
+        stop()
+        setAlarm(1)
+        backward()          # ein Stück zurück
+        delay(400)
+        setAlarm(0)
+        left()              # dann nach links drehen
+        delay(450)
+    else:
+        forward()
+    delay(20)

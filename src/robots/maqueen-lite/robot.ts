@@ -18,11 +18,9 @@ import { STEP_US, type Cone } from '#world/world';
 import type { Robot, RobotContext, RobotState, RobotType, UltrasonicState } from '../robot';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import drawing from './robot.svg?raw';
+import firstDrive from './examples/first_drive.py?raw';
 import lights from './examples/lights.py?raw';
-import lineFollower from './examples/line_follower.py?raw';
-import maze from './examples/maze.py?raw';
 import square from './examples/square.py?raw';
-import wallAvoider from './examples/wall_avoider.py?raw';
 import mbalarm from './library/mbalarm.py?raw';
 import mbrobot from './library/mbrobot.py?raw';
 import mbrobotmot from './library/mbrobotmot.py?raw';
@@ -69,7 +67,7 @@ const body: ChassisType = {
     yawResistance: 0.0414,
     stallForceN: 1, // chosen: computed to push two 40 g blocks at byte 39; at full power the tyres slip first
     // chosen: that is 0.13 s at the usual speed of 50, where the short pulses pull little; with twice as much the
-    // line follower among the examples loses the line in curves of 15 cm
+    // line follower of courses/closed-line loses the line in curves of 15 cm
     lagS: 0.03,
   },
 };
@@ -95,9 +93,7 @@ export const maqueenLite: RobotType = {
   body,
   libraries: { 'mbrobot.py': mbrobot, 'mbrobotmot.py': mbrobotmot, 'mbalarm.py': mbalarm },
   examples: [
-    { file: 'line_follower.py', title: { de: 'Der Linie folgen', en: 'Follow the line' }, source: lineFollower },
-    { file: 'wall_avoider.py', title: { de: 'Hindernissen ausweichen', en: 'Avoid the walls' }, source: wallAvoider },
-    { file: 'maze.py', title: { de: 'Durch das Labyrinth', en: 'Through the maze' }, source: maze },
+    { file: 'first_drive.py', title: { de: 'Erste Fahrt', en: 'First drive' }, source: firstDrive },
     { file: 'square.py', title: { de: 'Ein Quadrat fahren', en: 'Drive a square' }, source: square },
     { file: 'lights.py', title: { de: 'Lichter', en: 'Lights' }, source: lights },
   ],

@@ -134,6 +134,7 @@ function createRun(parts: RunParts): RunModel {
     onOutput: (text) => parts.console.write(text),
     onEnded: (ended) => showEnd(parts, ended),
     onFailed: (message) => parts.notices.show({ kind: 'error', key: 'notice.failed', values: { message } }),
+    onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
     onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
   });
   watch(run.phase, (phase) => {

@@ -14,52 +14,77 @@ export interface Hint {
   readonly yPx: number;
 }
 
+/** How long a hint stays after the finger has left, in ms. */
+const LINGER_MS = 1200;
+
 /**
  * Hints for fingers: a mouse sees a control's title when it rests on it, a finger when it is held down. The tap that
  * showed a hint does nothing else; every other tap acts at once.
  */
 export function useLongPress(): Readonly<ShallowRef<Hint | null>> {
-  const hint = shallowRef<Hint | null>(null);
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  let start = { x: 0, y: 0 };
-  let swallow = false;
-
-  const listeners: { [type: string]: (event: PointerEvent) => void } = {
-    pointerdown(event) {
-      clearTimeout(timer);
-      hint.value = null;
-      swallow = false;
-      const control = event.target instanceof Element ? event.target.closest<HTMLElement>('button[title]') : null;
-      if (event.pointerType !== 'touch' || control === null) return;
-      start = { x: event.clientX, y: event.clientY };
-      timer = setTimeout(() => {
-        const box = control.getBoundingClientRect();
-        hint.value = { text: control.title, xPx: box.left + box.width / 2, yPx: box.bottom };
-        swallow = true;
-      }, HOLD_MS);
-    },
-    pointermove(event) {
-      if (Math.hypot(event.clientX - start.x, event.clientY - start.y) > SLIP_PX) clearTimeout(timer);
-    },
-    pointerup() {
-      clearTimeout(timer);
-      setTimeout(() => (hint.value = null), 1200);
-    },
-    pointercancel() {
-      clearTimeout(timer);
-      hint.value = null;
-    },
-    click(event) {
-      if (!swallow) return;
-      swallow = false;
-      event.preventDefault();
-      event.stopPropagation();
-    },
+  const press = new LongPress();
+  const listeners = {
+    pointerdown: (event: PointerEvent) => press.start(event),
+    pointermove: (event: PointerEvent) => press.move(event),
+    pointerup: () => press.end(),
+    pointercancel: () => press.end(),
+    contextmenu: (event: Event) => press.menu(event),
+    click: (event: Event) => press.click(event),
   };
-  for (const [type, listener] of Object.entries(listeners)) addEventListener(type, listener as EventListener, true);
+  const entries = Object.entries(listeners) as [string, EventListener][];
+  for (const [type, listener] of entries) addEventListener(type, listener, true);
   onScopeDispose(() => {
-    for (const [type, listener] of Object.entries(listeners))
-      removeEventListener(type, listener as EventListener, true);
+    for (const [type, listener] of entries) removeEventListener(type, listener, true);
   });
-  return hint;
+  return press.hint;
+}
+
+/** One finger on one control at a time. */
+class LongPress {
+  readonly hint = shallowRef<Hint | null>(null);
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private control: HTMLElement | null = null;
+  private from = { x: 0, y: 0 };
+  private swallowsClick = false;
+
+  start(event: PointerEvent): void {
+    clearTimeout(this.timer);
+    this.hint.value = null;
+    this.swallowsClick = false;
+    const target = event.target instanceof Element ? event.target.closest<HTMLElement>('button[title]') : null;
+    this.control = event.pointerType === 'touch' ? target : null;
+    this.from = { x: event.clientX, y: event.clientY };
+    if (this.control !== null) this.timer = setTimeout(() => this.show(), HOLD_MS);
+  }
+
+  move(event: PointerEvent): void {
+    if (Math.hypot(event.clientX - this.from.x, event.clientY - this.from.y) > SLIP_PX) clearTimeout(this.timer);
+  }
+
+  end(): void {
+    clearTimeout(this.timer);
+    if (this.hint.value !== null) this.timer = setTimeout(() => (this.hint.value = null), LINGER_MS);
+  }
+
+  /** A browser that has noticed the long press itself wants to open its menu: the hint is what is wanted here. */
+  menu(event: Event): void {
+    if (this.control === null) return;
+    event.preventDefault();
+    this.show();
+  }
+
+  click(event: Event): void {
+    if (!this.swallowsClick) return;
+    this.swallowsClick = false;
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  private show(): void {
+    if (this.control === null) return;
+    clearTimeout(this.timer);
+    const box = this.control.getBoundingClientRect();
+    this.hint.value = { text: this.control.title, xPx: box.left + box.width / 2, yPx: box.bottom };
+    this.swallowsClick = true;
+  }
 }

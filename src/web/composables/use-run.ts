@@ -22,6 +22,8 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onStart(): void;
   onOutput(text: string): void;
   onEnded(ended: Ended): void;
+  /** The VM could not be loaded: no connection, most likely. */
+  onUnavailable(): void;
   onFailed(message: string): void;
   onKilled(): void;
 }
@@ -71,9 +73,9 @@ export class RunModel {
     this.host.onStart();
     try {
       await this.client.start(this.host.setup(), this.speed, paused);
-    } catch (error) {
+    } catch {
       this.end('failed');
-      this.host.onFailed(error instanceof Error ? error.message : String(error));
+      this.host.onUnavailable();
     }
   }
   private startsPaused = false;
