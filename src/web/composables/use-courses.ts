@@ -1,5 +1,7 @@
-import type { Previous } from '../project/history';
+import type { RobotExample } from '#robots/robot';
 import { courseName, isUntouched, projectOf, type Course } from '../project/courses';
+import type { Previous } from '../project/history';
+import { MAIN, type Project } from '../project/project';
 import type { App } from './use-app';
 import { workName } from './use-file-transfer';
 
@@ -7,20 +9,29 @@ import { workName } from './use-file-transfer';
 export function useCourses(app: App) {
   const { work, notices, dialogs } = app;
 
-  function openWhole(course: Course, keep: boolean): void {
-    work.openProject(projectOf(course), keep ? workName(app) : null);
+  function open(project: Project, name: string, keep: boolean): void {
+    work.openProject(project, keep ? workName(app) : null);
     const kept = work.work.value.previous[0];
-    const values = { name: courseName(course.scene, course.id) };
     if (keep && kept !== undefined) {
       notices.show({
         kind: 'ok',
         key: 'course.keptWork',
-        values,
+        values: { name },
         action: { key: 'course.restore', run: () => restore(kept) },
       });
     } else {
-      notices.show({ kind: 'ok', key: 'course.opened', values });
+      notices.show({ kind: 'ok', key: 'course.opened', values: { name } });
     }
+  }
+
+  const openWhole = (course: Course, keep: boolean): void =>
+    open(projectOf(course), courseName(course.scene, course.id), keep);
+
+  /** Puts a sample program into the arena that is open. */
+  function openExample(example: RobotExample): void {
+    const { project } = work.work.value;
+    const title = example.title[app.settings.current.value.language];
+    open({ ...project, files: [{ name: MAIN, text: example.source }] }, title, !isUntouched(project));
   }
 
   /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
@@ -48,5 +59,5 @@ export function useCourses(app: App) {
     notices.show({ kind: 'ok', key: 'course.restored' });
   }
 
-  return { openCourse, restore };
+  return { openCourse, openExample, restore };
 }

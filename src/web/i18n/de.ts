@@ -144,6 +144,7 @@ export const de = {
   },
   course: {
     title: 'Kurse',
+    examples: 'Beispielprogramme',
     opened: '«{name}» ist geöffnet.',
     keptWork: '«{name}» ist geöffnet. Deine Arbeit ist aufbewahrt.',
     restore: 'Zurückholen',

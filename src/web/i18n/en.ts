@@ -146,6 +146,7 @@ export const en: Texts = {
   },
   course: {
     title: 'Courses',
+    examples: 'Sample programs',
     opened: '“{name}” is open.',
     keptWork: '“{name}” is open. Your work has been kept.',
     restore: 'Bring it back',

@@ -1,3 +1,5 @@
+import { robotTypes } from '#robots/index';
+import type { RobotExample } from '#robots/robot';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
@@ -50,11 +52,15 @@ export function firstCourse(): Course | undefined {
   return courses.find((course) => course.id.includes(FIRST)) ?? courses[0];
 }
 
-/** The files are just as some course brought them: nothing of the pupil's own is in them. */
+/** Sample programs of the robots, for any arena. */
+export const examples: readonly RobotExample[] = robotTypes.flatMap((type) => type.examples);
+
+/** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
 export function isUntouched(project: Project): boolean {
   const [main, ...others] = project.files;
   if (others.length > 0 || main === undefined) return false;
-  return main.text.trim() === '' || courses.some((course) => course.program === main.text);
+  const brought = [...courses.map(({ program }) => program), ...examples.map(({ source }) => source)];
+  return main.text.trim() === '' || brought.includes(main.text);
 }
 
 /** Our own courses' texts in all languages; other courses speak as their file does. */
