@@ -95,7 +95,7 @@ function circleMm(law, radiusM, percent) {
   return ((TRACK_MM / 2) * (outer + inner)) / Math.max(outer - inner, 1e-9);
 }
 
-const straightError = (law, [byte, speed]) => Math.log(Math.max(wheelSpeed(law, byte, 0), 1) / speed);
+const straightError = (law, row) => Math.log(Math.max(wheelSpeed(law, row[0], 0), 1) / row[1]);
 const circleError = (law, radiusM, percent) => Math.log(circleMm(law, radiusM, percent) / (1000 * radiusM));
 
 function lawOf([v0, coulomb, viscous, yawResistance]) {

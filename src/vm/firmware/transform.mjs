@@ -19,8 +19,12 @@ export const STACK_LIMIT_BYTES = 72 * 1024;
 
 const EMPTY = '\\(i32\\.const 0\\)';
 
-/** @param {Uint8Array} published the .wasm of the npm package  @returns {Uint8Array} the firmware */
-export function transform(published, report = () => {}) {
+/**
+ * @param {Uint8Array} published the .wasm of the npm package
+ * @param {(step: string) => void} report is told what happens now
+ * @returns {Uint8Array} the firmware
+ */
+export function transform(published, report) {
   report('reading');
   const original = binaryen.readBinary(published);
   const features = original.getFeatures();
