@@ -4,10 +4,15 @@ import { runProgram } from './testing/run-program';
 const KIB = 1024;
 
 describe('the heap', () => {
-  it('has as much room as a micro:bit: between 60 and 62.5 KiB for an empty program', () => {
-    const free = Number(runProgram('import gc\nprint(gc.mem_free())').console);
-    expect(free).toBeGreaterThan(60 * KIB);
-    expect(free).toBeLessThan(62.6 * KIB);
+  it('has 63984 bytes free, and 63712 after two strings, as measured on a board (micropython-microbit-v2 issue #146)', () => {
+    const { console } = runProgram(`import gc
+gc.collect()
+print(gc.mem_free())
+
+xxx = "12345678901234567890" * 5 + "xx"
+print(gc.mem_free())
+`);
+    expect(console).toBe('63984\n63712\n');
   });
 
   it('is the same whatever the program is called upon to import', () => {
@@ -21,7 +26,7 @@ describe('the heap', () => {
   it('is empty again when the program has ended', () => {
     const { heapFree } = runProgram('data = [str(i) for i in range(500)]');
     expect(heapFree).toBeGreaterThan(62 * KIB);
-    expect(heapFree).toBeLessThanOrEqual(4002 * 16);
+    expect(heapFree).toBeLessThanOrEqual(64512);
   });
 
   it('survives a million short-lived objects', () => {
