@@ -125,7 +125,7 @@ export class Simulation {
     return this.setup.scene;
   }
 
-  /** Free bytes on the program's heap when it ended; 0 while it runs. */
+  /** Free bytes on the program's heap now, or when it ended. */
   heapFree(): number {
     return this.vm.heapFree();
   }

@@ -110,6 +110,19 @@ except ValueError as error:
     expect(ended?.exception).toMatchObject({ type: 'SyntaxError', message: 'invalid syntax', line: 2 });
   });
 
+  it('shows a sad face for a second on the display, then scrolls line, name and message', () => {
+    const { vm, clock, board } = deviceWith('x');
+    const lit = () => board.display.pixels.filter((level) => level > 0).length;
+    vm.resume(SECOND);
+    const endUs = clock.nowUs;
+    clock.advanceTo(endUs + SECOND - 10_000);
+    expect(lit()).toBe(7);
+    clock.advanceTo(endUs + 2 * SECOND);
+    expect(board.display.isAnimating).toBe(true);
+    clock.advanceTo(endUs + 40 * SECOND);
+    expect([board.display.isAnimating, lit()]).toEqual([false, 0]);
+  });
+
   it('is silent for SystemExit', () => {
     expect(runProgram('import sys\nprint(1)\nsys.exit()\nprint(2)')).toMatchObject({
       console: '1\n',

@@ -2,6 +2,7 @@ import { ConsolePort } from './console-port';
 import { Files } from './files';
 import { Report, type VmEnd } from './report';
 import { Session } from './session';
+import { showError } from './show-error';
 import type { VmSetup } from './vm-setup';
 
 export type { VmEnd, VmException } from './report';
@@ -30,15 +31,22 @@ export function createVm(setup: VmSetup): Vm {
   const report = new Report((text) => setup.write(text), setup.files['main.py']?.length ?? 0);
   const port = new ConsolePort((bytes) => report.write(bytes));
   let session = new Session(setup, { files, port, report });
+  const runOn = (limitUs: number): void => {
+    while (setup.clock.nowUs < limitUs && session.run(limitUs) === 'reset') {
+      // Like the device: files stay, everything else begins anew.
+      setup.clock.advanceTo(setup.clock.nowUs + RESET_US);
+      session = new Session(setup, { files, port, report });
+    }
+  };
+  const showFailure = (): void => {
+    const { ended } = report;
+    if (ended?.kind === 'exception' && ended.exception) showError(setup.board, ended.exception);
+  };
   return {
     resume: (limitUs) => {
-      while (report.ended === null && setup.clock.nowUs < limitUs) {
-        const state = session.run(limitUs);
-        if (state !== 'reset') return;
-        // Like the device: files stay, everything else begins anew.
-        setup.clock.advanceTo(setup.clock.nowUs + RESET_US);
-        session = new Session(setup, { files, port, report });
-      }
+      if (report.ended !== null) return;
+      runOn(limitUs);
+      showFailure();
     },
     get ended() {
       return report.ended;
