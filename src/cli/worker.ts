@@ -9,8 +9,8 @@ import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
-/** Simulated time between two looks at the outside. Chosen: one row of the trace; takes well under 10 ms of wall time. */
-const SLICE_US = 20_000;
+/** Simulated time between two looks at the outside. Chosen: some ms of wall time, yet few suspensions of the program. */
+const SLICE_US = 100_000;
 
 /** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
 const MESSAGE_MS = 50;
