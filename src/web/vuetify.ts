@@ -32,7 +32,8 @@ export const vuetify = createVuetify({
   theme: { defaultTheme: 'light', themes: { light, dark } },
   icons: { defaultSet: 'mdi', aliases, sets: { mdi } },
   defaults: {
-    VMenu: { offset: 6, transition: 'fade-transition' },
+    // Menus open inside a landmark of the page, so that screen readers find them there.
+    VMenu: { attach: '#menus', offset: 6, transition: 'fade-transition' },
     VListItem: { ripple: false },
     VDialog: { transition: 'fade-transition' },
   },

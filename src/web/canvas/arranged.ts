@@ -62,13 +62,18 @@ export interface ArenaSummary {
 /** The figures of a summary, or `null` without a robot. */
 export function summaryOf(robot: ArenaRobot | null): ArenaSummary | null {
   if (robot === null) return null;
-  const turns = robot.pose.headingRad / (2 * Math.PI);
-  const headingDeg = Math.round((turns - Math.round(turns)) * 360) + 0;
   const distanceMm = robot.state.ultrasonic?.distanceMm ?? null;
   return {
     xCm: Math.round(robot.pose.xMm / 10),
     yCm: Math.round(robot.pose.yMm / 10),
-    headingDeg: headingDeg === -180 ? 180 : headingDeg,
+    headingDeg: degreesOf(robot.pose.headingRad, 1),
     distanceCm: distanceMm === null ? null : Math.round(distanceMm / 10),
   };
+}
+
+/** A heading in degrees, more than −180 up to 180, rounded to one part in `perDegree` of a degree. */
+export function degreesOf(headingRad: number, perDegree: number): number {
+  const turns = headingRad / (2 * Math.PI);
+  const degrees = Math.round((turns - Math.round(turns)) * 360 * perDegree) / perDegree + 0;
+  return degrees === -180 ? 180 : degrees;
 }

@@ -129,10 +129,11 @@ function createRun(parts: RunParts): RunModel {
     onStart: () => {
       runs += 1;
       parts.jump.wrong.value = null;
+      parts.notices.close();
       parts.console.startRun(runs);
     },
     onOutput: (text) => parts.console.write(text),
-    onEnded: (ended) => showEnd(parts, ended),
+    onEnded: (ended) => showEnd(parts, ended, isDriving(run)),
     onFailed: (message) => parts.notices.show({ kind: 'error', key: 'notice.failed', values: { message } }),
     onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
     onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
@@ -157,20 +158,43 @@ function setupOf({ work, hand }: RunParts) {
 }
 
 /** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
-function showEnd({ work, console, jump }: RunParts, ended: Ended): void {
+function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
+  const { work, console, jump, layout, notices } = parts;
   const { exception } = ended;
-  if (exception === null) return;
+  if (exception === null) {
+    console.addNote(drives ? 'console.finishedDriving' : 'console.finished');
+    return;
+  }
   const names = work.files.value.map((file) => file.name);
   const place = lastPlace(exception.traceback, names);
   jump.wrong.value = place;
   console.addError(place, adviceFor(exception));
+  if (drives) console.addNote('console.motorsOn');
+  // A phone shows one pane: an error must not stay hidden behind a tab.
+  if (layout.kind.value !== 'phone' || layout.tab.value === 'console') return;
+  const show = (): void => void (layout.tab.value = 'console');
+  const text = errorText(ended, names);
+  if (text !== null) notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
+}
+
+/** Whether the motors turn: they go on when the program is over, as on the real robot. */
+function isDriving(run: RunModel): boolean {
+  const duty = run.snapshot.value?.robot?.state.duty;
+  return duty !== undefined && (duty.left !== 0 || duty.right !== 0);
 }
 
 /** What the live region says about an error. */
 export function errorSentence(ended: Ended, files: readonly string[]): string {
-  if (ended.exception === null) return '';
-  const advice = adviceFor(ended.exception);
+  const text = errorText(ended, files);
+  return text === null ? '' : t(text.key, text.values);
+}
+
+function errorText({ exception }: Ended, files: readonly string[]) {
+  if (exception === null) return null;
+  const advice = adviceFor(exception);
   const message = t(advice.key, advice.values);
-  const place = lastPlace(ended.exception.traceback, files);
-  return place === null ? t('state.announceError', { message }) : t('state.announceErrorLine', { ...place, message });
+  const place = lastPlace(exception.traceback, files);
+  return place === null
+    ? { key: 'state.announceError' as const, values: { message } }
+    : { key: 'state.announceErrorLine' as const, values: { ...place, message } };
 }

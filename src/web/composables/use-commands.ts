@@ -39,6 +39,12 @@ export function useCommandsOf(app: App) {
     take,
     load,
     save: (): void => saveFile(app, app.work.open.value),
+    /** Sound on or off, and in words what that means. */
+    switchSound: (): void => {
+      const muted = !app.settings.current.value.muted;
+      app.settings.change({ muted });
+      app.notices.show({ kind: 'info', key: muted ? 'notice.muted' : 'notice.unmuted' });
+    },
     /** The other one of light and dark than is shown now. */
     switchTheme: (): void => {
       const dark = document.documentElement.dataset['theme'] === 'dark';

@@ -2,6 +2,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from '../console/console-log';
 import type { Advice } from '../console/error-advice';
+import type { TextKey } from '../i18n/texts';
 
 /** How often new output is shown, in ms. Not by animation frames: those stop in a tab that is not seen. */
 const SHOW_EVERY_MS = 50; // chosen: 20 times a second reads as at once
@@ -32,6 +33,13 @@ export class ConsoleModel {
   startRun(number: number): void {
     this.show();
     this.log.add({ kind: 'run', number });
+    this.show();
+  }
+
+  /** Adds a sentence of the app itself. */
+  addNote(key: TextKey): void {
+    this.show();
+    this.log.add({ kind: 'note', key });
     this.show();
   }
 

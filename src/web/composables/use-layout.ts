@@ -2,8 +2,14 @@ import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef
 
 import type { SettingsModel } from './use-settings';
 
-/** How the panes lie: `wide` from 1280 px, `medium` from 1001, `narrow` from 600, `phone` below. */
+/**
+ * How the panes lie: `wide` from 1280 px, `medium` from 1001, `narrow` from 600, `phone` below, and wherever the window is
+ * too low for several panes: a phone held across. The same limits stand in the styles of a phone.
+ */
 export type LayoutKind = 'wide' | 'medium' | 'narrow' | 'phone';
+
+/** Whether panes are stacked or behind tabs, so that an error shows its explanation first. */
+export const hasLittleRoom = (kind: LayoutKind): boolean => kind === 'narrow' || kind === 'phone';
 
 /** The four panes. */
 export const PANES = ['code', 'board', 'arena', 'console'] as const;
@@ -29,9 +35,9 @@ export interface PaneSizes {
 }
 
 const QUERIES: readonly [LayoutKind, string][] = [
-  ['wide', '(min-width: 1280px)'],
-  ['medium', '(min-width: 1001px)'],
-  ['narrow', '(min-width: 600px)'],
+  ['wide', '(min-width: 1280px) and (min-height: 440px)'],
+  ['medium', '(min-width: 1001px) and (min-height: 440px)'],
+  ['narrow', '(min-width: 600px) and (min-height: 600px)'],
 ];
 
 /** Sizes that suit each layout, from the picture of the app's look. */

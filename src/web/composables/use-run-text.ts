@@ -4,12 +4,12 @@ import { t } from '../i18n';
 import type { TextKey } from '../i18n/texts';
 import type { App } from './use-app';
 
-/** Minutes, seconds and tenths of simulated time: `00:42.6`. */
-export function clockText(timeUs: number): string {
-  const tenths = Math.floor(timeUs / 100_000);
-  const minutes = Math.floor(tenths / 600);
-  const seconds = Math.floor(tenths / 10) % 60;
-  return `${String(minutes).padStart(2, '0')}:${String(seconds).padStart(2, '0')}.${tenths % 10}`;
+/** Minutes, seconds and tenths of simulated time: `00:42.6`; with `fine` also hundredths, in which a step shows. */
+export function clockText(timeUs: number, fine = false): string {
+  const whole = Math.floor(timeUs / 1_000_000);
+  const part = Math.floor((timeUs % 1_000_000) / (fine ? 10_000 : 100_000));
+  const two = (number: number): string => String(number).padStart(2, '0');
+  return `${two(Math.floor(whole / 60))}:${two(whole % 60)}.${fine ? two(part) : part}`;
 }
 
 /** The run's state in a word, its colour, and its clock. */
@@ -38,6 +38,6 @@ export function useRunText({ run }: Pick<App, 'run'>) {
   return {
     tone: computed(() => state.value.tone),
     stateText: computed(() => t(state.value.key)),
-    timeText: computed(() => clockText(run.nowUs.value)),
+    timeText: computed(() => clockText(run.nowUs.value, run.phase.value === 'paused')),
   };
 }

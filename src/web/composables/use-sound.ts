@@ -1,4 +1,4 @@
-import { onScopeDispose, watch } from 'vue';
+import { computed, onScopeDispose, watch, type ComputedRef } from 'vue';
 
 import type { App } from './use-app';
 
@@ -6,6 +6,8 @@ import type { App } from './use-app';
 const LOUDNESS = 0.04;
 /** Time constant of switching on and off, in s: without it every note clicks. */
 const SMOOTH_S = 0.005;
+/** Silence after which the sound system is put to sleep, in ms: awake it costs a weak tablet a few percent all the time. */
+const SLEEP_AFTER_MS = 3000;
 
 /** What sounds: one oscillator, like the board's one speaker pin. */
 interface Voice {
@@ -14,24 +16,52 @@ interface Voice {
   readonly gain: GainNode;
 }
 
-/** Lets the tone of the run be heard, unless muted. The first run is a tap or a key, which browsers ask for before sound. */
+/** The tone that the run makes now, in Hz, whether it is heard or not; 0: none. */
+export function useTone({ run }: Pick<App, 'run'>): ComputedRef<number> {
+  return computed(() => (run.phase.value === 'running' ? (run.snapshot.value?.sound?.hz ?? 0) : 0));
+}
+
+/** Lets the tone of the run be heard, unless muted. */
 export function useSound({ run, settings }: Pick<App, 'run' | 'settings'>): void {
   let voice: Voice | null = null;
+  let sleep: ReturnType<typeof setTimeout> | undefined;
+  const tone = useTone({ run });
+  const muted = computed(() => settings.current.value.muted);
+  const heard = computed(() => (muted.value ? 0 : tone.value));
+
+  /** Browsers let sound begin only inside a tap or a key press: the one that starts a run or unmutes. */
+  function wake(): void {
+    voice ??= createVoice();
+    if (voice?.context.state === 'suspended') voice.context.resume().catch(() => undefined);
+    rest();
+  }
+  function rest(): void {
+    clearTimeout(sleep);
+    sleep = setTimeout(() => void voice?.context.suspend().catch(() => undefined), SLEEP_AFTER_MS);
+  }
   watch(
-    () => {
-      const audible = run.phase.value === 'running' && !settings.current.value.muted;
-      return audible ? (run.snapshot.value?.sound?.hz ?? 0) : 0;
+    () => run.phase.value === 'starting' && !muted.value,
+    (starts) => {
+      if (starts) wake();
     },
-    (hz) => {
-      if (hz > 0) voice ??= createVoice();
-      if (voice === null) return;
-      const { context, oscillator, gain } = voice;
-      if (context.state === 'suspended') void context.resume();
-      if (hz > 0) oscillator.frequency.setValueAtTime(Math.min(hz, context.sampleRate / 2), context.currentTime);
-      gain.gain.setTargetAtTime(hz > 0 ? LOUDNESS : 0, context.currentTime, SMOOTH_S);
-    },
+    { flush: 'sync' },
   );
-  onScopeDispose(() => void voice?.context.close());
+  watch(heard, (hz) => {
+    if (hz > 0) wake();
+    if (voice === null) return;
+    const { context, oscillator, gain } = voice;
+    if (hz > 0) {
+      clearTimeout(sleep);
+      oscillator.frequency.setValueAtTime(Math.min(hz, context.sampleRate / 2), context.currentTime);
+    } else {
+      rest();
+    }
+    gain.gain.setTargetAtTime(hz > 0 ? LOUDNESS : 0, context.currentTime, SMOOTH_S);
+  });
+  onScopeDispose(() => {
+    clearTimeout(sleep);
+    void voice?.context.close();
+  });
 }
 
 function createVoice(): Voice | null {

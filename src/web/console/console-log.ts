@@ -1,3 +1,4 @@
+import type { TextKey } from '../i18n/texts';
 import type { Advice } from './error-advice';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
@@ -13,6 +14,7 @@ export type ConsoleEntry =
       readonly text: string;
       readonly lines: number;
     }
+  | { readonly id: number; readonly kind: 'note'; readonly key: TextKey }
   | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
 
 /** Where an error happened: a file of the pupil and its line, counted from 1. */
@@ -28,6 +30,7 @@ const TRACEBACK = 'Traceback (most recent call last):';
 
 type NewEntry =
   | { readonly kind: 'run'; readonly number: number }
+  | { readonly kind: 'note'; readonly key: TextKey }
   | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
 /** A text entry while `write` adds to it; afterwards it never changes. */
 type OpenEntry = { -readonly [K in keyof TextEntry]: TextEntry[K] };
@@ -72,7 +75,7 @@ export class ConsoleLog {
     this.kept = entries;
   }
 
-  /** Adds a heading or an error card on a line of its own. */
+  /** Adds a heading, a note or an error card on a line of its own. */
   add(entry: NewEntry): void {
     if (entry.kind === 'run') this.tone = 'plain';
     this.lineStart = true;

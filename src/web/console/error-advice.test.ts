@@ -28,6 +28,13 @@ describe('advice for an error', () => {
     );
   });
 
+  it('says that the program is too long where the board has no room for its text', () => {
+    const traceback =
+      'MemoryError: …\nmain.py: the program is too long for the board. It has 65800 characters; about 20000 fit.\n';
+    expect(adviceFor({ type: 'MemoryError', message: '', traceback }).key).toBe('error.tooLong');
+    expect(adviceFor({ type: 'MemoryError', message: '', traceback: 'MemoryError: \n' }).key).toBe('error.MemoryError');
+  });
+
   it('has something to say about an exception it does not know', () => {
     expect(adviceFor({ type: 'PupilError', message: '' })).toEqual({
       key: 'error.other',

@@ -12,6 +12,7 @@ export interface Advice {
 export interface Failure {
   readonly type: string;
   readonly message: string;
+  readonly traceback?: string;
 }
 
 const PLAIN = [
@@ -20,8 +21,10 @@ const PLAIN = [
 ] as const; // prettier-ignore
 
 /** What a pupil should read about an exception: first in their words, then in the device's. */
-export function adviceFor({ type, message }: Failure): Advice {
+export function adviceFor({ type, message, traceback = '' }: Failure): Advice {
   const device = message === '' ? type : `${type}: ${message}`;
+  if (type === 'MemoryError' && traceback.includes('too long for the board'))
+    return { key: 'error.tooLong', values: {}, device };
   const plain = PLAIN.find((name) => name === type);
   if (plain !== undefined) return { key: `error.${plain}`, values: {}, device };
   return { ...special(type, message), device };

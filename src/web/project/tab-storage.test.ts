@@ -76,6 +76,13 @@ describe('the storage of a tab', () => {
     expect(tab.save('b'.repeat(500))).toBe(false);
   });
 
+  it('gives up no copy of another tab for a text of 10 MB, which would not fit anyway', () => {
+    const local = store(5_000_000);
+    createTabStorage(store(), local, newName).save('mine');
+    expect(createTabStorage(store(), local, newName).save('x'.repeat(10_000_000))).toBe(false);
+    expect([...local.all.values()]).toContain('mine');
+  });
+
   it('works without any storage', () => {
     const none: TextStore = {
       length: 0,

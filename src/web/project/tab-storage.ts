@@ -16,6 +16,8 @@ const LAST = 'parcours.last';
 
 /** Copies of closed tabs that are kept. */
 const COPIES = 5;
+/** Longer than this (characters) no work of a pupil is; a browser gives a page about five million. */
+const HUGE = 1_000_000;
 
 /**
  * Storage of one browser tab. `session` belongs to the tab and survives its reloads; `local` is shared by all tabs, where
@@ -31,7 +33,7 @@ export function createTabStorage(session: TextStore, local: TextStore, newName: 
     load: () => get(session, WORK) ?? copyOf(local, known ?? get(local, LAST)),
     save(text) {
       const kept = set(session, WORK, text);
-      const copied = set(local, COPY + name, text) || (prune(local, name, 1), set(local, COPY + name, text));
+      const copied = set(local, COPY + name, text) || makeRoom(local, name, text);
       if (copied && get(local, LAST) !== name) {
         set(local, LAST, name);
         prune(local, name, COPIES);
@@ -53,6 +55,16 @@ export function tabName(session: TextStore): string | null {
 
 function copyOf(local: TextStore, name: string | null): string | null {
   return name === null ? null : get(local, COPY + name);
+}
+
+/** Gives up copies of other tabs, the oldest first, until `text` has room. For a huge text none is given up: it might not fit even then. */
+function makeRoom(local: TextStore, name: string, text: string): boolean {
+  if (text.length > HUGE) return false;
+  for (let left = COPIES - 1; left >= 1; left -= 1) {
+    prune(local, name, left);
+    if (set(local, COPY + name, text)) return true;
+  }
+  return false;
 }
 
 /** Removes copies of other tabs beyond `count`; names begin with the time a tab was opened, so the oldest go first. */

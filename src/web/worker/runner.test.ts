@@ -141,6 +141,7 @@ describe('the runner', () => {
     await b.pass(500);
     const ended = b.types().indexOf('program-ended');
     expect(ended).toBeGreaterThan(b.types().indexOf('console'));
+    expect(b.types()[ended - 1]).toBe('snapshot'); // how the program left the robot
     expect(b.run.nowUs).toBeGreaterThan(400_000);
   });
 

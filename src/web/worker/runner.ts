@@ -197,6 +197,8 @@ export class Runner {
     }
     if (run.ended !== null && !this.endTold && this.outbox.isEmpty) {
       this.endTold = true;
+      // Whoever hears of the end must see how the program left the robot, not the picture before.
+      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
       this.at.post({ type: 'program-ended', ended: run.ended });
     }
     if (nowMs - this.aliveAtMs >= HEARTBEAT_MS) {
