@@ -81,6 +81,8 @@ _hal_start = _hal.program_start()
 import _import
 
 sys.path[:] = ["", "/lib"]
+# The way to the board is the library's alone.
+del sys.modules["_hal"]
 gc.collect()
 _filling = _fill(_hal_start)
 gc.collect()

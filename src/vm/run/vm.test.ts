@@ -193,14 +193,22 @@ describe('stopping a program', () => {
 });
 
 describe('what a program can reach', () => {
-  it.each(['js', 'jsffi', 'vfs', 'asyncio'])('finds no module %s', (name) => {
+  it.each(['js', 'jsffi', 'vfs', 'asyncio', '_hal'])('finds no module %s', (name) => {
     expect(runProgram(`import ${name}`).ended?.exception?.type).toBe('ImportError');
   });
 
-  it('finds nothing of the host behind the syscalls', () => {
-    const { ended } = runProgram('import _hal\nprint(_hal.constructor)');
+  it('finds nothing of the host behind what the library uses', () => {
+    const { ended } = runProgram('import microbit\nprint(microbit._h.constructor)');
     expect(ended?.exception?.type).toBe('AttributeError');
   });
+
+  it.each(['_h.throw(5)', '_h.i2c_read(16, 1 << 30, 99)', '_h.on_callback(1)', '_h.pin_write()'])(
+    'ends at worst itself when it misuses the way to the board: %s',
+    (call) => {
+      const { ended } = runProgram(`from microbit import _h\n${call}\nwhile True: pass`, { forUs: SECOND });
+      expect(ended?.kind ?? 'running').toMatch(/fault|exception|running/);
+    },
+  );
 
   it('cannot open a path outside its own files', () => {
     expect(runProgram('open("/etc/passwd")').ended?.exception?.type).toBe('OSError');
