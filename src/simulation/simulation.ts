@@ -78,7 +78,7 @@ export class Simulation {
     const built = buildWorld(setup.scene);
     this.world = built.world;
     this.blocks = built.blocks;
-    // The step is the first alarm of all: at one and the same microsecond the world moves before anything else happens.
+    // The step is registered before all that has its rhythm (the robot's sensors): then the world moves first.
     this.clock.every(STEP_US, () => this.step());
     this.board = new Board(hardware.board, this.clock);
     this.mounted = hardware.robot && this.mount(hardware.robot);

@@ -14,6 +14,9 @@ import {
   splitModule,
 } from './wat.mjs';
 
+/** How many bytecodes of our library one call may run for nothing; the run-time side has the same number. */
+const FREE_LIBRARY_BYTECODES = 20_000;
+
 /** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
 export const STACK_LIMIT_BYTES = 72 * 1024;
 
@@ -212,7 +215,10 @@ function meter(module, interpreter) {
     `(global.set $${global} (i32.sub (global.get $${global}) (i32.const 1))) (if (i32.le_s (global.get $${global}) (i32.const 0)) (then (call $tick)))`;
   const metered = `(block (result i32)
     (if (i32.ge_u (local.get $${code}) (global.get $program_start))
-      (then (global.set $in_program (i32.const 1)) ${use('gas')})
+      (then
+        (global.set $in_program (i32.const 1))
+        (global.set $library_gas (i32.const ${FREE_LIBRARY_BYTECODES}))
+        ${use('gas')})
       (else (global.set $in_program (i32.const 0)) ${use('library_gas')}))
     ${expression})`;
   module.functions.set(interpreter, text.slice(0, operand) + metered + text.slice(end));

@@ -17,21 +17,25 @@ def run():
     global _reserve
     failure = None
     try:
-        execfile("main.py", _scope)
-    except SystemExit as end:
-        # An error in a callback ends the program this way: _sim.py.
-        if len(end.args) == 2:
-            failure = end.args[1]
+        try:
+            execfile("main.py", _scope)
+        except SystemExit as end:
+            # An error in a callback ends the program this way: _sim.py.
+            if len(end.args) == 2 and isinstance(end.args[1], BaseException):
+                failure = end.args[1]
+        except BaseException as error:
+            failure = error
+        _hal.run_every_stop()
+        if failure is not None:
+            _hal.reserve(0)
+            _reserve = None
+            _report(failure)
+            failure = None
+        _scope.clear()
+        gc.collect()
     except BaseException as error:
-        failure = error
-    _hal.run_every_stop()
-    if failure is not None:
-        _hal.reserve(0)
-        _reserve = None
-        _report(failure)
-        failure = None
-    _scope.clear()
-    gc.collect()
+        # An interrupt that came when main.py had ended already.
+        _report(error)
     _hal.finish()
 
 

@@ -39,12 +39,12 @@ class MicroBitI2C:
             ints(n)
         if n < 0:
             raise MemoryError("memory allocation failed, allocating %d bytes" % (n & 0xFFFFFFFF))
-        buf = bytes(n)
+        buf = bytearray(n)
         r = _read(addr, addressof(buf), n)
         if r:
             ints(addr)
             raise OSError(_ENODEV)
-        return buf
+        return bytes(buf)
 
 
 class MicroBitUART:
@@ -66,9 +66,9 @@ class MicroBitUART:
     def _take(self, n):
         if not n:
             return None
-        data = bytes(n)
+        data = bytearray(n)
         _hal.serial_read(addressof(data), n)
-        return data
+        return bytes(data)
 
     def read(self, nbytes=-1):
         waiting = _hal.serial_waiting()

@@ -27,9 +27,9 @@ class FileIO:
         n = _span(handle, unit, n)
         if n < 0:
             raise OSError(-n)
-        data = bytes(n)
+        data = bytearray(n)
         _read(handle, addressof(data), n)
-        return data
+        return bytes(data)
 
     def read(self, n=-1):
         ints(n)

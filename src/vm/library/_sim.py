@@ -67,8 +67,6 @@ def _dispatch(number):
         return
     try:
         callback()
-    except KeyboardInterrupt:
-        raise
     except BaseException as error:
         # Its last call. The main program ends with it: micropython-microbit-v2 modmicrobit.c, run_every.
         # Kept here, so that it is not collected before it is raised there.

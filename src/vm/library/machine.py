@@ -21,9 +21,9 @@ def time_pulse_us(pin, level, timeout_us=1000000):
 
 
 def unique_id():
-    device = bytes(8)
+    device = bytearray(8)
     _h.unique_id(_addressof(device))
-    return device
+    return bytes(device)
 
 
 def freq():

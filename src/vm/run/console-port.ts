@@ -1,13 +1,15 @@
 /** The serial line between the board and a person: bytes both ways. */
 export class ConsolePort {
-  private readonly received: number[] = [];
+  private received: number[] = [];
+  /** Where in `received` the first byte stands that was not taken. */
+  private next = 0;
 
   /** @param send what the board sends goes here */
   constructor(private readonly send: (bytes: Uint8Array) => void) {}
 
   /** Text that a person types. */
   feed(text: string): void {
-    this.received.push(...new TextEncoder().encode(text));
+    for (const byte of new TextEncoder().encode(text)) this.received.push(byte);
   }
 
   /** The board sends bytes. */
@@ -17,17 +19,23 @@ export class ConsolePort {
 
   /** How many received bytes wait. */
   get waiting(): number {
-    return this.received.length;
+    return this.received.length - this.next;
   }
 
   /** How many received bytes make up the next line with its newline; all of them when no newline came yet. */
   get lineLength(): number {
-    const end = this.received.indexOf(0x0a);
-    return end < 0 ? this.received.length : end + 1;
+    const end = this.received.indexOf(0x0a, this.next);
+    return end < 0 ? this.waiting : end + 1 - this.next;
   }
 
   /** Takes the next received byte, or `undefined`. */
   take(): number | undefined {
-    return this.received.shift();
+    if (this.next === this.received.length) {
+      this.received = [];
+      this.next = 0;
+    }
+    const byte = this.received[this.next];
+    if (byte !== undefined) this.next++;
+    return byte;
   }
 }

@@ -3,13 +3,20 @@ import { HAL_REFERENCE, type Firmware } from './firmware';
 import type { Machine, Syscall, SyscallTable, Value, Wait } from './syscall';
 import type { Memory } from './values';
 
-/** Library bytecodes that one call of the API may use for nothing; a longer one costs time like the pupil's own code. */
+/**
+ * Library bytecodes that one call of the API may use for nothing; a longer one costs time like the pupil's own code. The
+ * firmware counts anew with each bytecode of the program (../firmware/transform.mjs).
+ */
 const FREE_LIBRARY_BYTECODES = 20_000;
 /** The longest stretch without a tick, in µs: keeps the counter well within 32 bits. */
 const LONGEST_STRETCH_US = 1_000_000;
 /** Where a suspended program's stack is kept: the deepest recursion that the VM allows needs less (engine tests). */
 const UNWIND_BYTES = 1024 * 1024;
 
+/** No buffer of a program is longer: the device's heap. */
+const MOST_BYTES = 64 * 1024;
+
+const WANTS_TO_RUN = 1;
 const EXCEPTION_PENDING = 2;
 const REWINDING = 2;
 const UNWINDING = 1;
@@ -48,7 +55,8 @@ export class Engine implements Machine {
   // --- what a syscall may ask of the machine -----------------------------------------------------------------------
 
   memory(address: number, length: number): Uint8Array {
-    return this.ram.bytes.subarray(address, address + length);
+    const start = Math.max(0, address);
+    return this.ram.bytes.subarray(start, start + Math.min(Math.max(0, length), MOST_BYTES));
   }
 
   spend(us: number): void {
@@ -107,7 +115,10 @@ export class Engine implements Machine {
   /** A counter has run out. */
   tick(): void {
     if (this.stopRewinding()) return this.refill();
-    if (this.firmware.library_gas.value <= 0) this.spend(FREE_LIBRARY_BYTECODES);
+    if (this.firmware.library_gas.value <= 0) {
+      this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
+      this.spend(FREE_LIBRARY_BYTECODES);
+    }
     this.catchUp();
     if (this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
     else this.refill();
@@ -161,13 +172,14 @@ export class Engine implements Machine {
     this.answer(wait.result(), resultAddress);
   }
 
+  /** Inside a callback the scheduler is locked: nothing can run then, and an interrupt waits for the callback's end. */
   private isOver(wait: Wait): boolean {
-    return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || this.firmware.queued() !== 0 || this.ending;
+    const wantsToRun = (this.firmware.queued() & WANTS_TO_RUN) !== 0;
+    return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || wantsToRun || this.ending;
   }
 
   private answer(value: Value, resultAddress: number): void {
     this.ram.write(value, resultAddress);
-    this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
     this.refill();
   }
 
@@ -184,7 +196,6 @@ export class Engine implements Machine {
     const untilUs = Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
     this.stretchUs = Math.max(1, untilUs - now);
     this.firmware.gas.value = this.stretchUs;
-    if (this.firmware.library_gas.value <= 0) this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
   }
 
   private suspend(): void {

@@ -91,7 +91,7 @@ export function instantiateFirmware(
   const files = loader(inMemory);
   const imports = {
     host: { tick: () => host.tick(), fatal: () => host.fatal() },
-    env: { ...invokers(running), ...boundary(inMemory, host), ...files.environment, ...system(host) },
+    env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
   const firmware = new WebAssembly.Instance(module, imports).exports as unknown as Firmware;
@@ -111,7 +111,7 @@ function notLoaded(): never {
  * objects and pass). While a suspended call is resumed the stack pointer stands at the deep place already, so the one
  * taken on the way in is kept per nesting depth; else each exception caught after a suspension would leak C stack.
  */
-function invokers(running: () => Firmware): HostFunctions {
+function invokers(running: () => Firmware, memory: () => Memory): HostFunctions {
   const stackAt: number[] = [];
   const functions: TableFunction[] = []; // asking the table each time takes 3 % of a run
   let depth = 0;
@@ -122,6 +122,9 @@ function invokers(running: () => Firmware): HostFunctions {
     return (functions[index] ??= firmware.__indirect_function_table.get(index));
   };
   const caught = (thrown: unknown, level: number): number => {
+    // What the frames left behind in the C stack would keep dead objects alive: later frames lie over it unfilled, and
+    // the collector takes any word there for a pointer.
+    memory().bytes.fill(0, running().emscripten_stack_get_current(), stackAt[level]);
     running()._emscripten_stack_restore(stackAt[level] ?? 0);
     if (typeof thrown !== 'number') throw thrown;
     running().setThrew(1, 0);

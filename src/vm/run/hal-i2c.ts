@@ -28,15 +28,16 @@ export function createI2cCalls(machine: Machine, board: Board): SyscallTable {
     i2c_read: (chip, address, count) => {
       const from = chipOf(chip);
       if (from === null) return -Errno.ENODEV;
-      const length = wholeOf(count) ?? 0;
+      const target = machine.memory(wholeOf(address) ?? 0, wholeOf(count) ?? 0);
+      const { length } = target;
       machine.spend(i2c.readUs(from, length));
       const { acknowledged, bytes } = i2c.read(from, length);
       if (!acknowledged) return -Errno.ENODEV;
-      machine.memory(wholeOf(address) ?? 0, length).set(bytes);
+      target.set(bytes);
       return 0;
     },
     i2c_next: (after) => {
-      for (let chip = (wholeOf(after) ?? 0) + 1; chip <= LAST_ADDRESS; chip++) {
+      for (let chip = Math.max(wholeOf(after) ?? 0, 0) + 1; chip <= LAST_ADDRESS; chip++) {
         machine.spend(i2c.writeUs(chip, 0));
         if (i2c.write(chip, new Uint8Array(0)).acknowledged) return chip;
       }

@@ -105,7 +105,7 @@ function callbackCalls(machine: Machine): SyscallTable {
     },
     set_irq: (on) => {
       const before = isOn;
-      isOn = on === true;
+      isOn = wholeOf(on) !== 0;
       return before;
     },
   };

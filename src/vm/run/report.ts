@@ -19,6 +19,9 @@ export interface VmException {
   readonly traceback: string;
 }
 
+/** A program of fewer characters fits, whatever is in it; then memory ran out later. Measured with lines of assignments. */
+const LONG_PROGRAM = 12_000;
+
 /** Collects what the program prints and how it ends. */
 export class Report {
   private readonly decoder = new TextDecoder();
@@ -94,7 +97,8 @@ export class Report {
 
   private fail(type: string, message: string, traceback: string): void {
     const exception = { type, message, line: innermostLine(traceback), traceback };
-    if (type === 'MemoryError' && exception.line === null) this.tell(`main.py: ${this.tooLong()}\n`);
+    if (type === 'MemoryError' && exception.line === null && this.programCharacters > LONG_PROGRAM)
+      this.tell(`main.py: ${this.tooLong()}\n`);
     this.end ??= { kind: type === 'KeyboardInterrupt' ? 'stopped' : 'exception', exception };
   }
 }

@@ -30,7 +30,7 @@ const PYSTACK_WORDS = 16 * 1024;
 /** The C stack. Larger than MicroPython is allowed to use (../firmware/transform.mjs), for what it calls at the limit. */
 const STACK_BYTES = 256 * 1024;
 
-const BOOT = "import sys\nsys.path[:]=['','/lib']\ndel sys\n__import__('_boot')";
+const BOOT = "import sys\nsys.path[:]=['/lib']\ndel sys\n__import__('_boot')";
 const PROGRAM = "__import__('_boot').run()";
 
 /** MicroPython from power-up to the end of its program or the next reset. */
@@ -61,7 +61,11 @@ export class Session {
       lookup: (name) => engine?.lookup(name) ?? -1,
       call: (reference, args, result) => engine?.call(reference, args, result),
     };
-    const { firmware, memory } = instantiateFirmware(setup.firmware, host, createLoader(lookupIn(setup)));
+    const { firmware, memory } = instantiateFirmware(
+      setup.firmware,
+      host,
+      createLoader(lookupIn(ports.files, setup.libraries)),
+    );
     this.firmware = firmware;
     this.memory = memory;
     this.engine = engine = new Engine(firmware, memory, setup.clock, (machine) => ({
@@ -140,6 +144,7 @@ export class Session {
     firmware.mp_js_register_js_module(name, value);
     firmware.allocation_cost.value = allocationUs;
     firmware.program_start.value = firmware.heap_end.value - PROGRAM_HEAP_BYTES;
+    firmware.library_gas.value = 0x7fffffff; // loading the library costs nothing
     if (!this.engine.run(this.executor(BOOT), Infinity)) throw new VmFault('The library did not load.');
   }
 
@@ -178,11 +183,12 @@ function freeBytes(
   return free * 16;
 }
 
-/** User files win over robot libraries; the device's own modules lie in a folder of their own. */
-function lookupIn(setup: VmSetup): FileLookup {
+/** What is on the board wins over the robot's libraries; the device's own modules lie in a folder of their own. */
+function lookupIn(files: Files, libraries: Readonly<Record<string, string>>): FileLookup {
   const encoder = new TextEncoder();
-  const sources = new Map(
-    Object.entries({ ...setup.libraries, ...setup.files }).map(([name, text]) => [name, encoder.encode(text)]),
-  );
-  return (path) => (path.startsWith('/lib/') ? deviceLibrary.get(path.slice('/lib/'.length)) : sources.get(path));
+  const sources = new Map(Object.entries(libraries).map(([name, text]) => [name, encoder.encode(text)]));
+  return (path) => {
+    if (path.startsWith('/lib/')) return deviceLibrary.get(path.slice('/lib/'.length));
+    return files.find(path)?.bytes ?? sources.get(path);
+  };
 }

@@ -97,6 +97,11 @@ except ValueError as error:
     expect(console).toContain('File "main.py", line 5, in <module>');
   });
 
+  it('imports a file that the program has written', () => {
+    const { console } = runProgram("with open('two.py', 'w') as f:\n    f.write('x = 2')\nimport two\nprint(two.x)");
+    expect(console).toBe('2\n');
+  });
+
   it('shows the frames of a robot library, as on the device', () => {
     const { console } = runProgram('import robot\nrobot.go()', {
       libraries: { 'robot.py': 'def go():\n    raise OSError(19)\n' },
@@ -173,6 +178,15 @@ describe('stopping a program', () => {
 
   it('lets the program clean up', () => {
     expect(stopAfter('try:\n    while True: pass\nfinally:\n    print("bye")', SECOND).console()).toContain('bye');
+  });
+
+  it('waits for callbacks that sleep, then stops the program', () => {
+    const { vm } = stopAfter(
+      'from microbit import *\ndef f(): sleep(1500)\nrun_every(f, ms=50)\nwhile True: pass',
+      SECOND / 2,
+    );
+    vm.resume(12 * SECOND); // up to four calls wait in the scheduler's queue and run first
+    expect(vm.ended?.kind).toBe('stopped');
   });
 
   it('leaves a program suspended that catches everything: whoever runs it can drop it', () => {
