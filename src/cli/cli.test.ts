@@ -64,6 +64,16 @@ describe('parcours run', { timeout: 30_000 }, () => {
     expect(report.traceHash).toMatch(/^[0-9a-f]{64}$/);
   });
 
+  it('writes a trace over nothing that the run reads, and over no earlier trace when it is refused', () => {
+    const program = file('traced.py', 'print(1)\n');
+    const earlier = file('earlier.csv', 'kept');
+    expect(parcours('run', program, '--trace', program).code).toBe(2);
+    expect(parcours('run', program, '--trace', earlier, '--robot', 'tank').code).toBe(2);
+    expect([readFileSync(program, 'utf8'), readFileSync(earlier, 'utf8')]).toEqual(['print(1)\n', 'kept']);
+    expect(parcours('run', program, '--trace', earlier).code).toBe(0);
+    expect(readFileSync(earlier, 'utf8')).toMatch(/^t_ms,/);
+  });
+
   it('gives the same trace hash twice, and another one for another program', () => {
     const drive = file('drive.py', 'from mbrobot import *\nforward()\ndelay(500)\nright()\ndelay(300)\nstop()\n');
     const hash = () => lastLine(parcours('run', drive, '--json', '--for', '1s').out).traceHash;

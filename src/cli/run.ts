@@ -1,4 +1,5 @@
 import { closeSync, openSync } from 'node:fs';
+import { resolve } from 'node:path';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles } from './read-files';
 import { exitCodeOf, jsonLine, type Report } from './report';
@@ -16,7 +17,7 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const trace = options.trace === null ? null : openTrace(options.trace);
+  const trace = options.trace === null ? null : openTrace(options.trace, options);
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
   const { robot, board, seed, reality } = options;
   const outcome = await supervise(
@@ -54,9 +55,13 @@ function placed(problem: string, options: RunOptions): string {
   return problem;
 }
 
-function openTrace(path: string): { readonly file: number } | { readonly problem: string } {
+/** Opens the file for the trace without emptying it yet: a run that is refused must not cost an earlier trace. */
+function openTrace(path: string, options: RunOptions): { readonly file: number } | { readonly problem: string } {
+  const { program, files, scene, input } = options;
+  const read = [program, ...files, scene, input].filter((name) => name !== null).map((name) => resolve(name));
+  if (read.includes(resolve(path))) return { problem: `--trace: ${path} is read by this run. Choose another name.` };
   try {
-    return { file: openSync(path, 'w') };
+    return { file: openSync(path, 'a') };
   } catch (error) {
     return { problem: `${path}: ${reasonOf(error)}` };
   }
@@ -67,7 +72,9 @@ function tellEnd({ ended, exception, simulatedMs }: Report, { quiet, forUs }: Ru
   if (ended === 'stuck') {
     terminal.message('parcours: no sign of life for 10 s: the program is inside one call that does not end. Stopped.');
   } else if (ended === 'time-limit' && forUs === null && !quiet) {
-    terminal.message(`parcours: stopped after ${simulatedMs / 60_000} simulated minutes. A longer run: --for 30min`);
+    terminal.message(
+      `parcours: stopped after ${Math.round(simulatedMs / 60_000)} simulated minutes. A longer run: --for 30min`,
+    );
   } else if (ended === 'exception' && quiet && exception) {
     terminal.message(exception.traceback.trimEnd());
   }

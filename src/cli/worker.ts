@@ -1,5 +1,5 @@
 /** The thread in which a headless run happens: nothing here waits, and nothing stops it but the run's end or `terminate`. */
-import { existsSync, readFileSync, writeSync } from 'node:fs';
+import { existsSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parentPort, workerData } from 'node:worker_threads';
 import { checkRun } from '#simulation/run-problem';
@@ -31,7 +31,10 @@ function createTraceWriter(simulation: Simulation, file: number | null): () => v
   let written = -1;
   return () => {
     if (file === null) return;
-    if (written < 0) writeSync(file, `${traceHeader(simulation.trace[0])}\n`);
+    if (written < 0) {
+      ftruncateSync(file);
+      writeSync(file, `${traceHeader(simulation.trace[0])}\n`);
+    }
     const rows = simulation.trace.slice(Math.max(written, 0));
     writeSync(file, rows.map((row) => `${traceLine(row)}\n`).join(''));
     written = simulation.trace.length;
