@@ -1,4 +1,20 @@
-/** npm run bench: prints one line per budget: what | figure | budget. */
-import { headlessRows } from './headless';
+/** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
+import { headlessSubjects } from './headless';
+import { downloadSubject } from './page/download';
+import { framesSubject } from './page/frames';
+import { memorySubject } from './page/memory';
+import type { Stage } from './page/stage';
+import { startSubject } from './page/start';
+import { stopSubject } from './page/stop';
+import { measured, skipped, type Row } from './subject';
 
-for (const { what, figure, budget } of await headlessRows()) console.log(`${what} | ${figure} | ${budget}`);
+const pageSubjects = [startSubject, downloadSubject, framesSubject, memorySubject, stopSubject];
+
+/** The lines that need no browser. Runs in the project's folder after set-up. */
+export const headlessRows = (): AsyncGenerator<Row> => measured(headlessSubjects, undefined);
+
+/** The lines about the page in Chromium. */
+export const pageRows = (stage: Stage): AsyncGenerator<Row> => measured(pageSubjects, stage);
+
+/** The same lines where there is no Chromium. */
+export const skippedPageRows = (reason: string): Row[] => skipped(pageSubjects, reason);

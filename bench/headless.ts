@@ -5,13 +5,7 @@ import { join } from 'node:path';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { Simulation } from '#simulation/simulation';
-
-/** One line of the table of budgets. */
-export interface Row {
-  readonly what: string;
-  readonly figure: string;
-  readonly budget: string;
-}
+import type { Subject } from './subject';
 
 /** Everything is measured so often, and the best counts: other work on the machine only ever makes a run slower. */
 const ROUNDS = 3;
@@ -31,46 +25,50 @@ while True:
 `;
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
 
-/** Measures what happens without a browser. Runs in the project's folder after set-up. */
-export async function headlessRows(): Promise<Row[]> {
-  const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
-  const line = sceneOf('courses/closed-line/scene.json');
-  const factor = (program: string, scene: Scene, seconds: number) => bestFactor(firmware, program, scene, seconds);
-  return [
-    {
-      what: 'headless, line follower with delay(10)',
-      figure: times(await factor(`${FOLLOWER}    delay(10)\n`, line, 120)),
-      budget: '>= 100 x real time',
+/** What happens without a browser. Measured in the project's folder after set-up. */
+export const headlessSubjects: readonly Subject<undefined>[] = [
+  speed('headless, line follower with delay(10)', { atLeast: 100, of: 'real time' }, () =>
+    bestFactor(`${FOLLOWER}    delay(10)\n`, closedLine(), 120),
+  ),
+  speed('headless, line follower polling without a pause', { atLeast: 10, of: 'real time' }, () =>
+    bestFactor(FOLLOWER, closedLine(), 20),
+  ),
+  speed('headless, CPU-bound loop (while i<n: i+=1)', { atLeast: 15, of: 'the real board' }, () =>
+    bestFactor(COUNTER, defaultScene(), 20),
+  ),
+  {
+    budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
+    async measure() {
+      const seconds = await startSeconds();
+      return [{ text: `${seconds.toFixed(2)} s`, met: seconds <= 0.5 }];
     },
-    {
-      what: 'headless, line follower polling without a pause',
-      figure: times(await factor(FOLLOWER, line, 20)),
-      budget: '>= 10 x real time',
+  },
+];
+
+function speed(
+  what: string,
+  { atLeast, of }: { readonly atLeast: number; readonly of: string },
+  factor: () => Promise<number>,
+): Subject<undefined> {
+  return {
+    budgets: [{ what, budget: `>= ${atLeast} x ${of}` }],
+    async measure() {
+      const reached = await factor();
+      return [{ text: `${reached.toFixed(0)} x`, met: reached >= atLeast }];
     },
-    {
-      what: 'headless, CPU-bound loop (while i<n: i+=1)',
-      figure: times(await factor(COUNTER, defaultScene(), 20)),
-      budget: '>= 15 x the real board',
-    },
-    { what: 'CLI start to first output', figure: `${(await startSeconds()).toFixed(2)} s`, budget: '<= 0.5 s' },
-  ];
+  };
 }
 
-const times = (factor: number): string => `${factor.toFixed(0)} x`;
-
-function sceneOf(path: string): Scene {
+function closedLine(): Scene {
+  const path = 'courses/closed-line/scene.json';
   const parsed = parseScene(readFileSync(path, 'utf8'));
   if ('scene' in parsed) return parsed.scene;
   throw new Error(`${path}: ${parsed.problem}`);
 }
 
 /** Simulated seconds per second of wall time. */
-async function bestFactor(
-  firmware: WebAssembly.Module,
-  program: string,
-  scene: Scene,
-  seconds: number,
-): Promise<number> {
+async function bestFactor(program: string, scene: Scene, seconds: number): Promise<number> {
+  const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
   let best = 0;
   for (let round = 0; round < ROUNDS; round++) {
     const files = { 'main.py': program };

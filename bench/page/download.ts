@@ -1,0 +1,72 @@
+import { createServer, request, type IncomingMessage, type ServerResponse } from 'node:http';
+import type { AddressInfo } from 'node:net';
+import type { Subject } from '../subject';
+import { untilMoving, withPage, type Stage } from './stage';
+
+const BUDGET_KB = { page: 350, all: 900 };
+
+/** What only a run needs. The page asks for it as soon as it has nothing else to do, so it counts with the run. */
+const OF_THE_RUN = /\.wasm$|\/worker[^/]*\.js$/;
+
+/** How much a first visit downloads. */
+export const downloadSubject: Subject<Stage> = {
+  budgets: [
+    { what: 'download, gzip: the page before Run', budget: '<= 350 kB' },
+    { what: 'download, gzip: in all until the first run moves', budget: '<= 900 kB' },
+  ],
+  async measure(stage) {
+    const scales = await weighing(stage.url);
+    try {
+      await withPage(stage, { url: scales.url, pressRun: true }, ({ page }) => untilMoving(page));
+    } finally {
+      await scales.close();
+    }
+    const run = sum(scales.transfers.filter(({ path }) => OF_THE_RUN.test(path)));
+    const all = sum(scales.transfers);
+    return [
+      { text: kilobytes(all - run), met: all - run <= BUDGET_KB.page * 1000 },
+      { text: `${kilobytes(all)} (VM and worker ${kilobytes(run)})`, met: all <= BUDGET_KB.all * 1000 },
+    ];
+  },
+};
+
+interface Transfer {
+  readonly path: string;
+  /** Size of the body as it was sent. */
+  readonly bytes: number;
+}
+
+const sum = (transfers: readonly Transfer[]): number => transfers.reduce((total, { bytes }) => total + bytes, 0);
+const kilobytes = (bytes: number): string => `${(bytes / 1000).toFixed(0)} kB`;
+
+/** Stands between the browser and the server, asks for gzip in the browser's name and weighs what comes. */
+async function weighing(target: string) {
+  const transfers: Transfer[] = [];
+  const server = createServer((asked, answer) => {
+    passOn(asked, answer, target, (bytes) => transfers.push({ path: asked.url ?? '/', bytes }));
+  });
+  await new Promise<void>((listening) => server.listen(0, '127.0.0.1', listening));
+  const { port } = server.address() as AddressInfo;
+  return {
+    transfers,
+    url: `http://localhost:${port}/`,
+    close: () =>
+      new Promise<void>((closed) => {
+        server.close(() => closed());
+        server.closeAllConnections();
+      }),
+  };
+}
+
+function passOn(asked: IncomingMessage, answer: ServerResponse, target: string, weigh: (bytes: number) => void): void {
+  const headers = { ...asked.headers, 'accept-encoding': 'gzip' };
+  const passed = request(new URL(asked.url ?? '/', target), { method: asked.method ?? 'GET', headers }, (got) => {
+    let bytes = 0;
+    got.on('data', (chunk: Buffer) => (bytes += chunk.length));
+    got.on('end', () => weigh(bytes));
+    answer.writeHead(got.statusCode ?? 502, got.headers);
+    got.pipe(answer);
+  });
+  passed.on('error', () => answer.destroy());
+  passed.end();
+}

@@ -1,0 +1,96 @@
+import type { Page } from '@playwright/test';
+import type { Figure, Subject } from '../subject';
+import { chooseMaximumSpeed, until, untilUsable, withPage, type Opened, type Stage } from './stage';
+import { PLACES } from './watch';
+import { memoryUse, noteVms, type MemoryUse } from './worker-memory';
+
+const DRIVING_US = 600_000_000;
+const RESTARTS = 100;
+const WORKER_BUDGET_MB = 80;
+/** Memory is looked at this many times on the way; the first look is after the warm-up. */
+const LOOKS = 4;
+/**
+ * Growth between the first look and the last that still counts as flat: a share, and some MB for chance. The process
+ * gives back what ended workers had when it likes: with nothing growing it was seen to vary by 13 MB.
+ */
+const FLAT = { share: 0.05, heapMb: 1, processMb: 15 };
+
+/** Whether memory stays what it is. */
+export const memorySubject: Subject<Stage> = {
+  budgets: [
+    { what: 'worker memory, 10 min of driving', budget: 'flat, <= 80 MB' },
+    { what: 'worker memory, 100 restarts', budget: 'flat, <= 80 MB' },
+  ],
+  measure: (stage) =>
+    withPage(stage, {}, async (opened) => {
+      noteVms(opened.page);
+      await untilUsable(opened.page);
+      await settle(opened.page);
+      if (!stage.long) await chooseMaximumSpeed(opened.page);
+      const driving = await drive(opened);
+      const restarting = await restart(opened);
+      return [figure(driving), figure(restarting)];
+    }),
+};
+
+/** One long run of the first visit's course. */
+async function drive(opened: Opened): Promise<MemoryUse[]> {
+  const { page } = opened;
+  await page.click(PLACES.run);
+  return looks(async (look) => {
+    const wantedUs = (look * DRIVING_US) / LOOKS;
+    await until(page, (us) => window.bench.timeUs >= us, wantedUs, DRIVING_US / 1000);
+    return memoryUse(opened);
+  });
+}
+
+/** Presses Run again and again, each time when the run before has begun to move. */
+function restart(opened: Opened): Promise<MemoryUse[]> {
+  return looks(async () => {
+    await opened.page.evaluate(restarts, { css: PLACES.run, times: RESTARTS / LOOKS - 1 });
+    await settle(opened.page);
+    await opened.page.evaluate(restarts, { css: PLACES.run, times: 1 });
+    return memoryUse(opened);
+  });
+}
+
+/** Lets the page make the worker of the next run, so that its VM is noted. */
+const settle = (page: Page): Promise<void> => page.waitForTimeout(1_000);
+
+/** In the page. */
+async function restarts({ css, times }: { readonly css: string; readonly times: number }): Promise<void> {
+  for (let restart = 0; restart < times; restart++) {
+    const before = window.bench.started;
+    document.querySelector<HTMLElement>(css)?.click();
+    while (window.bench.started === before || window.bench.timeUs === 0)
+      await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+}
+
+async function looks(use: (look: number) => Promise<MemoryUse>): Promise<MemoryUse[]> {
+  const uses: MemoryUse[] = [];
+  while (uses.length < LOOKS) uses.push(await use(uses.length + 1));
+  return uses;
+}
+
+function figure(uses: readonly MemoryUse[]): Figure {
+  const worker = uses.map(({ workerMb }) => workerMb);
+  const page = uses.map(({ pageMb }) => pageMb);
+  const inAll = uses.map(({ processMb }) => processMb).filter((mb) => mb !== null);
+  const isFlat = flat(worker, FLAT.heapMb) && flat(page, FLAT.heapMb) && flat(inAll, FLAT.processMb);
+  const parts = [
+    `${isFlat ? 'flat' : 'GROWING'}: worker ${course(worker, 1)} MB`,
+    `page ${course(page, 1)} MB`,
+    ...(inAll.length > 0 ? [`process ${course(inAll, 0)} MB`] : []),
+    `${uses.at(-1)?.workers ?? 0} workers`,
+  ];
+  return { text: parts.join(', '), met: isFlat && Math.max(...worker) <= WORKER_BUDGET_MB };
+}
+
+function flat(sizesMb: readonly number[], chanceMb: number): boolean {
+  const first = sizesMb[0] ?? 0;
+  return (sizesMb.at(-1) ?? 0) <= first * (1 + FLAT.share) + chanceMb;
+}
+
+const course = (sizesMb: readonly number[], digits: number): string =>
+  `${sizesMb[0]?.toFixed(digits) ?? '-'} -> ${sizesMb.at(-1)?.toFixed(digits) ?? '-'}`;

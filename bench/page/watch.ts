@@ -1,0 +1,93 @@
+import type { FromWorker } from '../../src/web/worker/protocol';
+
+declare global {
+  interface Window {
+    /** In the measured page: what `watchPage` has seen. */
+    bench: Watch;
+  }
+}
+
+/** What is written down inside the page while it is measured. All times are in ms since the page was asked for. */
+export interface Watch {
+  /** The first frame with an editor that takes text has been drawn. */
+  usableMs: number | null;
+  /** The first frame with the robot elsewhere than at its start has been drawn. */
+  movingMs: number | null;
+  /** Runs that have started. */
+  started: number;
+  /** Pictures that the worker sent in this run. */
+  snapshots: number;
+  /** Simulated time of the newest of them, in µs. */
+  timeUs: number;
+  /** When each animation frame began; emptied by whoever measures. */
+  frames: number[];
+}
+
+/** The things on the page that a measurement touches, as CSS selectors. */
+export const PLACES = {
+  run: 'button.run',
+  stop: 'button.stop',
+  editor: '.code-editor .cm-content[contenteditable=true]',
+  speed: '.ctl.speed',
+  choice: '.menu-card .v-list-item',
+} as const;
+
+/** Further than this from the start, in mm, the robot counts as moving. */
+const MOVED_MM = 1;
+
+/** What `watchPage` needs to know. */
+export interface WatchOptions {
+  readonly places: typeof PLACES;
+  readonly movedMm: number;
+  /** Presses Run as soon as the editor is usable. */
+  readonly pressRun: boolean;
+}
+
+/** The options of a page that is opened to be looked at, or to be run at once. */
+export const watchOptions = (pressRun: boolean): WatchOptions => ({ places: PLACES, movedMm: MOVED_MM, pressRun });
+
+/** Runs in the page before its own code: listens to the frames and to what the workers say, and changes nothing. */
+export function watchPage({ places, movedMm, pressRun }: WatchOptions): void {
+  const watch: Watch = { usableMs: null, movingMs: null, started: 0, snapshots: 0, timeUs: 0, frames: [] };
+  window.bench = watch;
+  let start: { readonly xMm: number; readonly yMm: number } | null = null;
+
+  const afterFrame = (note: () => void): void => {
+    requestAnimationFrame(() => setTimeout(note));
+  };
+  const onFrame = (frameMs: number): void => {
+    watch.frames.push(frameMs);
+    if (watch.usableMs === null && document.querySelector(places.editor) !== null) {
+      watch.usableMs = frameMs;
+      afterFrame(() => {
+        watch.usableMs = performance.now();
+        if (pressRun) document.querySelector<HTMLElement>(places.run)?.click();
+      });
+    }
+    requestAnimationFrame(onFrame);
+  };
+  requestAnimationFrame(onFrame);
+
+  const hear = (message: FromWorker): void => {
+    if (message.type === 'started') {
+      watch.started += 1;
+      watch.snapshots = watch.timeUs = 0;
+      start = null;
+    }
+    if (message.type !== 'snapshot') return;
+    watch.snapshots += 1;
+    watch.timeUs = message.snapshot.timeUs;
+    const pose = message.snapshot.robot?.pose;
+    if (pose === undefined || watch.movingMs !== null) return;
+    start ??= pose;
+    if (Math.abs(pose.xMm - start.xMm) + Math.abs(pose.yMm - start.yMm) < movedMm) return;
+    watch.movingMs = performance.now();
+    afterFrame(() => (watch.movingMs = performance.now()));
+  };
+  window.Worker = class extends Worker {
+    constructor(address: string | URL, options?: WorkerOptions) {
+      super(address, options);
+      this.addEventListener('message', (event: MessageEvent<FromWorker>) => hear(event.data));
+    }
+  };
+}
