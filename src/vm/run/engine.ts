@@ -17,7 +17,6 @@ const UNWIND_BYTES = 1024 * 1024;
 const MOST_BYTES = 64 * 1024;
 
 const WANTS_TO_RUN = 1;
-const EXCEPTION_PENDING = 2;
 const REWINDING = 2;
 const UNWINDING = 1;
 
@@ -66,10 +65,6 @@ export class Engine implements Machine {
   schedule(callback: number): boolean {
     if (!this.dispatcher) return false;
     return this.firmware.mp_sched_schedule(this.dispatcher, (callback << 1) | 1) !== 0;
-  }
-
-  get interruptPending(): boolean {
-    return (this.firmware.queued() & EXCEPTION_PENDING) !== 0;
   }
 
   /** The library's function (its address) that callbacks go through. */

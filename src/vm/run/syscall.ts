@@ -17,8 +17,6 @@ export interface Machine {
    * @returns false when the queue is full
    */
   schedule(callback: number): boolean;
-  /** True when a KeyboardInterrupt waits to be raised. */
-  readonly interruptPending: boolean;
 }
 
 /**

@@ -38,7 +38,6 @@ export function createHalBench(initial: Readonly<Record<string, string>> = {}): 
     memory: (address, length) => memory.subarray(address, address + length),
     spend: (us) => clock.advanceTo(clock.nowUs + us),
     schedule: (callback) => queued.push(callback) > 0,
-    interruptPending: false,
   };
   const port = new ConsolePort((bytes) => output.push(...bytes));
   const files = new Files(initial);
