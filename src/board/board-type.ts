@@ -52,6 +52,47 @@ export interface BoardCosts {
   readonly ws2812ByteUs: number;
   /** What every LED stream costs besides its bytes. */
   readonly ws2812SetupUs: number;
+  /** One packet sent by radio. */
+  readonly radioPacketUs: number;
+}
+
+/**
+ * Names that came after micro:bit firmware v2.1.2: `display.rotate`, `microphone.sound_level_db`,
+ * `pin.was_touched`/`get_touches`/`touch_calibrate`, `SoundEvent.CLAP`, and recording with the microphone.
+ */
+export type Feature = 'rotate' | 'sound-level-db' | 'touch-counts' | 'clap' | 'recording';
+
+/** What `os.uname()` tells. */
+export interface Uname {
+  readonly sysname: string;
+  readonly nodename: string;
+  readonly release: string;
+  readonly version: string;
+  readonly machine: string;
+}
+
+/** A MicroPython that a board can run. */
+export interface FirmwareType {
+  /** Option value: `v2.1.2`. */
+  readonly id: string;
+  /** What people call it. */
+  readonly name: string;
+  readonly features: readonly Feature[];
+  /** How the REPL introduces itself. */
+  readonly banner: string;
+  readonly uname: Uname;
+  /** `sys.version`. */
+  readonly sysVersion: string;
+  /** `sys.implementation.version`. */
+  readonly micropython: readonly [number, number, number];
+}
+
+/** One motor connector: a pin for the direction (0 is forwards), a pin for the speed (its PWM duty). */
+export interface MotorOutputType {
+  readonly name: string;
+  /** Python names of its pins. */
+  readonly dirPin: string;
+  readonly speedPin: string;
 }
 
 /** A microcomputer board as data. */
@@ -60,6 +101,10 @@ export interface BoardType {
   readonly id: string;
   /** What people call it. */
   readonly name: string;
+  /** Python names of the board's module; all of them are the same module, which calls itself by the first. */
+  readonly modules: readonly string[];
+  /** What it can run, the default first. */
+  readonly firmwares: readonly [FirmwareType, ...FirmwareType[]];
   readonly pins: readonly PinType[];
   /** Python names of the pins the two buttons hang on. */
   readonly buttons: { readonly a: string; readonly b: string };
@@ -69,5 +114,9 @@ export interface BoardType {
   readonly i2c: { readonly scl: string; readonly sda: string; readonly frequencyHz: number };
   /** Python name of the pin music comes out of unless the program names another. */
   readonly musicPin: string;
+  /** RGB LEDs (ws2812) soldered to the board: the Python name of their pin, and how many. */
+  readonly rgb: { readonly pin: string; readonly count: number } | null;
+  /** The board's own motor driver: outputs turn while the Python pin `modePin` is high. */
+  readonly motors: { readonly modePin: string; readonly outputs: readonly MotorOutputType[] } | null;
   readonly costsUs: BoardCosts;
 }

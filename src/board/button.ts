@@ -30,6 +30,11 @@ export class Button {
     this.end.release();
   }
 
+  /** Forgets presses; a finger on it stays. */
+  reset(): void {
+    this.contact.reset();
+  }
+
   /** The contact itself, without debouncing. */
   get isDown(): boolean {
     return this.wire.level === 0;

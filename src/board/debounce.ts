@@ -28,6 +28,15 @@ export class Debounce {
     this.slot.wake();
   }
 
+  /** Forgets what it has seen; a contact that is closed goes on anew. */
+  reset(): void {
+    this.sigma = 0;
+    this.on = false;
+    this.was = false;
+    this.count = 0;
+    this.slot.wake();
+  }
+
   get isOn(): boolean {
     return this.on;
   }

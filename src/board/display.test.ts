@@ -188,6 +188,20 @@ describe('the display', () => {
     expect(picture()).toBe(A);
     expect(display.isAnimating).toBe(true);
   });
+
+  it('D14: rotated by a quarter turn the top row shows in the left column; LEDs keep their numbers', () => {
+    const { display, picture } = bench();
+    for (let x = 0; x < 5; x++) display.setPixel(x, 0, x + 1);
+    display.rotate(1);
+    expect(picture()).toBe('5....\n4....\n3....\n2....\n1....');
+    display.rotate(2);
+    expect(picture()).toBe('.....\n.....\n.....\n.....\n54321');
+    display.rotate(3);
+    expect(picture()).toBe('....1\n....2\n....3\n....4\n....5');
+    expect(display.getPixel(4, 0)).toBe(5);
+    display.rotate(4);
+    expect(picture()).toBe('12345\n.....\n.....\n.....\n.....');
+  });
 });
 
 /** All pictures of a scrolling text. */

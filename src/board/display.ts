@@ -46,6 +46,8 @@ export class Display {
   private animation: Animation | null = null;
   private clearing = false;
   private enabled = true;
+  private darkened = false;
+  private quarterTurns = 0;
 
   /** @param pins the pins that the LED columns share */
   constructor(
@@ -55,9 +57,19 @@ export class Display {
     this.slot = grid.join(() => this.tick());
   }
 
-  /** What the LEDs show, 0 … 9, row by row; dark while the display is off. To be read only. */
+  /** What the LEDs show, 0 … 9, row by row; dark while the display is off or the board sleeps. To be read only. */
   get pixels(): Uint8Array {
-    return this.enabled ? this.image : DARK;
+    if (!this.enabled || this.darkened) return DARK;
+    return this.quarterTurns === 0 ? this.image : turned(this.image, this.quarterTurns);
+  }
+
+  /**
+   * Turns what is shown, now and from now on; `setPixel` and `getPixel` turn along.
+   *
+   * @param quarterTurns counter-clockwise, as the picture moves: upright again on a board that was turned clockwise
+   */
+  rotate(quarterTurns: number): void {
+    this.quarterTurns = quarterTurns & 3;
   }
 
   get isOn(): boolean {
@@ -84,6 +96,11 @@ export class Display {
   off(): void {
     this.enabled = false;
     for (const pin of this.pins) pin.free();
+  }
+
+  /** Cuts the LEDs' power, while the board sleeps; the picture is kept. */
+  darken(isDark: boolean): void {
+    this.darkened = isDark;
   }
 
   /** Sets one LED; an animation goes on. @throws RangeError "index out of bounds" or "brightness out of bounds" */
@@ -127,6 +144,14 @@ export class Display {
   /** The picture of a character, 25 brightnesses 0 or 9. */
   glyph(char: string): Uint8Array {
     return glyphOf(char);
+  }
+
+  /** As after a start: on, dark, nothing moves. The pins must have been reset before. */
+  reset(): void {
+    this.stopAnimation();
+    this.image.fill(0);
+    this.enabled = true;
+    this.quarterTurns = 0;
   }
 
   /** Ends an animation where it is. */
@@ -183,4 +208,17 @@ export class Display {
 function placeOf(x: number, y: number): number {
   if (!(x >= 0 && x < SIDE && y >= 0 && y < SIDE)) throw new RangeError('index out of bounds');
   return y * SIDE + x;
+}
+
+/** The picture after so many quarter turns: its top row becomes the left column (codal-nrf52 NRF52LedMatrix.cpp). */
+function turned(image: Uint8Array, quarterTurns: number): Uint8Array {
+  let from = image;
+  for (let turn = 0; turn < quarterTurns; turn++) {
+    const before = from;
+    from = before.map((_, place) => {
+      const [x, y] = [place % SIDE, Math.floor(place / SIDE)];
+      return before[x * SIDE + SIDE - 1 - y] ?? 0;
+    });
+  }
+  return from;
 }

@@ -78,4 +78,19 @@ describe('the I2C bus', () => {
     detach();
     expect(bus.answers(motors)).toBe(true);
   });
+
+  it('I8: led over other wires it hears the chips there, and only those', () => {
+    const { board } = createBench();
+    const { i2c } = board;
+    const [outside, inside] = [chipThatSends(1), chipThatSends(2)];
+    const wires = { scl: board.wire('P1'), sda: board.wire('P2') };
+    i2c.attach(motors, inside);
+    i2c.attach(motors, outside, wires);
+    i2c.useWires(wires);
+    expect([...i2c.read(motors, 1).bytes]).toEqual([1]);
+    i2c.useWires({ scl: wires.sda, sda: wires.scl });
+    expect(i2c.answers(motors)).toBe(false);
+    i2c.useWires(null);
+    expect([...i2c.read(motors, 1).bytes]).toEqual([2]);
+  });
 });

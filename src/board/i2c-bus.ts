@@ -1,4 +1,5 @@
 import type { Stop } from '#core/stop';
+import type { Wire } from './wire';
 
 /** A chip on the bus. It acknowledges every byte; a chip that must not answer is detached. */
 export interface I2cTarget {
@@ -9,6 +10,12 @@ export interface I2cTarget {
   write(bytes: Uint8Array): void;
   /** Gives the bytes of one read transfer: exactly `count`, missing ones are read as 0xFF (the released bus). */
   read(count: number): Uint8Array;
+}
+
+/** Where a bus runs. */
+export interface I2cWires {
+  readonly scl: Wire;
+  readonly sda: Wire;
 }
 
 /** What became of a transfer. */
@@ -41,34 +48,66 @@ const NOTHING = new Uint8Array(0);
  * A transfer happens at its end: let `transferUs` pass first, then call `write` or `read` (rule I4).
  */
 export class I2cBus {
-  private readonly targets = new Map<number, I2cTarget>();
+  private readonly chips: { readonly address: number; readonly target: I2cTarget; readonly wires: I2cWires | null }[] =
+    [];
+  /** The wires in use; `null` for those of a start. */
+  private wires: I2cWires | null = null;
 
-  /** @param frequencyHz bus clock after a start, in Hz */
+  private clockHz: number;
+
+  /** @param startHz bus clock after a start, in Hz */
   constructor(
-    public frequencyHz = 100_000,
+    private readonly startHz = 100_000,
     private readonly overhead: I2cOverhead = { gapUs: 0, probeUs: 0 },
-  ) {}
+  ) {
+    this.clockHz = startHz;
+  }
+
+  /** The bus clock in Hz. */
+  get frequencyHz(): number {
+    return this.clockHz;
+  }
+
+  /** Clock and wires of a start; the chips stay. */
+  reset(): void {
+    this.clockHz = this.startHz;
+    this.wires = null;
+  }
+
+  /** Leads the bus over other wires: from now on only the chips there are heard (rule I8). `null`: those of a start. */
+  useWires(wires: I2cWires | null): void {
+    this.wires = wires;
+  }
 
   /** Chooses the fastest clock of 100, 250 and 400 kHz that does not exceed the wish; 100 kHz for less (rule I5). */
   setFrequency(wishHz: number): void {
-    this.frequencyHz = CLOCKS_HZ.find((clockHz) => clockHz <= wishHz) ?? 100_000;
+    this.clockHz = CLOCKS_HZ.find((clockHz) => clockHz <= wishHz) ?? 100_000;
   }
 
-  /** Puts a chip on the bus. @throws RangeError when the address is taken or not 0 … 127 */
-  attach(address: number, target: I2cTarget): Stop {
+  /**
+   * Puts a chip on the bus.
+   *
+   * @param wires where it hangs; left out: on the wires that the bus uses after a start
+   * @throws RangeError when the address is taken there or not 0 … 127
+   */
+  attach(address: number, target: I2cTarget, wires: I2cWires | null = null): Stop {
     if (!(Number.isInteger(address) && address >= 0 && address <= MAX_ADDRESS)) {
       throw new RangeError(`I2C address ${address} is not within 0 … 127.`);
     }
-    if (this.targets.has(address)) throw new RangeError(`I2C address ${address} is taken.`);
-    this.targets.set(address, target);
+    if (this.chips.some((chip) => chip.address === address && areSame(chip.wires, wires))) {
+      throw new RangeError(`I2C address ${address} is taken.`);
+    }
+    const chip = { address, target, wires };
+    this.chips.push(chip);
     return () => {
-      if (this.targets.get(address) === target) this.targets.delete(address);
+      const place = this.chips.indexOf(chip);
+      if (place >= 0) this.chips.splice(place, 1);
     };
   }
 
   /** True when a chip owns the address. */
   answers(address: number): boolean {
-    return this.targets.has(address);
+    return this.find(address) !== undefined;
   }
 
   /** How long a transfer of the address byte and `byteCount` data bytes keeps the bus busy, in µs, rounded up. */
@@ -90,7 +129,7 @@ export class I2cBus {
   /** Writes bytes to a chip. */
   write(address: number, bytes: Uint8Array): I2cTransfer {
     const durationUs = this.writeUs(address, bytes.length);
-    const target = this.targets.get(address);
+    const target = this.find(address);
     target?.write(bytes);
     return { acknowledged: target !== undefined, durationUs, bytes: NOTHING };
   }
@@ -98,10 +137,18 @@ export class I2cBus {
   /** Reads bytes from a chip. */
   read(address: number, count: number): I2cTransfer {
     const durationUs = this.readUs(address, count);
-    const target = this.targets.get(address);
+    const target = this.find(address);
     if (!target) return { acknowledged: false, durationUs, bytes: NOTHING };
     const bytes = new Uint8Array(count).fill(0xff);
     bytes.set(target.read(count).subarray(0, count));
     return { acknowledged: true, durationUs, bytes };
   }
+
+  private find(address: number): I2cTarget | undefined {
+    return this.chips.find((chip) => chip.address === address && areSame(chip.wires, this.wires))?.target;
+  }
+}
+
+function areSame(a: I2cWires | null, b: I2cWires | null): boolean {
+  return a?.scl === b?.scl && a?.sda === b?.sda;
 }

@@ -1,6 +1,7 @@
 import type { Clock } from '#core/clock';
 import { readNote, type NoteMemory } from './note';
-import { busyMessage, type Pin } from './pin';
+import type { Pin } from './pin';
+import type { Sound } from './sound/sound';
 import type { TickGrid, TickSlot } from './tick-grid';
 
 const GAP_MS = 10; // modmusic.c: ARTICULATION_MS
@@ -38,7 +39,6 @@ interface Tune {
 export class MusicPlayer {
   private readonly slot: TickSlot;
   private tune: Tune | null = null;
-  private pin: Pin | null = null;
   private periodUs: number | null = null;
   private memory = START_MEMORY;
   private currentTempo: Tempo = START_TEMPO;
@@ -46,6 +46,7 @@ export class MusicPlayer {
   constructor(
     private readonly clock: Clock,
     grid: TickGrid,
+    private readonly output: Sound,
   ) {
     this.slot = grid.join(() => this.tick());
   }
@@ -101,10 +102,10 @@ export class MusicPlayer {
     const problem = this.begin(pin);
     if (problem !== null) return problem;
     if (hz < 0 || hz > 1_000_000) {
-      this.letGo();
+      this.output.route.free();
       return 'invalid pitch';
     }
-    if (hz === 0) this.letGo();
+    if (hz === 0) this.output.route.free();
     else this.sound(Math.floor(1_000_000 / hz));
     if (durationMs >= 0) {
       this.run({ notes: [], loop: false, next: 0, then: 'gap', untilMs: this.nowMs + durationMs });
@@ -116,7 +117,7 @@ export class MusicPlayer {
   stop(): void {
     this.tune = null;
     this.sound(null);
-    this.letGo();
+    this.output.route.free();
   }
 
   private get nowMs(): number {
@@ -125,10 +126,7 @@ export class MusicPlayer {
 
   private begin(pin: Pin | null): string | null {
     this.stop();
-    const holder = pin?.acquire('music') ?? null;
-    if (pin && holder) return busyMessage(pin, holder);
-    this.pin = pin;
-    return null;
+    return this.output.route.select(pin, 'music');
   }
 
   private run(tune: Tune): void {
@@ -137,14 +135,10 @@ export class MusicPlayer {
   }
 
   private sound(periodUs: number | null): void {
+    const changed = periodUs !== this.periodUs;
     this.periodUs = periodUs;
-    this.pin?.playTone(periodUs);
-  }
-
-  private letGo(): void {
-    this.periodUs = null;
-    this.pin?.free();
-    this.pin = null;
+    this.output.route.playTone(periodUs);
+    if (changed) this.output.tell({ type: 'tone', hz: this.frequencyHz });
   }
 
   private tick(): boolean {

@@ -230,4 +230,37 @@ describe('PWM', () => {
     expect(board.pin('pin3').mode).toBe('display');
     expect(board.pin('pin3').analogPeriodUs).toBe(-1);
   });
+
+  it('P9: after writing 0 the pin still has its period of 20 ms', () => {
+    const pin = createBench().board.pin('pin0');
+    pin.writeAnalog(0);
+    expect([pin.mode, pin.analogPeriodUs]).toEqual(['unused', 20_000]);
+  });
+});
+
+describe('a pin that others use', () => {
+  it('G6: get_pull tells up until a resistor is chosen, although the input pulls down', () => {
+    const { board } = createBench();
+    const pin = board.pin('pin0');
+    expect([pin.readDigital(), pin.toldPull]).toEqual([0, 'up']);
+    pin.setPull('none');
+    expect(pin.toldPull).toBe('none');
+  });
+
+  it('G7: a tone leaves a pin alone that the display holds, and display.off() twice ends the music on its pin', () => {
+    const { board } = createBench();
+    board.pin('pin3').playTone(1000);
+    expect(board.wire('P3').pwm).toBeNull();
+    board.display.off();
+    board.music.play(['c4:4', 'd4:4', 'e4:4', 'f4:4'], { pin: board.pin('pin3'), loop: true });
+    board.clock.advanceTo(100_000);
+    expect(board.wire('P3').pwm?.periodUs).toBe(3822);
+    board.display.off();
+    board.clock.advanceTo(600_000);
+    expect(board.wire('P3').pwm).toBeNull();
+    expect(board.display.on()).toBeNull();
+    board.clock.advanceTo(2_000_000);
+    board.music.stop();
+    expect(board.pin('pin3').mode).toBe('display');
+  });
 });

@@ -1,14 +1,16 @@
 import type { PinMode, PinType, TouchKind } from './board-type';
 import type { PwmOutput, PwmUnit } from './pwm-unit';
-import type { Level, Pull, Wire, WireEnd } from './wire';
+import type { Level, Pull, SerialFrame, Wire, WireEnd } from './wire';
 
 export type { PinMode } from './board-type';
 
 /** Modes that hold a pin: taking it for something else is the device's "Pin %d in %q mode". */
 const HOLDING_MODES: ReadonlySet<PinMode> = new Set<PinMode>(['display', 'button', 'music', 'i2c', 'spi']);
 
+const DEFAULT_PULL: Pull = 'down'; // codal-microbit-v2: DEVICE_DEFAULT_PULLMODE
+
 /** What the pin's own end does to the wire just now. */
-type Role = 'nothing' | 'input' | 'level' | 'pwm' | 'tone' | 'touch';
+type Role = 'nothing' | 'input' | 'level' | 'pwm' | 'tone' | 'touch' | 'bus';
 
 /**
  * The microcomputer's own end of a wire, as its Python program knows it.
@@ -21,7 +23,8 @@ export class Pin {
   private readonly output: PwmOutput;
   private role: Role = 'nothing';
   private currentMode: PinMode;
-  private currentPull: Pull = 'down'; // codal-microbit-v2: DEVICE_DEFAULT_PULLMODE
+  private currentPull: Pull = DEFAULT_PULL;
+  private chosenPull: Pull | null = null;
 
   constructor(
     readonly type: PinType,
@@ -54,6 +57,14 @@ export class Pin {
     return this.currentPull;
   }
 
+  /**
+   * What `get_pull()` tells: the resistor that was chosen last, `up` (0) while none was, although the input then pulls
+   * down. So the device does (microbithal.cpp, pin_pull_state).
+   */
+  get toldPull(): Pull {
+    return this.chosenPull ?? 'up';
+  }
+
   /** The shared PWM period in µs, or -1 while this pin is no analog output. */
   get analogPeriodUs(): number {
     return this.role === 'pwm' ? this.pwm.periodUs : -1;
@@ -77,6 +88,16 @@ export class Pin {
     this.currentMode = 'unused';
     this.become('nothing');
     this.end.release();
+  }
+
+  /** As after a start: mode, pull, and nothing on the wire. */
+  reset(): void {
+    this.become('nothing');
+    this.end.release();
+    this.end.pull('none');
+    this.currentMode = this.type.startMode;
+    this.currentPull = DEFAULT_PULL;
+    this.chosenPull = null;
   }
 
   /** Reads the wire's level, with the pin as an input and its pull on. */
@@ -131,6 +152,7 @@ export class Pin {
   setPull(pull: Pull): void {
     this.take('read_digital');
     this.currentPull = pull;
+    this.chosenPull = pull;
     this.listen();
     this.end.pull(pull);
   }
@@ -143,9 +165,9 @@ export class Pin {
     this.end.pull(kind === 'resistive' ? 'up' : 'none');
   }
 
-  /** Puts a tone's square wave on the wire, or silence; the pin has to be in music mode. */
+  /** Puts a tone's square wave on the wire, or silence; a pin that something else holds is left alone (rule G7). */
   playTone(periodUs: number | null): void {
-    this.take('music');
+    if (this.currentMode !== 'music' && HOLDING_MODES.has(this.currentMode)) return;
     this.become('tone');
     if (periodUs === null) this.end.drive(0);
     else this.end.drivePwm({ periodUs, dutyFraction: TONE_DUTY });
@@ -156,6 +178,25 @@ export class Pin {
     this.become('level');
     this.end.drive(0);
     this.wire.stream(bytes);
+  }
+
+  /** Sends bytes of a serial line; the line rests high. Asks for no mode and changes none, as on the device. */
+  sendSerial(frame: SerialFrame): void {
+    this.holdLevel(1);
+    this.wire.serial(frame);
+  }
+
+  /** Drives a resting level for a bus that uses the pin. Asks for no mode and changes none. */
+  holdLevel(level: Level): void {
+    this.become('level');
+    this.end.drive(level);
+  }
+
+  /** Listens for a bus that uses the pin. Asks for no mode and changes none. */
+  holdInput(pull: Pull): void {
+    this.become('bus');
+    this.end.release();
+    this.end.pull(pull);
   }
 
   private take(mode: PinMode): void {

@@ -20,6 +20,13 @@ export class PwmUnit {
     this.setPeriodUs(DEFAULT_PERIOD_US);
   }
 
+  /** No pin has a channel, and the period is that of a start. The pins must have been reset before. */
+  reset(): void {
+    this.channels.fill(null);
+    this.lastGiven = this.channels.length - 1;
+    this.setPeriodUs(DEFAULT_PERIOD_US);
+  }
+
   /** The period of all channels in µs: what the hardware could reach, at or just below what was asked for. */
   get periodUs(): number {
     return (this.countTop << this.prescaler) / TICKS_PER_US;

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { calliopeMini3 } from './boards/calliope-mini-3';
 import { createBench } from './testing/bench';
 
 describe('the sensors', () => {
@@ -32,6 +33,30 @@ describe('the sensors', () => {
     expect([board.buttonA.isDown, board.touch.get('pin_logo')?.isDown]).toEqual([true, true]);
     board.sensors.set('pinLogo', 0);
     expect(['buttonA', 'pinLogo', 'pin0'].map((id) => board.sensors.get(id))).toEqual([1, 0, 0]);
+  });
+
+  it('R5: all of them are described, with the ranges of now', () => {
+    const { sensors } = createBench().board;
+    sensors.limit('accelerometerX', -4000, 4000);
+    const all = sensors.describe();
+    expect(all.map(({ id }) => id)).toEqual(sensors.ids);
+    const of = (id: string): unknown => all.find((info) => info.id === id);
+    expect(of('accelerometerX')).toEqual({
+      id: 'accelerometerX',
+      kind: 'range',
+      min: -4000,
+      max: 4000,
+      start: 0,
+      unit: 'mg',
+    });
+    expect(of('pinLogo')).toEqual({ id: 'pinLogo', kind: 'range', min: 0, max: 1, start: 0, unit: '' });
+    expect(of('gesture')).toMatchObject({ kind: 'choice', start: 'none', choices: expect.arrayContaining(['shake']) });
+    expect(() => sensors.limit('buttonA', 0, 1)).toThrow('There is no sensor "buttonA"');
+  });
+
+  it('R5: the Calliope mini has a fourth pad', () => {
+    const { sensors } = createBench(calliopeMini3).board;
+    expect(sensors.describe().map(({ id }) => id)).toContain('pin3');
   });
 
   it('R4: a second shake is told like the first', () => {

@@ -7,6 +7,19 @@ export interface Pressable {
   readonly isDown: boolean;
 }
 
+/** A sensor as a panel shows it. */
+export type SensorInfo =
+  | {
+      readonly id: string;
+      readonly kind: 'range';
+      readonly min: number;
+      readonly max: number;
+      readonly start: number;
+      /** Empty for a mere number. */
+      readonly unit: string;
+    }
+  | { readonly id: string; readonly kind: 'choice'; readonly choices: readonly string[]; readonly start: string };
+
 interface Range {
   readonly min: number;
   readonly max: number;
@@ -28,9 +41,12 @@ const RANGES: Readonly<Record<string, Range>> = {
   soundLevel: { min: 0, max: 255, start: 0, unit: '' },
 };
 
+const PRESSABLE: Range = { min: 0, max: 1, start: 0, unit: '' };
+const NO_GESTURE = 'none';
+
 /** What `gesture` may be; `none` for no gesture. Same source. */
 export const GESTURES: readonly string[] = [
-  'none',
+  NO_GESTURE,
   'up',
   'down',
   'left',
@@ -52,8 +68,9 @@ export const GESTURES: readonly string[] = [
  */
 export class Sensors {
   private readonly values = new Map<string, number>();
+  private readonly ranges = new Map<string, Range>(Object.entries(RANGES));
   private readonly listeners: ((id: string) => void)[] = [];
-  private gesture = 'none';
+  private gesture = NO_GESTURE;
 
   /** @param pressables what can be pressed, by sensor id */
   constructor(private readonly pressables: ReadonlyMap<string, Pressable>) {
@@ -78,14 +95,30 @@ export class Sensors {
     if (id === 'gesture') {
       this.gesture = oneOf(id, value, GESTURES);
     } else if (pressable) {
-      if (within(id, value, { min: 0, max: 1, unit: '' }) >= 0.5) pressable.press();
+      if (within(id, value, PRESSABLE) >= 0.5) pressable.press();
       else pressable.release();
     } else {
-      const range = Object.hasOwn(RANGES, id) ? RANGES[id] : undefined;
+      const range = this.ranges.get(id);
       if (!range) throw unknown(id, this.ids);
       this.values.set(id, within(id, value, range));
     }
     for (const tell of [...this.listeners]) tell(id);
+  }
+
+  /** Changes how far a sensor reaches; a value beyond comes within. @throws RangeError for an id without a range */
+  limit(id: string, min: number, max: number): void {
+    const range = this.ranges.get(id);
+    if (!range) throw unknown(id, [...this.ranges.keys()]);
+    this.ranges.set(id, { ...range, min, max });
+    this.values.set(id, Math.max(min, Math.min(max, this.values.get(id) ?? range.start)));
+  }
+
+  /** What there is to set, and within which bounds now: for panels and files. In the order of `ids`. */
+  describe(): readonly SensorInfo[] {
+    return this.ids.map((id) => {
+      if (id === 'gesture') return { id, kind: 'choice', choices: GESTURES, start: NO_GESTURE };
+      return { id, kind: 'range', ...(this.ranges.get(id) ?? PRESSABLE) };
+    });
   }
 
   /** Every id this board knows. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import spec from './SPEC.md?raw';
 
-const tests = import.meta.glob<string>('./*.test.ts', { query: '?raw', import: 'default', eager: true });
+const tests = import.meta.glob<string>('./**/*.test.ts', { query: '?raw', import: 'default', eager: true });
 
 describe('SPEC.md', () => {
   const ruleIds = [...spec.matchAll(/^\| ([A-Z]\d+) *\|/gm)].map((row) => row[1]!);

@@ -30,6 +30,12 @@ export class Touch {
     this.contact.changed();
   }
 
+  /** Forgets touches and how it was to sense; a finger on it stays. */
+  reset(): void {
+    this.currentKind = this.pin.type.touch ?? 'capacitive';
+    this.contact.reset();
+  }
+
   /** How it senses; see `TouchKind`. */
   get kind(): TouchKind {
     return this.currentKind;

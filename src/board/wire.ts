@@ -14,6 +14,13 @@ export interface Pwm {
   readonly dutyFraction: number;
 }
 
+/** Bytes on a serial line, least significant bit first, one start and one stop bit each. */
+export interface SerialFrame {
+  readonly bytes: Uint8Array;
+  /** Bits per second. */
+  readonly baud: number;
+}
+
 /** What one end does to its wire. Rule ids: see SPEC.md. */
 type Drive =
   | { readonly kind: 'level'; readonly level: Level }
@@ -52,6 +59,7 @@ export class Wire {
   private readonly levelListeners: Listeners<Level> = new Set();
   private readonly pwmListeners: Listeners<Pwm | null> = new Set();
   private readonly streamListeners: Listeners<Uint8Array> = new Set();
+  private readonly serialListeners: Listeners<SerialFrame> = new Set();
   private readonly changes: (() => void)[] = [];
   private telling = false;
   private settled: Level = 0;
@@ -131,6 +139,16 @@ export class Wire {
   /** Sends an LED stream. The level does not move: afterwards the wire is where its ends leave it (rule S2). */
   stream(bytes: Uint8Array): void {
     tellAll(this.streamListeners, bytes);
+  }
+
+  /** Receives what is sent over this wire as a serial line. The bytes may be a view of somebody's memory. */
+  onSerial(listener: (frame: SerialFrame) => void): Stop {
+    return attach(this.serialListeners, listener);
+  }
+
+  /** Sends bytes as a serial line does; they count as received now. The level does not move (rule U2). */
+  serial(frame: SerialFrame): void {
+    tellAll(this.serialListeners, frame);
   }
 
   /** Low wins over high, a stronger statement (level, analog, PWM) over a pull: rules W2, W3. */

@@ -54,8 +54,12 @@ export class Clock {
     let cancel: Stop = () => undefined;
     const schedule = (timeUs: number): void => {
       cancel = this.at(timeUs, () => {
-        ring();
-        if (!stopped) schedule(timeUs + periodUs);
+        // Also after an error: it ends the run, not the world's clockwork.
+        try {
+          ring();
+        } finally {
+          if (!stopped) schedule(timeUs + periodUs);
+        }
       });
     };
     schedule(this.time + periodUs);

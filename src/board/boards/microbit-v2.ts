@@ -1,4 +1,5 @@
-import type { BoardCosts, BoardType, PinMode, PinType, TouchKind } from '../board-type';
+import type { BoardType, FirmwareType, PinMode, PinType, TouchKind } from '../board-type';
+import { nrf52833CostsUs } from './nrf52833-costs';
 
 /**
  * BBC micro:bit V2 (nRF52833) with MicroPython v2.1.2.
@@ -50,26 +51,56 @@ const pins: readonly PinType[] = [
   { name: 'pin_speaker', wire: 'speaker', number: 31, digital: true, analog: false, touch: null, startMode: 'unused' },
 ];
 
-const costsUs: BoardCosts = {
-  bytecodeUs: 1, // fitted together with allocationUs to the next row's measurement
-  allocationUs: 9, // fitted: 13,700 rounds of `number = number * 1.001 - 1.001` take 442 ms (kevinjwalters/micropython-examples)
-  callUs: 5, // chosen: a C function of a few hundred instructions at 64 MHz
-  analogReadUs: 91, // codal-nrf52 NRF52ADC.cpp: time of one channel's 14-bit conversion
-  printByteUs: 1_000_000 / 11_520, // 115200 baud, ten bits a byte: 86.8 µs
-  i2cGapUs: 10, // codal-nrf52 NRF52I2C.cpp asks every 10 µs whether a transfer is done
-  i2cProbeUs: 1000, // codal-nrf52 NRF52I2C.cpp: a transfer without bytes ends by its 1 ms time-out
-  ws2812ByteUs: 10, // WS2812B datasheet: 1.25 µs a bit, hence 30 µs an LED
-  ws2812SetupUs: 125, // measured by users, micropython-microbit-v2 issue #227: 125 … 300 µs besides the bits
-};
+/**
+ * The firmwares of the micro:bit. The words of v2.1.2 are those of the hex that the official editor ships
+ * (python-editor-v3, src/micropython/main); those of the newest one stand in micropython-microbit-v2 (mpconfigport.h,
+ * modos.c), which has not been released: date and hash are those of the commit that the names come from.
+ */
+const firmwares: readonly [FirmwareType, FirmwareType] = [
+  {
+    id: 'v2.1.2',
+    name: 'MicroPython v2.1.2',
+    features: [],
+    banner: 'MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2 with nRF52833',
+    uname: {
+      sysname: 'microbit',
+      nodename: 'microbit',
+      release: '2.1.2',
+      version: 'micro:bit v2.1.2+0697c6d on 2023-10-30; MicroPython v1.18 on 2023-10-30',
+      machine: 'micro:bit with nRF52833',
+    },
+    sysVersion: '3.4.0; MicroPython v1.18 on 2023-10-30',
+    micropython: [1, 18, 0],
+  },
+  {
+    id: 'newest',
+    name: 'MicroPython (newest)',
+    features: ['rotate', 'sound-level-db', 'touch-counts', 'clap', 'recording'],
+    banner: 'MicroPython v1.23.0 on 2024-06-02; micro:bit v2.1.2 with nRF52833',
+    uname: {
+      sysname: 'microbit',
+      nodename: 'microbit',
+      release: '2.1.2',
+      version: 'micro:bit v2.1.2+3f22f30 on 2024-06-02; MicroPython v1.23.0 on 2024-06-02',
+      machine: 'micro:bit with nRF52833',
+    },
+    sysVersion: '3.4.0; MicroPython v1.23.0 on 2024-06-02',
+    micropython: [1, 23, 0],
+  },
+];
 
 /** The micro:bit V2: 19 edge pins, logo, speaker, two buttons, 5 × 5 LEDs. */
 export const microbitV2: BoardType = {
   id: 'microbit-v2',
   name: 'micro:bit V2',
+  modules: ['microbit'],
+  firmwares,
   pins,
   buttons: { a: 'pin5', b: 'pin11' },
   displayPins: ['pin3', 'pin4', 'pin6', 'pin7', 'pin10'],
   i2c: { scl: 'pin19', sda: 'pin20', frequencyHz: 100_000 },
   musicPin: 'pin0',
-  costsUs,
+  rgb: null,
+  motors: null,
+  costsUs: nrf52833CostsUs,
 };

@@ -1,6 +1,6 @@
 import { Clock } from '#core/clock';
 import { Board } from '../board';
-import type { BoardType } from '../board-type';
+import type { BoardType, FirmwareType } from '../board-type';
 import { microbitV2 } from '../boards/microbit-v2';
 import type { WireEnd } from '../wire';
 
@@ -28,9 +28,9 @@ export interface Bench {
 }
 
 /** Puts a board on the table. */
-export function createBench(type: BoardType = microbitV2): Bench {
+export function createBench(type: BoardType = microbitV2, firmware?: FirmwareType): Bench {
   const clock = new Clock();
-  const board = new Board(type, clock);
+  const board = new Board(type, clock, firmware);
   return {
     clock,
     board,

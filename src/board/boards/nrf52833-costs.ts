@@ -1,0 +1,15 @@
+import type { BoardCosts } from '../board-type';
+
+/** What things cost on an nRF52833 at 64 MHz with this family of firmwares: micro:bit V2 and Calliope mini 3 alike. */
+export const nrf52833CostsUs: BoardCosts = {
+  bytecodeUs: 1, // fitted together with allocationUs to the next row's measurement
+  allocationUs: 9, // fitted: 13,700 rounds of `number = number * 1.001 - 1.001` take 442 ms (kevinjwalters/micropython-examples)
+  callUs: 5, // chosen: a C function of a few hundred instructions at 64 MHz
+  analogReadUs: 91, // codal-nrf52 NRF52ADC.cpp: time of one channel's 14-bit conversion
+  printByteUs: 1_000_000 / 11_520, // 115200 baud, ten bits a byte: 86.8 µs
+  i2cGapUs: 10, // codal-nrf52 NRF52I2C.cpp asks every 10 µs whether a transfer is done
+  i2cProbeUs: 1000, // codal-nrf52 NRF52I2C.cpp: a transfer without bytes ends by its 1 ms time-out
+  ws2812ByteUs: 10, // WS2812B datasheet: 1.25 µs a bit, hence 30 µs an LED
+  ws2812SetupUs: 125, // measured by users, micropython-microbit-v2 issue #227: 125 … 300 µs besides the bits
+  radioPacketUs: 700, // micropython-microbit-v2 drv_radio.c: between packets sent one after the other
+};

@@ -1,0 +1,122 @@
+import type { Clock } from '#core/clock';
+import { GestureRecogniser, SAMPLES_TO_REST, type Acceleration, type Gesture } from './gestures';
+import type { Sensors } from './sensors';
+
+const SAMPLE_US = 20_000; // codal-core Accelerometer.cpp: samplePeriod
+const HISTORY = 16; // microbit_accelerometer.c: GESTURE_LIST_SIZE 8, two gestures a byte
+const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
+const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
+
+/**
+ * The accelerometer. It looks every 20 ms, at whole multiples since the start of the run; gestures are found in these
+ * samples, and the sensor `gesture` makes one more each time it is set.
+ *
+ * No alarm is set for it: samples are made up for when somebody asks, which comes to the same. At the start all axes
+ * read 0 (as in the official simulator), which is a free fall; therefore nothing counts as one until `accelerometerZ`
+ * has been set for the first time.
+ */
+export class Motion {
+  private raw: { x: number; y: number; z: number } = { x: 0, y: 0, z: 0 };
+  private latest: Acceleration = { x: 0, y: 0, z: 0 };
+  private samples = 0;
+  private canFall = false;
+  private recogniser = this.createRecogniser();
+  private lastGesture: Gesture = '';
+  private readonly were = new Set<Gesture>();
+  private history: Gesture[] = [];
+
+  constructor(
+    private readonly clock: Clock,
+    private readonly sensors: Sensors,
+  ) {
+    sensors.onSet((id) => this.hear(id));
+  }
+
+  /** The latest sample, whole mg. */
+  get acceleration(): Acceleration {
+    this.catchUp();
+    return this.latest;
+  }
+
+  /** How strong it is in all directions together, whole mg. */
+  get strength(): number {
+    const { x, y, z } = this.acceleration;
+    return Math.floor(Math.sqrt(x * x + y * y + z * z));
+  }
+
+  /** Rounds up to 2, 4 or 8 g (beyond that: 8), which is also how far the three sensors then reach. */
+  setRange(g: number): void {
+    this.catchUp();
+    const rangeMg = (RANGES_G.find((range) => range >= g) ?? 8) * 1000;
+    for (const id of Object.keys(AXES)) this.sensors.limit(id, -rangeMg, rangeMg);
+    this.readSensors();
+  }
+
+  /** The gesture that is being made; empty for none. A posture stays until another one comes. */
+  get gesture(): Gesture {
+    this.catchUp();
+    return this.lastGesture;
+  }
+
+  /** Whether the gesture was made since this was last asked; the list of `takeGestures` is cleared too. */
+  wasGesture(gesture: Gesture): boolean {
+    this.catchUp();
+    this.history = [];
+    return this.were.delete(gesture);
+  }
+
+  /** The gestures since the last question, oldest first, at most 16. */
+  takeGestures(): readonly Gesture[] {
+    this.catchUp();
+    const taken = this.history;
+    this.history = [];
+    return taken;
+  }
+
+  /** As after a start: 2 g, no gestures. What the sensors feel stays. */
+  reset(): void {
+    this.setRange(2);
+    this.recogniser = this.createRecogniser();
+    this.lastGesture = '';
+    this.were.clear();
+    this.history = [];
+  }
+
+  private createRecogniser(): GestureRecogniser {
+    return new GestureRecogniser((gesture) => this.note(gesture));
+  }
+
+  private note(gesture: Gesture): void {
+    this.lastGesture = gesture;
+    if (gesture === '') return;
+    this.were.add(gesture);
+    if (this.history.length < HISTORY) this.history.push(gesture);
+  }
+
+  private hear(id: string): void {
+    if (id === 'gesture') {
+      this.catchUp();
+      const gesture = this.sensors.get('gesture');
+      if (gesture === 'none') this.lastGesture = this.recogniser.current;
+      else this.note(gesture as Gesture);
+    } else if (Object.hasOwn(AXES, id)) {
+      this.catchUp();
+      this.readSensors();
+      if (id === 'accelerometerZ') this.canFall = true;
+    }
+  }
+
+  private readSensors(): void {
+    for (const [id, axis] of Object.entries(AXES)) this.raw[axis] = Math.trunc(this.sensors.get(id));
+  }
+
+  /** Makes up for the samples since the last question: all of them were the same. */
+  private catchUp(): void {
+    const due = Math.floor(this.clock.nowUs / SAMPLE_US);
+    const missing = Math.min(due - this.samples, SAMPLES_TO_REST);
+    if (missing <= 0) return;
+    this.samples = due;
+    this.latest = { ...this.raw };
+    for (let i = 0; i < missing; i++) this.recogniser.sample(this.latest, this.canFall);
+  }
+}

@@ -1,0 +1,55 @@
+import { busyMessage, type Pin, type PinMode } from '../pin';
+
+/**
+ * Which pin carries the sound besides the speaker: one for music, audio and speech together.
+ * Source: micropython-microbit-v2 microbit_pinaudio.c.
+ */
+export class AudioRoute {
+  private pin: Pin | null = null;
+  private mode: PinMode = 'unused';
+
+  constructor(private readonly changed: (pin: Pin | null) => void) {}
+
+  /** The pin that the sound still owns, or `null`: whoever frees it or takes it for another use ends that. */
+  get current(): Pin | null {
+    if (this.pin && this.pin.mode !== this.mode) this.leave();
+    return this.pin;
+  }
+
+  /**
+   * Sends the sound to this pin, or to none, and gives back the pin that had it.
+   *
+   * @param mode `music` holds the pin against other uses, `audio` lets it be taken
+   * @returns `null`, or the device's ValueError when the pin is held; the sound goes to no pin then
+   */
+  select(pin: Pin | null, mode: 'music' | 'audio'): string | null {
+    const before = this.current;
+    if (before && (pin !== before || this.mode !== mode)) this.free();
+    const holder = pin?.acquire(mode) ?? null;
+    if (pin && holder) return busyMessage(pin, holder);
+    this.mode = mode;
+    if (pin !== this.pin) {
+      this.pin = pin;
+      this.changed(pin);
+    }
+    return null;
+  }
+
+  /** Gives the pin back. */
+  free(): void {
+    const pin = this.current;
+    if (!pin) return;
+    pin.free();
+    this.leave();
+  }
+
+  /** Puts a tone's square wave on the pin, or silence. */
+  playTone(periodUs: number | null): void {
+    if (this.mode === 'music') this.current?.playTone(periodUs);
+  }
+
+  private leave(): void {
+    this.pin = null;
+    this.changed(null);
+  }
+}

@@ -1,0 +1,125 @@
+import type { Clock } from '#core/clock';
+import type { Stop } from '#core/stop';
+import { AudioRoute } from './audio-route';
+import { effectMs, type EffectPart } from './effect';
+import { SampleStream } from './sample-stream';
+import type { SoundChange, SoundEvent, SoundSource } from './sound-event';
+import { utteranceUs, type Utterance } from './utterance';
+
+const MAX_VOLUME = 255;
+
+/**
+ * The board's sound hardware: the mixer of four sources, its volume, and where it goes. It knows what sounds from when
+ * to when and tells it; it makes no samples. Source: codal-microbit-v2 MicroBitAudio.cpp, micropython-microbit-v2
+ * modaudio.c and modspeech.c. Left out: the mixer's buffers, some 6 ms.
+ */
+export class Sound {
+  /** The pin that carries the sound too. */
+  readonly route = new AudioRoute(() => this.tellOutput());
+  /** Samples that a program makes itself. */
+  readonly stream: SampleStream;
+  private readonly listeners = new Set<(event: SoundEvent) => void>();
+  private currentVolume = MAX_VOLUME;
+  private speakerOn = true;
+  private effectEndUs = 0;
+  private speechEndUs = 0;
+
+  constructor(private readonly clock: Clock) {
+    this.stream = new SampleStream(clock, ({ samples, rate }, startUs) =>
+      this.tell({ type: 'samples', startUs, rate, samples }),
+    );
+  }
+
+  /** Loudness of everything, 0 … 255; 255 after a start. */
+  get volume(): number {
+    return this.currentVolume;
+  }
+
+  /** Values outside 0 … 255 change nothing, as on the device. */
+  setVolume(volume: number): void {
+    if (!(volume >= 0 && volume <= MAX_VOLUME)) return;
+    this.currentVolume = volume;
+    this.tell({ type: 'volume', volume });
+  }
+
+  /** False after `setSpeaker(false)`: the sound goes to the pin alone. */
+  get isSpeakerOn(): boolean {
+    return this.speakerOn;
+  }
+
+  setSpeaker(isOn: boolean): void {
+    this.speakerOn = isOn;
+    this.tellOutput();
+  }
+
+  /** Whether an effect, samples or speech sound now. The tone is `MusicPlayer.frequencyHz`. */
+  get isSounding(): boolean {
+    const { nowUs } = this.clock;
+    return this.effectEndUs > nowUs || this.speechEndUs > nowUs || this.stream.isSounding;
+  }
+
+  /** When the effect that sounds now ends, in µs; a time that has passed when none does. */
+  get effectUntilUs(): number {
+    return this.effectEndUs;
+  }
+
+  /** When the speech that sounds now ends, in µs; a time that has passed when none does. */
+  get speechUntilUs(): number {
+    return this.speechEndUs;
+  }
+
+  /** Plays an effect in place of the one that sounds. */
+  playEffect(parts: readonly EffectPart[]): void {
+    this.effectEndUs = this.clock.nowUs + effectMs(parts) * 1000;
+    this.tell({ type: 'effect', parts });
+  }
+
+  /** Speaks in place of what is being said. */
+  speak(utterance: Utterance): void {
+    this.speechEndUs = this.clock.nowUs + utteranceUs(utterance);
+    this.tell({ type: 'speech', utterance });
+  }
+
+  /** Ends a source before its time. */
+  silence(source: SoundSource): void {
+    if (this.stopSource(source)) this.tell({ type: 'silence', source });
+  }
+
+  /** Tells everything that the sound hardware does from now on, in the order of time. */
+  onEvent(listener: (event: SoundEvent) => void): Stop {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+
+  /** As after a start: silence, full volume, speaker on, no pin. The tone of music is reset by `MusicPlayer.reset`. */
+  reset(): void {
+    for (const source of ['effect', 'samples', 'speech'] as const) this.silence(source);
+    this.route.free();
+    if (this.currentVolume !== MAX_VOLUME) this.setVolume(MAX_VOLUME);
+    if (!this.speakerOn) this.setSpeaker(true);
+  }
+
+  /** Tells those who listen. */
+  tell(change: SoundChange): void {
+    if (this.listeners.size === 0) return;
+    const event: SoundEvent = { timeUs: this.clock.nowUs, ...change };
+    for (const listener of this.listeners) listener(event);
+  }
+
+  private stopSource(source: SoundSource): boolean {
+    const { nowUs } = this.clock;
+    if (source === 'samples') return this.stream.silence();
+    if (source === 'effect') {
+      const sounded = this.effectEndUs > nowUs;
+      this.effectEndUs = Math.min(this.effectEndUs, nowUs);
+      return sounded;
+    }
+    const sounded = this.speechEndUs > nowUs;
+    this.speechEndUs = Math.min(this.speechEndUs, nowUs);
+    return sounded;
+  }
+
+  private tellOutput(): void {
+    this.tell({ type: 'output', isSpeakerOn: this.speakerOn, pin: this.route.current?.name ?? null });
+  }
+}
