@@ -15,7 +15,8 @@ function fingerprint() {
   const hash = createHash('sha256');
   hash.update(readFileSync(published));
   hash.update(require('binaryen/package.json').version);
-  for (const file of ['transform.mjs', 'wat.mjs']) hash.update(readFileSync(new URL(`src/vm/firmware/${file}`, root)));
+  for (const file of ['transform.mjs', 'keyword-order.mjs', 'wat.mjs'])
+    hash.update(readFileSync(new URL(`src/vm/firmware/${file}`, root)));
   return hash.digest('hex');
 }
 

@@ -39,12 +39,12 @@ export async function browserTests(args = []) {
   }
 }
 
-/** The page that runs the simulation bare in the engine's worker, for the golden trajectories. */
+/** The page that runs the simulation bare in the engine's worker, for the golden trajectories, and listens to sounds. */
 async function buildProbe() {
   const inputs = {
     sources: ['src', 'e2e/probe', 'package-lock.json', '.cache/vm'],
     product: 'dist/e2e/index.html',
-    counts: (path) => !path.startsWith('src/web/') && !path.startsWith('src/cli/'),
+    counts: (path) => path.startsWith('src/web/sound/') || !/^src\/(web|cli)\//.test(path),
   };
   await buildWhenChanged('probe', inputs, () =>
     step('Probe page', () =>

@@ -2,6 +2,7 @@
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
 // What the run-time side expects of the result stands in ../run/firmware.ts.
 import binaryen from 'binaryen';
+import { orderKeywordArguments } from './keyword-order.mjs';
 import {
   addressOfText,
   expressionEnd,
@@ -49,6 +50,8 @@ export function transform(published, report) {
   exportScheduler(module);
   replaceEndlessLoops(module);
   limitStack(module);
+  orderKeywordArguments(module);
+  echoPasted(module);
 
   report('spilling pointers for the collector');
   const spilled = build(module, ['spill-pointers']);
@@ -129,7 +132,8 @@ function collectInsideFixedHeap(module) {
       ${store(overflow, `(i32.or ${load(overflow)} (local.get $overflow))`)}
       ${store(bottom, '(local.get $bottom)')}
       ${store(current, '(local.get $current)')}
-      (call $${end}))`,
+      (call $${end})
+      (call $collected))`,
   );
   const split = onlyFunction(
     module,
@@ -175,9 +179,10 @@ function bodyStart(text) {
 }
 
 /**
- * A MemoryError needs memory itself, for its message and its traceback. The library lays a reserve aside in the heap;
- * the C function that raises the error gives it free first, so that even a heap full of small objects ends in an error
- * that names its line.
+ * A MemoryError needs memory itself, for its message and its traceback. A reserve is laid aside in the heap; the C
+ * function that raises the error gives it free first, so that even a heap full of small objects ends in an error that
+ * names its line. What keeps the reserve until then is the last word of the C stack (see src/vm/run/heap.ts, which also
+ * takes it back after a collection).
  */
 function freeReserveOnMemoryError(module) {
   const fail = addressOfText(module, 'memory allocation failed, allocating %u bytes');
@@ -193,7 +198,10 @@ function freeReserveOnMemoryError(module) {
   );
   const text = flat(module.functions.get(raise.name));
   const body = bodyStart(text);
-  const giveFree = `(if (global.get $reserve) (then (call $${free.name} (global.get $reserve)) (global.set $reserve (i32.const 0))))`;
+  const giveFree = `(if (global.get $reserve) (then
+    (call $${free.name} (global.get $reserve))
+    (global.set $reserve (i32.const 0))
+    (i32.store (i32.sub (global.get $stack_base) (i32.const 4)) (i32.const 0))))`;
   module.functions.set(raise.name, `${text.slice(0, body)}${giveFree} ${text.slice(body)}`);
 }
 
@@ -304,11 +312,33 @@ function limitStack(module) {
   replaceOnce(module, init, 'C stack limit', /\(i32\.const 32768\)/, `(i32.const ${STACK_LIMIT_BYTES})`);
 }
 
+/**
+ * What is pasted into the REPL is a program whose expressions print their values. The built-in compile() makes only
+ * single statements that way; here `echo` says it for all that is compiled: mp_parse_compile_execute calls mp_compile,
+ * which calls mp_compile_to_raw_code, whose third parameter is is_repl.
+ */
+function echoPasted(module) {
+  const execute = onlyFunction(
+    module,
+    'mp_parse_compile_execute',
+    /\(call \$(\S+) \(i32\.add \(local\.get \$\d+\) \(i32\.const 8\)\) \(local\.get \$2\) \(i32\.eqz \(local\.get \$1\)\)\)/,
+  );
+  const compile = onlyMatch(
+    flat(module.functions.get(execute.match[1])),
+    'mp_compile_to_raw_code',
+    /\(call \$(\S+) \(local\.get \$0\) \(local\.get \$1\) \(local\.get \$2\) \(i32\.add/,
+  )[1];
+  const text = flat(module.functions.get(compile));
+  const body = bodyStart(text);
+  const echo = '(local.set $2 (i32.or (local.get $2) (global.get $echo)))';
+  module.functions.set(compile, `${text.slice(0, body)}${echo} ${text.slice(body)}`);
+}
+
 /** What the firmware needs of its host beside the published imports, and the counters it shares with it. */
 function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);
-  const imports = ['tick', 'fatal'].map((name) => ` (import "host" "${name}" (func $${name}))`).join('\n');
+  const imports = ['tick', 'fatal', 'collected'].map((name) => ` (import "host" "${name}" (func $${name}))`).join('\n');
   const counters = [
     'gas',
     'library_gas',
@@ -318,6 +348,7 @@ function declareHost(module) {
     'heap_start',
     'heap_end',
     'reserve',
+    'echo',
   ]
     .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
     .join('\n');

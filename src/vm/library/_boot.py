@@ -1,4 +1,4 @@
-# Starts the device and runs the pupil's program. Not to be imported by programs.
+# Starts the device, runs the pupil's program, and hands over to the REPL. Not to be imported by programs.
 import __main__
 import gc
 import sys
@@ -7,86 +7,119 @@ from uctypes import addressof
 import _hal
 
 _scope = __main__.__dict__
-# Room for errors when the heap is full: given free when memory runs out, or when the program has failed otherwise.
-_reserve = bytearray(4096)
-_hal.reserve(addressof(_reserve))
+_file_size = _hal.file_size
+_raw = _hal.repl_raw
+_finish = _hal.finish
+_shown = _hal.shown
+_shown_skip = _hal.shown_skip
+_stop_timers = _hal.run_every_stop
+_give_reserve = _hal.reserve_give
+_hold_reserve = _hal.reserve_hold
+_report_begin = _hal.report_begin
+_report_end = _hal.report_end
+_reboot = _hal.reboot
 
 
 def run():
-    """Runs main.py and tells the simulation how it ended."""
-    global _reserve
+    """Runs main.py, tells the simulation how it ended, and lets the REPL answer until the board restarts."""
+    del _scope["_run"]
+    gc.collect()
+    _seal()
+    _reserve(addressof(bytearray(_reserve_bytes)))
+    gc.collect()
     failure = None
     try:
         try:
-            execfile("main.py", _scope)
+            if _raw():
+                # A tool talks to the board: it wants to be alone.
+                pass
+            elif _file_size("main.py") >= 0:
+                execfile("main.py", _scope)
+            else:
+                exec("from " + _module + " import *", _scope)
         except SystemExit as end:
-            # An error in a callback ends the program this way: _sim.py.
-            if len(end.args) == 2 and isinstance(end.args[1], BaseException):
-                failure = end.args[1]
+            failure = _repl.cause(end)
         except BaseException as error:
             failure = error
-        _hal.run_every_stop()
+        _stop_callbacks()
+        _micropython.free()
         if failure is not None:
-            _hal.reserve(0)
-            _reserve = None
             _report(failure)
-            failure = None
-        _scope.clear()
-        gc.collect()
     except BaseException as error:
         # An interrupt that came when main.py had ended already.
+        _stop_callbacks()
+        _micropython.free()
         _report(error)
-    _hal.finish()
+    failure = None
+    gc.collect()
+    try:
+        _finish()
+        while not _shown():
+            pass
+    except BaseException:
+        # Ctrl-C: enough of the error on the display.
+        _shown_skip()
+    _repl.serve()
+    _reboot()
+
+
+def _stop_callbacks():
+    _stop_timers()
+    _sim.forget()
 
 
 def _report(error):
-    _hal.report_begin()
+    _give_reserve()
+    _report_begin()
     sys.print_exception(error)
     try:
         text = str(error)
     except BaseException:
         text = ""
-    _hal.report_end(type(error).__name__, text)
-
-
-def _fill(start):
-    """Fills what the library left free below `start`, so that every program finds the same empty heap above it."""
-    filling = None
-    size = 8192
-    while size >= 16:
-        block = [filling, bytearray(size)]
-        if max(addressof(block[1]) + size, id(block)) < start:
-            filling = block
-        else:
-            # Too large for what is left: give it back first, or it would be in the way of smaller ones.
-            block = None
-            gc.collect()
-            size //= 2
-    return filling
+    _report_end(type(error).__name__, text)
+    _hold_reserve()
 
 
 # Everything a program may import is loaded now, into the library's part of the heap: from the library alone, no file of
 # the user's that has such a name.
 sys.path[:] = ["/lib"]
 import _sim
+import _errno
+import _gc
+import _micropython
+import _repl
+import antigravity
 import audio
 import log
+import love
 import machine
 import microbit
+
+gc.collect()  # what importing leaves behind must not push the library into the program's part
 import music
 import neopixel
 import os
 import power
 import radio
 import speech
+import this
 import time
 
-_hal_start = _hal.program_start()
+gc.collect()
+
+_module = _hal.board_module(0)
+_seal = _hal.seal
+_reserve = _hal.reserve
+_reserve_bytes = _hal.reserve_bytes()
+_booted = _hal.booted
 import _import
 
 sys.path[:] = ["", "/lib"]
-# The way to the board is the library's alone.
-del sys.modules["_hal"]
-gc.collect()
-_filling = _fill(_hal_start)
-gc.collect()
+# The way to the board is the library's alone, and the runner's alone what a program could break it with.
+for _name in ("_hal", "_boot", "_sim", "_repl"):
+    del sys.modules[_name]
+for _module_of_ours in sys.modules.values():
+    # Built in, as far as a program can see.
+    if hasattr(_module_of_ours, "__file__"):
+        del _module_of_ours.__file__
+_booted()

@@ -1,11 +1,13 @@
-# I2C and serial. Behaviour and errors: micropython-microbit-v2 microbit_i2c.c, microbit_uart.c.
+# I2C, SPI and serial. Behaviour and errors: micropython-microbit-v2 microbit_i2c.c, microbit_spi.c, microbit_uart.c.
 import _hal
 from _pins import pin_number
-from _sim import absent, addressof, ints, raw
+from _sim import addressof, ints, raw
 
 _write = _hal.i2c_write
 _read = _hal.i2c_read
 _ENODEV = 19
+_INVALID_PARAMETER = -1001  # codal-core ErrorNo.h: DEVICE_INVALID_PARAMETER
+_USB = -1
 
 
 class MicroBitI2C:
@@ -14,9 +16,9 @@ class MicroBitI2C:
 
     def init(self, freq=100000, sda=None, scl=None):
         ints(freq)
-        if sda is not None and pin_number(sda) != 20 or scl is not None and pin_number(scl) != 19:
-            absent("microbit.i2c on other pins than pin20 (sda) and pin19 (scl)")
-        _hal.i2c_init(freq)
+        sda = _hal.board_role("sda") if sda is None else pin_number(sda)
+        scl = _hal.board_role("scl") if scl is None else pin_number(scl)
+        _hal.i2c_init(freq, scl, sda)
 
     def scan(self):
         found = []
@@ -47,6 +49,57 @@ class MicroBitI2C:
         return bytes(buf)
 
 
+class MicroBitSPI:
+    def __repr__(self):
+        return "<MicroBitSPI>"
+
+    def init(self, baudrate=1000000, bits=8, mode=0, *, sclk=None, mosi=None, miso=None):
+        ints(baudrate, bits, mode)
+        pins = []
+        for pin, usual in ((sclk, 13), (mosi, 15), (miso, 14)):
+            pins.append(usual if pin is None else pin_number(pin))
+        for n in pins:
+            holder = _hal.spi_hold(n)
+            if holder is not None:
+                raise ValueError("Pin %d in %s mode" % (n, holder))
+        if bits != 8:
+            raise OSError(_INVALID_PARAMETER)
+        _hal.spi_init(pins[0], pins[1], pins[2], baudrate, mode)
+
+    def write(self, buffer):
+        _check_spi()
+        buffer = raw(buffer)
+        _hal.spi_transfer(addressof(buffer), 0, len(buffer))
+
+    def read(self, nbytes, out=0):
+        _check_spi()
+        ints(nbytes, out)
+        if nbytes < 0:
+            raise ValueError("invalid number of bytes")
+        buffer = bytearray(nbytes)
+        out &= 0xFF
+        if out:
+            for i in range(nbytes):
+                buffer[i] = out
+        _hal.spi_transfer(addressof(buffer), addressof(buffer), nbytes)
+        return bytes(buffer)
+
+    def write_readinto(self, out, in_):
+        _check_spi()
+        sent = raw(out)
+        received = memoryview(in_)
+        if len(sent) != len(received):
+            raise ValueError("write and read buffers must be the same length")
+        buffer = bytearray(len(sent))
+        _hal.spi_transfer(addressof(sent), addressof(buffer), len(sent))
+        received[:] = buffer
+
+
+def _check_spi():
+    if not _hal.spi_is_on():
+        raise ValueError("SPI not initialised")
+
+
 class MicroBitUART:
     ODD = 1
     EVEN = 0
@@ -56,36 +109,60 @@ class MicroBitUART:
 
     def init(self, baudrate=9600, bits=8, parity=None, stop=1, *, pins=None, tx=None, rx=None):
         ints(baudrate, bits, stop)
-        if pins is not None or tx is not None or rx is not None:
-            absent("microbit.uart on other pins than USB")
-        _hal.serial_init(baudrate)
+        if parity is not None:
+            ints(parity)
+        tx = _USB if tx is None else pin_number(tx)
+        rx = _USB if rx is None else pin_number(rx)
+        if pins is not None:
+            if not isinstance(pins, (tuple, list)):
+                raise TypeError("object '%s' isn't a tuple or list" % type(pins).__name__)
+            if len(pins) != 2:
+                raise ValueError("requested length 2 but object has length %d" % len(pins))
+            tx = pin_number(pins[0])
+            rx = pin_number(pins[1])
+        _hal.uart_init(baudrate, tx, rx)
 
     def any(self):
-        return _hal.serial_waiting() > 0
+        return _hal.uart_waiting() > 0
 
     def _take(self, n):
-        if not n:
-            return None
         data = bytearray(n)
-        _hal.serial_read(addressof(data), n)
+        _hal.uart_read(addressof(data), n)
         return bytes(data)
 
     def read(self, nbytes=-1):
-        waiting = _hal.serial_waiting()
-        return self._take(waiting if nbytes < 0 else min(nbytes, waiting))
+        ints(nbytes)
+        data = b""
+        while nbytes < 0 or len(data) < nbytes:
+            n = _hal.uart_waiting()
+            if n:
+                data += self._take(n if nbytes < 0 else min(n, nbytes - len(data)))
+            elif not data or not self._more():
+                break
+        return data if data or not nbytes else None
 
-    def readline(self):
-        return self._take(_hal.serial_line())
+    def _more(self):
+        more = None
+        while more is None:
+            # A callback in between ends the syscall early.
+            more = _hal.uart_more()
+        return more
+
+    def readline(self, max_size=-1):
+        n = _hal.uart_line()
+        if max_size >= 0:
+            n = min(n, max_size)
+        return self._take(n) if n else None
 
     def readinto(self, buf, nbytes=-1):
         view = memoryview(buf)
-        n = min(_hal.serial_waiting(), len(view) if nbytes < 0 else min(nbytes, len(view)))
-        if not n:
+        data = self.read(len(view) if nbytes < 0 else min(nbytes, len(view)))
+        if data is None:
             return None
-        view[:n] = self._take(n)
-        return n
+        view[: len(data)] = data
+        return len(data)
 
     def write(self, buf):
         buf = raw(buf)
-        _hal.serial_write(addressof(buf), len(buf))
+        _hal.uart_write(addressof(buf), len(buf))
         return len(buf)

@@ -31,11 +31,11 @@ def _send(image, bits, pixels):
 
 
 def _add(frame):
-    """Adds one picture to the sequence; false at a text that is no single character, which ends it."""
+    """Adds one picture to the sequence. False at a text that is no single character, which ends it; None at anything else."""
     if isinstance(frame, MicroBitImage):
         _send(frame, _add_bits, _add_image)
     elif not isinstance(frame, str):
-        raise TypeError("not an image")
+        return None
     elif len(frame) == 1:
         _add_text(frame)
     else:
@@ -65,20 +65,31 @@ class MicroBitDisplay:
     def _sequence(self, frames, delay, clear, wait, loop):
         _hal.display_begin()
         if wait and not loop and not isinstance(frames, (tuple, list)):
-            # Pictures that a generator makes one by one, perhaps without end: each is asked for when it is due.
-            for frame in frames:
-                if not _add(frame):
-                    break
-                _run(delay, False, False)
-                _wait()
-            if clear:
-                self.clear()
+            self._one_by_one(frames, delay, clear)
             return
+        added = True
         for frame in frames:
-            if not _add(frame):
+            added = _add(frame)
+            if not added:
                 break
-        if _run(delay, bool(loop), bool(clear)) and wait:
+        is_moving = _run(delay, bool(loop), bool(clear))
+        if is_moving and wait:
             _wait()
+        if added is None:
+            raise TypeError("not an image")
+
+    def _one_by_one(self, frames, delay, clear):
+        # Pictures that a generator makes one by one, perhaps without end: each is asked for when it is due.
+        for frame in frames:
+            added = _add(frame)
+            if added is None:
+                raise TypeError("not an image")
+            if not added:
+                break
+            _run(delay, False, False)
+            _wait()
+        if clear:
+            self.clear()
 
     def scroll(self, text, delay=150, *, wait=True, monospace=False, loop=False):
         if isinstance(text, (int, float)):
@@ -113,6 +124,12 @@ class MicroBitDisplay:
         if value < 0:
             raise ValueError("index out of bounds")
         return value
+
+    if _hal.board_has("rotate"):
+
+        def rotate(self, angle):
+            ints(angle)
+            _hal.display_rotate((angle + 45) // 90 & 3)
 
     def on(self):
         problem = _hal.display_on()

@@ -3,6 +3,7 @@ import builtins
 import _hal
 from _sim import addressof, ints, raw
 
+_open = _hal.file_open
 _read = _hal.file_read
 _write = _hal.file_write
 _span = _hal.file_span
@@ -11,24 +12,30 @@ _BYTES = 0
 _CHARACTERS = 1
 _LINE = 2
 _EBADF = 9
+_CTRL_C = 3
 _END_OF_INPUT = 4
 
 
 class FileIO:
-    def __init__(self, handle, name, writable):
-        self._handle = handle
+    # Open files live here alone: the board's file system keeps no list of them.
+    def __init__(self, file, name, writable):
+        self._file = file
+        self._place = 0
         self._name = name
         self._writable = writable
 
     def _get(self, unit, n):
-        handle = self._handle
-        if handle is None:
+        file = self._file
+        if file is None:
             raise ValueError("I/O operation on closed file")
-        n = _span(handle, unit, n)
+        if self._writable:
+            raise OSError(_EBADF)
+        n = _span(file, self._place, unit, n)
         if n < 0:
             raise OSError(-n)
         data = bytearray(n)
-        _read(handle, addressof(data), n)
+        _read(file, self._place, addressof(data), n)
+        self._place += n
         return bytes(data)
 
     def read(self, n=-1):
@@ -46,14 +53,15 @@ class FileIO:
         return len(data)
 
     def write(self, data):
-        handle = self._handle
-        if handle is None:
+        if self._file is None:
             raise ValueError("I/O operation on closed file")
+        if not self._writable:
+            raise OSError(_EBADF)
         data = raw(data)
-        n = _write(handle, addressof(data), len(data))
+        n = _write(self._file, addressof(data), len(data))
         if n < 0:
             if n != -_EBADF:
-                self._handle = None
+                self._file = None
             raise OSError(-n)
         return n
 
@@ -64,9 +72,7 @@ class FileIO:
         return self._writable
 
     def close(self):
-        if self._handle is not None:
-            _hal.file_close(self._handle)
-            self._handle = None
+        self._file = None
 
     def __enter__(self):
         return self
@@ -112,20 +118,22 @@ def open(name, mode="r"):
     writable = read == 0
     if not isinstance(name, str):
         raise TypeError("can't convert '%s' object to str implicitly" % type(name).__name__)
-    handle = _hal.file_open(name, writable)
-    if handle < 0:
-        raise OSError(-handle)
-    return (FileIO if text == 0 else TextIO)(handle, name, writable)
+    file = _open(name, writable)
+    if file < 0:
+        raise OSError(-file)
+    return (FileIO if text == 0 else TextIO)(file, name, writable)
 
 
 def input(prompt=""):
     print(prompt, end="")
-    line = _line()
+    line = _line(True)
     while line is None:
         # A callback came in between; what was typed so far is kept.
-        line = _line()
+        line = _line(False)
     if line == _END_OF_INPUT:
         raise EOFError
+    if line == _CTRL_C:
+        raise KeyboardInterrupt
     return line
 
 

@@ -164,7 +164,8 @@ class MicroBitImage:
                 to[(ydest + row) * self._w + xdest + column] = pixels[from_y * src._w + from_x] if inside else 0
 
     def _shift(self, x, y):
-        return self.crop(x, y, self._w, self._h)
+        # As high as it is wide, as on the device (image_shift).
+        return self.crop(x, y, self._w, self._w)
 
     def shift_left(self, n):
         return self._shift(n, 0)

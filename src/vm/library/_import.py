@@ -5,6 +5,7 @@ import _hal
 import _files
 import _sys
 import os
+from _sim import on_import as _on_import
 
 _file_size = _hal.file_size
 _import_module = builtins.__import__
@@ -12,14 +13,24 @@ _HIDDEN = (
     " _asyncio asyncio binascii cmath cryptolib deflate framebuf hashlib heapq io js jsffi json marshal"
     " platform re select ssl socket uctypes vfs websocket zlib "
 )
-_ALIASES = {"sys": "_sys", "usys": "_sys", "utime": "time", "uos": "os"}
+_ALIASES = {
+    "errno": "_errno",
+    "gc": "_gc",
+    "micropython": "_micropython",
+    "sys": "_sys",
+    "uerrno": "_errno",
+    "uos": "os",
+    "usys": "_sys",
+    "utime": "time",
+}
 
 
 def _is_hidden(name):
     # A file of the user's may have such a name.
     top = name.split(".")[0]
     known = top[1:] if top[0] == "u" and top != "uctypes" else top
-    return " " + known + " " in _HIDDEN and _file_size(top + ".py") < 0
+    is_ours = top in _OURS or " " + known + " " in _HIDDEN
+    return is_ours and _file_size(top + ".py") < 0
 
 
 def _import(name, globals=None, locals=None, names=None, level=0):
@@ -27,7 +38,10 @@ def _import(name, globals=None, locals=None, names=None, level=0):
         if _is_hidden(name):
             raise ImportError("no module named '" + name + "'")
         name = _ALIASES.get(name, name)
-    return _import_module(name, globals, locals, names, level)
+    module = _import_module(name, globals, locals, names, level)
+    if level == 0 and name in _on_import and _file_size(name + ".py") < 0:
+        _on_import.pop(name)()
+    return module
 
 
 def _make_way():
@@ -37,5 +51,7 @@ def _make_way():
             _sys.modules.pop(file[:-3], None)
 
 
+# The library's own parts, which are no modules of the device's.
+_OURS = [name for name in _sys.modules if name[0] == "_" and name != "__main__"]
 _make_way()
 builtins.__import__ = _import

@@ -12,6 +12,8 @@ _pressed = _hal.button_is
 _was_pressed = _hal.button_was
 _presses = _hal.button_presses
 
+_counts_touches = _hal.board_has("touch-counts")
+
 _HELD = -1
 _OUT_OF_RANGE = -2
 
@@ -106,6 +108,24 @@ class MicroBitTouchOnlyPin:
             _held(self._n)
         return touched
 
+    if _counts_touches:
+
+        def was_touched(self):
+            touched = _hal.touch_was(self._n)
+            if touched is None:
+                _held(self._n)
+            return touched
+
+        def get_touches(self):
+            touches = _hal.touch_count(self._n)
+            if touches < 0:
+                _held(self._n)
+            return touches
+
+        def touch_calibrate(self):
+            # Finds the level of an untouched pad. A simulated pad needs none: it does not drift.
+            _touched(self._n)
+
     def set_touch_mode(self, value):
         ints(value)
         if _hal.touch_set_kind(self._n, value):
@@ -120,6 +140,10 @@ class MicroBitTouchPin(MicroBitAnalogDigitalPin):
     write_digital = MicroBitDigitalPin.write_digital
     is_touched = MicroBitTouchOnlyPin.is_touched
     set_touch_mode = MicroBitTouchOnlyPin.set_touch_mode
+    if _counts_touches:
+        was_touched = MicroBitTouchOnlyPin.was_touched
+        get_touches = MicroBitTouchOnlyPin.get_touches
+        touch_calibrate = MicroBitTouchOnlyPin.touch_calibrate
 
 
 class MicroBitButton:
@@ -143,3 +167,22 @@ def pin_number(pin):
     if isinstance(pin, MicroBitDigitalPin):
         return pin._n
     raise TypeError("expecting a pin")
+
+
+_CLASSES = {
+    "touch": MicroBitTouchPin,
+    "analog": MicroBitAnalogDigitalPin,
+    "digital": MicroBitDigitalPin,
+    "touch-only": MicroBitTouchOnlyPin,
+}
+
+
+def board_pins():
+    """The pins of this board by their names."""
+    pins = {}
+    while True:
+        pin = _hal.board_pin(len(pins))
+        if pin is None:
+            return pins
+        name, number, kind = pin.split()
+        pins[name] = _CLASSES[kind](int(number))

@@ -28,6 +28,16 @@ def number(value):
     trunc(value)
 
 
+def text(value):
+    """Raises the device's TypeError for what is no text."""
+    if not isinstance(value, str):
+        "".find(value)
+
+
+# What a module of the device's does when a program imports it for the first time, by its name.
+on_import = {}
+
+
 def absent(name):
     raise NotImplementedError(name + " is not simulated yet")
 
@@ -54,10 +64,23 @@ class Absent:
         return "<" + self._name + " (not simulated yet)>"
 
 
+def raise_in_program(error):
+    """Raises this error in the main program; it is kept here until then."""
+    global _thrown
+    _thrown = error
+    _throw(id(error))
+
+
 def remember(callback):
     """The number under which the simulation calls this function."""
     _callbacks.append(callback)
     return len(_callbacks) - 1
+
+
+def forget():
+    """Those that are queued already do not run any more."""
+    for number in range(len(_callbacks)):
+        _callbacks[number] = None
 
 
 def _dispatch(number):
@@ -71,7 +94,12 @@ def _dispatch(number):
         # Its last call. The main program ends with it: micropython-microbit-v2 modmicrobit.c, run_every.
         # Kept here, so that it is not collected before it is raised there.
         _callbacks[number] = None
-        _thrown = SystemExit(None, error)
+        _thrown = error
+        try:
+            _thrown = SystemExit(None, error)
+        except MemoryError:
+            # Then it ends the program as it is.
+            pass
         _throw(id(_thrown))
 
 

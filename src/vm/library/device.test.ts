@@ -1,42 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { linesOf, play } from './testing/play';
 
-describe('what is not simulated yet', () => {
-  it('says so by its name', () => {
-    const program = `
-import radio, speech, log, power, audio
-err(lambda: accelerometer.get_x())
-err(lambda: compass.heading())
-err(lambda: microphone.sound_level())
-err(lambda: spi.init())
-err(lambda: speaker.off())
-err(lambda: Sound.HAPPY)
-err(lambda: SoundEvent.LOUD)
-err(lambda: radio.on())
-err(lambda: speech.say('hi'))
-err(lambda: log.add(x=1))
-err(lambda: power.off())
-err(lambda: audio.play(1))
-err(lambda: uart.init(9600, tx=pin0))`;
-    const names = [
-      'microbit.accelerometer',
-      'microbit.compass',
-      'microbit.microphone',
-      'microbit.spi',
-      'microbit.speaker',
-      'microbit.Sound',
-      'microbit.SoundEvent',
-      'radio.on',
-      'speech.say',
-      'log.add',
-      'power.off',
-      'audio.play',
-      'microbit.uart on other pins than USB',
-    ];
-    expect(linesOf(program)).toEqual(names.map((name) => `NotImplementedError: ${name} is not simulated yet`));
-  });
-});
-
 describe('import', () => {
   it('hides what only this build of MicroPython has', () => {
     const program = `
@@ -96,5 +60,61 @@ else:
     open('seen', 'w').close()
     reset()`);
     expect(run.until(5000).printed()).toBe('first\nagain\n');
+  });
+});
+
+describe('machine', () => {
+  it('reads what the chip says of itself, and says plainly what is not simulated', () => {
+    const program = `
+import machine
+print(hex(machine.mem32[0x10000100]), hex(machine.mem16[0x10000102]), hex(machine.mem8[0x10000101]))
+print(machine.mem32[0x10000060] == int.from_bytes(machine.unique_id()[:4], 'little'), machine.freq())
+err(lambda: machine.mem32[0x10000101])
+err(lambda: machine.mem32[0x50000510])
+err(machine.mem8.__setitem__, 0x20000000, 1)
+err(lambda: machine.mem8['x'])`;
+    expect(linesOf(program)).toEqual([
+      '0x52833 0x5 0x28',
+      'True 64000000',
+      'ValueError: address 10000101 is not aligned to 4 bytes',
+      'NotImplementedError: reading machine.mem32[0x50000510] is not simulated',
+      'NotImplementedError: writing machine.mem8[0x20000000] is not simulated',
+      "TypeError: can't convert str to int",
+    ]);
+  });
+
+  it('gives the state of interrupts as the device does: 0 while they are on', () => {
+    expect(
+      linesOf(
+        'import machine\na = machine.disable_irq()\nb = machine.disable_irq()\nmachine.enable_irq(a)\nprint(a, b, machine.disable_irq())',
+      ),
+    ).toEqual(['0 1 0']);
+  });
+});
+
+describe('run_every and scale', () => {
+  it('run_every gives a timer and not the function, with every unit of time', () => {
+    const program = `
+n = 0
+@run_every(days=0, h=0, min=0, s=0, ms=120)
+def tick():
+    global n
+    n += 1
+print(tick)
+run_every(lambda: print('once', n), s=1)
+sleep(1100)
+print(n)
+err(run_every, ms='x')`;
+    expect(linesOf(program)).toEqual(['<run_every>', 'once 8', '9', "TypeError: can't convert str to int"]);
+  });
+
+  it('scale refuses what is no pair in the words of the device', () => {
+    expect(
+      linesOf('err(scale, 1, 5, (0, 1))\nerr(scale, 1, (0, 1), (0, 1, 2))\nerr(scale, "a", (0, 1), (0, 1))'),
+    ).toEqual([
+      "TypeError: object 'int' isn't a tuple or list",
+      'ValueError: requested length 2 but object has length 3',
+      "TypeError: can't convert str to float",
+    ]);
   });
 });

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { microbitV2 } from '#board/boards/microbit-v2';
 import { linesOf, play } from './testing/play';
 
 describe('display in Python', () => {
@@ -21,6 +22,68 @@ print(took(display.scroll, 'Hi', wait=False), took(display.show, ''), took(displ
     expect(measured).toHaveLength(expected.length);
     expected.forEach((ms, i) => expect(Math.abs(ms - (measured[i] ?? 0) - 3)).toBeLessThanOrEqual(4));
     expect(lines[3]).toBe('0 0 0');
+  });
+
+  it('shows for exactly 804 ms and scrolls for exactly 720 ms when the call begins on a tick', () => {
+    const { bench, until, ended } = play(`
+from microbit import *
+display.show('12')`);
+    const changes: string[] = [];
+    let before = bench.picture();
+    for (let ms = 1; ms < 2000; ms++) {
+      until(ms);
+      if (bench.picture() !== before) changes.push(`${ms} ms`);
+      before = bench.picture();
+      if (ended()) {
+        changes.push(`ended by ${ms} ms`);
+        break;
+      }
+    }
+    // Begun within the first ms, the ticks come at 6, 12, …: the second picture at 402, the end at 804.
+    expect(changes).toEqual(['1 ms', '402 ms', 'ended by 805 ms']);
+  });
+
+  it('blanks within a tick, by a loop never ends, and with clear shows the blank for one more delay', () => {
+    const program = `
+while running_time() % 6 != 1:
+    pass
+t = running_time()
+display.clear()
+print(running_time() - t)
+t = running_time()
+display.show('A', 100, clear=True)
+print(running_time() - t)
+display.show('AB', 100, loop=True, wait=False)
+sleep(10000)
+print(display.get_pixel(0, 4) + display.get_pixel(1, 0))`;
+    expect(linesOf(program)).toEqual(['5', '204', '18']);
+  });
+
+  it('ends a sequence without an error at a text of two letters, as the device does', () => {
+    expect(
+      linesOf("print(took(display.show, ['A', 'BC', 'D'], 100) < 103)\nprint(took(display.show, ['AB']))"),
+    ).toEqual(['True', '0']);
+  });
+
+  it('shows the pictures before a mistake, then raises', () => {
+    const program = `
+t = running_time()
+err(display.show, [Image.HEART, 5, Image.SAD], 100)
+print(90 < running_time() - t < 110, display.get_pixel(1, 0))`;
+    expect(linesOf(program)).toEqual(['TypeError: not an image', 'True 9']);
+  });
+
+  it('rotates on firmwares that can: 90 degrees and what is nearest', () => {
+    const program = `
+display.set_pixel(0, 0, 9)
+display.rotate(100)`;
+    const device = { firmware: microbitV2.firmwares[1] };
+    expect(play(`from microbit import *${program}`, {}, undefined, device).until(10).bench.picture()).toBe(
+      '.....\n.....\n.....\n.....\n9....',
+    );
+    expect(linesOf('err(lambda: display.rotate(90))')).toEqual([
+      "AttributeError: 'MicroBitDisplay' object has no attribute 'rotate'",
+    ]);
   });
 
   it('goes on in the background with wait=False, and the next show replaces it', () => {

@@ -1,3 +1,4 @@
+import { createHash } from 'node:crypto';
 import { describe, expect, it } from 'vitest';
 import { linesOf } from './testing/play';
 
@@ -88,6 +89,34 @@ err(lambda: i * -1)`;
       'ValueError: size cannot be negative',
       'ValueError: images must be the same size',
       'ValueError: brightness multiplier must not be negative',
+    ]);
+  });
+
+  it('has every LED of its 64 pictures as in micropython-microbit-v2 microbit_constimage.c', () => {
+    const lines = linesOf(`
+for n in sorted(dir(Image)):
+    if n[0].isupper() and n[:4] != 'ALL_':
+        print(n, repr(getattr(Image, n)))`);
+    expect(lines).toHaveLength(64);
+    expect(lines.join('').replace(/[^9]/g, '')).toHaveLength(605 + 1); // CLOCK9 has a 9 in its name
+    expect(createHash('sha256').update(lines.join('\n')).digest('hex')).toBe(
+      '4d146ee1385ce2cb470ef036d55d807c71abee528a4a4751c1af7d86ff897867',
+    );
+  });
+
+  it('has every LED of its 95 letters as in codal-core BitmapFont.cpp', () => {
+    const lines = linesOf(`
+for code in range(32, 127):
+    i = Image(chr(code))
+    print(code, ''.join(str(i.get_pixel(n % 5, n // 5)) for n in range(25)))`);
+    expect(createHash('sha256').update(lines.join('\n')).digest('hex')).toBe(
+      '1811f2cf753ac8206015917b39df56c8fea156cb9cf2185535daf4746b875721',
+    );
+  });
+
+  it('shifts a picture into a square as wide as it is, as the device does', () => {
+    expect(linesOf("print(repr(Image('123:456').shift_down(1)), repr(Image('12:34:56').shift_up(1)))")).toEqual([
+      "Image('000:123:456:') Image('34:56:')",
     ]);
   });
 });

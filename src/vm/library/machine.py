@@ -1,15 +1,46 @@
-# The device's machine module.
+# The device's machine module: micropython-microbit-v2 modmachine.c, MicroPython extmod/machine_mem.c.
 import _hal as _h
 from _pins import pin_number as _pin_number
-from _sim import Absent as _Absent, addressof as _addressof
+from _sim import addressof as _addressof, ints as _ints
 from microbit import reset
 
 _pulse = _h.pulse
 _pulse_on = _h.pulse_on
 
-mem8 = _Absent("machine.mem8")
-mem16 = _Absent("machine.mem16")
-mem32 = _Absent("machine.mem32")
+
+class _Memory:
+    """Bytes, half words or words of the chip. Only what names the chip is there to read (hal-device.ts)."""
+
+    def __init__(self, bits):
+        self._bits = bits
+
+    def __repr__(self):
+        return "<%u-bit memory>" % self._bits
+
+    def _missing(self, what, address):
+        raise NotImplementedError("%s machine.mem%d[0x%08x] is not simulated" % (what, self._bits, address))
+
+    def _checked(self, address):
+        _ints(address)
+        size = self._bits // 8
+        if address % size:
+            raise ValueError("address %08x is not aligned to %u bytes" % (address, size))
+        return address
+
+    def __getitem__(self, address):
+        word = _h.chip_word(self._checked(address) & ~3)
+        if word is None:
+            self._missing("reading", address)
+        return (int(word) >> 8 * (address & 3)) & (1 << self._bits) - 1
+
+    def __setitem__(self, address, value):
+        _ints(value)
+        self._missing("writing", self._checked(address))
+
+
+mem8 = _Memory(8)
+mem16 = _Memory(16)
+mem32 = _Memory(32)
 
 
 def time_pulse_us(pin, level, timeout_us=1000000):
@@ -31,8 +62,10 @@ def freq():
 
 
 def disable_irq():
-    return _h.set_irq(False)
+    # The state is the processor's mask: 1 when interrupts were off already.
+    return 0 if _h.set_irq(False) else 1
 
 
 def enable_irq(state):
-    _h.set_irq(state)
+    _ints(state)
+    _h.set_irq(not state)

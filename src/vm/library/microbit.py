@@ -1,57 +1,34 @@
-# The module microbit of a micro:bit V2 (firmware v2.1.2).
+# The module of the board: microbit, or calliopemini on a Calliope mini. What differs between boards is data (_hal.board_…).
+import sys as _sys
 import _hal as _h
-from _bus import MicroBitI2C as _I2C, MicroBitUART as _UART
+import _pins as _kinds
+import audio
+from _audio import MicroBitSound as Sound, MicroBitSpeaker as _Speaker
+from _bus import MicroBitI2C as _I2C, MicroBitSPI as _SPI, MicroBitUART as _UART
+from _compass import MicroBitCompass as _Compass
 from _display import MicroBitDisplay as _Display
 from _image import MicroBitImage as Image
-from _pins import (
-    MicroBitAnalogDigitalPin as _AnalogPin,
-    MicroBitButton as _Button,
-    MicroBitDigitalPin as _DigitalPin,
-    MicroBitTouchOnlyPin as _TouchOnlyPin,
-    MicroBitTouchPin as _TouchPin,
-    pin_number as _pin_number,
-)
-from _sim import Absent as _Absent, addressof as _addressof, ints as _ints, number as _number, raw as _raw, remember as _remember
+from _microphone import MicroBitMicrophone as _Microphone, MicroBitSoundEvent as SoundEvent
+from _motion import MicroBitAccelerometer as _Accelerometer
+from _pins import MicroBitButton as _Button, board_pins as _board_pins, pin_number as _pin_number
+from _sim import addressof as _addressof, ints as _ints, number as _number, raw as _raw, remember as _remember
 
 _sleep = _h.sleep_ms
 _sleep_until = _h.sleep_until
 _running_time = _h.running_time
 
-pin0 = _TouchPin(0)
-pin1 = _TouchPin(1)
-pin2 = _TouchPin(2)
-pin3 = _AnalogPin(3)
-pin4 = _AnalogPin(4)
-pin5 = _DigitalPin(5)
-pin6 = _DigitalPin(6)
-pin7 = _DigitalPin(7)
-pin8 = _DigitalPin(8)
-pin9 = _DigitalPin(9)
-pin10 = _AnalogPin(10)
-pin11 = _DigitalPin(11)
-pin12 = _DigitalPin(12)
-pin13 = _DigitalPin(13)
-pin14 = _DigitalPin(14)
-pin15 = _DigitalPin(15)
-pin16 = _DigitalPin(16)
-pin19 = _DigitalPin(19)
-pin20 = _DigitalPin(20)
-pin_logo = _TouchOnlyPin(30)
-pin_speaker = _DigitalPin(31)
+globals().update(_board_pins())
 button_a = _Button(0)
 button_b = _Button(1)
 display = _Display()
 i2c = _I2C()
+spi = _SPI()
 uart = _UART()
 
-accelerometer = _Absent("microbit.accelerometer")
-audio = _Absent("microbit.audio")
-compass = _Absent("microbit.compass")
-microphone = _Absent("microbit.microphone")
-speaker = _Absent("microbit.speaker")
-spi = _Absent("microbit.spi")
-Sound = _Absent("microbit.Sound")
-SoundEvent = _Absent("microbit.SoundEvent")
+accelerometer = _Accelerometer()
+compass = _Compass()
+microphone = _Microphone()
+speaker = _Speaker()
 
 
 def sleep(ms):
@@ -68,12 +45,12 @@ def running_time():
 
 
 def temperature():
-    return _h.sensor("temperature")
+    return _h.temperature()
 
 
 def set_volume(volume):
-    # Loudness has no effect on anything that is simulated.
     _ints(volume)
+    _h.set_volume(volume)
 
 
 def panic(n=999):
@@ -94,19 +71,62 @@ def ws2812_write(pin, buf):
     _h.ws2812_write(n, _addressof(buf), len(buf))
 
 
+class _RunEvery:
+    def __init__(self, period):
+        self._period = period
+
+    def __call__(self, callback):
+        _h.run_every(_remember(callback), self._period)
+        return self
+
+    def __repr__(self):
+        return "<run_every>"
+
+
 def run_every(callback=None, *, days=0, h=0, min=0, s=0, ms=0):
     _ints(days, h, min, s, ms)
-    period = (((days * 24 + h) * 60 + min) * 60 + s) * 1000 + ms
+    timer = _RunEvery((((days * 24 + h) * 60 + min) * 60 + s) * 1000 + ms)
+    return timer if callback is None else timer(callback)
 
-    def start(callback):
-        _h.run_every(_remember(callback), period)
-        return callback
 
-    return start if callback is None else start(callback)
+def _pair(value):
+    if not isinstance(value, (tuple, list)):
+        raise TypeError("object '%s' isn't a tuple or list" % type(value).__name__)
+    if len(value) != 2:
+        raise ValueError("requested length 2 but object has length %d" % len(value))
+    return value
 
 
 def scale(value, from_, to):
-    low, high = to
-    start, end = from_
+    start, end = _pair(from_)
+    low, high = _pair(to)
+    for number in (value, start, end, low, high):
+        _number(number)
     result = (value - start) / (end - start) * (high - low) + low
     return result if isinstance(low, float) or isinstance(high, float) else round(result)
+
+
+def __getattr__(name):
+    # Names of the type hints that editors give to pupils. The device has the types, but no names for them here.
+    if name == "Button":
+        return _Button
+    if name.startswith("MicroBit"):
+        kind = getattr(_kinds, name, None)
+        if kind:
+            return kind
+    raise AttributeError("'module' object has no attribute '" + name + "'")
+
+
+def _name_module():
+    """The board's names for this module; it calls itself by the first."""
+    global __name__
+    this = _sys.modules["microbit"]
+    __name__ = _h.board_module(0)
+    _sys.modules[__name__] = this
+    if __name__ == "calliopemini":
+        import _calliope
+
+        _sys.modules["calliope_mini"] = _calliope
+
+
+_name_module()

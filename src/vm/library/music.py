@@ -1,8 +1,7 @@
 # The module music. Behaviour and errors: micropython-microbit-v2 modmusic.c; melodies: modmusictunes.c.
 import _hal as _h
-from _pins import pin_number as _pin_number
-from _sim import ints as _ints
-from microbit import pin0 as _pin0, pin_speaker as _pin_speaker
+from _audio import DEFAULT_PIN as _DEFAULT_PIN, check as _check, output as _output
+from _sim import ints as _ints, text as _text
 
 _busy = _h.music_busy
 
@@ -57,46 +56,40 @@ def __getattr__(name):
     raise AttributeError("'module' object has no attribute '" + name + "'")
 
 
-def _output(pin):
-    if pin is None:
-        return -1
-    if pin is _pin_speaker:
-        raise ValueError("pin_speaker not allowed")
-    return _pin_number(pin)
-
-
-def _check(problem):
-    if problem:
-        raise ValueError(problem)
-
-
 def _wait():
     try:
         # A callback in between ends the syscall early: ask again until the music is over.
         while _busy():
             pass
     except BaseException:
-        _h.music_stop()
+        _h.music_silence()
         raise
 
 
-def play(music, pin=_pin0, wait=True, loop=False):
-    notes = music if isinstance(music, str) else "\n".join(music)
-    _check(_h.music_play(notes, _output(pin), bool(loop)))
+def play(music, pin=_DEFAULT_PIN, wait=True, loop=False):
+    if isinstance(music, str):
+        notes = (music,)
+    elif isinstance(music, (tuple, list)):
+        notes = music
+    else:
+        raise TypeError("object '%s' isn't a tuple or list" % type(music).__name__)
+    for note in notes:
+        _text(note)
+    # Each note has a newline before it, so that no note and an empty one are two things.
+    _check(_h.music_play("".join(["\n" + note for note in notes]), _output(pin), bool(loop)))
     if wait:
         _wait()
 
 
-def pitch(frequency, duration=-1, pin=_pin0, wait=True):
+def pitch(frequency, duration=-1, pin=_DEFAULT_PIN, wait=True):
     _ints(frequency, duration)
     _check(_h.music_pitch(frequency, duration, _output(pin)))
     if wait and duration >= 0:
         _wait()
 
 
-def stop(pin=_pin0):
-    _output(pin)
-    _h.music_stop()
+def stop(pin=_DEFAULT_PIN):
+    _check(_h.music_stop(_output(pin)))
 
 
 def set_tempo(*, ticks=0, bpm=0):

@@ -55,15 +55,63 @@ err(music.pitch, 440, pin=5)
 err(music.play, 5)
 err(lambda: music.nothing)
 music.pitch(440)
-err(pin0.write_digital, 1)`;
+err(pin0.write_digital, 1)
+err(music.stop, pin3)
+err(music.play, ['c', 5])`;
     expect(linesOf(program)).toEqual([
       'ValueError: invalid pitch',
       'ValueError: Pin 3 in display mode',
       'ValueError: pin_speaker not allowed',
       'TypeError: expecting a pin',
-      "TypeError: 'int' object isn't iterable",
+      "TypeError: object 'int' isn't a tuple or list",
       "AttributeError: 'module' object has no attribute 'nothing'",
       'ValueError: Pin 0 in music mode',
+      'ValueError: Pin 3 in display mode',
+      "TypeError: can't convert 'int' object to str implicitly",
     ]);
+  });
+
+  it('plays each note exactly: a crotchet takes 510 ms, an empty tune one tick of 6 ms, an empty note a rest', () => {
+    const program = `
+import music
+def at_tick():
+    while running_time() % 6 != 0: pass
+for tune in ('c4:4', ['c4:4', 'd'], ['c4:1', 'r:1'], [], ''):
+    at_tick()
+    print(took(music.play, tune), end=' ')
+at_tick()
+print(took(music.pitch, 440, 100), took(music.pitch, 440, 0))`;
+    expect(linesOf(program)).toEqual(['510 1014 270 6 510 114 18']);
+  });
+
+  it('goes on when its pin is taken away: display.off() gives pin 3 back a second time', () => {
+    const program = `
+import music
+display.off()
+music.pitch(440, pin=pin3)
+print(pin3.get_mode())
+display.off()
+sleep(100)
+print(pin3.get_mode(), pin3.read_digital())
+music.play(['c4:1', 'd'], pin=None)
+display.on()
+print(pin3.get_mode())`;
+    expect(linesOf(program)).toEqual(['music', 'unused 0', 'display']);
+  });
+
+  it('sounds on the speaker alone with pin=None, and on a pin of choice', () => {
+    const run = play(`
+from microbit import *
+import music
+music.pitch(440, pin=None)
+sleep(100)
+music.pitch(880, pin=pin1)
+sleep(100)
+music.stop(pin1)
+`);
+    const { board } = run.until(50).bench;
+    expect([board.wire('P0').pwm, board.music.frequencyHz]).toEqual([null, 1_000_000 / 2272]);
+    expect(run.until(150).bench.board.wire('P1').pwm?.periodUs).toBe(1136);
+    expect(run.until(250).bench.board.wire('P1').pwm).toBeNull();
   });
 });

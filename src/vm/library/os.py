@@ -1,7 +1,11 @@
 # The device's module os, over the board's flat file system. Errors: MicroPython microbitfs.c.
 import _hal as _h
+from collections import namedtuple as _namedtuple
 
 _ENOENT = 2
+_FIELDS = ("sysname", "nodename", "release", "version", "machine")
+# The device shows it without a name: (sysname='microbit', …).
+_uname = _namedtuple("", _FIELDS)(*[_h.board_text(field) for field in _FIELDS])
 
 
 def listdir():
@@ -34,15 +38,14 @@ def stat(filename):
 
 
 def uname():
-    from collections import namedtuple
+    return _uname
 
-    return namedtuple("uname_result", ("sysname", "nodename", "release", "version", "machine"))(
-        "microbit",
-        "microbit",
-        "2.1.2",
-        "micro:bit v2.1.2+0697c6d on 2023-10-30; MicroPython v1.18 on 2023-10-30",
-        "micro:bit with nRF52833",
-    )
+
+def __getattr__(name):
+    # A name of the type hints that editors give to pupils; the device has the type, but no name for it.
+    if name == "uname_result":
+        return type(_uname)
+    raise AttributeError("'module' object has no attribute '" + name + "'")
 
 
 def _name(filename):

@@ -17,7 +17,7 @@ pin0.write_digital(1)
 print(pin0.get_mode())
 err(pin0.get_pull)`;
     expect(linesOf(program)).toEqual([
-      '0 read_digital 1',
+      '0 read_digital 0', // the device tells PULL_UP until a pull is set: board/SPEC.md G6
       '1 0',
       'write_digital',
       'ValueError: Pin 0 in write_digital mode',
@@ -105,5 +105,56 @@ print(button_a.was_pressed(), button_a.get_presses())`);
     run.bench.board.touch.get('pin_logo')?.press();
     run.until(100).bench.board.buttonA.release();
     expect(run.until(1000).printed()).toBe('True 1 0 True\nFalse 0\n');
+  });
+
+  it('see a press at 100 ms after exactly 36 ms and a release at 300 ms after exactly 44 ms', () => {
+    const run = play(`
+from microbit import *
+while not button_a.is_pressed():
+    pass
+print(running_time())
+while button_a.is_pressed():
+    pass
+print(running_time(), button_a.get_presses())`);
+    run.until(100).bench.board.buttonA.press();
+    run.until(300).bench.board.buttonA.release();
+    expect(run.until(500).printed()).toBe('136\n344 1\n');
+  });
+
+  it('see a touch of pin 1 as late as a press, and neither when it lasts 30 ms', () => {
+    const run = play(`
+from microbit import *
+pin1.is_touched()
+while not pin1.is_touched():
+    pass
+print(running_time(), button_b.was_pressed())`);
+    const pad = run.bench.board.touch.get('pin1');
+    run.until(20);
+    pad?.press();
+    run.bench.board.buttonB.press();
+    run.until(50);
+    pad?.release();
+    run.bench.board.buttonB.release();
+    run.until(200);
+    pad?.press();
+    expect(run.until(500).printed()).toBe('236 False\n');
+  });
+
+  it('sense a finger in another way when told, and refuse on a held pin', () => {
+    const program = `
+pin0.set_touch_mode(pin0.CAPACITIVE)
+print(pin0.get_mode(), pin_logo.CAPACITIVE, pin_logo.RESISTIVE)
+pin0.write_analog(3)
+print(pin0.is_touched(), pin0.get_mode())
+import music
+music.play(music.ENTERTAINER, pin=pin0, wait=False)
+err(pin0.is_touched)
+err(pin0.set_touch_mode, 0)`;
+    expect(linesOf(program)).toEqual([
+      'touch 1 0',
+      'False touch',
+      'ValueError: Pin 0 in music mode',
+      'ValueError: Pin 0 in music mode',
+    ]);
   });
 });

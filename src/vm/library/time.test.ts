@@ -62,7 +62,7 @@ err(lambda: machine.mem32[0])`;
       '-2 -1',
       'TypeError: expecting a pin',
       '64000000 8',
-      'NotImplementedError: machine.mem32 is not simulated yet',
+      'NotImplementedError: reading machine.mem32[0x00000000] is not simulated',
     ]);
   });
 });

@@ -1,15 +1,29 @@
+const CTRL_C = 3;
+
 /** The serial line between the board and a person: bytes both ways. */
 export class ConsolePort {
-  private received: number[] = [];
-  /** Where in `received` the first byte stands that was not taken. */
+  /** The byte that interrupts the program instead of being received; `null` while there is none. */
+  interruptByte: number | null = CTRL_C;
+  /** Called when that byte comes. */
+  onInterrupt: () => void = () => undefined;
+  private line: number[] = [];
+  /** Where in `line` the first byte stands that was not taken. */
   private next = 0;
+  private count = 0;
 
   /** @param send what the board sends goes here */
   constructor(private readonly send: (bytes: Uint8Array) => void) {}
 
   /** Text that a person types. */
   feed(text: string): void {
-    for (const byte of new TextEncoder().encode(text)) this.received.push(byte);
+    for (const byte of new TextEncoder().encode(text)) {
+      if (byte === this.interruptByte) {
+        this.onInterrupt();
+      } else {
+        this.line.push(byte);
+        this.count++;
+      }
+    }
   }
 
   /** The board sends bytes. */
@@ -17,25 +31,37 @@ export class ConsolePort {
     this.send(bytes);
   }
 
+  /** How many bytes have been received since the start, taken or not. */
+  get received(): number {
+    return this.count;
+  }
+
   /** How many received bytes wait. */
   get waiting(): number {
-    return this.received.length - this.next;
+    return this.line.length - this.next;
   }
 
   /** How many received bytes make up the next line with its newline; all of them when no newline came yet. */
   get lineLength(): number {
-    const end = this.received.indexOf(0x0a, this.next);
+    const end = this.line.indexOf(0x0a, this.next);
     return end < 0 ? this.waiting : end + 1 - this.next;
   }
 
   /** Takes the next received byte, or `undefined`. */
   take(): number | undefined {
-    if (this.next === this.received.length) {
-      this.received = [];
+    if (this.next === this.line.length) {
+      this.line = [];
       this.next = 0;
     }
-    const byte = this.received[this.next];
+    const byte = this.line[this.next];
     if (byte !== undefined) this.next++;
     return byte;
+  }
+
+  /** As after a reset: nothing received, Ctrl-C interrupts. */
+  reset(): void {
+    this.line = [];
+    this.next = 0;
+    this.interruptByte = CTRL_C;
   }
 }

@@ -1,4 +1,5 @@
 import type { Clock } from '#core/clock';
+import type { Stop } from '#core/stop';
 import { HAL_REFERENCE, type Firmware } from './firmware';
 import type { Machine, Syscall, SyscallTable, Value, Wait } from './syscall';
 import type { Memory } from './values';
@@ -17,6 +18,7 @@ const UNWIND_BYTES = 1024 * 1024;
 const MOST_BYTES = 64 * 1024;
 
 const WANTS_TO_RUN = 1;
+const EXCEPTION_WAITS = 2;
 const REWINDING = 2;
 const UNWINDING = 1;
 
@@ -36,13 +38,21 @@ export class Engine implements Machine {
   private limitUs = 0;
   private suspended = false;
   private waiting: Wait | null = null;
+  /** Time that printing took and that has not passed yet. */
+  private owedUs = 0;
+  /** A syscall waits until that time has passed. */
+  private isDue = false;
+  private pausing = false;
   private dispatcher = 0;
   private ending = false;
+  private stops: Stop[] = [];
+  private hidden: ReadonlySet<string> = new Set();
 
   constructor(
     private readonly firmware: Firmware,
     private readonly ram: Memory,
     readonly clock: Clock,
+    readonly startUs: number,
     syscalls: (engine: Engine) => SyscallTable,
   ) {
     const named = Object.entries(syscalls(this));
@@ -72,14 +82,44 @@ export class Engine implements Machine {
     this.dispatcher = address;
   }
 
+  onEnd(stop: Stop): void {
+    this.stops.push(stop);
+  }
+
   /** Raises the exception object at this address in the main program, at its next jump. */
   throwInProgram(address: number): void {
     this.firmware.set_pending(address);
   }
 
+  /** Forgets an exception that is waiting to be raised in the program. */
+  forgetInterrupt(): void {
+    if (this.firmware.queued() & EXCEPTION_WAITS) this.firmware.set_pending(0);
+  }
+
+  /** Whether what is compiled from here on prints the values of its expressions. */
+  echo(on: boolean): void {
+    this.firmware.echo.value = Number(on);
+  }
+
+  /** Lets `run` come back at the next wait that a syscall asks for, as if its time were over. */
+  pause(): void {
+    this.pausing = true;
+  }
+
   /** Ends the program here: nothing of it runs again. */
   end(): void {
     this.ending = true;
+  }
+
+  /** From here on Python finds no functions of these names in `_hal`. What it has taken before keeps working. */
+  hide(names: readonly string[]): void {
+    this.hidden = new Set(names);
+  }
+
+  /** Lets go of all that was asked for with `onEnd`. */
+  dispose(): void {
+    for (const stop of this.stops) stop();
+    this.stops = [];
   }
 
   // --- running -----------------------------------------------------------------------------------------------------
@@ -109,35 +149,41 @@ export class Engine implements Machine {
 
   /** A counter has run out. */
   tick(): void {
-    if (this.stopRewinding()) return this.refill();
-    if (this.firmware.library_gas.value <= 0) {
-      this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
-      this.spend(FREE_LIBRARY_BYTECODES);
-    }
-    this.catchUp();
-    if (this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
+    if (!this.stopRewinding()) {
+      if (this.firmware.library_gas.value <= 0) {
+        this.firmware.library_gas.value = FREE_LIBRARY_BYTECODES;
+        this.spend(FREE_LIBRARY_BYTECODES);
+      }
+      this.catchUp();
+    } else if (this.owedUs === 0) return this.refill();
+    if (!this.payOwed() || this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
     else this.refill();
   }
 
-  /** The program prints: this takes as long as the serial line needs for it. */
+  /**
+   * The program prints: this takes as long as the serial line needs for it. The time passes before the program's next
+   * bytecode or syscall, where it can be suspended.
+   */
   print(us: number): void {
     this.catchUp();
-    this.spend(us);
+    this.owedUs += Math.ceil(us);
     this.refill();
   }
 
   /** The reference of a function of `_hal`, or −1. */
   lookup(name: string): number {
-    return this.references.get(name) ?? -1;
+    return this.hidden.has(name) ? -1 : (this.references.get(name) ?? -1);
   }
 
   /** Python calls a function of `_hal`; also the way back in when the program was suspended in such a call. */
   call(reference: number, args: readonly Value[], resultAddress: number): void {
-    if (this.stopRewinding()) {
+    if (!this.stopRewinding()) this.catchUp();
+    else if (!this.isDue) {
       if (this.waiting) this.goOnWaiting(this.waiting, resultAddress);
       return;
     }
-    this.catchUp();
+    this.isDue = !this.payOwed();
+    if (this.isDue) return this.suspend();
     const answer = this.table[reference - HAL_REFERENCE - 1]?.(...args) ?? null;
     if (this.ending) this.suspend();
     else if (typeof answer === 'object' && answer) this.goOnWaiting(answer, resultAddress);
@@ -155,8 +201,14 @@ export class Engine implements Machine {
   /** Lets time pass until what Python waits for has come, or until this stretch of time is used up. */
   private goOnWaiting(wait: Wait, resultAddress: number): void {
     this.waiting = wait;
+    if (this.pausing) {
+      this.pausing = false;
+      return this.suspend();
+    }
     while (!this.isOver(wait)) {
       const next = Math.min(wait.untilUs, this.clock.nextAlarmUs);
+      // Without limit and without anything to come there is no time to move to.
+      if (next === Infinity && this.limitUs === Infinity) return this.suspend();
       if (next > this.limitUs) {
         this.clock.advanceTo(Math.max(this.limitUs, this.clock.nowUs));
         return this.suspend();
@@ -169,8 +221,18 @@ export class Engine implements Machine {
 
   /** Inside a callback the scheduler is locked: nothing can run then, and an interrupt waits for the callback's end. */
   private isOver(wait: Wait): boolean {
-    const wantsToRun = (this.firmware.queued() & WANTS_TO_RUN) !== 0;
+    const wantsToRun = !wait.solid && (this.firmware.queued() & WANTS_TO_RUN) !== 0;
     return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || wantsToRun || this.ending;
+  }
+
+  /** Lets the time pass that printing took. @returns false when the time to use is over before */
+  private payOwed(): boolean {
+    if (this.owedUs === 0) return true;
+    const now = this.clock.nowUs;
+    const us = Math.min(this.owedUs, Math.max(this.limitUs - now, 0));
+    this.owedUs -= us;
+    this.clock.advanceTo(now + us);
+    return this.owedUs === 0;
   }
 
   private answer(value: Value, resultAddress: number): void {
@@ -188,7 +250,7 @@ export class Engine implements Machine {
   /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the time to use. */
   private refill(): void {
     const now = this.clock.nowUs;
-    const untilUs = Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
+    const untilUs = this.owedUs > 0 ? now : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
     this.stretchUs = Math.max(1, untilUs - now);
     this.firmware.gas.value = this.stretchUs;
   }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { fileProblem, Files, type StoredFile } from './files';
+import { fileHint, Files, type StoredFile } from './files';
 
 const written = (files: Files, name: string, bytes: number): number => {
   const file = files.create(name);
@@ -41,16 +41,14 @@ describe('Files', () => {
   });
 });
 
-describe('fileProblem', () => {
+describe('fileHint', () => {
   it('says how much a program of 64 kB needs', () => {
-    expect(fileProblem({ 'main.py': 'x'.repeat(64_000) })).toBe(
-      'The files need 64.1 kB on the board, which has 24.2 kB.',
-    );
+    expect(fileHint({ 'main.py': 'x'.repeat(64_000) })).toBe('The files need 64.1 kB on the board, which has 24.2 kB.');
   });
 
   it('names a file name that is too long', () => {
-    expect(fileProblem({ ['n'.repeat(130)]: '' })).toContain('130 characters; the board takes 120');
+    expect(fileHint({ ['n'.repeat(130)]: '' })).toContain('130 characters; the board takes 120');
   });
 
-  it('has nothing against a small program', () => expect(fileProblem({ 'main.py': 'print(1)' })).toBeNull());
+  it('has nothing against a small program', () => expect(fileHint({ 'main.py': 'print(1)' })).toBeNull());
 });

@@ -7,6 +7,8 @@ const MAX_NAME_CHARACTERS = 120; // microbitfs.c: MAX_FILENAME_LENGTH
 
 /** One stored file. The object stays the same until the file is removed or written anew. */
 export interface StoredFile {
+  /** Its number: no other file of this board ever gets it. */
+  readonly id: number;
   readonly name: string;
   bytes: Uint8Array;
 }
@@ -17,11 +19,13 @@ export interface StoredFile {
  */
 export class Files {
   private readonly stored = new Map<string, StoredFile>();
+  private readonly byId = new Map<number, StoredFile>();
+  private nextId = 0;
 
-  /** @param initial what is on the board from the start; it is taken as it is, even when it does not fit (see `fileProblem`) */
+  /** @param initial what is on the board from the start; it is taken as it is, even when it does not fit (see `fileHint`) */
   constructor(initial: Readonly<Record<string, string>> = {}) {
     const encoder = new TextEncoder();
-    for (const [name, text] of Object.entries(initial)) this.stored.set(name, { name, bytes: encoder.encode(text) });
+    for (const [name, text] of Object.entries(initial)) this.store(name, encoder.encode(text));
   }
 
   /** All names, oldest first. */
@@ -34,27 +38,25 @@ export class Files {
     return this.stored.get(name);
   }
 
-  /** True while this very file is still there: neither removed nor begun anew. */
-  has(file: StoredFile): boolean {
-    return this.stored.get(file.name) === file;
+  /** The file with this number, or `undefined` when it was removed or begun anew. */
+  byNumber(id: number): StoredFile | undefined {
+    return this.byId.get(id);
   }
 
   /** Begins a file anew, empty. @returns the file, or a negative errno: name too long, no room */
   create(name: string): StoredFile | number {
     if (Array.from(name).length > MAX_NAME_CHARACTERS) return -Errno.ENOENT;
-    this.stored.delete(name);
+    this.remove(name);
     if (this.freeChunks < 1) return -Errno.ENOSPC;
-    const file: StoredFile = { name, bytes: new Uint8Array(0) };
-    this.stored.set(name, file);
-    return file;
+    return this.store(name, new Uint8Array(0));
   }
 
   /** Adds bytes at the end. When they do not fit, the whole file is lost, as on the device. @returns 0 or a negative errno */
   append(file: StoredFile, bytes: Uint8Array): number {
-    if (!this.has(file)) return -Errno.EBADF;
+    if (!this.byId.has(file.id)) return -Errno.EBADF;
     const more = chunksOf(file.name, file.bytes.length + bytes.length) - chunksOf(file.name, file.bytes.length);
     if (more > this.freeChunks) {
-      this.stored.delete(file.name);
+      this.remove(file.name);
       return -Errno.ENOSPC;
     }
     const joined = new Uint8Array(file.bytes.length + bytes.length);
@@ -66,7 +68,17 @@ export class Files {
 
   /** Removes a file. @returns false when there is none */
   remove(name: string): boolean {
+    const file = this.stored.get(name);
+    if (!file) return false;
+    this.byId.delete(file.id);
     return this.stored.delete(name);
+  }
+
+  private store(name: string, bytes: Uint8Array): StoredFile {
+    const file: StoredFile = { id: this.nextId++, name, bytes };
+    this.stored.set(name, file);
+    this.byId.set(file.id, file);
+    return file;
   }
 
   private get freeChunks(): number {
@@ -76,8 +88,11 @@ export class Files {
   }
 }
 
-/** What is wrong with files for a board, in words for the user; `null` when they fit. */
-export function fileProblem(files: Readonly<Record<string, string>>): string | null {
+/**
+ * What a real board would say about files that a run starts with, in words for the user; `null` when they fit. Only a
+ * hint: the simulated board takes them all the same, since drivers of others may be longer than what is free.
+ */
+export function fileHint(files: Readonly<Record<string, string>>): string | null {
   let chunks = 0;
   for (const [name, text] of Object.entries(files)) {
     const length = Array.from(name).length;

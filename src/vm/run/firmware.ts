@@ -44,8 +44,10 @@ export interface Firmware {
   readonly program_start: WebAssembly.Global;
   /** Where the C stack begins (it grows downwards); the collector scans from the stack pointer to here. */
   readonly stack_base: WebAssembly.Global;
-  /** A block of the heap that is given free when memory runs out, for the error's own needs; 0 when it is used. */
+  /** A block of the heap that is given free when memory runs out, for the error's own needs (heap.ts); 0 when it is used. */
   readonly reserve: WebAssembly.Global;
+  /** 1: what is compiled now prints the values of its expressions, as in the REPL. */
+  readonly echo: WebAssembly.Global;
   /** Where the collector's tables begin; the heap's blocks follow them. */
   readonly heap_start: WebAssembly.Global;
   /** Where the heap ends. */
@@ -58,6 +60,8 @@ export interface FirmwareHost {
   tick(): void;
   /** The C code is in a state that it cannot leave. Must throw. */
   fatal(): never;
+  /** The collector has run. */
+  collected(): void;
   /** Bytes for the console (stdout and stderr). */
   write(bytes: Uint8Array): void;
   /** A random 32-bit number. */
@@ -90,7 +94,7 @@ export function instantiateFirmware(
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const files = loader(inMemory);
   const imports = {
-    host: { tick: () => host.tick(), fatal: () => host.fatal() },
+    host: { tick: () => host.tick(), fatal: () => host.fatal(), collected: () => host.collected() },
     env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };

@@ -22,4 +22,16 @@ describe('device syscalls', () => {
     expect(ids[0]?.[8]).toBe(0);
     expect(ids[0]?.slice(0, 8).some((byte) => byte > 0)).toBe(true);
   });
+
+  it('knows what the chip says of itself, the same id included', () => {
+    const { call, memory } = createHalBench();
+    call('unique_id', 0);
+    const id = new DataView(memory.buffer).getUint32(0, true);
+    expect([0x1000_0060, 0x1000_0100, 0x1000_0110, 0x5000_0510].map((address) => call('chip_word', address))).toEqual([
+      id,
+      0x52833,
+      512,
+      null,
+    ]);
+  });
 });

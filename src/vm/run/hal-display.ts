@@ -19,7 +19,7 @@ const BAD_BRIGHTNESS = -2;
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
  * - display_busy() waits until the animation of now is over or replaced → True when a callback came in between
  * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
- * - display_on() → None or the device's words · display_off() · display_is_on() → bool
+ * - display_on() → None or the device's words · display_off() · display_is_on() → bool · display_rotate(quarterTurns)
  * - glyph(character, address): writes 25 pixels
  */
 export function createDisplayCalls(machine: Machine, board: Board): SyscallTable {
@@ -154,6 +154,11 @@ function pixels(machine: Machine, board: Board): SyscallTable {
     display_off: () => {
       machine.spend(callUs);
       display.off();
+      return null;
+    },
+    display_rotate: (quarterTurns) => {
+      machine.spend(callUs);
+      display.rotate(wholeOf(quarterTurns) ?? 0);
       return null;
     },
     display_is_on: () => {

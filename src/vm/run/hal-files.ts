@@ -1,67 +1,53 @@
 import { Errno, textOf, wholeOf } from './arguments';
-import type { Files, StoredFile } from './files';
+import type { Files } from './files';
 import type { Machine, SyscallTable } from './syscall';
-
-interface OpenFile {
-  readonly file: StoredFile;
-  readonly writable: boolean;
-  position: number;
-}
 
 /** What `file_span` counts. */
 const Unit = { BYTES: 0, CHARACTERS: 1, LINE: 2 } as const;
 const NEWLINE = 10;
 
 /**
- * Files for the modules os and the built-in open:
+ * Files for the modules os and the built-in open. An open file is a Python object alone, as on the device: it keeps the
+ * file's number and its own place, so that any number of them may be left open.
  *
  * - file_name(index) → name or None · file_size(name) → bytes or −ENOENT · file_remove(name) → 0 or −ENOENT
- * - file_open(name, writable) → handle ≥ 0, −ENOENT, −ENOSPC · file_close(handle)
- * - file_span(handle, unit, count) → how many bytes the next `count` bytes (0), characters (1), or the next line of at
- *   most `count` bytes (2) take, `count` < 0 for no limit; −EBADF · file_read(handle, address, bytes)
- * - file_write(handle, address, bytes) → bytes, −EBADF, −ENOSPC
+ * - file_open(name, writable) → the file's number ≥ 0, −ENOENT, −ENOSPC; a file to write begins anew
+ * - file_span(number, place, unit, count) → how many bytes from `place` the next `count` bytes (0), characters (1), or
+ *   the next line of at most `count` bytes (2) take, `count` < 0 for no limit; −EBADF
+ * - file_read(number, place, address, bytes) → bytes, −EBADF · file_write(number, address, bytes) appends → bytes,
+ *   −EBADF, −ENOSPC
  */
 export function createFileCalls(machine: Machine, files: Files, callUs: number): SyscallTable {
-  const open = new Map<number, OpenFile>();
   const use = <T>(value: T): T => {
     machine.spend(callUs);
     return value;
   };
-  const opened = (handle: unknown): OpenFile | undefined => open.get(Number(handle));
+  const restOf = (number: unknown, place: unknown): Uint8Array | undefined =>
+    files.byNumber(Number(number))?.bytes.subarray(Math.max(0, Number(place) || 0));
   return {
     file_name: (index) => files.names[wholeOf(index) ?? 0] ?? null,
     file_size: (name) => files.find(textOf(name))?.bytes.length ?? -Errno.ENOENT,
     file_remove: (name) => use(files.remove(textOf(name)) ? 0 : -Errno.ENOENT),
     file_open: (name, writable) => {
       const file = writable ? files.create(textOf(name)) : (files.find(textOf(name)) ?? -Errno.ENOENT);
-      if (typeof file === 'number') return use(file);
-      let handle = 0;
-      while (open.has(handle)) handle++;
-      open.set(handle, { file, writable: writable === true, position: 0 });
-      return use(handle);
+      return use(typeof file === 'number' ? file : file.id);
     },
-    file_close: (handle) => {
-      open.delete(Number(handle));
-      return use(null);
+    file_span: (number, place, unit, count) => {
+      const rest = restOf(number, place);
+      return rest ? use(spanOf(rest, wholeOf(unit) ?? 0, wholeOf(count) ?? -1)) : -Errno.EBADF;
     },
-    file_span: (handle, unit, count) => {
-      const one = opened(handle);
-      if (!one || one.writable || !files.has(one.file)) return -Errno.EBADF;
-      return use(spanOf(one.file.bytes.subarray(one.position), wholeOf(unit) ?? 0, wholeOf(count) ?? -1));
-    },
-    file_read: (handle, address, bytes) => {
-      const one = opened(handle);
-      if (!one) return -Errno.EBADF;
-      const part = one.file.bytes.subarray(one.position, one.position + (wholeOf(bytes) ?? 0));
-      machine.memory(wholeOf(address) ?? 0, part.length).set(part);
-      one.position += part.length;
+    file_read: (number, place, address, bytes) => {
+      const part = restOf(number, place)?.subarray(0, Math.max(0, wholeOf(bytes) ?? 0));
+      if (!part) return -Errno.EBADF;
+      const target = machine.memory(wholeOf(address) ?? 0, part.length);
+      target.set(part.subarray(0, target.length));
       return part.length;
     },
-    file_write: (handle, address, bytes) => {
-      const one = opened(handle);
-      if (!one?.writable) return -Errno.EBADF;
+    file_write: (number, address, bytes) => {
+      const file = files.byNumber(Number(number));
+      if (!file) return -Errno.EBADF;
       const data = machine.memory(wholeOf(address) ?? 0, wholeOf(bytes) ?? 0).slice();
-      return use(files.append(one.file, data) || data.length);
+      return use(files.append(file, data) || data.length);
     },
   };
 }

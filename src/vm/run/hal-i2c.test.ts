@@ -42,4 +42,13 @@ describe('I2C syscalls', () => {
     expect(timed('i2c_next', 0x07)).toEqual({ value: 0x10, us: 8 * 100 + 1000 });
     expect(call('i2c_next', 0x10)).toBe(-1);
   });
+
+  it('leads the bus over other pins, by their numbers, and back', () => {
+    const { bench, call } = benchWithChip();
+    call('i2c_init', 100_000, 1, 2);
+    expect([call('i2c_read', 0x10, 100, 1), bench.board.pin('pin1').mode]).toEqual([-19, 'unused']);
+    expect(bench.board.wire('P1').level).toBe(1);
+    call('i2c_init', 100_000, 19, 20);
+    expect(call('i2c_read', 0x10, 100, 1)).toBe(0);
+  });
 });

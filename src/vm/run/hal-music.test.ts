@@ -13,7 +13,7 @@ describe('music syscalls', () => {
 
   it('waits for notes and notices a callback in between', () => {
     const { bench, call, interrupted } = createHalBench();
-    call('music_play', 'c4:4\nr:2', -1, false);
+    call('music_play', '\nc4:4\nr:2', -1, false);
     expect(interrupted(100_000, 'music_busy')).toBe(true);
     expect(call('music_busy')).toBe(false);
     expect(bench.nowMs).toBeGreaterThanOrEqual(750);

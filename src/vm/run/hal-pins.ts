@@ -25,7 +25,7 @@ export function pinsByNumber(board: Board): readonly (Pin | undefined)[] {
  * - pin_read_analog(n) → 0 … 1023 or −1 · pin_write_analog(n, value) → 0, −1, −2 (not 0 … 1023), −3 (no number)
  * - pin_mode(n) → text · pin_pull(n) → 0 up, 1 down, 2 none, or −1 · pin_set_pull(n, pull) → 0 or −1
  * - pin_period(n) → µs or −1 (no analog output) · pin_set_period(n, us) → 0 or −2
- * - touch_is(n) → bool or None (held) · touch_set_kind(n, kind) → 0 or −1
+ * - touch_is(n), touch_was(n) → bool or None (held) · touch_count(n) → count or −1 · touch_set_kind(n, kind) → 0 or −1
  * - button_is(i), button_was(i) → bool · button_presses(i) → count; i: 0 is A, 1 is B
  * - ws2812_write(n, address, bytes)
  */
@@ -65,7 +65,7 @@ function digital(machine: Machine, board: Board): SyscallTable {
       machine.spend(callUs);
       const pin = at(n);
       if (!pin || (pin.mode !== 'read_digital' && pin.mode !== 'button')) return HELD;
-      return PULLS.indexOf(pin.pull);
+      return PULLS.indexOf(pin.toldPull);
     },
     pin_set_pull: (n, value) => {
       machine.spend(callUs);
@@ -130,6 +130,20 @@ function fingers(machine: Machine, board: Board): SyscallTable {
       if (!pad || isHeld(pad.pin)) return HELD;
       pad.kind = kind === 0 ? 'resistive' : 'capacitive';
       return 0;
+    },
+    touch_was: (n) => {
+      machine.spend(callUs);
+      const pad = padAt(n);
+      if (!pad || isHeld(pad.pin)) return null;
+      pad.isTouched();
+      return pad.wasTouched();
+    },
+    touch_count: (n) => {
+      machine.spend(callUs);
+      const pad = padAt(n);
+      if (!pad || isHeld(pad.pin)) return HELD;
+      pad.isTouched();
+      return pad.takeTouches();
     },
     button_is: (i) => {
       machine.spend(callUs);

@@ -6,7 +6,7 @@ import { numberOf, wholeOf } from './arguments';
 import { pinsByNumber } from './hal-pins';
 import type { Machine, SyscallTable, Value, Wait } from './syscall';
 
-const TICKS_MASK = 0x3fffffff; // MicroPython extmod/modtime.c on 32 bits: ticks wrap at 2³⁰
+const TICKS_PERIOD = 0x40000000; // MicroPython extmod/modtime.c on 32 bits: ticks wrap at 2³⁰
 const NO_NUMBER = -1;
 /** Shorter pauses are spent at once, like the device's busy loop; longer ones let callbacks in. Chosen: one ms. */
 const BUSY_PAUSE_US = 1000;
@@ -15,7 +15,7 @@ const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are 
 /**
  * Time on the simulated clock.
  *
- * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms
+ * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms; all since the last reset
  * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number, else (a callback came in
  *   between) a moment for sleep_until(moment), which answers likewise
  * - run_every(callback, periodMs): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
@@ -29,7 +29,8 @@ export function createTimeCalls(machine: Machine, board: Board): SyscallTable {
 function clockCalls(machine: Machine, board: Board): SyscallTable {
   const { clock } = machine;
   const { callUs } = board.type.costsUs;
-  const ms = (): number => Math.floor(clock.nowUs / 1000);
+  const runningUs = (): number => clock.nowUs - machine.startUs;
+  const ms = (): number => Math.floor(runningUs() / 1000);
   const sleepUntil = (untilUs: number): Wait => ({
     untilUs,
     // The half keeps the moment a float at the boundary, so that it may lie beyond 32 bits of µs.
@@ -47,11 +48,12 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
   return {
     ticks_us: () => {
       machine.spend(callUs);
-      return clock.nowUs & TICKS_MASK;
+      // Not a bit mask: the microseconds of two hours have more than 32 bits.
+      return runningUs() % TICKS_PERIOD;
     },
     ticks_ms: () => {
       machine.spend(callUs);
-      return ms() & TICKS_MASK;
+      return ms() % TICKS_PERIOD;
     },
     running_time: () => {
       machine.spend(callUs);
@@ -79,6 +81,7 @@ function callbackCalls(machine: Machine): SyscallTable {
   const { clock } = machine;
   let isOn = true;
   let stops: Stop[] = [];
+  machine.onEnd(() => stops.forEach((stop) => stop()));
   const repeat = (callback: number, periodUs: number): void => {
     let dueUs = clock.nowUs;
     let stop: Stop = () => undefined;
@@ -135,6 +138,7 @@ function createPulseCalls(machine: Machine, board: Board): SyscallTable {
   const { callUs } = board.type.costsUs;
   const pins = pinsByNumber(board);
   const running = new Map<number, Pulse>();
+  machine.onEnd(() => running.forEach((pulse) => pulse.stop()));
 
   const endUs = (pulse: Pulse): number => pulse.sinceUs + pulse.timeoutUs;
   const isOver = (pulse: Pulse): boolean => pulse.answer !== null || clock.nowUs >= endUs(pulse);

@@ -31,10 +31,11 @@ print(gc.mem_free())
     expect(free).toBeGreaterThan(59 * KIB);
   });
 
-  it('is empty again when the program has ended', () => {
-    const { heapFree } = runProgram('data = [str(i) for i in range(500)]');
-    expect(heapFree).toBeGreaterThan(62 * KIB);
-    expect(heapFree).toBeLessThanOrEqual(64512);
+  it('keeps only the globals when the program has ended: they are there in the REPL', () => {
+    const local = runProgram('def f():\n    data = list(range(4000))\nf()').heapFree;
+    expect(local).toBeGreaterThan(62 * KIB);
+    expect(local).toBeLessThanOrEqual(64512);
+    expect(runProgram('data = bytearray(20000)').heapFree).toBeLessThan(44 * KIB);
   });
 
   it('survives a million short-lived objects', () => {
@@ -119,6 +120,25 @@ for _ in range(4):
     expect(console).toBe('True\n'.repeat(4));
   });
 
+  it('leaves the program no more than 64 KiB after caught errors, and none of its code free of charge or hidden', () => {
+    const { console } = runProgram(`
+import gc, time
+def fill():
+    box = []
+    while True:
+        box.append(bytearray(8))
+try:
+    fill()
+except MemoryError:
+    pass
+print(gc.mem_free() <= 65536)
+late = "def late():\\n    t = time.ticks_us()\\n    for i in range(1000): pass\\n    print(time.ticks_us() - t > 2000)\\n    x"
+exec(late)
+late()`);
+    expect(console).toContain('True\nTrue\nTraceback');
+    expect(console).toContain('File "<string>", line 5, in late');
+  });
+
   it('says so when the program itself is too long: 64 kB', () => {
     const { console, ended } = runProgram('value = 12345\n'.repeat(4700));
     expect(ended?.exception?.type).toBe('MemoryError');
@@ -129,5 +149,54 @@ for _ in range(4):
     expect(runProgram('bytearray(70000)').ended?.exception?.message).toBe(
       'memory allocation failed, allocating 70000 bytes',
     );
+  });
+});
+
+describe('gc and micropython', () => {
+  it('counts the 64 KiB of the program alone: free and used together are 64512 bytes', () => {
+    expect(runProgram('import gc\nprint(gc.mem_free() + gc.mem_alloc(), gc.mem_alloc() < 1000)').console).toBe(
+      '64512 True\n',
+    );
+  });
+
+  it('tells the heap in the words of the device', () => {
+    expect(runProgram('import micropython\nmicropython.mem_info()').console).toMatch(
+      /^stack: \d+ out of 7680\nGC: total: 64512, used: \d+, free: 6\d{4}\n No\. of 1-blocks: \d+, 2-blocks: \d+, max blk sz: \d+, max free sz: \d+\n$/,
+    );
+  });
+
+  it('has the names that the device has', () => {
+    const { console } = runProgram(`
+import micropython, gc, errno, ucollections, ustruct, urandom, uarray, uerrno, utime, uos, usys
+from micropython import const
+N = const(5)
+print(N, micropython.opt_level(), micropython.stack_use() >= 0, errno.ENOSPC, uerrno.ENOENT, gc.isenabled())
+micropython.heap_lock()
+micropython.heap_unlock()
+print(micropython, gc, errno)`);
+    expect(console).toBe("5 0 True 28 2 True\n<module 'micropython'> <module 'gc'> <module 'errno'>\n");
+  });
+
+  it('names error 28: ENOSPC', () => {
+    expect(runProgram('import errno\nprint(OSError(28), errno.errorcode[28])').console).toBe(
+      '[Errno 28] ENOSPC ENOSPC\n',
+    );
+  });
+
+  it('reports an error in a program that has locked the heap', () => {
+    const { console, ended } = runProgram(
+      'import micropython\nmicropython.heap_lock()\n[1, 2].append(3)\nx = [1] * 50',
+    );
+    expect(ended?.kind).toBe('exception');
+    expect(console).toContain('MemoryError: \n'); // no memory for its words, as on the device
+  });
+
+  it.each([
+    ['asm_thumb', 'is not simulated'],
+    ['viper', 'is not in this firmware'],
+  ])('says why @micropython.%s is a syntax error', (kind, why) => {
+    const { console } = runProgram(`import micropython\n@micropython.${kind}\ndef f(r0):\n    return 1`);
+    expect(console).toContain('SyntaxError: invalid micropython decorator');
+    expect(console).toContain(`main.py, line 2: machine code (@micropython.${kind}) ${why}.`);
   });
 });

@@ -21,38 +21,66 @@ export interface VmException {
 
 /** A program of fewer characters fits, whatever is in it; then memory ran out later. Measured with lines of assignments. */
 const LONG_PROGRAM = 12_000;
+const NEWLINE = 10;
+const LINE_END = [13, 10];
+/** Decorators that make machine code: MicroPython py/compile.c. */
+const MACHINE_CODE = /^\s*@micropython\.(asm_thumb|native|viper)\b/;
 
 /** Collects what the program prints and how it ends. */
 export class Report {
   private readonly decoder = new TextDecoder();
   private tracebackFrom: string[] | null = null;
   private end: VmEnd | null = null;
+
   /**
    * @param tell receives what the console shows
-   * @param programCharacters the length of main.py
+   * @param readFile gives the text of a file on the board; empty when there is none
+   * @param filesHint what a real board would say about the files that the run starts with
    */
   constructor(
     private readonly tell: (text: string) => void,
-    private readonly programCharacters: number,
+    private readonly readFile: (name: string) => string,
+    private readonly filesHint: string | null,
   ) {}
+
+  /** True while a traceback is printed on the program's end. */
+  get isReporting(): boolean {
+    return this.tracebackFrom !== null;
+  }
 
   get ended(): VmEnd | null {
     return this.end;
   }
 
-  /** Bytes that the program prints, possibly in the middle of a character. */
+  /**
+   * Bytes that Python prints.
+   *
+   * @param asOnTheWire ends lines with a carriage return and a newline, as a terminal wants it: while somebody talks to
+   *   the REPL. What a program prints on its own keeps its plain newlines, for those who read it.
+   */
+  print(bytes: Uint8Array, asOnTheWire: boolean): void {
+    if (!asOnTheWire || !bytes.includes(NEWLINE)) return this.write(bytes);
+    this.write(Uint8Array.from(Array.from(bytes).flatMap((byte) => (byte === NEWLINE ? LINE_END : [byte]))));
+  }
+
+  /** Bytes for the console, possibly in the middle of a character. */
   write(bytes: Uint8Array): void {
     const text = this.decoder.decode(bytes, { stream: true });
     this.tracebackFrom?.push(text);
     this.tell(text);
   }
 
+  /** A program begins anew, after a reset. */
+  restart(): void {
+    this.end = null;
+    this.tracebackFrom = null;
+  }
+
   /**
-   * The functions through which the library's runner tells how the program ended.
-   *
-   * @param endProgram lets nothing of it run any more
+   * The functions through which the library's runner tells how the program ended: report_begin() before the traceback
+   * is printed, report_end(type, message) after it.
    */
-  syscalls(endProgram: () => void): SyscallTable {
+  syscalls(): SyscallTable {
     return {
       report_begin: () => {
         this.tracebackFrom = [];
@@ -62,10 +90,6 @@ export class Report {
         const traceback = this.tracebackFrom?.join('') ?? '';
         this.tracebackFrom = null;
         this.fail(textOf(type), textOf(message), traceback);
-        return null;
-      },
-      finish: () => {
-        endProgram();
         return null;
       },
     };
@@ -90,22 +114,39 @@ export class Report {
     this.end ??= { kind: 'fault', exception: { type: 'InternalError', message: text, line: null, traceback: text } };
   }
 
-  /** Without a line, memory was used up before the program began: while it was being translated. */
-  private tooLong(): string {
-    return `the program is too long for the board. It has ${this.programCharacters} characters; about 20000 fit.`;
+  /** What the device's own words leave open, for whoever reads the console; `null` when they say it all. */
+  private hint(type: string, message: string, place: Place | null): string | null {
+    const length = this.readFile('main.py').length;
+    // Without a line, memory was used up before the program began: while it was being translated.
+    if (type === 'MemoryError' && place === null && length > LONG_PROGRAM)
+      return `main.py: the program is too long for the board. It has ${length} characters.`;
+    // The board takes more files than it has room for, but then the program can write none.
+    if (type === 'OSError' && message.includes('ENOSPC')) return this.filesHint;
+    if (type !== 'SyntaxError' || place === null) return null;
+    const line = this.readFile(place.file).split('\n')[place.line - 1] ?? '';
+    const kind = MACHINE_CODE.exec(line)?.[1];
+    if (kind === undefined) return null;
+    const why = kind === 'asm_thumb' ? 'is not simulated' : 'is not in this firmware';
+    return `${place.file}, line ${place.line}: machine code (@micropython.${kind}) ${why}.`;
   }
 
   private fail(type: string, message: string, traceback: string): void {
-    const exception = { type, message, line: innermostLine(traceback), traceback };
-    if (type === 'MemoryError' && exception.line === null && this.programCharacters > LONG_PROGRAM)
-      this.tell(`main.py: ${this.tooLong()}\n`);
+    const place = innermostPlace(traceback);
+    const exception = { type, message, line: place?.line ?? null, traceback };
+    const hint = this.hint(type, message, place);
+    if (hint !== null) this.tell(`${hint}\n`);
     this.end ??= { kind: type === 'KeyboardInterrupt' ? 'stopped' : 'exception', exception };
   }
 }
 
-/** The line of the last frame: MicroPython prints the innermost call last. */
-function innermostLine(traceback: string): number | null {
-  const lines = [...traceback.matchAll(/^ {2}File "[^"]*", line (\d+)/gm)];
-  const last = lines[lines.length - 1]?.[1];
-  return last === undefined ? null : Number(last);
+interface Place {
+  readonly file: string;
+  readonly line: number;
+}
+
+/** The place of the last frame: MicroPython prints the innermost call last. */
+function innermostPlace(traceback: string): Place | null {
+  const places = [...traceback.matchAll(/^ {2}File "([^"]*)", line (\d+)/gm)];
+  const last = places[places.length - 1];
+  return last ? { file: last[1] ?? '', line: Number(last[2]) } : null;
 }

@@ -1,13 +1,19 @@
-import { createRng } from '#core/rng';
+import { createRng, type Rng } from '#core/rng';
+import { wholeOf } from './arguments';
 import type { ConsolePort } from './console-port';
 import { Engine, VmFault } from './engine';
 import type { Files } from './files';
 import { HAL_REFERENCE, instantiateFirmware, type Firmware, type FirmwareHost } from './firmware';
 import { createHal } from './hal';
+import { createHeapCalls } from './hal-heap';
 import { deviceLibrary } from './library';
 import { createLoader, type FileLookup } from './loader';
+import { Heap } from './heap';
+import { createReplCalls } from './hal-repl';
+import type { Repl } from './repl';
 import type { Report } from './report';
-import type { SyscallTable } from './syscall';
+import { showError, showPanic, type Shown } from './show-error';
+import type { SyscallTable, Value, Wait } from './syscall';
 import { VALUE_BYTES, type Memory } from './values';
 import type { VmSetup } from './vm-setup';
 
@@ -16,46 +22,49 @@ export interface SessionPorts {
   readonly files: Files;
   readonly port: ConsolePort;
   readonly report: Report;
+  readonly repl: Repl;
+  /** When the board was switched on or reset last. */
+  readonly startUs: number;
 }
 
 /**
- * The device's heap: 64 KiB, of which 64512 bytes are blocks (py/gc.c) and some hundred are taken before the program
- * begins. Chosen so that the program measured in micropython-microbit-v2 issue #146 starts with the same 63984 bytes.
+ * Library (78 kB, measured when everything was in it), reserve and program together, with room for a library that grows
+ * by a quarter: heap.ts fills what is left, so that the program's part is always the same.
  */
-const PROGRAM_HEAP_BYTES = 4022 * 16;
-/** Library and program together. What the library leaves free is filled, so that the program's part is always the same. */
-const HEAP_BYTES = 144 * 1024;
+const HEAP_BYTES = 192 * 1024;
 /** Room for the frames of running Python functions, in words: enough that the limit of the C stack decides. */
 const PYSTACK_WORDS = 16 * 1024;
 /** The C stack. Larger than MicroPython is allowed to use (../firmware/transform.mjs), for what it calls at the limit. */
 const STACK_BYTES = 256 * 1024;
 
-const BOOT = "import sys\nsys.path[:]=['/lib']\ndel sys\n__import__('_boot')";
-const PROGRAM = "__import__('_boot').run()";
+const BOOT = "import sys\nsys.path[:]=['/lib']\ndel sys\n_run=__import__('_boot').run";
+const PROGRAM = '_run()';
 
-/** MicroPython from power-up to the end of its program or the next reset. */
+/** MicroPython from power-up to the next reset: its program, then the REPL. */
 export class Session {
   private readonly firmware: Firmware;
   private readonly memory: Memory;
   private readonly engine: Engine;
+  private readonly heap: Heap;
   private readonly program: () => void;
-  private wantsReset = false;
+  private restartsAs: 'reset' | 'reboot' | null = null;
 
   constructor(
-    setup: VmSetup,
+    private readonly setup: VmSetup,
     private readonly ports: SessionPorts,
   ) {
     const rng = createRng(setup.seed).fork('vm');
-    const byteUs = setup.board.type.costsUs.printByteUs;
     let engine: Engine | undefined;
+    let heap: Heap | undefined;
     const host: FirmwareHost = {
       tick: () => engine?.tick(),
       fatal: () => {
         throw new VmFault('MicroPython cannot go on: its memory or its stack is used up.');
       },
+      collected: () => heap?.collected(),
       write: (bytes) => {
-        ports.report.write(bytes);
-        engine?.print(bytes.length * byteUs);
+        this.print(bytes);
+        engine?.print(bytes.length * this.printByteUs);
       },
       randomU32: () => rng.u32(),
       lookup: (name) => engine?.lookup(name) ?? -1,
@@ -68,26 +77,25 @@ export class Session {
     );
     this.firmware = firmware;
     this.memory = memory;
-    this.engine = engine = new Engine(firmware, memory, setup.clock, (machine) => ({
-      ...createHal(machine, setup.board, ports.files, ports.port, rng),
-      ...ports.report.syscalls(() => machine.end()),
-      ...this.ownSyscalls(machine),
-    }));
-    this.boot(setup.board.type.costsUs.allocationUs);
+    this.heap = heap = new Heap(firmware, memory);
+    this.engine = engine = new Engine(firmware, memory, setup.clock, ports.startUs, (machine) =>
+      this.calls(machine, rng),
+    );
+    ports.port.onInterrupt = () => this.engine.interrupt();
+    this.startFirmware();
+    this.loadLibrary();
     this.program = this.executor(PROGRAM);
   }
 
-  /** Runs until the clock reaches the limit, the program ends or the board resets. The report tells how it ended. */
-  run(limitUs: number): 'suspended' | 'ended' | 'reset' {
+  /** Runs until the clock reaches the limit, the program ends or the board restarts. The report tells how it ended. */
+  run(limitUs: number): 'suspended' | 'ended' | 'reset' | 'reboot' {
     try {
       if (!this.engine.run(this.program, limitUs)) return 'suspended';
     } catch (fault) {
       this.ports.report.fault(fault);
       return 'ended';
     }
-    if (this.wantsReset) return 'reset';
-    this.ports.report.finish();
-    return 'ended';
+    return this.restartsAs ?? 'ended';
   }
 
   /** KeyboardInterrupt at the program's next jump. */
@@ -95,56 +103,139 @@ export class Session {
     this.engine.interrupt();
   }
 
-  /** Free bytes of the program's part of the heap, counted in the collector's table: nothing runs for it. */
-  get heapFree(): number {
-    const { heap_start: start, heap_end: end, program_start: program } = this.firmware;
-    return freeBytes(this.memory.bytes, { start: start.value, program: program.value, end: end.value });
+  /** When the board was switched on or reset last. */
+  get startUs(): number {
+    return this.ports.startUs;
   }
 
-  private ownSyscalls(engine: Engine): SyscallTable {
-    const address = (value: unknown): number => (typeof value === 'number' ? value : 0);
+  /** Lets go of everything that would reach into this MicroPython later. */
+  dispose(): void {
+    this.engine.dispose();
+    this.ports.port.onInterrupt = () => undefined;
+  }
+
+  /** Free bytes of the program's part of the heap, counted in the collector's table: nothing runs for it. */
+  get heapFree(): number {
+    return this.heap.freeBytes;
+  }
+
+  /** What the serial line needs for a byte, in µs: as the program has set it, else as fast as the REPL's. */
+  private get printByteUs(): number {
+    return this.setup.board.uart.byteUs;
+  }
+
+  /** What Python prints goes where the serial line goes; a report on the program's end always to the console. */
+  private print(bytes: Uint8Array): void {
+    const { uart } = this.setup.board;
+    if (uart.pins.tx && !this.ports.report.isReporting) uart.send(bytes.slice());
+    else this.ports.report.print(bytes, this.ports.report.ended !== null && !this.ports.repl.isAsleep);
+  }
+
+  private calls(engine: Engine, rng: Rng): SyscallTable {
+    const { files, port, report, repl } = this.ports;
     return {
-      program_start: () => this.firmware.program_start.value,
-      reserve: (block) => {
-        this.firmware.reserve.value = address(block);
-        return null;
-      },
-      on_callback: (dispatcher) => {
-        engine.setDispatcher(address(dispatcher));
-        return null;
-      },
+      ...createHal(engine, this.setup.board, files, port, rng),
+      ...createHeapCalls(this.heap),
+      ...report.syscalls(),
+      ...createReplCalls(repl, port, engine),
+      ...this.runnerCalls(engine),
+      ...this.programCalls(engine),
+    };
+  }
+
+  /**
+   * For the library's runner alone: they are hidden from Python when it calls booted().
+   *
+   * - seal() · reserve_bytes() → size, reserve(address of a block), reserve_give(), reserve_hold(): see heap.ts
+   * - on_callback(address of the dispatcher) · throw(address of an exception) → whether it is one
+   * - finish(): the program has ended · shown() waits for the error on the display → True when over · shown_skip()
+   * - reboot(): main.py begins anew
+   */
+  private runnerCalls(engine: Engine): SyscallTable {
+    const { heap, setup } = this;
+    const { report, repl } = this.ports;
+    const address = (value: unknown): number => (typeof value === 'number' ? value : 0);
+    let shown: Shown | null = null;
+    const isShown = (): boolean => shown?.isOver() ?? true;
+    const does = (action: (value: Value | undefined) => void) => (value?: Value) => {
+      action(value);
+      return null;
+    };
+    return {
+      seal: does(() => heap.seal()),
+      reserve_bytes: () => heap.reserveBytes,
+      reserve: does((block) => heap.setReserve(address(block))),
+      reserve_give: does(() => heap.giveReserve()),
+      reserve_hold: does(() => heap.hold()),
+      on_callback: does((dispatcher) => engine.setDispatcher(address(dispatcher))),
       throw: (exception) => {
-        engine.throwInProgram(address(exception));
-        return null;
+        const isException = heap.isObject(address(exception));
+        if (isException) engine.throwInProgram(address(exception));
+        return isException;
       },
-      panic: () => {
-        this.ports.report.panic();
+      booted: does(() => engine.hide(RUNNERS)),
+      finish: (): Wait => {
+        report.finish();
+        repl.programEnded();
+        const { ended } = report;
+        if (ended?.kind === 'exception' && ended.exception) shown = showError(setup.board, ended.exception);
+        engine.pause();
+        return { untilUs: setup.clock.nowUs, solid: true, result: () => null };
+      },
+      shown: (): Wait => ({ untilUs: isShown() ? setup.clock.nowUs : Infinity, ready: isShown, result: isShown }),
+      shown_skip: does(() => shown?.skip()),
+      reboot: does(() => {
+        this.restartsAs = 'reboot';
+        engine.end();
+      }),
+    };
+  }
+
+  /** What a program may ask of the machine: panic(number), reset(), kbd_intr(byte, −1 for none). */
+  private programCalls(engine: Engine): SyscallTable {
+    const { report, port } = this.ports;
+    return {
+      panic: (code) => {
+        report.panic();
+        showPanic(this.setup.board, wholeOf(code) ?? 0);
         engine.end();
         return null;
       },
       reset: () => {
-        this.wantsReset = true;
+        this.restartsAs = 'reset';
         engine.end();
+        return null;
+      },
+      kbd_intr: (byte) => {
+        const code = wholeOf(byte) ?? -1;
+        port.interruptByte = code < 0 ? null : code & 0xff;
         return null;
       },
     };
   }
 
-  /** Starts MicroPython, loads the library, and gives the program its part of the heap. */
-  private boot(allocationUs: number): void {
+  /** Starts MicroPython with a C stack and a heap. */
+  private startFirmware(): void {
     const { firmware, memory } = this;
     const stack = firmware.malloc(STACK_BYTES);
-    firmware._emscripten_stack_restore(stack + STACK_BYTES);
-    firmware.stack_base.value = stack + STACK_BYTES;
+    const base = stack + STACK_BYTES;
+    // The last words are no frame's: the heap holds its reserve by one of them.
+    firmware._emscripten_stack_restore(base - STACK_ALIGNMENT);
+    memory.bytes.fill(0, base - STACK_ALIGNMENT, base);
+    firmware.stack_base.value = base;
     firmware.mp_js_init(PYSTACK_WORDS, HEAP_BYTES);
     firmware.proxy_c_init();
     const name = memory.allocateText('_hal').address;
     const value = firmware.malloc(VALUE_BYTES);
     memory.writeReference(HAL_REFERENCE, value);
     firmware.mp_js_register_js_module(name, value);
-    firmware.allocation_cost.value = allocationUs;
-    firmware.program_start.value = firmware.heap_end.value - PROGRAM_HEAP_BYTES;
-    firmware.library_gas.value = 0x7fffffff; // loading the library costs nothing
+    this.heap.divide();
+  }
+
+  /** Loads the library, which takes no time. */
+  private loadLibrary(): void {
+    this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;
+    this.firmware.library_gas.value = 0x7fffffff;
     if (!this.engine.run(this.executor(BOOT), Infinity)) throw new VmFault('The library did not load.');
   }
 
@@ -161,27 +252,16 @@ export class Session {
   }
 }
 
+/** What the library's runner takes for itself before it hides them. */
+const RUNNERS = [
+  ...['seal', 'reserve_bytes', 'reserve', 'reserve_give', 'reserve_hold', 'on_callback', 'throw', 'booted'],
+  ...['report_begin', 'report_end', 'finish', 'shown', 'shown_skip', 'reboot'],
+  ...['repl', 'repl_text', 'repl_names', 'repl_run', 'repl_fail', 'repl_raw'],
+];
 /** The kind of a result that is an exception: ports/webassembly/proxy_c.c. */
 const EXCEPTION = -1;
-
-/**
- * What `gc.mem_free()` would give for the program's part. The heap opens with a table of two bits for each block of 16
- * bytes, 0 = free; with the finaliser table of half its size and the blocks, one byte of the table stands for 65.5
- * bytes of heap (py/gc.c).
- */
-function freeBytes(
-  memory: Uint8Array,
-  heap: { readonly start: number; readonly program: number; readonly end: number },
-): number {
-  const tableBytes = Math.floor(((heap.end - heap.start - 1) * 2) / 131);
-  const firstBlock = (heap.program - (heap.end - tableBytes * 64)) / 16;
-  let free = 0;
-  for (let block = firstBlock; block < tableBytes * 4; block++) {
-    const state = ((memory[heap.start + (block >> 2)] ?? 0) >> (2 * (block & 3))) & 3;
-    if (state === 0) free++;
-  }
-  return free * 16;
-}
+/** How the C stack is aligned: WebAssembly tool conventions, basic C ABI. */
+const STACK_ALIGNMENT = 16;
 
 /** What is on the board wins over the robot's libraries; the device's own modules lie in a folder of their own. */
 function lookupIn(files: Files, libraries: Readonly<Record<string, string>>): FileLookup {

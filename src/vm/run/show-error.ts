@@ -1,20 +1,60 @@
 import type { Board } from '#board/board';
 import type { VmException } from './report';
 
-/** Image.SAD: micropython-microbit-v2 microbit_constimage.c (MIT, 2015 Mark Shannon). */
-const SAD = Uint8Array.from('0000001010000000111010001', (led) => (led === '1' ? 9 : 0));
-const SAD_US = 1_000_000; // micropython-microbit-v2 main.c: one second
 const SCROLL_DELAY_MS = 150; // the default of display.scroll
+const SAD_US = 1_000_000; // micropython-microbit-v2 main.c: one second
+
+const picture = (leds: string): Uint8Array => Uint8Array.from(leds, (led) => (led === '1' ? 9 : 0));
+/** Image.SAD: micropython-microbit-v2 microbit_constimage.c (MIT, 2015 Mark Shannon). */
+const SAD = picture('0000001010000000111010001');
+const DARK = new Uint8Array(25);
+
+/** What is shown of an error, until somebody has had enough. */
+export interface Shown {
+  readonly isOver: () => boolean;
+  skip(): void;
+}
 
 /**
  * Shows an uncaught exception as the board does when nobody watches its console: a sad face for a second, then
  * "line 3 NameError name 'x' isn't defined" scrolls by. Nothing of Python runs for it.
  */
-export function showError(board: Board, { type, message, line }: VmException): void {
+export function showError(board: Board, { type, message, line }: VmException): Shown {
   const words = [line === null ? '' : `line ${line}`, type, message].filter((word) => word !== '');
   board.display.on();
   board.display.show(SAD);
-  board.clock.at(board.clock.nowUs + SAD_US, () =>
-    board.display.scroll(words.join(' '), { delayMs: SCROLL_DELAY_MS, loop: false, monospace: false }),
-  );
+  let isSad = true;
+  const stop = board.clock.at(board.clock.nowUs + SAD_US, () => {
+    isSad = false;
+    board.display.scroll(words.join(' '), { delayMs: SCROLL_DELAY_MS, loop: false, monospace: false });
+  });
+  return {
+    isOver: () => !isSad && !board.display.isAnimating,
+    skip: () => {
+      stop();
+      isSad = false;
+      board.display.clear();
+    },
+  };
+}
+
+/** How long each picture of a panic stays, and the dark between two. Chosen as in micropython-microbit-v2-simulator. */
+const PANIC_MS = { picture: 600, dark: 60 } as const;
+
+/** Shows a panic until the next reset: the sad face and the three digits of its number, over and over. */
+export function showPanic(board: Board, code: number): void {
+  const pictures = [
+    SAD,
+    ...Array.from(String(Math.abs(code) % 1000).padStart(3, '0'), (digit) => board.display.glyph(digit)),
+  ];
+  let next = 0;
+  const show = (): void => {
+    board.display.show(pictures[next++ % pictures.length] ?? SAD);
+    board.clock.at(board.clock.nowUs + PANIC_MS.picture * 1000, () => {
+      board.display.show(DARK);
+      board.clock.at(board.clock.nowUs + PANIC_MS.dark * 1000, show);
+    });
+  };
+  board.display.on();
+  show();
 }

@@ -1,4 +1,5 @@
 import type { Clock } from '#core/clock';
+import type { Stop } from '#core/stop';
 
 /** What crosses the boundary: whole numbers must fit 32 bits, other numbers are doubles, strings are short. */
 export type Value = number | string | boolean | null;
@@ -7,6 +8,8 @@ export type Value = number | string | boolean | null;
 export interface Machine {
   /** The run's clock, already brought up to now when a syscall starts. */
   readonly clock: Clock;
+  /** When the board was switched on or reset last: its own clock (`running_time()`) counts from here. */
+  readonly startUs: number;
   /** A view of the VM's memory: valid until the syscall returns. */
   memory(address: number, length: number): Uint8Array;
   /** Costs simulated time: moves the clock at once (alarms ring meanwhile). */
@@ -17,6 +20,8 @@ export interface Machine {
    * @returns false when the queue is full
    */
   schedule(callback: number): boolean;
+  /** Lets go of something (an alarm, a listener) when this MicroPython ends: by a reset, a soft reboot. */
+  onEnd(stop: Stop): void;
 }
 
 /**
@@ -25,6 +30,8 @@ export interface Machine {
  */
 export interface Wait {
   readonly untilUs: number;
+  /** True for what the device does without a look at anything else (a transfer): callbacks and Ctrl-C wait for its end. */
+  readonly solid?: boolean;
   ready?(): boolean;
   result(): Value;
 }

@@ -4,6 +4,10 @@ import type { Value } from './syscall';
 const FROM_PYTHON = { none: 1, bool: 2, int: 3, float: 4, str: 5 } as const;
 const TO_PYTHON = { null: 1, bool: 2, int: 3, double: 4, str: 5, object: 7 } as const;
 
+// One of each for all texts: making one costs more than a short text.
+const decoder = new TextDecoder();
+const encoder = new TextEncoder();
+
 /** The bytes of one value at the boundary: kind and two words. */
 export const VALUE_BYTES = 12;
 
@@ -30,7 +34,7 @@ export class Memory {
 
   /** The UTF-8 text of so many bytes. */
   text(address: number, length: number): string {
-    return new TextDecoder().decode(this.bytes.subarray(address, address + length));
+    return decoder.decode(this.bytes.subarray(address, address + length));
   }
 
   /** The UTF-8 text up to the next zero byte. */
@@ -40,7 +44,7 @@ export class Memory {
 
   /** Puts a text and a closing zero byte into newly allocated memory. */
   allocateText(text: string): { readonly address: number; readonly length: number } {
-    const bytes = new TextEncoder().encode(text);
+    const bytes = encoder.encode(text);
     const address = this.malloc(bytes.length + 1);
     this.bytes.set(bytes, address);
     this.bytes[address + bytes.length] = 0;

@@ -12,6 +12,11 @@ export interface VmSetup {
   /** The robot's libraries by name; a pupil's file of the same name wins. They do not show in `os.listdir()`. */
   readonly libraries: Readonly<Record<string, string>>;
   readonly seed: number;
+  /**
+   * When the REPL greets after the program's end: at once, as the device does, or (the default) with the first byte
+   * that is typed, so that the output of a run that nobody types into is the program's alone.
+   */
+  readonly repl?: 'at-once' | 'when-typed';
   /** Receives what the program prints. */
   write(text: string): void;
 }

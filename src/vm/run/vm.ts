@@ -1,22 +1,27 @@
 import { ConsolePort } from './console-port';
-import { Files } from './files';
+import { fileHint, Files } from './files';
+import { Repl } from './repl';
 import { Report, type VmEnd } from './report';
 import { Session } from './session';
-import { showError } from './show-error';
 import type { VmSetup } from './vm-setup';
 
 export type { VmEnd, VmException } from './report';
 export type { VmSetup } from './vm-setup';
 
-/** A microcomputer's MicroPython: one program, run piece by piece under the run's clock. */
+/** A microcomputer's MicroPython: one program, run piece by piece under the run's clock, and the REPL after its end. */
 export interface Vm {
-  /** Runs until the clock reaches the limit (µs; a call of the device that is under way may pass it) or the program ends. */
+  /**
+   * Runs until the clock reaches the limit (µs; a call of the device that is under way may pass it), or comes back at
+   * once when the program ends. Resumed after that, time goes on, and the REPL answers what is typed.
+   */
   resume(limitUs: number): void;
-  /** How the program ended, or `null` while it runs. */
+  /** How main.py ended; `null` while it runs, also when the REPL has rebooted and it runs anew. */
   readonly ended: VmEnd | null;
-  /** Raises KeyboardInterrupt in the program. */
+  /** True once the REPL has greeted: what is typed is its. */
+  readonly isInRepl: boolean;
+  /** Raises KeyboardInterrupt in the program; in the REPL it is Ctrl-C. */
   interrupt(): void;
-  /** Text that a person types on the serial line. */
+  /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
   /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end those it left. */
   heapFree(): number;
@@ -24,34 +29,59 @@ export interface Vm {
 
 /** From power-up to the first line of main.py. Chosen: a micro:bit V2 takes about half a second. */
 const RESET_US = 500_000;
+const CTRL_C = '\x03';
+/** micropython-microbit-v2 main.c. */
+const REBOOT = new TextEncoder().encode('MPY: soft reboot\r\n');
 
 /** Makes a VM. The program begins with the first `resume`. */
 export function createVm(setup: VmSetup): Vm {
+  const { board, clock } = setup;
   const files = new Files(setup.files);
-  const report = new Report((text) => setup.write(text), setup.files['main.py']?.length ?? 0);
+  const report = new Report(
+    (text) => setup.write(text),
+    (name) => new TextDecoder().decode(files.find(name)?.bytes),
+    fileHint(setup.files),
+  );
   const port = new ConsolePort((bytes) => report.write(bytes));
-  let session = new Session(setup, { files, port, report });
-  const runOn = (limitUs: number): void => {
-    while (setup.clock.nowUs < limitUs && session.run(limitUs) === 'reset') {
-      // Like the device: files stay, everything else begins anew.
-      setup.clock.advanceTo(setup.clock.nowUs + RESET_US);
-      session = new Session(setup, { files, port, report });
+  const repl = new Repl(port, board.firmware.banner, setup.repl === 'at-once');
+  const start = (startUs: number): Session => new Session(setup, { files, port, report, repl, startUs });
+  let session = start(clock.nowUs);
+  let isOver = false;
+  const restart = (kind: 'reset' | 'reboot'): void => {
+    // Like the device: files stay, everything else begins anew. Only a reset also starts its clock again.
+    const { startUs } = session;
+    if (kind === 'reboot') report.write(REBOOT);
+    session.dispose();
+    board.reset();
+    if (kind === 'reset') {
+      port.reset();
+      clock.advanceTo(clock.nowUs + RESET_US);
     }
-  };
-  const showFailure = (): void => {
-    const { ended } = report;
-    if (ended?.kind === 'exception' && ended.exception) showError(setup.board, ended.exception);
+    report.restart();
+    session = start(kind === 'reset' ? clock.nowUs : startUs);
   };
   return {
     resume: (limitUs) => {
-      if (report.ended !== null) return;
-      runOn(limitUs);
-      showFailure();
+      // After a panic nothing answers, and time goes on.
+      if (isOver && limitUs > clock.nowUs && limitUs < Infinity) clock.advanceTo(limitUs);
+      const before = report.ended;
+      while (!isOver && clock.nowUs < limitUs) {
+        const state = session.run(limitUs);
+        if (state === 'reset' || state === 'reboot') restart(state);
+        else if (state === 'ended') isOver = true;
+        if (state === 'suspended' || (report.ended !== null && report.ended !== before)) return;
+      }
     },
     get ended() {
       return report.ended;
     },
-    interrupt: () => session.interrupt(),
+    get isInRepl() {
+      return report.ended !== null && !isOver && !repl.isAsleep;
+    },
+    interrupt: () => {
+      if (port.interruptByte !== null || report.ended === null) session.interrupt();
+      else if (!repl.isAsleep) port.feed(CTRL_C);
+    },
     feed: (text) => port.feed(text),
     heapFree: () => session.heapFree,
   };

@@ -1,3 +1,4 @@
+import type { BoardType, FirmwareType } from '#board/board-type';
 import { createBench, type Bench } from '#board/testing/bench';
 import { firmware } from '../../run/testing/run-program';
 import { createVm, type Vm, type VmEnd } from '../../run/vm';
@@ -13,13 +14,20 @@ export interface Play {
   readonly ended: () => VmEnd | null;
 }
 
+/** Which board, with which firmware: a micro:bit V2 with its default unless said otherwise. */
+export interface Device {
+  readonly type?: BoardType;
+  readonly firmware?: FirmwareType | undefined;
+}
+
 /** Prepares a program (main.py) with further files; `setUp` connects what it is to meet. */
 export function play(
   program: string,
   files: Readonly<Record<string, string>> = {},
   setUp: (bench: Bench) => void = () => undefined,
+  device: Device = {},
 ): Play {
-  const bench = createBench();
+  const bench = createBench(device.type, device.firmware);
   setUp(bench);
   let text = '';
   const vm = createVm({
@@ -66,8 +74,9 @@ export function linesOf(
   program: string,
   files: Readonly<Record<string, string>> = {},
   setUp: (bench: Bench) => void = () => undefined,
+  device: Device = {},
 ): string[] {
-  const run = play(`from microbit import *\n${PRELUDE}${program}`, files, setUp).until(LIMIT_MS);
+  const run = play(`from microbit import *\n${PRELUDE}${program}`, files, setUp, device).until(LIMIT_MS);
   if (run.ended() === null) throw new Error(`Not at its end after ${LIMIT_MS} ms. Printed:\n${run.printed()}`);
   return run.printed().trimEnd().split('\n');
 }

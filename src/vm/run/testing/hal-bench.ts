@@ -16,6 +16,8 @@ export interface HalBench {
   readonly queued: number[];
   /** Everything sent over the serial line. */
   readonly sent: () => string;
+  /** What all the syscalls are called. */
+  readonly names: readonly string[];
   /** Calls a syscall to its end; a wait that never ends is an error. */
   readonly call: (name: string, ...args: Value[]) => Value;
   /** The same, with the time that it took in µs. */
@@ -35,6 +37,8 @@ export function createHalBench(initial: Readonly<Record<string, string>> = {}): 
   const output: number[] = [];
   const machine: Machine = {
     clock,
+    startUs: 0,
+    onEnd: () => undefined,
     memory: (address, length) => memory.subarray(address, address + length),
     spend: (us) => clock.advanceTo(clock.nowUs + us),
     schedule: (callback) => queued.push(callback) > 0,
@@ -60,6 +64,7 @@ export function createHalBench(initial: Readonly<Record<string, string>> = {}): 
     files,
     memory,
     queued,
+    names: Object.keys(table),
     sent: () => new TextDecoder().decode(Uint8Array.from(output)),
     call: (name, ...args) => run(Infinity, name, args),
     timed: (name, ...args) => {

@@ -29,6 +29,9 @@ export interface ProgramOptions {
   readonly files?: Readonly<Record<string, string>>;
   readonly libraries?: Readonly<Record<string, string>>;
   readonly seed?: number;
+  readonly repl?: 'at-once' | 'when-typed';
+  /** False for a board without main.py. */
+  readonly main?: boolean;
   /** Suspends the program whenever so many simulated µs have passed; by default never. */
   readonly sliceUs?: number;
   /** Gives up after so much simulated time; by default ten minutes. */
@@ -44,9 +47,10 @@ export function deviceWith(program: string, options: ProgramOptions = {}): Devic
     firmware,
     board,
     clock,
-    files: { ...options.files, 'main.py': program },
+    files: options.main === false ? { ...options.files } : { ...options.files, 'main.py': program },
     libraries: options.libraries ?? {},
     seed: options.seed ?? 1,
+    repl: options.repl ?? 'when-typed',
     write: (text) => {
       console += text;
     },

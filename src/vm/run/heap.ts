@@ -1,0 +1,204 @@
+import type { Firmware } from './firmware';
+import type { Memory } from './values';
+
+/** MicroPython py/gc.c: blocks of 16 bytes, two bits for each in a table at the heap's start. */
+const BLOCK_BYTES = 16;
+const WORD_BYTES = 4;
+/** Words before the end of the C stack. The firmware knows the first one (../firmware/transform.mjs). */
+const Root = { RESERVE: 1, GAPS: 2 } as const;
+const Kind = { FREE: 0, HEAD: 1, TAIL: 2, MARK: 3 } as const;
+
+/**
+ * The device's heap: 64 KiB, of which 64512 bytes are blocks (py/gc.c) and some hundred are taken before the program
+ * begins. Chosen so that the program measured in micropython-microbit-v2 issue #146 starts with the same 63984 bytes.
+ */
+const PROGRAM_BLOCKS = 4022;
+/** What the device's heap has in all: `gc.mem_free()` and `gc.mem_alloc()` together. */
+const DEVICE_BYTES = 64_512;
+/** Room for errors when the heap is full: the message, the traceback, what the library needs to report it. Chosen. */
+const RESERVE_BLOCKS = 256;
+
+/** What `micropython.mem_info()` tells. */
+export interface HeapInfo {
+  readonly totalBytes: number;
+  readonly usedBytes: number;
+  readonly freeBytes: number;
+  /** How many things take one block, how many two. */
+  readonly oneBlock: number;
+  readonly twoBlocks: number;
+  /** The longest run of used and of free blocks. */
+  readonly longestUsed: number;
+  readonly longestFree: number;
+}
+
+/**
+ * The collector's heap seen from outside: our library below, the reserve and the program's part above it.
+ *
+ * The reserve is a block that nothing in Python holds. The C function that raises a MemoryError gives it free; after the
+ * next collection that finds all of it free again it is taken back here, so that the program's part never grows.
+ */
+export class Heap {
+  private reserve = 0;
+  private isHeld = true;
+  private isSealed = false;
+  /** The gap that was filled last. */
+  private gaps = 0;
+
+  constructor(
+    private readonly firmware: Firmware,
+    private readonly memory: Memory,
+  ) {}
+
+  /** Divides the heap, before anything is in it: everything from here on is the reserve's and the program's. */
+  divide(): void {
+    this.firmware.program_start.value = this.firmware.heap_end.value - (PROGRAM_BLOCKS + RESERVE_BLOCKS) * BLOCK_BYTES;
+  }
+
+  /**
+   * Fills what is free in the library's part, so that every program finds the same empty heap above it, and none of its
+   * code ever lies below. Each gap becomes a thing of its own whose first word leads to the next one.
+   */
+  seal(): void {
+    this.isSealed = true;
+    const { bytes } = this.memory;
+    const end = this.blockAt(this.firmware.program_start.value);
+    let length = 0;
+    for (let block = end - 1; block >= 0; block--) {
+      if (this.kind(block) !== Kind.FREE) continue;
+      length++;
+      const isFirst = block === 0 || this.kind(block - 1) !== Kind.FREE;
+      this.setKind(block, isFirst ? Kind.HEAD : Kind.TAIL);
+      if (!isFirst) continue;
+      const start = this.poolStart + block * BLOCK_BYTES;
+      bytes.fill(0, start, start + length * BLOCK_BYTES);
+      this.memory.setWord(start, this.gaps);
+      this.gaps = start;
+      length = 0;
+    }
+    this.setRoot(Root.GAPS, this.gaps);
+  }
+
+  /** How many bytes the block must have that becomes the reserve. */
+  get reserveBytes(): number {
+    return RESERVE_BLOCKS * BLOCK_BYTES;
+  }
+
+  /** Makes this allocated block the reserve; it need not be held otherwise. */
+  setReserve(address: number): void {
+    this.reserve = address;
+    this.arm();
+  }
+
+  /** Gives the reserve free now, for a report on a full heap; `hold` lets it be taken back. */
+  giveReserve(): void {
+    this.isHeld = false;
+    if (!this.isArmed) return;
+    this.firmware.reserve.value = 0;
+    this.setRoot(Root.RESERVE, 0);
+    this.eachReserveBlock((block) => this.setKind(block, Kind.FREE));
+  }
+
+  hold(): void {
+    this.isHeld = true;
+  }
+
+  /** The collector has run: fills what has died in the library's part, and takes the reserve back if it can. */
+  collected(): void {
+    if (this.isSealed) this.seal();
+    if (!this.reserve || this.isArmed || !this.isHeld) return;
+    let isFree = true;
+    this.eachReserveBlock((block) => (isFree &&= this.kind(block) === Kind.FREE));
+    if (!isFree) return;
+    const first = this.blockAt(this.reserve);
+    this.eachReserveBlock((block) => this.setKind(block, block === first ? Kind.HEAD : Kind.TAIL));
+    this.arm();
+  }
+
+  /** True for the address of something in the heap, as objects have it. */
+  isObject(address: number): boolean {
+    if (address % BLOCK_BYTES !== 0 || address < this.poolStart || address >= this.firmware.heap_end.value)
+      return false;
+    const kind = this.kind(this.blockAt(address));
+    return kind === Kind.HEAD || kind === Kind.MARK;
+  }
+
+  /** What `gc.mem_free()` gives. Nothing runs for it. */
+  get freeBytes(): number {
+    return this.info().freeBytes;
+  }
+
+  info(): HeapInfo {
+    const counts = { free: 0, oneBlock: 0, twoBlocks: 0, longestUsed: 0, longestFree: 0 };
+    let run = 0;
+    let last: number = Kind.TAIL;
+    const endRun = (): void => {
+      if (last === Kind.FREE) counts.longestFree = Math.max(counts.longestFree, run);
+      else {
+        counts.longestUsed = Math.max(counts.longestUsed, run);
+        if (run === 1) counts.oneBlock++;
+        if (run === 2) counts.twoBlocks++;
+      }
+    };
+    const start = this.blockAt(this.firmware.program_start.value);
+    for (let block = start; block < this.blockAt(this.firmware.heap_end.value); block++) {
+      const kind = this.kind(block);
+      if (kind === Kind.FREE) counts.free++;
+      const goesOn = kind === Kind.FREE ? last === Kind.FREE : kind === Kind.TAIL;
+      if (goesOn) run++;
+      else {
+        if (run > 0) endRun();
+        run = 1;
+        last = kind;
+      }
+    }
+    endRun();
+    // While the reserve is given away, the program does not gain by it.
+    const free = Math.max(0, counts.free - (this.isArmed ? 0 : RESERVE_BLOCKS)) * BLOCK_BYTES;
+    return { ...counts, totalBytes: DEVICE_BYTES, usedBytes: DEVICE_BYTES - free, freeBytes: free };
+  }
+
+  private get isArmed(): boolean {
+    return this.firmware.reserve.value !== 0;
+  }
+
+  private arm(): void {
+    this.firmware.reserve.value = this.reserve;
+    this.setRoot(Root.RESERVE, this.reserve);
+  }
+
+  /** The last words of the C stack, which the collector takes for pointers like all the others. */
+  private setRoot(place: number, address: number): void {
+    this.memory.setWord(this.firmware.stack_base.value - place * WORD_BYTES, address);
+  }
+
+  private eachReserveBlock(visit: (block: number) => void): void {
+    const first = this.blockAt(this.reserve);
+    for (let block = first; block < first + RESERVE_BLOCKS; block++) visit(block);
+  }
+
+  /**
+   * Where the blocks begin. The heap opens with the table of kinds; with the finaliser table of half its size and the
+   * blocks, one byte of it stands for 65.5 bytes of heap.
+   */
+  private get poolStart(): number {
+    return this.firmware.heap_end.value - this.tableBytes * 64;
+  }
+
+  private get tableBytes(): number {
+    return Math.floor(((this.firmware.heap_end.value - this.firmware.heap_start.value - 1) * 2) / 131);
+  }
+
+  private blockAt(address: number): number {
+    return (address - this.poolStart) / BLOCK_BYTES;
+  }
+
+  private kind(block: number): number {
+    return ((this.memory.bytes[this.firmware.heap_start.value + (block >> 2)] ?? 0) >> (2 * (block & 3))) & 3;
+  }
+
+  private setKind(block: number, kind: number): void {
+    const place = this.firmware.heap_start.value + (block >> 2);
+    const shift = 2 * (block & 3);
+    this.memory.bytes[place] = ((this.memory.bytes[place] ?? 0) & ~(3 << shift)) | (kind << shift);
+  }
+}
