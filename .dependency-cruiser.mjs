@@ -93,9 +93,15 @@ export default {
     onlyIn('micropython-in-vm', ['@micropython'], '^src/vm/', 'MicroPython only in vm.'),
     onlyIn(
       'drawing-in-web',
-      ['vue', '@vue', 'vue-i18n', 'vuetify', 'codemirror', '@codemirror', '@lezer', '@mdi'],
+      ['vue', '@vue', 'vue-i18n', 'vuetify', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
       '^src/web/',
       'Vue, Vuetify and the code editor only in web.',
+    ),
+    onlyIn(
+      'parser-in-device-check',
+      ['@lezer/python', '@lezer/common'],
+      '^src/(web|device-check)/',
+      "The editor's Python parser (plain JavaScript) only in web and in the room that checks programs.",
     ),
     {
       name: 'not-found',

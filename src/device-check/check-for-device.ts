@@ -1,0 +1,98 @@
+import type { Context, Mark, Visitor, Visitors } from './context';
+import type { Device, Finding } from './finding';
+import { Kinds } from './kinds';
+import { namesOf, type FileNames } from './names';
+import { ruleOf } from './rule-table';
+import { endOnLine, parseFile, placeOf, type SourceFile } from './source-file';
+import { attributeVisitors } from './visitors/attributes';
+import { builtinVisitors } from './visitors/builtins';
+import { classVisitors } from './visitors/classes';
+import { moduleVisitors } from './visitors/modules';
+import { numberVisitors } from './visitors/numbers';
+import { textVisitors } from './visitors/text';
+
+/** All rules by the node they look at. */
+const visitors = gather([
+  textVisitors,
+  builtinVisitors,
+  attributeVisitors,
+  classVisitors,
+  moduleVisitors,
+  numberVisitors,
+]);
+
+interface Read extends FileNames {
+  readonly file: SourceFile;
+}
+
+/**
+ * Finds what runs here and not on the device: syntax, functions, methods and modules that its firmware lacks. It reads
+ * the text only; nothing is run, and no run depends on it. In doubt it says nothing: what a pupil's own files define
+ * is theirs, whatever its name.
+ *
+ * @param files the program's files by their names; those that do not end in `.py` are no programs
+ * @returns findings in the order of the files and their lines
+ */
+export function checkForDevice(files: Readonly<Record<string, string>>, device: Device): readonly Finding[] {
+  const programs = Object.entries(files).filter(([name]) => name.endsWith('.py'));
+  const read = programs.map(([name, text]): Read => {
+    const file = parseFile(name, text);
+    const { bindings, imports, attributes } = namesOf(file);
+    return { file, bindings, imports, attributes };
+  });
+  return read.flatMap((one) => checkFile(one, read, device));
+}
+
+function checkFile(one: Read, all: readonly Read[], device: Device): readonly Finding[] {
+  const marks: Mark[] = [];
+  const context = contextOf(one, all, device, marks);
+  one.file.tree.iterate({
+    enter: ({ name, node }) => {
+      for (const visit of visitors.get(name) ?? []) visit(node, context);
+    },
+  });
+  return marks
+    .filter(({ rule }) => isLacking(rule, device))
+    .map((mark) => findingOf(mark, one.file))
+    .sort((a, b) => a.from - b.from);
+}
+
+function contextOf(one: Read, all: readonly Read[], device: Device, marks: Mark[]): Context {
+  const kinds = new Kinds(one.file, one);
+  const modules = new Set(all.map(({ file }) => file.name.slice(0, -'.py'.length)));
+  const starred = one.imports.filter(({ symbol, module }) => symbol === '*' && modules.has(module));
+  const isBound = (file: Read, name: string): boolean => file.bindings.has(name);
+  return {
+    file: one.file,
+    names: one,
+    device,
+    kindOf: (node) => kinds.of(node),
+    isOwnAttribute: (name) => all.some(({ attributes }) => attributes.has(name)),
+    isOwnName: (name) =>
+      isBound(one, name) || (starred.length > 0 && all.some((file) => file !== one && isBound(file, name))),
+    isOwnModule: (name) => modules.has(name),
+    report: (mark) => marks.push(mark),
+  };
+}
+
+/** Whether the device's MicroPython is older than what the rule is about. */
+function isLacking(rule: Mark['rule'], { micropython: [major, minor] }: Device): boolean {
+  const { since } = ruleOf(rule);
+  return since === undefined || major < since[0] || (major === since[0] && minor < since[1]);
+}
+
+function findingOf({ node, rule, name = '', instead = '', severity }: Mark, { name: file, text }: SourceFile): Finding {
+  const { line, column } = placeOf(text, node.from);
+  const to = endOnLine(text, node.from, node.to);
+  return { file, line, column, from: node.from, to, rule, name, instead, severity: severity ?? ruleOf(rule).severity };
+}
+
+function gather(groups: readonly Visitors[]): ReadonlyMap<string, readonly Visitor[]> {
+  const all = new Map<string, Visitor[]>();
+  for (const [name, visit] of groups.flatMap((group) => Object.entries(group))) {
+    const known = all.get(name);
+    if (known === undefined) all.set(name, [visit]);
+    else known.push(visit);
+  }
+  return all;
+}

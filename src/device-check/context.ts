@@ -1,0 +1,37 @@
+import type { SyntaxNode } from '@lezer/common';
+
+import type { Kind } from './kinds';
+import type { FileNames } from './names';
+import type { RuleId, Severity } from './rule-table';
+import type { SourceFile } from './source-file';
+import type { Device } from './finding';
+
+/** What a rule found; what is left out is empty, and as severe as the rule. */
+export interface Mark {
+  readonly node: SyntaxNode;
+  readonly rule: RuleId;
+  readonly name?: string;
+  readonly instead?: string;
+  readonly severity?: Severity;
+}
+
+/** What a rule knows about the program it looks at. */
+export interface Context {
+  readonly file: SourceFile;
+  readonly names: FileNames;
+  readonly device: Device;
+  kindOf(node: SyntaxNode): Kind;
+  /** Whether a name after a dot is given a meaning anywhere in the pupil's files. */
+  isOwnAttribute(name: string): boolean;
+  /** Whether a plain name is given a meaning in this file, or could come from a file of the pupil's with `import *`. */
+  isOwnName(name: string): boolean;
+  /** Whether a module is one of the pupil's files. */
+  isOwnModule(name: string): boolean;
+  report(mark: Mark): void;
+}
+
+/** Looks at one node of the tree. */
+export type Visitor = (node: SyntaxNode, context: Context) => void;
+
+/** Rules by the name of the node they look at. */
+export type Visitors = Readonly<Record<string, Visitor>>;

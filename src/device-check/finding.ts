@@ -1,0 +1,28 @@
+import type { Feature } from './newer-names';
+import type { RuleId, Severity } from './rule-table';
+
+/** A place in a pupil's program that runs here and not on the device, or not in the same way. */
+export interface Finding {
+  readonly file: string;
+  /** Counted from 1, as in the device's messages. */
+  readonly line: number;
+  /** Counted from 1, in UTF-16 units. */
+  readonly column: number;
+  /** The place in the file's text: first character and the one after the last, never beyond its line's end. */
+  readonly from: number;
+  readonly to: number;
+  readonly rule: RuleId;
+  /** What is written there, as a name: `splitlines`, `math.inf`; empty where the rule says it all. */
+  readonly name: string;
+  /** Python code that does it on the device; empty where the rule's text has its own way out. */
+  readonly instead: string;
+  readonly severity: Severity;
+}
+
+/** What the program is to run on. */
+export interface Device {
+  /** Names newer than micro:bit firmware v2.1.2 that its firmware has. */
+  readonly features: readonly Feature[];
+  /** Version of its MicroPython, such as `[1, 18, 0]`. */
+  readonly micropython: readonly [number, number, number];
+}

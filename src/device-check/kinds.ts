@@ -1,0 +1,150 @@
+import type { SyntaxNode } from '@lezer/common';
+
+import type { Binding, FileNames } from './names';
+import { argumentsOf, attributeOf, childrenOf, isSlice, textOf, type SourceFile } from './source-file';
+
+/**
+ * What sort of value an expression gives, as far as it can be told from the text; `unknown` in any doubt. `same` is
+ * the sort of the name that is being looked at, as the right side of `n = n + 1`.
+ */
+export type Kind = 'text' | 'bytes' | 'array' | 'whole' | 'float' | 'dict' | 'texts' | 'same' | 'unknown';
+
+/** Built-in functions that always give the same sort of value. */
+const FUNCTIONS = new Map<string, Kind>(Object.entries({
+  str: 'text', input: 'text', repr: 'text', hex: 'text', bin: 'text', oct: 'text', chr: 'text',
+  bytes: 'bytes', bytearray: 'array', memoryview: 'array', array: 'array',
+  int: 'whole', len: 'whole', ord: 'whole', float: 'float', dict: 'dict',
+  temperature: 'whole', running_time: 'whole', randint: 'whole', randrange: 'whole', ticks_ms: 'whole', ticks_us: 'whole',
+} as const)); // prettier-ignore
+
+/** Methods that give the same sort of value whatever they belong to. */
+const METHODS = new Map<string, Kind>(Object.entries({
+  format: 'text', decode: 'text', encode: 'bytes', splitlines: 'texts', to_bytes: 'bytes', from_bytes: 'whole',
+  randint: 'whole', randrange: 'whole', ticks_ms: 'whole', ticks_us: 'whole',
+} as const)); // prettier-ignore
+
+/** What the board's own objects measure in whole numbers. */
+const MEASURED =
+  /^(microbit\.)?(accelerometer|compass|microphone|display|button_[ab]|pin\w+)\.(get_[xyz]|get_strength|heading|sound_level|read_light_level|get_presses|read_analog|read_digital)$/;
+
+/** Methods of a text that give a text. */
+const TEXT_METHODS = ['strip', 'lstrip', 'rstrip', 'lower', 'upper', 'replace', 'join', 'center'];
+
+const WHOLE_OPERATORS = ['+', '-', '*', '//', '%', '<<', '>>', '&', '|', '^'];
+const DEPTH = 8;
+
+/** Tells the kind of expressions in one file. */
+export class Kinds {
+  private readonly looking = new Set<string>();
+  private readonly known = new Map<string, Kind>();
+
+  constructor(
+    private readonly file: SourceFile,
+    private readonly names: FileNames,
+  ) {}
+
+  of(node: SyntaxNode | null | undefined, depth = 0): Kind {
+    if (node === null || node === undefined || depth > DEPTH) return 'unknown';
+    switch (node.name) {
+      case 'String':
+        return isBytes(textOf(this.file, node)) ? 'bytes' : 'text';
+      case 'FormatString':
+      case 'ContinuedString':
+        return 'text';
+      case 'Number':
+        return kindOfNumber(textOf(this.file, node));
+      case 'DictionaryExpression':
+      case 'DictionaryComprehensionExpression':
+        return 'dict';
+      case 'ParenthesizedExpression':
+        return this.of(childrenOf(node)[1], depth + 1);
+      case 'UnaryExpression':
+        return this.of(node.lastChild, depth + 1);
+      case 'VariableName':
+        return this.ofName(textOf(this.file, node), depth + 1);
+      case 'BinaryExpression':
+        return this.ofOperation(node, depth + 1);
+      case 'CallExpression':
+        return this.ofCall(node, depth + 1);
+      case 'MemberExpression':
+        return isSlice(node) ? this.of(node.firstChild, depth + 1) : 'unknown';
+      default:
+        return 'unknown';
+    }
+  }
+
+  private ofName(name: string, depth: number): Kind {
+    if (this.looking.has(name)) return 'same';
+    const before = this.known.get(name);
+    if (before !== undefined) return before;
+    this.looking.add(name);
+    const kind = this.ofBindings(this.names.bindings.get(name) ?? [], depth);
+    this.looking.delete(name);
+    if (this.looking.size === 0) this.known.set(name, kind);
+    return kind;
+  }
+
+  private ofBindings(bindings: readonly Binding[], depth: number): Kind {
+    let kind: Kind = 'same';
+    for (const binding of bindings) {
+      let next: Kind = 'unknown';
+      if (binding.type === 'value') next = this.of(binding.value, depth);
+      else if (binding.type === 'loop') next = this.of(binding.over, depth) === 'texts' ? 'text' : 'unknown';
+      if (next === 'unknown') return 'unknown';
+      if (kind !== 'same' && next !== 'same' && next !== kind) return 'unknown';
+      if (next !== 'same') kind = next;
+    }
+    return kind === 'same' ? 'unknown' : kind;
+  }
+
+  private ofOperation(node: SyntaxNode, depth: number): Kind {
+    const operator = node.firstChild?.nextSibling ?? null;
+    const sign = operator === null ? '' : textOf(this.file, operator);
+    const first = this.of(node.firstChild, depth);
+    const second = this.of(node.lastChild, depth);
+    const left = first === 'same' ? second : first;
+    const right = second === 'same' ? first : second;
+    if (left === 'text' && ['+', '%', '*'].includes(sign)) return 'text';
+    if (left === 'whole' && right === 'whole') {
+      if (sign === '/') return 'float';
+      return WHOLE_OPERATORS.includes(sign) ? 'whole' : 'unknown';
+    }
+    const numbers = [left, right].every((kind) => kind === 'float' || kind === 'whole');
+    return numbers && ['+', '-', '*', '/', '//', '%', '**'].includes(sign) ? 'float' : 'unknown';
+  }
+
+  private ofCall(node: SyntaxNode, depth: number): Kind {
+    const called = node.firstChild;
+    if (called === null) return 'unknown';
+    const name = textOf(this.file, called);
+    if (called.name === 'VariableName') {
+      if (this.isOwn(name)) return 'unknown';
+      if (name === 'round') return argumentsOf(this.file, node).length === 1 ? 'whole' : 'unknown';
+      return FUNCTIONS.get(name) ?? 'unknown';
+    }
+    const attribute = attributeOf(called);
+    if (attribute === null) return 'unknown';
+    const method = textOf(this.file, attribute.property);
+    if (this.isOwn(method)) return 'unknown';
+    if (name === 'array.array' || name === 'uarray.array') return 'array';
+    if (MEASURED.test(name)) return 'whole';
+    const owner = this.of(attribute.owner, depth);
+    if ((owner === 'text' || owner === 'same') && TEXT_METHODS.includes(method)) return owner;
+    if (owner === 'text' && (method === 'split' || method === 'rsplit')) return 'texts';
+    return METHODS.get(method) ?? 'unknown';
+  }
+
+  private isOwn(name: string): boolean {
+    return (
+      this.names.attributes.has(name) || (this.names.bindings.get(name) ?? []).some(({ type }) => type !== 'import')
+    );
+  }
+}
+
+const isBytes = (literal: string): boolean => /^[a-z]*b/i.test(literal.split(/['"]/, 1)[0] ?? '');
+
+function kindOfNumber(text: string): Kind {
+  if (/^0[xob]/i.test(text)) return 'whole';
+  if (/j$/i.test(text)) return 'unknown';
+  return /[.e]/i.test(text) ? 'float' : 'whole';
+}

@@ -1,0 +1,11 @@
+const GESTURES = [
+  ...['shake', 'up', 'down', 'left', 'right', 'face up', 'face down', 'freefall'],
+  ...['2g', '3g', '6g', '8g'],
+];
+
+/** Texts that a function's argument can be: function (under the name of its words) → texts for each argument in turn. */
+export const textChoices: Readonly<Record<string, readonly (readonly string[])[]>> = {
+  'microbit.accelerometer.is_gesture': [GESTURES],
+  'microbit.accelerometer.was_gesture': [GESTURES],
+  'builtins.open': [[], ['r', 'w', 'rb', 'wb']],
+};

@@ -1,0 +1,32 @@
+import { describe, expect, it } from 'vitest';
+
+import { Reader } from '#reference/python/reader';
+import { textKeysOf } from '#reference/text-keys';
+import { robotTypes } from './index';
+import { robotReferences } from './references';
+
+const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
+
+/** What a library offers: its own functions, classes and variables, without what it imports. */
+function publicNames(source: string): string[] {
+  const { root } = new Reader(source, nothing);
+  const own = root.names.filter(({ binding }) => binding.kind !== 'import' && binding.kind !== 'from');
+  return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
+}
+
+describe.each(robotTypes)('the reference of $name', ({ id, libraries }) => {
+  const reference = robotReferences.find(({ robot }) => robot === id);
+
+  it.each(Object.entries(libraries))('knows every name of %s and no other', (file, source) => {
+    const module = reference?.modules.find(({ name }) => `${name}.py` === file);
+    expect(Object.keys(module?.names ?? {}).sort()).toEqual(publicNames(source));
+  });
+
+  it('has words for every name in German and English, each ending in a full stop, and no more words', () => {
+    const keys = [...textKeysOf(reference?.modules ?? [])].sort();
+    for (const texts of [reference?.texts.de ?? {}, reference?.texts.en ?? {}]) {
+      expect(Object.keys(texts).sort()).toEqual(keys);
+      for (const text of Object.values(texts)) expect(text).toMatch(/\.$/);
+    }
+  });
+});
