@@ -21,11 +21,15 @@ describe('the command line', () => {
       scene: null,
       robot: 'auto',
       board: 'auto',
+      firmware: '',
       forUs: null,
       seed: 1,
       reality: 0,
       input: null,
       trace: null,
+      log: null,
+      strict: false,
+      lang: 'en',
       json: false,
       quiet: false,
     });
@@ -33,18 +37,22 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --for 1.5s --seed 7 --reality 0 --input i.json --trace t.csv --quiet';
+      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0 --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
       scene: 's.json',
       robot: 'none',
       board: 'microbit-v2',
+      firmware: 'newest',
       forUs: 1_500_000,
       seed: 7,
       reality: 0,
       input: 'i.json',
       trace: 't.csv',
+      log: 'l.csv',
+      strict: true,
+      lang: 'de',
       json: true,
       quiet: true,
     });
@@ -73,6 +81,7 @@ describe('the command line', () => {
     ['run main.py --for 2000min', /too long; the limit is 1440min/],
     ['run main.py --seed x', /--seed: "x" is not a whole number/],
     ['run main.py --seed 1.5', /--seed: "1\.5" is not a whole number/],
+    ['run main.py --lang xx', /--lang: "xx" is not available\. Known: en, de/],
     ['run main.py --reality 2', /--reality: "2" is not a number from 0 to 1/],
     ['run main.py --reality 0.5', /--reality: 0\.5 is not available yet\. Use 0/],
   ])('refuses "%s"', (line, message) => {

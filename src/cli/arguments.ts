@@ -8,15 +8,29 @@ export interface RunOptions {
   readonly scene: string | null;
   readonly robot: string;
   readonly board: string;
+  /** Id of a firmware of the board; empty: the board's usual one. */
+  readonly firmware: string;
   /** `null`: until the program ends. */
   readonly forUs: number | null;
   readonly seed: number;
   readonly reality: number;
   readonly input: string | null;
   readonly trace: string | null;
+  /** Where the board's data log goes as CSV. */
+  readonly log: string | null;
+  /** Refuses what the real board would not understand. */
+  readonly strict: boolean;
+  /** The language of explanations. */
+  readonly lang: CliLanguage;
   readonly json: boolean;
   readonly quiet: boolean;
 }
+
+/** Languages in which `--strict` explains. */
+const languages = ['en', 'de'] as const;
+
+/** See `languages`. */
+export type CliLanguage = (typeof languages)[number];
 
 /** What the command line asks for. */
 export type Command =
@@ -25,8 +39,11 @@ export type Command =
   | { readonly type: 'version' }
   | { readonly type: 'bad'; readonly problem: string };
 
-const texts = ['file', 'scene', 'robot', 'board', 'for', 'seed', 'reality', 'input', 'trace'] as const;
-const flags = ['json', 'quiet', 'help', 'version'] as const;
+const texts = [
+  ...(['file', 'scene', 'robot', 'board', 'firmware', 'for', 'seed', 'reality', 'input', 'trace', 'log'] as const),
+  'lang',
+] as const;
+const flags = ['strict', 'json', 'quiet', 'help', 'version'] as const;
 
 type Text = (typeof texts)[number];
 type Flag = (typeof flags)[number];
@@ -93,6 +110,9 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   const reality = numberOf(last('reality') ?? '0');
   if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
   if (reality !== 0) return bad(`--reality: ${reality} is not available yet. Use 0, the ideal robot.`);
+  const langText = last('lang') ?? 'en';
+  const lang = languages.find((known) => known === langText);
+  if (lang === undefined) return bad(`--lang: "${langText}" is not available. Known: ${languages.join(', ')}.`);
   return {
     type: 'run',
     options: {
@@ -101,11 +121,15 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       scene: last('scene') ?? null,
       robot: last('robot') ?? 'auto',
       board: last('board') ?? 'auto',
+      firmware: last('firmware') ?? '',
       forUs: duration?.us ?? null,
       seed,
       reality,
       input: last('input') ?? null,
       trace: last('trace') ?? null,
+      log: last('log') ?? null,
+      strict: set.has('strict'),
+      lang,
       json: set.has('json'),
       quiet: set.has('quiet'),
     },

@@ -11,7 +11,9 @@ Which course, which robot
                       the robot in its centre, heading to the right
   --robot NAME        maqueen-lite, or none for the microcomputer alone
                       (default: the course's, else by what the program imports)
-  --board NAME        microbit-v2
+  --board NAME        microbit-v2 or calliope-mini-3
+                      (default: the course's, else by what the program imports)
+  --firmware NAME     for the micro:bit v2.1.2 (default) or newest, with the names that came later
   --file DRIVER.py    puts a further file on the board, for instance a module that
                       MAIN.py imports; may be given several times
 
@@ -23,12 +25,17 @@ How long, and what happens
                       [ { "at": "1s", "button": "a", "down": true },
                         { "at": "2s", "serial": "hello\\r\\n" },
                         { "at": "3s", "sensor": "lightLevel", "value": 10 },
-                        { "at": "4s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } } ]
+                        { "at": "4s", "radio": "go" },
+                        { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } } ]
+                      what is typed after the program's end goes to the REPL
   --seed NUMBER       where chance begins (default 1): random numbers repeat with it
   --reality NUMBER    0 = the ideal robot (default); nothing else yet
 
 What you get
   --json              at the end one line with everything about the run, for other programs
+  --strict            refuses to run what the real board would not understand, and says why
+  --lang NAME         the language in which --strict explains: en (default) or de
+  --log FILE.csv      the board's data log, for a spreadsheet
   --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet
   --quiet             neither the program's output nor progress
 

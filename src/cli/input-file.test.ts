@@ -11,7 +11,10 @@ describe('an input file', () => {
       {"at":"4s","place":{"xMm":0,"yMm":0,"headingDeg":90}},
       {"at":"5s","placeBlock":{"id":"b1","xMm":10,"yMm":20}},
       {"at":"6s","touch":"pinLogo","down":false},
-      {"at":"7s","interrupt":true}
+      {"at":"7s","interrupt":true},
+      {"at":"8s","radio":"go"},
+      {"at":"9s","radio":[1,2,255]},
+      {"at":"10s","arenaSenses":true}
     ]`;
     expect(parseInputs(text)).toEqual({
       inputs: [
@@ -23,6 +26,9 @@ describe('an input file', () => {
         { timeUs: 5_000_000, action: { type: 'place-block', id: 'b1', pose: { xMm: 10, yMm: 20, headingDeg: 0 } } },
         { timeUs: 6_000_000, action: { type: 'touch', pad: 'pinLogo', down: false } },
         { timeUs: 7_000_000, action: { type: 'interrupt' } },
+        { timeUs: 8_000_000, action: { type: 'radio', text: 'go' } },
+        { timeUs: 9_000_000, action: { type: 'radio', bytes: [1, 2, 255] } },
+        { timeUs: 10_000_000, action: { type: 'arena-senses', on: true } },
       ],
     });
   });
@@ -45,7 +51,9 @@ describe('an input file', () => {
     ['[{"at":"1s","place":{"xMm":1}}]', /^\[0\]\.place\.yMm: is missing/],
     ['[{"at":"1s","place":{"x":1,"y":2}}]', /^\[0\]\.place\.x: is unknown here\. Known: xMm, yMm, headingDeg/],
     ['[{"at":"1s","placeBlock":{"xMm":1,"yMm":2}}]', /^\[0\]\.placeBlock\.id: is missing/],
-    ['[{"at":"5s","radio":"go"}]', /^\[0\]\.radio: messages by radio are not available yet/],
+    ['[{"at":"5s","radio":5}]', /^\[0\]\.radio: must be a text in quotes or a list of bytes, not 5/],
+    ['[{"at":"5s","radio":[1,256]}]', /^\[0\]\.radio\[1\]: must be a whole number from 0 to 255, not 256/],
+    ['[{"at":"5s","arenaSenses":1}]', /^\[0\]\.arenaSenses: must be true or false, not 1/],
   ])('is refused when it is %s', (text, message) => {
     const parsed = parseInputs(text);
     expect('problem' in parsed ? parsed.problem : 'no problem').toMatch(message);

@@ -61,7 +61,11 @@ function readEntry(entry: unknown): InputEvent | Bad {
   return 'problem' in action ? action : { timeUs: at.us, action };
 }
 
-const touchPads = ['pinLogo', 'pin0', 'pin1', 'pin2'];
+/** Of all boards together; which of them the run's board has is checked when the run is made. */
+const touchPads = ['pinLogo', 'pin0', 'pin1', 'pin2', 'pin3'];
+
+/** The longest packet that radio.config allows: micropython-microbit-v2 modradio.c. */
+const MAX_PACKET_BYTES = 251;
 
 type ReadAction = (entry: Fields) => InputAction | Bad;
 
@@ -75,6 +79,7 @@ const readers: Readonly<Record<string, { readonly fields: readonly string[]; rea
   placeBlock: { fields: [], read: readPlaceBlock },
   interrupt: { fields: [], read: readInterrupt },
   radio: { fields: [], read: readRadio },
+  arenaSenses: { fields: [], read: readArenaSenses },
 };
 
 function readButton(entry: Fields): InputAction | Bad {
@@ -133,8 +138,27 @@ function readInterrupt({ interrupt }: Fields): InputAction | Bad {
   return interrupt === true ? { type: 'interrupt' } : wrong('interrupt', 'true', interrupt);
 }
 
-function readRadio(): Bad {
-  return { field: 'radio', problem: 'messages by radio are not available yet. Leave this entry out.' };
+/** A text arrives as `radio.send` of another board sends it, a list of bytes as `radio.send_bytes` does. */
+function readRadio({ radio }: Fields): InputAction | Bad {
+  if (typeof radio === 'string') return { type: 'radio', text: radio };
+  if (!Array.isArray(radio)) return wrong('radio', 'a text in quotes or a list of bytes', radio);
+  if (radio.length > MAX_PACKET_BYTES)
+    return { field: 'radio', problem: `has ${radio.length} bytes; a packet takes ${MAX_PACKET_BYTES}.` };
+  const bytes: number[] = [];
+  for (const [index, byte] of radio.entries()) {
+    if (!isByte(byte)) return wrong(`radio[${index}]`, 'a whole number from 0 to 255', byte);
+    bytes.push(byte);
+  }
+  return { type: 'radio', bytes };
+}
+
+const isByte = (value: unknown): value is number =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 0 && value <= 255;
+
+function readArenaSenses({ arenaSenses }: Fields): InputAction | Bad {
+  return typeof arenaSenses === 'boolean'
+    ? { type: 'arena-senses', on: arenaSenses }
+    : wrong('arenaSenses', 'true or false', arenaSenses);
 }
 
 const wrong = (field: string, wanted: string, found: unknown): Bad => ({

@@ -13,6 +13,7 @@ const report: Report = {
   display: '00000:00000:00000:00000:00000',
   heapFree: 1,
   traceHash: 'ab',
+  radio: [],
 };
 
 describe('the report', () => {
@@ -33,6 +34,11 @@ describe('the report', () => {
         'traceHash',
       ],
     ]);
+  });
+
+  it('tells what was sent by radio, when something was', () => {
+    const sent = { ...report, radio: [{ atMs: 5, text: 'go' }] };
+    expect(JSON.parse(jsonLine(sent, ''))).toMatchObject({ radio: [{ atMs: 5, text: 'go' }] });
   });
 
   it('gives exit code 1 for a program that ended badly, else 0', () => {

@@ -1,4 +1,4 @@
-import type { Simulation } from '#simulation/simulation';
+import type { RadioPacket, Simulation } from '#simulation/simulation';
 
 /** How a run ended, as a word for programs. */
 export type EndedWord = 'finished' | 'time-limit' | 'exception' | 'panic' | 'stopped' | 'stuck';
@@ -27,6 +27,11 @@ export interface ReportedRobot {
   readonly servos: Readonly<Record<string, number>>;
 }
 
+/** A packet that the program sent by radio: as text when `radio.send` made it, else its bytes. */
+export type ReportedPacket = { readonly atMs: number } & (
+  { readonly text: string } | { readonly bytes: readonly number[] }
+);
+
 /** Everything about a run except its console: what `--json` prints, in this order. */
 export interface Report {
   readonly ended: EndedWord;
@@ -39,15 +44,17 @@ export interface Report {
   readonly display: string;
   readonly heapFree: number;
   readonly traceHash: string;
+  /** What was sent by radio, oldest first; the first 10,000 packets. */
+  readonly radio: readonly ReportedPacket[];
 }
 
 /** What is to be told about a run now. While its program goes on, `ended` is `time-limit`. */
-export function reportOf(simulation: Simulation, wallMs: number): Report {
+export function reportOf(simulation: Simulation, sent: readonly RadioPacket[], wallMs: number): Report {
   const { ended, nowUs } = simulation;
   const snapshot = simulation.snapshot();
   const simulatedMs = nowUs / 1000;
   return {
-    ended: ended === null ? 'time-limit' : ended.kind === 'fault' ? 'panic' : ended.kind,
+    ended: endedWord(simulation),
     exception: ended?.exception ?? null,
     simulatedMs,
     wallMs: rounded(wallMs),
@@ -56,13 +63,29 @@ export function reportOf(simulation: Simulation, wallMs: number): Report {
     display: displayText(snapshot.display),
     heapFree: simulation.heapFree(),
     traceHash: simulation.traceHash,
+    radio: sent.map(reportedPacket),
   };
 }
 
-/** The line that `--json` prints. */
+/** A program that switches the board off has finished, too. */
+function endedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): EndedWord {
+  if (ended === null) return isOff ? 'finished' : 'time-limit';
+  return ended.kind === 'fault' ? 'panic' : ended.kind;
+}
+
+/** The line that `--json` prints; `radio` is there when something was sent. */
 export function jsonLine(report: Report, console: string): string {
-  const { heapFree, traceHash, ...rest } = report;
-  return JSON.stringify({ ...rest, console, heapFree, traceHash });
+  const { heapFree, traceHash, radio, ...rest } = report;
+  return JSON.stringify({ ...rest, console, heapFree, traceHash, ...(radio.length > 0 ? { radio } : {}) });
+}
+
+/** What `radio.send` puts before a text: micropython-microbit-v2 modradio.c. */
+const TEXT_PREFIX = '1,0,1';
+
+function reportedPacket({ timeUs, bytes }: RadioPacket): ReportedPacket {
+  const atMs = timeUs / 1000;
+  if (bytes.slice(0, 3).join() !== TEXT_PREFIX) return { atMs, bytes };
+  return { atMs, text: new TextDecoder().decode(Uint8Array.from(bytes.slice(3))) };
 }
 
 /** 0 for a run without exception, 1 for one that ended badly. */

@@ -1,9 +1,10 @@
 import { closeSync, openSync } from 'node:fs';
 import { resolve } from 'node:path';
+import { chooseHardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
-import { reasonOf, readRunFiles } from './read-files';
+import { reasonOf, readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, type Report } from './report';
-import { supervise } from './supervise';
+import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
 
 /** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
@@ -17,19 +18,27 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const trace = options.trace === null ? null : openTrace(options.trace, options);
+  const unfit = options.strict ? await strictFailure(read, options, terminal) : null;
+  if (unfit) {
+    if (options.json) terminal.line(jsonLine(unfit, ''));
+    return exitCodeOf(unfit.ended);
+  }
+  const trace = openResult('--trace', options.trace, options);
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
-  const { robot, board, seed, reality } = options;
+  const log = openResult('--log', options.log, options);
+  if (log && 'problem' in log) return refuse(log.problem, terminal);
+  const { robot, board, firmware, seed, reality } = options;
   const outcome = await supervise(
     {
-      setup: { ...read, robot, board, seed, reality, keepTrace: trace !== null },
+      setup: { ...read, robot, board, firmware, seed, reality, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
+      logFile: log && log.file,
     },
     terminal,
   );
-  if (trace) closeSync(trace.file);
+  for (const result of [trace, log]) if (result) closeSync(result.file);
   switch (outcome.type) {
     case 'refused':
       return refuse(placed(outcome.problem, options), terminal);
@@ -48,6 +57,22 @@ function refuse(problem: string, terminal: Terminal): 2 {
   return 2;
 }
 
+/**
+ * Lists what the real board would not understand.
+ *
+ * @returns what to report in place of a run, or `null` when the program can run
+ */
+async function strictFailure(read: RunFiles, options: RunOptions, terminal: Terminal): Promise<Report | null> {
+  const hardware = chooseHardware({ ...options, ...read });
+  if ('problem' in hardware) return null; // the run will say so
+  const { strictReport } = await import('./strict');
+  const { text, count, first } = strictReport(read.files, hardware.board.name, hardware.firmware, options.lang);
+  if (text !== '') terminal.message(text.trimEnd());
+  if (count === 0) return null;
+  const exception = { type: 'NotOnDevice', message: first, line: null, traceback: text };
+  return { ...nothingYet, ended: 'exception', exception };
+}
+
 /** Says which file a problem of the whole set-up stands in. */
 function placed(problem: string, options: RunOptions): string {
   if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
@@ -55,15 +80,18 @@ function placed(problem: string, options: RunOptions): string {
   return problem;
 }
 
-/** Opens the file for the trace without emptying it yet: a run that is refused must not cost an earlier trace. */
-function openTrace(path: string, options: RunOptions): { readonly file: number } | { readonly problem: string } {
+type Opened = { readonly file: number } | { readonly problem: string };
+
+/** Opens a file for what a run gives, without emptying it yet: a run that is refused must not cost an earlier one. */
+function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
+  if (path === null) return null;
   const { program, files, scene, input } = options;
   const read = [program, ...files, scene, input].filter((name) => name !== null).map((name) => resolve(name));
-  if (read.includes(resolve(path))) return { problem: `--trace: ${path} is read by this run. Choose another name.` };
+  if (read.includes(resolve(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
   try {
     return { file: openSync(path, 'a') };
   } catch (error) {
-    return { problem: `${path}: ${reasonOf(error)}` };
+    return { problem: `${option}: ${path}: ${reasonOf(error)}` };
   }
 }
 

@@ -32,7 +32,7 @@ const MAX_CONSOLE_CHARACTERS = 16_000_000;
 const STACK_MB = 32;
 
 /** What is known of a run that was ended before it could say anything. */
-const nothingYet: Report = {
+export const nothingYet: Report = {
   ended: 'stuck',
   exception: null,
   simulatedMs: 0,
@@ -42,6 +42,7 @@ const nothingYet: Report = {
   display: '00000:00000:00000:00000:00000',
   heapFree: 0,
   traceHash: '',
+  radio: [],
 };
 
 /** Runs the task in a thread of its own, passes its output on, and ends it when it is stuck or Ctrl-C is pressed. */

@@ -10,6 +10,8 @@ export interface WorkerTask {
   readonly untilProgramEnds: boolean;
   /** An open file for the trace, or `null`. */
   readonly traceFile: number | null;
+  /** An open file for the data log, or `null`. */
+  readonly logFile: number | null;
   /** Shared words, see `BEAT` and `INTERRUPT`. */
   readonly shared: Int32Array;
   /** Takes what the program prints. */

@@ -2,15 +2,20 @@
 import { existsSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parentPort, workerData } from 'node:worker_threads';
+import type { LogEvent } from '#board/data-log';
 import { checkRun } from '#simulation/run-problem';
-import { Simulation } from '#simulation/simulation';
-import { reportOf } from './report';
+import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
+import { Simulation, type RadioPacket, type RunOutlets } from '#simulation/simulation';
+import { reportOf, type Report } from './report';
 import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
 /** Simulated time between two looks at the outside. Chosen: some ms of wall time, yet few suspensions of the program. */
 const SLICE_US = 100_000;
+
+/** Packets that the report holds at most; what comes after is only sent. Chosen: ten minutes at 16 a second. */
+const MAX_PACKETS = 10_000;
 
 /** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
 const MESSAGE_MS = 50;
@@ -41,14 +46,37 @@ function createTraceWriter(simulation: Simulation, file: number | null): () => v
   };
 }
 
-function runToEnd(simulation: Simulation, task: WorkerTask): void {
+/** Gathers what the program sends and logs; the program's text goes straight to the terminal. */
+function createNews(task: WorkerTask): {
+  readonly outlets: RunOutlets;
+  readonly radio: RadioPacket[];
+  readonly log: LogEvent[];
+} {
+  const radio: RadioPacket[] = [];
+  const log: LogEvent[] = [];
+  const outlets: RunOutlets = {
+    print: createConsoleWriter(task.console),
+    radio: (packet) => {
+      if (radio.length < MAX_PACKETS) radio.push(packet);
+    },
+    ...(task.logFile === null ? {} : { log: (event) => log.push(event) }),
+  };
+  return { outlets, radio, log };
+}
+
+function writeLog(file: number, events: readonly LogEvent[]): void {
+  ftruncateSync(file);
+  writeSync(file, csvOf(withLogEvents(emptyLog, events)));
+}
+
+function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly RadioPacket[]): Report {
   const { shared, untilUs, untilProgramEnds } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile);
   const startMs = performance.now();
   let toldMs = startMs;
   let isInterrupted = false;
-  const isOver = (): boolean =>
-    simulation.nowUs >= untilUs || (simulation.ended !== null && (untilProgramEnds || isInterrupted));
+  const hasEnded = (): boolean => simulation.ended !== null || simulation.isOff;
+  const isOver = (): boolean => simulation.nowUs >= untilUs || (hasEnded() && (untilProgramEnds || isInterrupted));
   while (!isOver()) {
     const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
     if (untilProgramEnds) simulation.advanceProgramTo(nextUs);
@@ -62,11 +90,11 @@ function runToEnd(simulation: Simulation, task: WorkerTask): void {
     if (nowMs - toldMs < MESSAGE_MS) continue;
     toldMs = nowMs;
     writeTrace();
-    post({ type: 'progress', report: reportOf(simulation, nowMs - startMs) });
+    post({ type: 'progress', report: reportOf(simulation, sent, nowMs - startMs) });
   }
   const wallMs = performance.now() - startMs;
   writeTrace();
-  post({ type: 'done', report: reportOf(simulation, wallMs) });
+  return reportOf(simulation, sent, wallMs);
 }
 
 async function work(task: WorkerTask): Promise<void> {
@@ -77,9 +105,12 @@ async function work(task: WorkerTask): Promise<void> {
   }
   const firmware = await WebAssembly.compile(readFirmware());
   Atomics.add(task.shared, BEAT, 1);
-  const simulation = await Simulation.create(task.setup, firmware, createConsoleWriter(task.console));
+  const news = createNews(task);
+  const simulation = await Simulation.create(task.setup, firmware, news.outlets);
   Atomics.add(task.shared, BEAT, 1);
-  runToEnd(simulation, task);
+  const report = runToEnd(simulation, task, news.radio);
+  if (task.logFile !== null) writeLog(task.logFile, news.log);
+  post({ type: 'done', report });
 }
 
 await work(workerData as WorkerTask).catch((error: unknown) => {

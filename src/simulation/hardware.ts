@@ -1,4 +1,4 @@
-import type { BoardType } from '#board/board-type';
+import type { BoardType, FirmwareType } from '#board/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
@@ -13,6 +13,7 @@ export const AUTO = 'auto';
 /** What a run is made of. */
 export interface Hardware {
   readonly board: BoardType;
+  readonly firmware: FirmwareType;
   /** `null`: the bare board. */
   readonly robot: RobotType | null;
 }
@@ -23,6 +24,8 @@ export interface HardwareWish {
   readonly files: Readonly<Record<string, string>>;
   readonly robot: string;
   readonly board: string;
+  /** Empty or left out: the board's first. */
+  readonly firmware?: string;
 }
 
 /**
@@ -31,19 +34,37 @@ export interface HardwareWish {
  * @returns a problem naming the unknown id and the known ones, when there is no such thing
  */
 export function chooseHardware(wish: HardwareWish): Hardware | { readonly problem: string } {
+  const imported = new Set(Object.values(wish.files).flatMap(importedModules));
+  const boardId = wish.board === AUTO ? (wish.scene.board ?? AUTO) : wish.board;
+  const named = boardId === AUTO ? boardByImports(imported) : findBoard(boardId);
+  if (named === undefined) return unknown('board', boardId, boardTypes);
   const robotId = wish.robot === AUTO ? (wish.scene.robot.type ?? AUTO) : wish.robot;
-  const robot = robotId === AUTO ? robotByImports(wish.files) : findRobot(robotId);
-  if (robot === null && robotId !== NO_ROBOT) {
-    const known = [...robotTypes.map((type) => type.id), NO_ROBOT].join(', ');
-    return { problem: `Unknown robot "${robotId}". Known robots: ${known}.` };
-  }
-  const boardId = wish.board === AUTO ? (wish.scene.board ?? robot?.board ?? boardTypes[0]?.id ?? '') : wish.board;
-  const board = findBoard(boardId);
-  if (board === undefined) {
-    const known = boardTypes.map((type) => type.id).join(', ');
-    return { problem: `Unknown board "${boardId}". Known boards: ${known}.` };
-  }
-  return { board, robot };
+  const robot = robotId === AUTO ? robotByImports(imported, named) : findRobot(robotId);
+  if (robot === null && robotId !== NO_ROBOT && robotId !== AUTO)
+    return unknown('robot', robotId, [...robotTypes, { id: NO_ROBOT }]);
+  const board = named ?? findBoard(robot?.board ?? '') ?? boardTypes[0];
+  if (board === undefined) return unknown('board', boardId, boardTypes);
+  const [usual] = board.firmwares;
+  const firmware = wish.firmware ? board.firmwares.find(({ id }) => id === wish.firmware) : usual;
+  if (firmware === undefined)
+    return unknown('firmware', wish.firmware ?? '', board.firmwares, `firmwares of the ${board.name}`);
+  return { board, firmware, robot };
+}
+
+function unknown(
+  what: string,
+  id: string,
+  known: readonly { readonly id: string }[],
+  all = `${what}s`,
+): { readonly problem: string } {
+  return { problem: `Unknown ${what} "${id}". Known ${all}: ${known.map((type) => type.id).join(', ')}.` };
+}
+
+/** The board whose own module is imported; `null` when that leaves the choice open. */
+function boardByImports(imported: ReadonlySet<string>): BoardType | null {
+  const [usual] = boardTypes;
+  if (usual?.modules.some((name) => imported.has(name))) return null;
+  return boardTypes.find((type) => type.modules.some((name) => imported.has(name))) ?? null;
 }
 
 /**
@@ -56,11 +77,13 @@ export function robotLibraries(robot: RobotType | null): Readonly<Record<string,
   return Object.assign(libraries, robot?.libraries);
 }
 
-/** The first robot one of whose libraries is imported; the first of all robots when none is. */
-function robotByImports(files: Readonly<Record<string, string>>): RobotType | null {
-  const imported = new Set(Object.values(files).flatMap(importedModules));
+/**
+ * The first robot one of whose libraries is imported; when none is, the first that carries the board, if that was
+ * named, or of all.
+ */
+function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
   const byImport = robotTypes.find((type) => Object.keys(type.libraries).some((file) => imported.has(moduleOf(file))));
-  return byImport ?? robotTypes[0] ?? null;
+  return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }
 
 const moduleOf = (file: string): string => file.replace(/\.m?py$/, '');

@@ -8,7 +8,7 @@ export interface PlacedPose {
 /** Something done to a run from outside. Plain data: it can be sent, logged and replayed. */
 export type InputAction =
   | { readonly type: 'button'; readonly button: 'a' | 'b'; readonly down: boolean }
-  /** A finger on `pinLogo`, `pin0`, `pin1` or `pin2`. */
+  /** A finger on `pinLogo`, `pin0`, … */
   | { readonly type: 'touch'; readonly pad: string; readonly down: boolean }
   /** Text typed into the console. */
   | { readonly type: 'serial'; readonly text: string }
@@ -18,6 +18,11 @@ export type InputAction =
   | { readonly type: 'place'; readonly pose: PlacedPose }
   /** The hand puts the block of this object id somewhere. */
   | { readonly type: 'place-block'; readonly id: string; readonly pose: PlacedPose }
+  /** A packet arrives by radio: a text as `radio.send` of another board sends it, or the bytes of `radio.send_bytes`. */
+  | { readonly type: 'radio'; readonly text: string }
+  | { readonly type: 'radio'; readonly bytes: readonly number[] }
+  /** Whether the board on the robot feels the arena (compass, accelerometer, light) or what is set by hand. */
+  | { readonly type: 'arena-senses'; readonly on: boolean }
   /** KeyboardInterrupt in the program. */
   | { readonly type: 'interrupt' };
 

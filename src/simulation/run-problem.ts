@@ -18,13 +18,15 @@ export function checkRun(setup: RunSetup): Hardware | { readonly problem: string
   return problem === null ? hardware : { problem };
 }
 
-function firstProblem(setup: RunSetup, { board, robot }: Hardware): string | null {
+function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): string | null {
   if (setup.reality !== 0) return `Reality ${String(setup.reality)} is not available yet. Use 0, the ideal robot.`;
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
   const inputs = setup.inputs ?? [];
   const check =
-    inputs.length > 0 ? createInputCheck(new Board(board, new Clock()), setup.scene, robot !== null) : () => null;
+    inputs.length > 0
+      ? createInputCheck(new Board(board, new Clock(), firmware), setup.scene, robot !== null)
+      : () => null;
   for (const [index, { timeUs, action }] of inputs.entries()) {
     const problem = timeUs >= 0 ? check(action) : `${timeUs} µs lies before the start.`;
     if (problem !== null) return `[${index}]: ${problem}`;
@@ -48,7 +50,10 @@ export function createInputCheck(
       case 'button':
       case 'serial':
       case 'interrupt':
+      case 'arena-senses': // without a robot there is nothing to feel: nothing happens
         return null;
+      case 'radio':
+        return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
       case 'touch':
         return sensorProblem(rehearsal, action.pad, action.down ? 1 : 0);
       case 'sensor':
@@ -62,6 +67,8 @@ export function createInputCheck(
     }
   };
 }
+
+const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0 && value <= 255;
 
 function sensorProblem(rehearsal: Board, id: string, value: number | string): string | null {
   try {

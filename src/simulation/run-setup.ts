@@ -10,6 +10,10 @@ export interface RunSetup {
   readonly robot: string;
   /** Id of a board type, or `auto`: the scene's, else by the program's imports. */
   readonly board: string;
+  /** Id of a firmware of the board; left out: the board's first. */
+  readonly firmware?: string;
+  /** When the REPL greets after the program's end: `at-once` as on the device, or (the default) with the first byte typed. */
+  readonly repl?: 'at-once' | 'when-typed';
   /** Whole number from which all chance is drawn. */
   readonly seed: number;
   /** 0 = ideal; other values come later. */

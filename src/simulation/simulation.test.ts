@@ -1,10 +1,11 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import type { SoundEvent } from '#board/sound/sound-event';
 import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { importedModules } from './hardware';
 import type { RunSetup } from './run-setup';
-import { Simulation } from './simulation';
+import { Simulation, type RadioPacket, type TimedLogEvent } from './simulation';
 import { createTraceHash } from './trace';
 
 let firmware: WebAssembly.Module;
@@ -247,6 +248,70 @@ describe('input from outside', { timeout: 30_000 }, () => {
   });
 });
 
+describe('what a run tells the outside', { timeout: 30_000 }, () => {
+  const outside = { robot: 'none' };
+
+  it('is each packet sent by radio, with its time, and what comes by radio reaches the program', async () => {
+    const packets: RadioPacket[] = [];
+    const program = lines(
+      'import radio',
+      'from microbit import *',
+      'while True:',
+      '  text = radio.receive()',
+      '  if text:',
+      '    radio.send(text + "!")',
+      '  sleep(10)',
+    );
+    const inputs = [{ timeUs: 100_000, action: { type: 'radio' as const, text: 'go' } }];
+    const simulation = await Simulation.create(setupOf(program, { ...outside, inputs }), firmware, {
+      radio: (packet) => packets.push(packet),
+    });
+    simulation.advanceTo(300_000);
+    expect(packets.map(({ bytes }) => String.fromCharCode(...bytes))).toEqual(['\x01\x00\x01go!']);
+    expect(packets[0]?.timeUs).toBeGreaterThan(100_000);
+    expect(packets[0]?.timeUs).toBeLessThan(120_000);
+  });
+
+  it('is each row of the data log with its headings', async () => {
+    const events: TimedLogEvent[] = [];
+    const program = lines('import log', 'log.set_labels("light", timestamp=None)', 'log.add(light=3)', 'log.delete()');
+    const simulation = await Simulation.create(setupOf(program, outside), firmware, {
+      log: (event) => events.push(event),
+    });
+    simulation.advanceTo(500_000);
+    const rows = events.filter(({ type }) => type === 'row');
+    expect(rows.at(-1)).toMatchObject({ headings: ['light'], values: ['3'] });
+    expect(events.at(-1)?.type).toBe('clear');
+  });
+
+  it('is the tone of the music, when it begins and when it ends', async () => {
+    const heard: SoundEvent[] = [];
+    const program = lines('import music', 'music.pitch(440, 100)');
+    const simulation = await Simulation.create(setupOf(program, outside), firmware, {
+      sound: (event) => heard.push(event),
+    });
+    simulation.advanceTo(500_000);
+    const tones = heard.flatMap((event) => (event.type === 'tone' ? [event] : []));
+    expect(tones.map(({ hz }) => hz && Math.round(hz))).toEqual([440, null]);
+    expect(((tones[1]?.timeUs ?? 0) - (tones[0]?.timeUs ?? 0)) / 1000).toBeCloseTo(100, -1);
+  });
+
+  it('is what every sensor feels, and what the arena lets it feel when that is switched on', async () => {
+    const inputs = [
+      { timeUs: 0, action: { type: 'sensor' as const, id: 'lightLevel', value: 9 } },
+      { timeUs: 50_000, action: { type: 'arena-senses' as const, on: true } },
+    ];
+    const simulation = await start('', { inputs });
+    simulation.advanceTo(20_000);
+    expect(simulation.snapshot().sensors).toMatchObject({ lightLevel: 9, temperature: 21, gesture: 'none' });
+    simulation.advanceTo(60_000);
+    expect(simulation.snapshot()).toMatchObject({
+      arenaSenses: true,
+      sensors: { lightLevel: 255, compassHeading: 90 },
+    });
+  });
+});
+
 describe('what a run is made of', { timeout: 30_000 }, () => {
   it('is a Maqueen Lite on a micro:bit V2 unless something else is asked for', async () => {
     expect((await start('')).snapshot().robot?.type).toBe('maqueen-lite');
@@ -266,10 +331,22 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
 
   it.each([
     [{ robot: 'tank' }, 'Unknown robot "tank". Known robots: maqueen-lite, none.'],
-    [{ board: 'arduino' }, 'Unknown board "arduino". Known boards: microbit-v2.'],
+    [{ board: 'arduino' }, 'Unknown board "arduino". Known boards: microbit-v2, calliope-mini-3.'],
+    [{ firmware: 'v9' }, 'Unknown firmware "v9". Known firmwares of the micro:bit V2: v2.1.2, newest.'],
     [{ reality: 0.5 }, 'Reality 0.5 is not available yet. Use 0, the ideal robot.'],
   ])('is refused for %j', async (change, message) => {
     await expect(start('', change)).rejects.toThrow(message);
+  });
+
+  it('is a Calliope mini 3 without a robot when the program imports its module', async () => {
+    const simulation = await runFor(lines('from calliopemini import *', 'display.show("7")'), 50);
+    const { board, robot, rgb, motors } = simulation.snapshot();
+    expect({ board, robot, lights: rgb.length, motors }).toEqual({
+      board: 'calliope-mini-3',
+      robot: null,
+      lights: 3,
+      motors: [0, 0],
+    });
   });
 
   it('is refused when the real outline of the robot stands in a wall', async () => {

@@ -7,16 +7,20 @@ import type { Scene } from '#scene/scene';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import type { Chassis } from '#world/chassis';
 import { STEP_US, type BlockHandle, type World } from '#world/world';
+import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import { buildWorld } from './build-world';
 import { robotLibraries, type Hardware } from './hardware';
 import type { InputAction, InputEvent, PlacedPose } from './input';
+import type { RunOutlets } from './outlets';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { scaledBody } from './scaled-body';
 import type { RobotSnapshot, Snapshot } from './snapshot';
+import { boardSnapshot } from './take-snapshot';
 import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
 
 export type { InputAction, InputEvent, PlacedPose } from './input';
+export type { RadioPacket, RunOutlets, TimedLogEvent } from './outlets';
 export type { RunSetup } from './run-setup';
 export type { RobotSnapshot, Snapshot } from './snapshot';
 export type { TraceRow } from './trace';
@@ -32,6 +36,7 @@ interface Mounted {
   readonly type: RobotType;
   readonly robot: Robot;
   readonly chassis: Chassis;
+  readonly senses: ArenaSenses;
 }
 
 /**
@@ -58,14 +63,14 @@ export class Simulation {
   /**
    * Builds a run and loads its program, which begins with the first `advanceTo`.
    *
-   * @param onPrint receives what the program prints at once; left out, it is kept for `takeConsole`
+   * @param outlets receive what the run has to tell, the moment it happens
    * @throws RangeError (as a rejection) for a set-up that cannot be run, with the words of `checkRun`
    */
-  static create(setup: RunSetup, firmware: WebAssembly.Module, onPrint?: (text: string) => void): Promise<Simulation> {
+  static create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets = {}): Promise<Simulation> {
     return new Promise((resolve) => {
       const hardware = checkRun(setup);
       if ('problem' in hardware) throw new RangeError(hardware.problem);
-      resolve(new Simulation(setup, firmware, hardware, onPrint));
+      resolve(new Simulation(setup, firmware, hardware, outlets));
     });
   }
 
@@ -73,14 +78,15 @@ export class Simulation {
     private readonly setup: RunSetup,
     firmware: WebAssembly.Module,
     hardware: Hardware,
-    onPrint: ((text: string) => void) | undefined,
+    outlets: RunOutlets,
   ) {
     const built = buildWorld(setup.scene);
     this.world = built.world;
     this.blocks = built.blocks;
     // The step is registered before all that has its rhythm (the robot's sensors): then the world moves first.
     this.clock.every(STEP_US, () => this.step());
-    this.board = new Board(hardware.board, this.clock);
+    this.board = new Board(hardware.board, this.clock, hardware.firmware);
+    this.tell(outlets);
     this.mounted = hardware.robot && this.mount(hardware.robot);
     this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
     this.vm = createVm({
@@ -90,9 +96,14 @@ export class Simulation {
       files: setup.files,
       libraries: robotLibraries(hardware.robot),
       seed: setup.seed,
-      write: onPrint ?? ((text) => this.output.push(text)),
+      repl: setup.repl ?? 'when-typed',
+      write: outlets.print ?? ((text) => this.output.push(text)),
     });
-    this.check = createInputCheck(new Board(hardware.board, new Clock()), setup.scene, hardware.robot !== null);
+    this.check = createInputCheck(
+      new Board(hardware.board, new Clock(), hardware.firmware),
+      setup.scene,
+      hardware.robot !== null,
+    );
   }
 
   /** Simulated time since the start. */
@@ -100,9 +111,17 @@ export class Simulation {
     return this.clock.nowUs;
   }
 
-  /** How the program ended, or `null` while it runs. The world goes on in either case. */
+  /**
+   * How the program ended, or `null` while it runs; also when it runs again after Ctrl-D at the REPL. The world goes on
+   * in either case.
+   */
   get ended(): Ended | null {
     return this.end;
+  }
+
+  /** The program has switched the board off: nothing of it runs any more. */
+  get isOff(): boolean {
+    return this.board.power.state === 'off';
   }
 
   /** Every action so far with the time at which it took effect: as `inputs` of an equal set-up it repeats this run. */
@@ -131,21 +150,18 @@ export class Simulation {
   }
 
   /**
-   * Lets program and world run until simulated time `us`; after the program's end the world goes on alone. A call of
-   * the device that is under way then is finished first, so the clock may stand a little later.
+   * Lets program and world run until simulated time `us`; after the program's end the world goes on, and the REPL
+   * waits. A call of the device that is under way then is finished first, so the clock may stand a little later.
    */
   advanceTo(us: number): void {
     this.advanceProgramTo(us);
-    if (us > this.nowUs) this.clock.advanceTo(us);
+    while (us > this.nowUs) this.resume(us);
   }
 
   /** Like `advanceTo`, but stops at once when the program ends. */
   advanceProgramTo(us: number): void {
     if (this.isFresh) this.begin();
-    if (this.end !== null || us <= this.nowUs) return;
-    this.vm.resume(us);
-    const { ended } = this.vm;
-    if (ended) this.end = { ...ended, timeUs: this.nowUs };
+    if (this.end === null && us > this.nowUs) this.resume(us);
   }
 
   /**
@@ -168,17 +184,13 @@ export class Simulation {
 
   /** The whole run now. */
   snapshot(): Snapshot {
-    const { board } = this;
-    const hz = board.music.frequencyHz;
     return {
+      ...boardSnapshot(this.board),
       timeUs: this.nowUs,
       running: this.end === null ? 'program' : 'world',
-      display: Array.from(board.display.pixels),
-      buttons: { a: board.buttonA.isDown, b: board.buttonB.isDown },
-      touch: Object.fromEntries(Array.from(board.touch, ([name, pad]) => [padId(name), pad.isDown])),
       robot: this.robotSnapshot(),
       blocks: Object.fromEntries(Array.from(this.blocks, ([id, block]) => [id, block.pose()])),
-      sound: hz === null ? null : { hz },
+      arenaSenses: this.mounted?.senses.isOn ?? false,
     };
   }
 
@@ -210,7 +222,27 @@ export class Simulation {
       reality: this.setup.reality,
       scale,
     });
-    return { type, robot, chassis };
+    const senses = createArenaSenses(board.sensors, {
+      chassis,
+      ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+    });
+    return { type, robot, chassis, senses };
+  }
+
+  /** Passes on what the board has to tell. */
+  private tell({ sound, radio, log }: RunOutlets): void {
+    const { board } = this;
+    if (sound) board.sound.onEvent(sound);
+    if (radio) board.radio.onSend((packet) => radio({ timeUs: this.nowUs, bytes: Array.from(packet) }));
+    if (log) board.dataLog.onEvent((event) => log({ ...event, timeUs: this.nowUs }));
+  }
+
+  /** Lets the VM go on until `us`, until its program ends, or until its program begins anew. */
+  private resume(us: number): void {
+    this.vm.resume(us);
+    const { ended } = this.vm;
+    if (ended === null) this.end = null;
+    else this.end ??= { ...ended, timeUs: this.nowUs };
   }
 
   /** What happens at time 0, before the program's first bytecode. */
@@ -223,6 +255,7 @@ export class Simulation {
   private step(): void {
     this.takeInputs();
     this.world.step();
+    this.mounted?.senses.step();
     if (this.nowUs % TRACE_PERIOD_US === 0) this.addTraceRow();
   }
 
@@ -248,6 +281,10 @@ export class Simulation {
         return this.mounted?.chassis.place(poseOf(action.pose));
       case 'place-block':
         return this.blocks.get(action.id)?.place(poseOf(action.pose));
+      case 'radio':
+        return this.board.radio.receive(packetOf(action));
+      case 'arena-senses':
+        return this.mounted?.senses.switch(action.on);
       case 'interrupt':
         return this.vm.interrupt();
       default:
@@ -297,5 +334,10 @@ const radOf = (degrees: number): number => (degrees * Math.PI) / 180;
 
 const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
 
-/** A touch pad's sensor id: `pinLogo` for `pin_logo`. */
-const padId = (name: string): string => name.replace('_logo', 'Logo');
+/** What `radio.send` puts before a text: micropython-microbit-v2 modradio.c. */
+const TEXT_PREFIX = [1, 0, 1];
+
+function packetOf(action: Extract<InputAction, { type: 'radio' }>): Uint8Array {
+  if ('bytes' in action) return Uint8Array.from(action.bytes);
+  return Uint8Array.from([...TEXT_PREFIX, ...new TextEncoder().encode(action.text)]);
+}

@@ -1,23 +1,45 @@
 import type { Pose } from '#core/geometry';
 import type { RobotState } from '#robots/robot';
 
-/** The whole run at one moment, as plain data: what is drawn, told and sent. */
-export interface Snapshot {
-  /** Simulated time. */
-  readonly timeUs: number;
-  /** Whose time it is: the program's, or the world's after the program has ended. */
-  readonly running: 'program' | 'world';
+/** The board at one moment. */
+export interface BoardSnapshot {
+  /** Id of its type. */
+  readonly board: string;
   /** 25 levels 0 … 9, row by row. */
   readonly display: readonly number[];
   readonly buttons: { readonly a: boolean; readonly b: boolean };
   /** Whether a finger is on each touch pad, by its name. */
   readonly touch: Readonly<Record<string, boolean>>;
+  /** The colour LEDs on the board itself, 0 … 255 each; none on a micro:bit. */
+  readonly rgb: readonly (readonly [number, number, number])[];
+  /** Duty of the board's own motor outputs, −1 … 1; none on a micro:bit. */
+  readonly motors: readonly number[];
+  /** The light beside the microphone. */
+  readonly microphoneOn: boolean;
+  /** What every sensor feels now, by its id. */
+  readonly sensors: Readonly<Record<string, number | string>>;
+  readonly power: 'on' | 'asleep' | 'off';
+  readonly radio: { readonly on: boolean; readonly group: number; readonly channel: number };
+  /** Nothing more fits into the data log. */
+  readonly logFull: boolean;
+  /** The tone that music makes, or `null` for silence. */
+  readonly sound: { readonly hz: number } | null;
+  /** Whether anything sounds: music, a sound effect, samples or speech. */
+  readonly isSounding: boolean;
+}
+
+/** The whole run at one moment, as plain data: what is drawn, told and sent. */
+export interface Snapshot extends BoardSnapshot {
+  /** Simulated time. */
+  readonly timeUs: number;
+  /** Whose time it is: the program's, or after its end the world's, in which the REPL waits. */
+  readonly running: 'program' | 'world';
   /** `null` for the bare board. */
   readonly robot: RobotSnapshot | null;
   /** Where the movable blocks are, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
-  /** The tone that sounds, or `null` for silence. */
-  readonly sound: { readonly hz: number } | null;
+  /** Whether the board feels the arena: see the action `arena-senses`. */
+  readonly arenaSenses: boolean;
 }
 
 /** The robot at one moment. */

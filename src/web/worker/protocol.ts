@@ -9,7 +9,7 @@
  *      │ ◄────────────────────────── started  │
  *      │ frame ────────────────────────────►  │   one per animation frame, answered when something moved
  *      │ ◄───────────────── snapshot · alive  │
- *      │ ◄─────────────────────────── console │
+ *      │ ◄────────────────── events · console │
  *      │ console-taken ────────────────────►  │   nothing more is sent before it: the program waits, the page never drowns
  *      │ stop ─────────────────────────────►  │
  *      │ ◄────────────────────────── stopped  │   or, after STOP_ANSWER_MS, the page ends the worker
@@ -17,6 +17,10 @@
 import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended, Snapshot } from '#simulation/simulation';
+
+import type { RunEvents } from './event-box';
+
+export type { RunEvents } from './event-box';
 
 /** How fast simulated time runs against the wall clock; `max` is as fast as the machine can. */
 export type Speed = 0.25 | 0.5 | 1 | 2 | 4 | 8 | 'max';
@@ -59,10 +63,14 @@ export type FromWorker =
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
+  /** What sounded, was sent by radio and was logged since the last such message; about once a frame. */
+  | { readonly type: 'events'; readonly events: RunEvents }
   /** Output of the program, at most one batch under way. */
   | { readonly type: 'console'; readonly text: string }
-  /** The program is over; the world goes on until `stop`. Comes after all of the program's output. */
+  /** The program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */
   | { readonly type: 'program-ended'; readonly ended: Ended }
+  /** The program runs again from its start: Ctrl-D at the REPL. */
+  | { readonly type: 'program-restarted' }
   /** The run is over; all output has been sent. The worker does nothing more. */
   | { readonly type: 'stopped' }
   /** The run could not start or broke inside (our fault, not the program's). */

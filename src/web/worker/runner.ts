@@ -1,7 +1,9 @@
 import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
+import type { RunOutlets } from '#simulation/outlets';
 import type { Ended, Snapshot } from '#simulation/simulation';
 
+import { createEventBox } from './event-box';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type Speed, type ToWorker } from './protocol';
@@ -25,7 +27,7 @@ export interface Surroundings {
   nowMs(): number;
   /** Calls `task` after `delayMs`, letting messages in first; 0 means as soon as they are in. */
   later(task: () => void, delayMs: number): void;
-  create(setup: RunSetup, firmware: WebAssembly.Module): Promise<Run>;
+  create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets): Promise<Run>;
 }
 
 /** Longest stretch without looking at messages, in ms of wall time: half a frame. */
@@ -49,9 +51,11 @@ export class Runner {
   private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
   private frameWanted = false;
   private changed = true;
-  private endTold = false;
+  /** The end of the program that the page knows of. */
+  private toldEnd: Ended | null = null;
   private ticking = false;
   private aliveAtMs = 0;
+  private readonly events = createEventBox();
   private readonly meter = createSpeedMeter();
   private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
 
@@ -116,7 +120,7 @@ export class Runner {
       this.fail(new Error('run before prepare'));
       return;
     }
-    this.at.create(setup, this.firmware).then(
+    this.at.create(setup, this.firmware, this.events.outlets).then(
       (created) => {
         this.run = created;
         this.anchorHere();
@@ -148,6 +152,7 @@ export class Runner {
         this.outbox.put(run.takeConsole());
       }
       this.outbox.flush();
+      this.tellEvents();
       this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
       run.dispose();
       this.run = null;
@@ -195,16 +200,25 @@ export class Runner {
       this.frameWanted = this.changed = false;
       this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
     }
-    if (run.ended !== null && !this.endTold && this.outbox.isEmpty) {
-      this.endTold = true;
-      // Whoever hears of the end must see how the program left the robot, not the picture before.
-      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
-      this.at.post({ type: 'program-ended', ended: run.ended });
-    }
+    this.tellEvents();
+    this.tellEnd(run);
     if (nowMs - this.aliveAtMs >= HEARTBEAT_MS) {
       this.aliveAtMs = nowMs;
       this.at.post({ type: 'alive', nowUs: run.nowUs, achieved: this.paused ? null : this.meter.factor() });
     }
+  }
+
+  private tellEvents(): void {
+    const events = this.events.take();
+    if (events) this.at.post({ type: 'events', events });
+  }
+
+  private tellEnd(run: Run): void {
+    if (run.ended === this.toldEnd || !this.outbox.isEmpty) return;
+    this.toldEnd = run.ended;
+    // Whoever hears of the end must see how the program left the robot, not the picture before.
+    this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+    this.at.post(run.ended ? { type: 'program-ended', ended: run.ended } : { type: 'program-restarted' });
   }
 
   private schedule(delayMs: number): void {

@@ -27,7 +27,7 @@ const runner = new Runner({
       channel.port2.postMessage(null);
     }
   },
-  create: (setup, firmware) => Simulation.create(setup, firmware),
+  create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
 });
 
 addEventListener('message', (event: MessageEvent<ToWorker>) => runner.receive(event.data));

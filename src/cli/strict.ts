@@ -1,0 +1,39 @@
+import { checkForDevice } from '#device-check/check-for-device';
+import { explain, type CheckLanguage } from '#device-check/explain';
+import type { Device } from '#device-check/finding';
+
+/** What `--strict` has to say about a program. */
+export interface StrictReport {
+  /** One line for each finding, `main.py:3:7: f-strings …`, each with its newline; empty when there is none. */
+  readonly text: string;
+  /** Findings with which the device would stop: more than none is an error. */
+  readonly count: number;
+  /** The first line of `text` that is an error; empty when there is none. */
+  readonly first: string;
+  /** Findings that only change a result, such as numbers with more digits than the device keeps. Listed as hints. */
+  readonly hints: number;
+}
+
+const HINT: Readonly<Record<CheckLanguage, string>> = { de: 'Hinweis', en: 'hint' };
+
+/**
+ * Lists what in these files runs here and not on the device.
+ *
+ * @param files the program and the files given with it, by their names on the board
+ * @param board what the board is called in the sentences: `micro:bit V2`
+ */
+export function strictReport(
+  files: Readonly<Record<string, string>>,
+  board: string,
+  device: Device,
+  language: CheckLanguage,
+): StrictReport {
+  const findings = checkForDevice(files, device);
+  const lines = findings.map((finding) => {
+    const kind = finding.severity === 'hint' ? `${HINT[language]}: ` : '';
+    return `${finding.file}:${finding.line}:${finding.column}: ${kind}${explain(finding, board, language)}\n`;
+  });
+  const hints = findings.filter(({ severity }) => severity === 'hint').length;
+  const first = lines[findings.findIndex(({ severity }) => severity === 'error')]?.trimEnd() ?? '';
+  return { text: lines.join(''), count: findings.length - hints, first, hints };
+}

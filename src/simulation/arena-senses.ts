@@ -1,0 +1,130 @@
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Vec } from '#core/geometry';
+import type { Sensors } from '#board/sensors';
+import type { Chassis } from '#world/chassis';
+import { STEP_US } from '#world/world';
+
+/** What the arena tells about the place where the board is. */
+export interface Surroundings {
+  readonly chassis: Pick<Chassis, 'pose' | 'collisions'>;
+  /** Reflectance under a round spot given in the robot frame, 0 black … 1 bare floor. */
+  readonly ground: (spot: Vec, radiusMm: number) => number;
+}
+
+/** Lets the board on the robot feel the arena: compass, accelerometer and light. */
+export interface ArenaSenses {
+  readonly isOn: boolean;
+  /** Switches it on or off; off puts the sensors back to what they felt before. */
+  switch(on: boolean): void;
+  /** To be called after each step of the world. */
+  step(): void;
+}
+
+const FIELD_HORIZONTAL_NT = 21_500; // chosen: the earth's magnetic field in Zürich, rounded
+const FIELD_DOWN_NT = 43_000; // likewise, its part that points into the ground
+const GRAVITY_MG = 1024; // codal-core Accelerometer.h: what a board at rest measures, in its own mg
+const MM_PER_S2_PER_MG = 9.806_65; // a thousandth of standard gravity
+const MOST_MG = 2000; // the range of the sensor at its start
+const SPOT_MM = 20; // chosen: the board looks at about its own width of floor
+
+/**
+ * A bump lets the chassis rattle: the deceleration comes back with changing sign and dies away. Chosen so that driving
+ * into a wall at full speed is a `shake` for the device, and touching one slowly is not.
+ */
+const RATTLE = { halfPeriodUs: 40_000, damping: 0.75, halfPeriods: 8 } as const;
+
+/** What it sets, and what is put back when it is switched off. */
+const IDS = [
+  'compassHeading',
+  'compassX',
+  'compassY',
+  'compassZ',
+  'accelerometerX',
+  'accelerometerY',
+  'accelerometerZ',
+  'lightLevel',
+] as const;
+
+/**
+ * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north.
+ * x points to the robot's right, y backwards (as the board's edge connector lies), z up.
+ */
+export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroundings): ArenaSenses {
+  let before: ReadonlyMap<string, number> | null = null;
+  let motion = createMotion(chassis);
+  const set = (id: (typeof IDS)[number], value: number): void => {
+    const whole = Math.round(value) + 0;
+    if (sensors.get(id) !== whole) sensors.set(id, whole);
+  };
+  const step = (): void => {
+    const { headingRad } = chassis.pose();
+    const degrees = Math.round(90 - (headingRad * 180) / Math.PI) % 360;
+    const headingDeg = degrees < 0 ? degrees + 360 : degrees;
+    set('compassHeading', headingDeg);
+    const angleRad = (headingDeg * Math.PI) / 180;
+    set('compassX', FIELD_HORIZONTAL_NT * exactCos(angleRad));
+    set('compassY', -FIELD_HORIZONTAL_NT * exactSin(angleRad));
+    set('compassZ', -FIELD_DOWN_NT);
+    const { forwardMg, leftMg } = motion();
+    set('accelerometerX', clamped(-leftMg));
+    set('accelerometerY', clamped(forwardMg));
+    set('accelerometerZ', -GRAVITY_MG);
+    set('lightLevel', 255 * ground({ x: 0, y: 0 }, SPOT_MM));
+  };
+  return {
+    get isOn() {
+      return before !== null;
+    },
+    switch(on) {
+      if (on === (before !== null)) return;
+      if (on) {
+        before = new Map(IDS.map((id) => [id, sensors.get(id)]));
+        motion = createMotion(chassis);
+        step();
+      } else {
+        for (const [id, value] of before ?? []) sensors.set(id, value);
+        before = null;
+      }
+    },
+    step() {
+      if (before !== null) step();
+    },
+  };
+}
+
+const clamped = (mg: number): number => Math.max(-MOST_MG, Math.min(MOST_MG, mg));
+
+/** How the chassis is accelerated, robot frame, step by step: over the last five steps, and the rattle after a bump. */
+function createMotion(chassis: Surroundings['chassis']): () => { forwardMg: number; leftMg: number } {
+  const WINDOW = 5; // steps, together 20 ms: the period in which the device looks at its accelerometer
+  const speeds: Vec[] = [];
+  let last = chassis.pose();
+  let bumps = chassis.collisions();
+  let rattle: { readonly forwardMg: number; readonly leftMg: number; ageUs: number } | null = null;
+  return () => {
+    const pose = chassis.pose();
+    const perSecond = 1_000_000 / STEP_US;
+    speeds.push({ x: (pose.xMm - last.xMm) * perSecond, y: (pose.yMm - last.yMm) * perSecond });
+    last = pose;
+    if (speeds.length > WINDOW + 1) speeds.shift();
+    const [first = { x: 0, y: 0 }] = speeds;
+    const now = speeds[speeds.length - 1] ?? first;
+    const perG = (WINDOW * STEP_US) / 1_000_000;
+    const ax = (now.x - first.x) / perG / MM_PER_S2_PER_MG;
+    const ay = (now.y - first.y) / perG / MM_PER_S2_PER_MG;
+    const [cos, sin] = [exactCos(pose.headingRad), exactSin(pose.headingRad)];
+    const felt = { forwardMg: ax * cos + ay * sin, leftMg: ay * cos - ax * sin };
+    if (chassis.collisions() > bumps) {
+      bumps = chassis.collisions();
+      rattle = { ...felt, ageUs: 0 };
+    }
+    if (rattle === null) return felt;
+    const half = Math.floor(rattle.ageUs / RATTLE.halfPeriodUs);
+    rattle.ageUs += STEP_US;
+    if (half >= RATTLE.halfPeriods) rattle = null;
+    if (rattle === null) return felt;
+    let share = 1;
+    for (let i = 0; i < half; i++) share *= -RATTLE.damping;
+    return { forwardMg: rattle.forwardMg * share, leftMg: rattle.leftMg * share };
+  };
+}

@@ -1,0 +1,25 @@
+import type { Board } from '#board/board';
+import type { BoardSnapshot } from './snapshot';
+
+/** What can be seen of the board now. */
+export function boardSnapshot(board: Board): BoardSnapshot {
+  const hz = board.music.frequencyHz;
+  return {
+    board: board.type.id,
+    display: Array.from(board.display.pixels),
+    buttons: { a: board.buttonA.isDown, b: board.buttonB.isDown },
+    touch: Object.fromEntries(Array.from(board.touch, ([name, pad]) => [padId(name), pad.isDown])),
+    rgb: board.rgb,
+    motors: board.motors.map(({ duty }) => duty),
+    microphoneOn: board.microphone.isListening,
+    sensors: Object.fromEntries(board.sensors.ids.map((id) => [id, board.sensors.get(id)])),
+    power: board.power.state,
+    radio: { on: board.radio.isOn, group: board.radio.group, channel: board.radio.channel },
+    logFull: board.dataLog.isFull,
+    sound: hz === null ? null : { hz },
+    isSounding: hz !== null || board.sound.isSounding,
+  };
+}
+
+/** A touch pad's sensor id: `pinLogo` for `pin_logo`. */
+const padId = (name: string): string => name.replace('_logo', 'Logo');

@@ -1,0 +1,61 @@
+import type { SoundEvent } from '#board/sound/sound-event';
+import type { RadioPacket, RunOutlets, TimedLogEvent } from '#simulation/outlets';
+
+/** What a run has told since the last time it was asked, oldest first. */
+export interface RunEvents {
+  readonly sound: readonly SoundEvent[];
+  readonly radio: readonly RadioPacket[];
+  /** Packets that were dropped before these: the program sent more than anyone could read. */
+  readonly radioDropped: number;
+  readonly log: readonly TimedLogEvent[];
+}
+
+/** Gathers a run's news for the page. */
+export interface EventBox {
+  readonly outlets: RunOutlets;
+  /** Takes everything out, or `null` when there is nothing. */
+  take(): RunEvents | null;
+}
+
+/** Most packets in one batch. Chosen: more than a page shows at once. */
+const MAX_PACKETS = 200;
+/** Most sound events in one batch, a batch being a frame: at 1 × a melody makes one, at full speed nobody listens. */
+const MAX_SOUNDS = 500;
+
+/**
+ * Creates a box. Rows of the data log are all kept: the log itself is bounded. Of packets and sounds the newest are
+ * kept.
+ */
+export function createEventBox(): EventBox {
+  let sound: SoundEvent[] = [];
+  let radio: RadioPacket[] = [];
+  let radioDropped = 0;
+  let log: TimedLogEvent[] = [];
+  return {
+    outlets: {
+      sound: (event) => {
+        sound.push(event);
+        if (sound.length > 2 * MAX_SOUNDS) sound = sound.slice(-MAX_SOUNDS);
+      },
+      radio: (packet) => {
+        radio.push(packet);
+        if (radio.length <= 2 * MAX_PACKETS) return;
+        radioDropped += radio.length - MAX_PACKETS;
+        radio = radio.slice(-MAX_PACKETS);
+      },
+      log: (event) => {
+        if (event.type === 'clear') log = [];
+        log.push(event);
+      },
+    },
+    take() {
+      if (sound.length + radio.length + log.length === 0) return null;
+      const events = { sound, radio, radioDropped, log };
+      sound = [];
+      radio = [];
+      radioDropped = 0;
+      log = [];
+      return events;
+    },
+  };
+}
