@@ -41,6 +41,7 @@ const KEYS: Readonly<Record<string, string>> = {
   ArrowDown: '\uE015',
   Delete: '\uE017',
   F5: '\uE035',
+  F8: '\uE038',
 };
 
 /** The same facade over a page that Playwright drives. */

@@ -14,6 +14,7 @@ const PLACES = {
 export const on = (name: keyof typeof PLACES): string => PLACES[name];
 
 const EDITOR = on('editor');
+const EDITOR_BOX = '.code-editor .cm-scroller';
 
 /** Opens the app and waits until a program can be typed. */
 export async function openApp(app: App): Promise<void> {
@@ -23,7 +24,7 @@ export async function openApp(app: App): Promise<void> {
 
 /** Replaces the program in the editor by typing, line by line: the editor's own indentation is typed over. */
 export async function typeProgram(app: App, source: string): Promise<void> {
-  await app.click(EDITOR);
+  await app.click(EDITOR_BOX); // the middle of the text itself may lie beyond the pane, where WebKit clicks nothing
   await app.press('Control', 'a');
   await app.press('Delete');
   for (const [place, line] of source.split('\n').entries()) {

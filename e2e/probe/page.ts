@@ -1,11 +1,15 @@
 import type { RunSetup } from '#simulation/simulation';
 import firmwareUrl from '../../.cache/vm/vm.wasm?url';
+import type { SoundEvent } from '#board/sound/sound-event';
+import type { Heard, Stretch } from './ears';
 import type { ProbeAnswer, ProbeResult } from './messages';
 
 declare global {
   interface Window {
     /** Runs a program without the app, in a worker of its own. Called by the browser tests. */
     probe(setup: RunSetup, untilMs: number): Promise<ProbeResult>;
+    /** Plays sound events into a recording and tells what was heard. */
+    hear(events: readonly SoundEvent[], forMs: number, stretches: readonly Stretch[]): Promise<Heard>;
   }
 }
 
@@ -25,4 +29,9 @@ window.probe = async (setup, untilMs) => {
   } finally {
     worker.terminate();
   }
+};
+
+window.hear = async (events, forMs, stretches) => {
+  const { hear } = await import('./ears');
+  return hear(events, forMs, stretches);
 };

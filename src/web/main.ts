@@ -7,8 +7,9 @@ import { createApp } from 'vue';
 
 import App from './App.vue';
 import { openTabStorage } from './composables/keep-work';
-import { i18n } from './i18n';
+import { storedSettings } from './composables/use-settings';
+import { i18n, setLanguage } from './i18n';
 import { vuetify } from './vuetify';
 
-const storage = await openTabStorage();
+const [storage] = await Promise.all([openTabStorage(), setLanguage(storedSettings().language)]);
 createApp(App, { storage }).use(vuetify).use(i18n).mount('#app');

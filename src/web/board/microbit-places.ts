@@ -1,10 +1,16 @@
 /** Where the parts of the micro:bit are in our drawing of 260 × 214 units. */
 
-/** The two buttons, by the middle of their caps. */
+/** Side of the square around each key that takes the finger: 44 px on a board 180 px wide. */
+export const HIT = 64;
+
+/** The two buttons, by the middle of their caps, and the upper left corner of what takes the finger. */
 export const BUTTONS = [
-  { key: 'a', letter: 'A', x: 36 },
-  { key: 'b', letter: 'B', x: 224 },
+  { key: 'a', letter: 'A', x: 36, y: 107, hitX: 4, hitY: 88 },
+  { key: 'b', letter: 'B', x: 224, y: 107, hitX: 192, hitY: 88 },
 ] as const;
+
+/** The touch logo, and the upper left corner of what takes the finger. */
+export const LOGO = { key: 'pinLogo', x: 130, y: 31, hitX: 98, hitY: -6 } as const;
 
 /** The large pads of the edge connector. */
 export const PADS = [
@@ -18,5 +24,12 @@ export const PADS = [
 /** Narrow contacts of the edge connector between the large pads. */
 export const CONTACTS = [42.5, 94.5, 146.5, 198.5].flatMap((start) => [0, 1, 2, 3, 4, 5].map((i) => start + i * 2.75));
 
-/** The middle of each light of the display, row by row. */
-export const LIGHTS = Array.from({ length: 25 }, (_, i) => ({ x: 88 + (i % 5) * 21, y: 66 + Math.floor(i / 5) * 20 }));
+/**
+ * The pads that feel a finger, and the upper left corner of what takes it: that of pin 0 begins beyond the edge, and
+ * those of 0 and 1 are shifted to the left, so that none covers another pad.
+ */
+export const PINS = [
+  { key: 'pin0', x: 26, y: 185, hitX: -14, hitY: 158 },
+  { key: 'pin1', x: 78, y: 185, hitX: 50, hitY: 158 },
+  { key: 'pin2', x: 130, y: 185, hitX: 114, hitY: 158 },
+] as const;

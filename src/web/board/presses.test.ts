@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Presses } from './presses';
+import { BOARD_KEYS, isButtonKey, Presses } from './presses';
 
 function watched(): { presses: Presses; heard: string[] } {
   const heard: string[] = [];
@@ -30,10 +30,24 @@ describe('the keys of the board', () => {
 
   it('stay down when the same finger is reported twice, and up when an unknown one leaves', () => {
     const { presses, heard } = watched();
-    presses.hold('key', ['logo']);
-    presses.hold('key', ['logo']);
+    presses.hold('key', ['pinLogo']);
+    presses.hold('key', ['pinLogo']);
     presses.letGo('mouse');
-    expect(heard).toEqual(['+logo']);
-    expect(presses.isDown('logo')).toBe(true);
+    expect(heard).toEqual(['+pinLogo']);
+    expect(presses.isDown('pinLogo')).toBe(true);
+  });
+
+  it('are 2 buttons and 5 pads that feel a finger, visited in the order A, B, logo, pins 0 to 3', () => {
+    expect(BOARD_KEYS.filter(isButtonKey)).toEqual(['a', 'b']);
+    expect(BOARD_KEYS.filter((key) => !isButtonKey(key))).toEqual(['pinLogo', 'pin0', 'pin1', 'pin2', 'pin3']);
+  });
+
+  it('hold 4 touch pins with 4 fingers, each let go alone', () => {
+    const { presses, heard } = watched();
+    for (const pin of [0, 1, 2, 3] as const) presses.hold(`finger ${pin}`, [`pin${pin}`]);
+    presses.letGo('finger 2');
+    expect(heard).toEqual(['+pin0', '+pin1', '+pin2', '+pin3', '-pin2']);
+    presses.letGoAll();
+    expect(heard.slice(5)).toEqual(['-pin0', '-pin1', '-pin3']);
   });
 });

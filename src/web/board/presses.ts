@@ -1,5 +1,16 @@
-/** What can be pressed on the board. */
-export type BoardKey = 'a' | 'b' | 'logo';
+/** What can be pressed on a board, in the order in which the keyboard visits it: buttons, the logo, the touch pins. */
+export const BOARD_KEYS = ['a', 'b', 'pinLogo', 'pin0', 'pin1', 'pin2', 'pin3'] as const;
+
+/** One thing that can be pressed. Touch pads have the names of the simulation's touch actions. */
+export type BoardKey = (typeof BOARD_KEYS)[number];
+
+/** The two buttons. */
+export type ButtonKey = 'a' | 'b';
+
+/** Whether this key is a button that clicks, rather than a pad that feels a finger. */
+export function isButtonKey(key: BoardKey): key is ButtonKey {
+  return key === 'a' || key === 'b';
+}
 
 /** Who is told when a key goes down and up. */
 export interface PressListener {
@@ -40,10 +51,9 @@ export class Presses {
   }
 
   #change(action: () => void): void {
-    const keys: readonly BoardKey[] = ['a', 'b', 'logo'];
-    const before = keys.filter((key) => this.isDown(key));
+    const before = BOARD_KEYS.filter((key) => this.isDown(key));
     action();
-    for (const key of keys) {
+    for (const key of BOARD_KEYS) {
       const down = this.isDown(key);
       if (down && !before.includes(key)) this.#listener.press(key);
       if (!down && before.includes(key)) this.#listener.release(key);

@@ -20,6 +20,10 @@ import {
 } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
+import { deviceMarks } from './device-marks';
+import type { DeviceMarksOptions } from './device-question';
+import type { HelpOptions } from './help/help-options';
+import { helpSlot } from './help-slot';
 import { wrongLineField } from './wrong-line';
 
 /** Colours come from the page's variables, so one style serves light and dark. */
@@ -46,7 +50,7 @@ const look = EditorView.theme({
   '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '22px', overscrollBehavior: 'contain' },
   '.cm-content': { padding: '8px 0 16px', caretColor: 'var(--text)' },
   '.cm-line': { padding: '0 16px 0 6px' },
-  '.cm-gutters': { backgroundColor: 'transparent', border: 'none', color: 'var(--gutter)', fontSize: '12.5px' },
+  '.cm-gutters': { backgroundColor: 'var(--surface)', border: 'none', color: 'var(--gutter)', fontSize: '12.5px' },
   '.cm-lineNumbers .cm-gutterElement': { minWidth: '38px', padding: '0 10px 0 4px' },
   '.cm-activeLine': { backgroundColor: 'transparent' },
   '.cm-activeLineGutter': { backgroundColor: 'transparent' },
@@ -64,7 +68,13 @@ const look = EditorView.theme({
 });
 
 /** The editor for Python: four spaces, Tab indents, Escape and then Tab leaves, Ctrl+Enter runs. */
-export function editorExtensions(options: { label: string; onChange(text: string): void; onRun(): void }): Extension {
+export function editorExtensions(options: {
+  label: string;
+  help: HelpOptions;
+  device: DeviceMarksOptions;
+  onChange(text: string): void;
+  onRun(): void;
+}): Extension {
   return [
     lineNumbers(),
     highlightActiveLine(),
@@ -79,6 +89,8 @@ export function editorExtensions(options: { label: string; onChange(text: string
     indentUnit.of('    '),
     EditorState.tabSize.of(4),
     wrongLineField,
+    helpSlot(options.help),
+    deviceMarks(options.device),
     look,
     EditorView.contentAttributes.of({
       'aria-label': options.label,

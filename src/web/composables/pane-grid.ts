@@ -32,7 +32,7 @@ export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: 
   const minPx = LEAST[id];
   const most = {
     code: widthPx - LEAST.board - LEAST.arena - 32,
-    board: Math.min(520, widthPx - LEAST.code - 24),
+    board: Math.min(640, widthPx - LEAST.code - 24),
     console: heightPx - BARS_PX - LEAST.top - 16,
     top: heightPx - BARS_PX - LEAST.console - LEAST.arena - 32,
   };

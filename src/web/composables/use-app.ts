@@ -1,24 +1,30 @@
 import { computed, inject, provide, shallowRef, watch, type InjectionKey } from 'vue';
 
-import type { PlacedPose } from '#simulation/input';
-import { AUTO, chooseHardware } from '#simulation/hardware';
+import type { InputEvent, PlacedPose } from '#simulation/input';
+import { chooseHardware, type Hardware } from '#simulation/hardware';
 import { defaultScene } from '#scene/scene';
+import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import { lastPlace, type ErrorPlace } from '../console/console-log';
 import { adviceFor } from '../console/error-advice';
 import { t } from '../i18n';
 import { firstCourse, projectOf } from '../project/courses';
-import { filesByName, MAIN } from '../project/project';
+import { boardWish, firmwareOf } from '../project/devices';
+import { filesByName, MAIN, type SourceFile } from '../project/project';
 import type { Work } from '../project/history';
 import type { TabStorage } from '../project/tab-storage';
+import { SoundPlayer } from '../sound/sound-player';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
 import { ConsoleModel } from './use-console';
+import { DataLogModel } from './use-data-log';
 import { useDialogs, type DialogsModel } from './use-dialogs';
 import { useLayout, type LayoutModel } from './use-layout';
 import { useNotices, type NoticesModel } from './use-notices';
+import { RadioModel } from './use-radio';
 import { RunModel } from './use-run';
+import { SensorsModel } from './use-sensors';
 import { useSettings, type SettingsModel } from './use-settings';
 import { WorkModel } from './use-work';
 
@@ -28,6 +34,10 @@ export interface App {
   readonly work: WorkModel;
   readonly console: ConsoleModel;
   readonly run: RunModel;
+  readonly sensors: SensorsModel;
+  readonly radio: RadioModel;
+  readonly dataLog: DataLogModel;
+  readonly sound: SoundPlayer;
   readonly notices: NoticesModel;
   readonly dialogs: DialogsModel;
   readonly layout: LayoutModel;
@@ -60,7 +70,9 @@ export function provideApp(storage: TabStorage): App {
   const jump = useJump(work);
   const hand = useHand();
   const layout = useLayout(settings);
-  const run = createRun({ work, console, jump, hand, notices, layout });
+  const dataLog = new DataLogModel();
+  const parts: RunParts = { settings, work, console, jump, hand, notices, layout, dataLog, sound: new SoundPlayer() };
+  const { run, sensors, radio } = createRun(parts);
   run.setSpeed(settings.current.value.speed);
   watch(
     () => settings.current.value.speed,
@@ -71,7 +83,16 @@ export function provideApp(storage: TabStorage): App {
     hand.reset();
     void run.reset();
   });
-  const app: App = { settings, work, console, run, notices, dialogs: useDialogs(), layout, hand, jump };
+  // So is another device.
+  watch(
+    () => deviceKey(settings),
+    () => void run.reset(),
+  );
+  watch(
+    () => settings.current.value.arenaSenses,
+    (on) => run.input({ type: 'arena-senses', on }),
+  );
+  const app: App = { ...parts, run, sensors, radio, dialogs: useDialogs() };
   provide(KEY, app);
   return app;
 }
@@ -82,18 +103,24 @@ function firstWork(): Work {
   return { project: course === undefined ? empty : projectOf(course), open: MAIN, previous: [] };
 }
 
-/** The robot and the board that a run of the present work would have; `null` for the bare board. */
-export function useHardware({ work }: Pick<App, 'work'>) {
-  return computed(() => {
-    const chosen = chooseHardware({
-      scene: work.scene.value,
-      files: filesByName(work.files.value),
-      robot: AUTO,
-      board: AUTO,
-    });
-    return 'problem' in chosen ? null : chosen;
-  });
+/** The robot, the board and its firmware that a run of the present work would have; `null` where the course names unknown ones. */
+export function useHardware(app: Pick<App, 'work' | 'settings'>) {
+  return computed(() => hardwareOf(app));
 }
+
+function hardwareOf({ work, settings }: Pick<App, 'work' | 'settings'>): Hardware | null {
+  const { device, robot, firmware } = settings.current.value;
+  const chosen = chooseHardware({
+    scene: work.scene.value,
+    files: filesByName(work.files.value),
+    robot,
+    board: boardWish(device),
+  });
+  return 'problem' in chosen ? null : { ...chosen, firmware: firmwareOf(chosen.board, firmware) };
+}
+
+const deviceKey = ({ current }: SettingsModel): string =>
+  [current.value.device, current.value.firmware, current.value.robot].join();
 
 function useHand() {
   const pose = shallowRef<PlacedPose | null>(null);
@@ -118,62 +145,89 @@ function useJump(work: WorkModel) {
   };
 }
 
-type RunParts = Pick<App, 'work' | 'console' | 'jump' | 'hand' | 'notices' | 'layout'>;
+type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs'>;
 
-function createRun(parts: RunParts): RunModel {
+/** The run, and what reaches into it. */
+function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
   let runs = 0;
   const run: RunModel = new RunModel({
     createWorker: () => new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' }),
     firmware: compileFirmware,
-    setup: () => setupOf(parts),
+    setup: () => setupOf(parts, sensors.startInputs()),
     onStart: () => {
       runs += 1;
       parts.jump.wrong.value = null;
       parts.notices.close();
       parts.console.startRun(runs);
+      parts.dataLog.clear();
+      radio.clear();
     },
     onOutput: (text) => parts.console.write(text),
     onEnded: (ended) => showEnd(parts, ended, isDriving(run)),
+    onRestarted: () => {
+      parts.jump.wrong.value = null;
+      parts.notices.close();
+    },
+    onEvents: (events) => {
+      radio.take(events.radio, events.radioDropped);
+      parts.dataLog.take(events.log);
+      parts.sound.take(events.sound);
+    },
     onFailed: (message) => parts.notices.show({ kind: 'error', key: 'notice.failed', values: { message } }),
     onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
     onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
   });
+  const sensors = new SensorsModel(run);
+  const radio = new RadioModel(run);
   watch(run.phase, (phase) => {
     if (phase === 'stopped' && run.ended.value === null) parts.console.quieten();
   });
-  return run;
+  return { run, sensors, radio };
 }
 
-function setupOf({ work, hand }: RunParts) {
+function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent[]): RunSetup {
+  const hardware = hardwareOf({ work, settings });
+  const { device, robot, arenaSenses } = settings.current.value;
   const placed = hand.pose.value;
+  const inputs: InputEvent[] = [...sensed];
+  if (hardware !== null && hardware.robot !== null) {
+    if (placed !== null) inputs.push({ timeUs: 0, action: { type: 'place', pose: placed } });
+    if (arenaSenses) inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });
+  }
   return {
     scene: work.scene.value,
     files: filesByName(work.files.value),
-    robot: AUTO,
-    board: AUTO,
+    robot,
+    board: boardWish(device),
+    firmware: hardware?.firmware.id ?? '',
     seed: 1,
     reality: 0,
-    inputs: placed === null ? [] : [{ timeUs: 0, action: { type: 'place' as const, pose: placed } }],
+    inputs,
   };
 }
 
 /** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
 function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
   const { work, console, jump, layout, notices } = parts;
-  const { exception } = ended;
+  const { exception, kind } = ended;
+  if (kind === 'stopped') {
+    console.quieten(); // the pupil wanted it: nothing is wrong
+    console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted');
+    return;
+  }
   if (exception === null) {
     console.addNote(drives ? 'console.finishedDriving' : 'console.finished');
     return;
   }
-  const names = work.files.value.map((file) => file.name);
-  const place = lastPlace(exception.traceback, names);
+  const files = work.files.value;
+  const place = placeIn(exception.traceback, files);
   jump.wrong.value = place;
-  console.addError(place, adviceFor(exception));
+  console.addError(place, adviceFor(exception, sourceAt(place, files)));
   if (drives) console.addNote('console.motorsOn');
   // A phone shows one pane: an error must not stay hidden behind a tab.
   if (layout.kind.value !== 'phone' || layout.tab.value === 'console') return;
   const show = (): void => void (layout.tab.value = 'console');
-  const text = errorText(ended, names);
+  const text = errorText(ended, files);
   if (text !== null) notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
 }
 
@@ -184,17 +238,29 @@ function isDriving(run: RunModel): boolean {
 }
 
 /** What the live region says about an error. */
-export function errorSentence(ended: Ended, files: readonly string[]): string {
+export function errorSentence(ended: Ended, files: readonly SourceFile[]): string {
   const text = errorText(ended, files);
   return text === null ? '' : t(text.key, text.values);
 }
 
-function errorText({ exception }: Ended, files: readonly string[]) {
+function errorText({ exception }: Ended, files: readonly SourceFile[]) {
   if (exception === null) return null;
-  const advice = adviceFor(exception);
+  const place = placeIn(exception.traceback, files);
+  const advice = adviceFor(exception, sourceAt(place, files));
   const message = t(advice.key, advice.values);
-  const place = lastPlace(exception.traceback, files);
   return place === null
     ? { key: 'state.announceError' as const, values: { message } }
     : { key: 'state.announceErrorLine' as const, values: { ...place, message } };
+}
+
+const placeIn = (traceback: string, files: readonly SourceFile[]): ErrorPlace | null =>
+  lastPlace(
+    traceback,
+    files.map(({ name }) => name),
+  );
+
+/** The line that an error names, for those that are explained by what is written there. */
+function sourceAt(place: ErrorPlace | null, files: readonly SourceFile[]) {
+  const file = files.find(({ name }) => name === place?.file);
+  return place === null || file === undefined ? null : { text: file.text, line: place.line };
 }

@@ -23,13 +23,6 @@ export class ConsoleModel {
     this.timer ??= setTimeout(() => this.show(), SHOW_EVERY_MS);
   }
 
-  /** Adds what the pupil typed. */
-  echo(text: string): void {
-    this.show();
-    this.log.write(text, 'input');
-    this.show();
-  }
-
   startRun(number: number): void {
     this.show();
     this.log.add({ kind: 'run', number });

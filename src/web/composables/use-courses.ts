@@ -1,15 +1,74 @@
 import type { RobotExample } from '#robots/robot';
+import { AUTO, NO_ROBOT } from '#simulation/hardware';
+import type { Language } from '../i18n/texts';
+import { isBoardProgram, type BoardProgram } from '../project/board-programs';
 import { courseName, isUntouched, projectOf, type Course } from '../project/courses';
+import { AUTO_DEVICE, boardWish } from '../project/devices';
 import type { Previous } from '../project/history';
 import { MAIN, type Project } from '../project/project';
 import type { App } from './use-app';
+import { useDevice } from './use-device';
 import { workName } from './use-file-transfer';
 
 /** Opening courses and coming back to earlier work; neither ever loses what was open. */
 export function useCourses(app: App) {
-  const { work, notices, dialogs } = app;
+  const { open, restore } = openings(app);
+  const device = useDevice(app);
+  const language = (): Language => app.settings.current.value.language;
 
-  function open(project: Project, name: string, keep: boolean): void {
+  /** Puts a sample program into the arena that is open. */
+  function openExample(example: RobotExample): void {
+    device.allowRobot();
+    open(withProgram(app, example.source), example.title[language()]);
+  }
+
+  /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
+  function openBoardProgram({ title, source, board }: BoardProgram): void {
+    const wish = boardWish(app.settings.current.value.device);
+    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
+    void app.run.reset();
+    open(withProgram(app, source[language()]), title[language()]);
+    device.chooseRobot(NO_ROBOT);
+  }
+
+  function openWhole(course: Course): void {
+    device.allowRobot();
+    open(projectOf(course), courseName(course.scene, course.id));
+  }
+  function openScene(course: Course): void {
+    device.allowRobot();
+    app.work.setScene(course.scene, course.id);
+  }
+
+  /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
+  function openCourse(course: Course): void {
+    if (isOurs(app.work.work.value.project)) {
+      openWhole(course);
+      return;
+    }
+    app.dialogs.ask({
+      kind: 'choose',
+      title: 'course.askTitle',
+      text: 'course.askText',
+      values: { name: courseName(course.scene, course.id) },
+      choices: [
+        { key: 'code.cancel', run: () => undefined },
+        { key: 'course.sceneOnly', look: 'outline', run: () => openScene(course) },
+        { key: 'course.withProgram', look: 'run', run: () => openWhole(course) },
+      ],
+    });
+  }
+
+  return { openCourse, openExample, openBoardProgram, restore };
+}
+
+/** Puts a project in the place of the present one, and brings it back. */
+function openings(app: App) {
+  const { work, notices } = app;
+
+  /** Opens a project. What the pupil wrote before is put aside and can be had back. */
+  function open(project: Project, name: string): void {
+    const keep = !isOurs(work.work.value.project);
     work.openProject(project, keep ? workName(app) : null);
     const kept = work.work.value.previous[0];
     if (keep && kept !== undefined) {
@@ -24,40 +83,21 @@ export function useCourses(app: App) {
     }
   }
 
-  const openWhole = (course: Course, keep: boolean): void =>
-    open(projectOf(course), courseName(course.scene, course.id), keep);
-
-  /** Puts a sample program into the arena that is open. */
-  function openExample(example: RobotExample): void {
-    const { project } = work.work.value;
-    const title = example.title[app.settings.current.value.language];
-    open({ ...project, files: [{ name: MAIN, text: example.source }] }, title, !isUntouched(project));
-  }
-
-  /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
-  function openCourse(course: Course): void {
-    if (isUntouched(work.work.value.project)) {
-      openWhole(course, false);
-      return;
-    }
-    dialogs.ask({
-      kind: 'choose',
-      title: 'course.askTitle',
-      text: 'course.askText',
-      values: { name: courseName(course.scene, course.id) },
-      choices: [
-        { key: 'code.cancel', run: () => undefined },
-        { key: 'course.sceneOnly', look: 'outline', run: () => work.setScene(course.scene, course.id) },
-        { key: 'course.withProgram', look: 'run', run: () => openWhole(course, true) },
-      ],
-    });
-  }
-
   /** Brings earlier work back; what is open now takes its place among the earlier ones. */
   function restore(entry: Previous): void {
     work.restore(entry, workName(app));
     notices.show({ kind: 'ok', key: 'course.restored' });
   }
 
-  return { openCourse, openExample, restore };
+  return { open, restore };
 }
+
+/** The arena that is open, with this program. */
+const withProgram = ({ work }: App, source: string): Project => ({
+  ...work.work.value.project,
+  files: [{ name: MAIN, text: source }],
+});
+
+/** Nothing of the pupil's own is in it. */
+const isOurs = (project: Project): boolean =>
+  isUntouched(project) || (project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));

@@ -10,14 +10,19 @@ export interface Conflict {
 }
 
 /** Saves a file of the work as a download. */
-export function saveFile({ notices }: Pick<App, 'notices'>, file: SourceFile): void {
-  const url = URL.createObjectURL(new Blob([file.text], { type: 'text/x-python' }));
+export function saveFile(app: Pick<App, 'notices'>, file: SourceFile): void {
+  saveText(app, file.name, file.text, 'text/x-python');
+}
+
+/** Saves a text as a download. */
+export function saveText({ notices }: Pick<App, 'notices'>, name: string, text: string, type: string): void {
+  const url = URL.createObjectURL(new Blob([text], { type }));
   const link = document.createElement('a');
   link.href = url;
-  link.download = file.name;
+  link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000); // Safari reads the file after the click has returned
-  notices.show({ kind: 'ok', key: 'files.saved', values: { file: file.name } });
+  notices.show({ kind: 'ok', key: 'files.saved', values: { file: name } });
 }
 
 /** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */

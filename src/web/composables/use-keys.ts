@@ -4,7 +4,7 @@ import type { App } from './use-app';
 import type { BoardKey } from '../board/presses';
 
 /** Keys of the keyboard that press something on the board. */
-const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'logo' };
+const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
 
 /** What keys on the whole page do. */
 export interface KeyActions {

@@ -48,6 +48,9 @@ const SUGGESTED: Readonly<Record<LayoutKind, PaneSizes>> = {
   phone: { code: 0, board: 0, console: 0, top: 0 },
 };
 
+/** Width of the board where no arena needs the room: what is unfolded then stands beside the drawing. Chosen by eye. */
+const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 480, narrow: 320, phone: 0 };
+
 /** Follows the window's width and the pupil's wishes. */
 export function useLayout({ current }: SettingsModel): LayoutModel {
   const lists = QUERIES.map(([kind, query]) => [kind, matchMedia(query)] as const);
@@ -69,10 +72,10 @@ export function useLayout({ current }: SettingsModel): LayoutModel {
   });
   const sizes = computed(() => {
     const suggested = SUGGESTED[kind.value];
-    const { codePx, boardPx, consolePx, topPx } = current.value;
+    const { codePx, boardPx, consolePx, topPx, showArena } = current.value;
     return {
       code: codePx ?? suggested.code,
-      board: boardPx ?? suggested.board,
+      board: boardPx ?? (showArena ? suggested.board : BOARD_ALONE[kind.value]),
       console: consolePx ?? suggested.console,
       top: topPx ?? suggested.top,
     };

@@ -4,7 +4,7 @@ import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended, Snapshot } from '#simulation/simulation';
 
-import { SPEEDS, type FromWorker, type Speed } from '../worker/protocol';
+import { SPEEDS, type FromWorker, type RunEvents, type Speed } from '../worker/protocol';
 import { RunClient, type ClientOptions } from './run-client';
 
 /**
@@ -22,6 +22,10 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onStart(): void;
   onOutput(text: string): void;
   onEnded(ended: Ended): void;
+  /** The program runs again from its start: Ctrl-D at the REPL. */
+  onRestarted(): void;
+  /** What sounded, was sent by radio and was logged. */
+  onEvents(events: RunEvents): void;
   /** The VM could not be loaded: no connection, most likely. */
   onUnavailable(): void;
   onFailed(message: string): void;
@@ -158,6 +162,13 @@ export class RunModel {
       case 'program-ended':
         this.ended.value = message.ended;
         this.host.onEnded(message.ended);
+        break;
+      case 'program-restarted':
+        this.ended.value = null;
+        this.host.onRestarted();
+        break;
+      case 'events':
+        this.host.onEvents(message.events);
         break;
       case 'stopped':
         this.end('stopped');

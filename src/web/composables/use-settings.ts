@@ -13,8 +13,7 @@ export interface SettingsModel {
 
 /** Reads the stored settings and stores every change. */
 export function useSettings(): SettingsModel {
-  const fallback = defaultSettings(preferredLanguage(navigator.languages));
-  const current = shallowRef(settingsFromText(stored(), fallback));
+  const current = shallowRef(storedSettings());
   watch(current, (settings) => {
     const text = JSON.stringify(settings);
     for (const store of stores()) {
@@ -31,6 +30,11 @@ export function useSettings(): SettingsModel {
       current.value = { ...current.value, ...part };
     },
   };
+}
+
+/** The settings of an earlier visit; on a first one those that suit the browser's language. */
+export function storedSettings(): Settings {
+  return settingsFromText(stored(), defaultSettings(preferredLanguage(navigator.languages)));
 }
 
 function stored(): string | null {

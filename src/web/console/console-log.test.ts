@@ -80,6 +80,60 @@ describe('the console log', () => {
   });
 });
 
+describe('the console log as a terminal', () => {
+  const shown = (...texts: string[]): string => {
+    const log = new ConsoleLog();
+    for (const text of texts) log.write(text);
+    return log.toText();
+  };
+
+  it('shows a typed character taken back as the board’s line editor sends it: \\b and ESC [K', () => {
+    expect(shown('>>> prinn', '\b\x1b[K', 't(1)\r\n1\r\n>>> ')).toBe('>>> print(1)\n1\n>>> ');
+  });
+
+  it('inserts in the middle of a line: the tail is written anew and the cursor goes back over it', () => {
+    expect(shown('>>> pint', '\b\b\b', '\x1b[Krint', '\b\b\b')).toBe('>>> print');
+    expect(shown('>>> ab', '\x1b[2D', 'xab', '\b\b', '\r\n')).toBe('>>> xab\n');
+  });
+
+  it('replaces a line from the history: 5 columns back, the rest erased', () => {
+    expect(shown('>>> old_1', '\x1b[5D\x1b[Knew', '\r\n')).toBe('>>> new\n');
+  });
+
+  it('writes over a line after a carriage return, as a progress display does', () => {
+    expect(shown('10 %\r', '20 %\r', '5 %')).toBe('5 %%');
+    expect(shown('10 %\r\x1b[2K', '5 %')).toBe('5 %');
+  });
+
+  it('understands sequences that arrive in two pieces', () => {
+    expect(shown('one\r', '\ntwo\x1b', '[', '1', 'D', '!')).toBe('one\ntw!');
+  });
+
+  it('leaves colours and other control characters out', () => {
+    expect(shown('\x1b[31mred\x1b[0m\x07 \x04done')).toBe('red done');
+  });
+
+  it('clears everything when the program clears its screen', () => {
+    expect(shown('a\nb\n\x1b[2J\x1b[Hc')).toBe('c');
+  });
+
+  it('goes on after a note in the middle of a line', () => {
+    const log = new ConsoleLog();
+    log.write('half');
+    log.add({ kind: 'run', number: 1 });
+    log.write('\b\b\x1b[Kx');
+    expect(log.toText()).toBe('halfx');
+  });
+
+  it('keeps its bounds when a program rewrites one line a hundred thousand times', () => {
+    const log = new ConsoleLog();
+    for (let i = 0; i < 100; i += 1) log.write(Array.from({ length: 1000 }, (_, n) => `${i * 1000 + n}\r`).join(''));
+    log.write('.');
+    expect(log.toText()).toBe('.9999');
+    expect(log.entries).toHaveLength(1);
+  });
+});
+
 describe('places in a traceback', () => {
   it('are the lines of the pupil’s own files', () => {
     const places = withPlaces(TRACEBACK, ['main.py']).filter((piece) => piece.place !== null);

@@ -1,8 +1,9 @@
 import type { TextKey } from '../i18n/texts';
 import type { Advice } from './error-advice';
+import { TerminalReader, type TerminalPiece } from './terminal-text';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
-export type TextTone = 'plain' | 'error' | 'quiet' | 'input';
+export type TextTone = 'plain' | 'error' | 'quiet';
 
 /** One thing in the console, oldest first. `id` is stable while it is shown. */
 export type ConsoleEntry =
@@ -47,8 +48,11 @@ export class ConsoleLog {
   private tone: TextTone = 'plain';
   private lineStart = true;
   private lineLength = 0;
+  /** Where the next character goes in the line being written; line editing moves it back. */
+  private column = 0;
   private open: OpenEntry | null = null;
   private cut = false;
+  private readonly reader = new TerminalReader();
 
   /** Everything kept, oldest first; a new array after every change. */
   get entries(): readonly ConsoleEntry[] {
@@ -60,15 +64,15 @@ export class ConsoleLog {
     return this.cut;
   }
 
-  /** Adds output of the program; `\r` is left out, over-long lines are broken. */
-  write(text: string, tone?: TextTone): void {
-    const entries = this.kept.slice();
-    const clean = text.replaceAll('\r', '');
-    for (let from = 0; from < clean.length;) {
-      const newline = clean.indexOf('\n', from);
-      const until = newline < 0 ? clean.length : newline + 1;
-      this.writePart(entries, clean.slice(from, until), tone);
-      from = until;
+  /** Adds output of the program as a terminal shows it: line editing changes the last line, over-long lines are broken. */
+  write(text: string): void {
+    let entries = this.kept.slice();
+    for (const piece of this.reader.read(text)) {
+      if (piece.kind === 'text') this.writeText(entries, piece.text);
+      else if (piece.kind === 'clear') {
+        entries = [];
+        this.forget();
+      } else this.edit(entries, piece);
     }
     this.closeEntry(entries);
     this.drop(entries);
@@ -79,7 +83,7 @@ export class ConsoleLog {
   add(entry: NewEntry): void {
     if (entry.kind === 'run') this.tone = 'plain';
     this.lineStart = true;
-    this.lineLength = 0;
+    this.lineLength = this.column = 0;
     this.lines += 1;
     const entries = this.kept.concat({ ...entry, id: this.nextId++ });
     this.drop(entries);
@@ -97,9 +101,8 @@ export class ConsoleLog {
 
   clear(): void {
     this.kept = [];
-    this.lines = 0;
-    this.cut = false;
-    this.lineStart = true;
+    this.reader.clear();
+    this.forget();
   }
 
   /** All text that is kept, as the program wrote it. */
@@ -107,17 +110,32 @@ export class ConsoleLog {
     return this.kept.map((entry) => (entry.kind === 'text' ? entry.text : '')).join('');
   }
 
+  private forget(): void {
+    this.open = null;
+    this.lines = this.lineLength = this.column = 0;
+    this.cut = false;
+    this.lineStart = true;
+  }
+
+  private writeText(entries: ConsoleEntry[], text: string): void {
+    for (let from = 0; from < text.length;) {
+      const newline = text.indexOf('\n', from);
+      const until = newline < 0 ? text.length : newline + 1;
+      this.writePart(entries, text.slice(from, until));
+      from = until;
+    }
+  }
+
   /** One line or a part of one. */
-  private writePart(entries: ConsoleEntry[], part: string, tone: TextTone | undefined): void {
-    if (this.lineStart && tone === undefined && part.startsWith(TRACEBACK)) this.tone = 'error';
-    const shown = tone ?? this.tone;
-    for (let from = 0; from < part.length;) {
+  private writePart(entries: ConsoleEntry[], part: string): void {
+    if (this.lineStart && part.startsWith(TRACEBACK)) this.tone = 'error';
+    for (let from = this.overwrite(entries, part); from < part.length;) {
       const room = CONSOLE_LIMITS.lineCharacters - this.lineLength;
       const piece = part.slice(from, from + room);
       from += piece.length;
       const ends = piece.endsWith('\n');
       const broken = !ends && piece.length === room;
-      this.append(entries, shown, broken ? `${piece}\n` : piece, ends || broken);
+      this.append(entries, broken ? `${piece}\n` : piece, ends || broken);
     }
     // A traceback ends with the line that names the exception: the first one that is not indented.
     if (part.endsWith('\n') && this.tone === 'error' && !part.startsWith(TRACEBACK) && !part.startsWith(' ')) {
@@ -125,14 +143,60 @@ export class ConsoleLog {
     }
   }
 
+  /** Writes over what stands right of the cursor, as far as that goes; returns how much of `part` is done. */
+  private overwrite(entries: ConsoleEntry[], part: string): number {
+    const over = part.slice(0, this.lineLength - this.column).replace(/\n$/, '');
+    if (over === '') return 0;
+    const { column } = this;
+    this.changeLine(entries, (line) => line.slice(0, column) + over + line.slice(column + over.length));
+    this.column += over.length;
+    return over.length;
+  }
+
+  private edit(entries: ConsoleEntry[], piece: Exclude<TerminalPiece, { kind: 'text' | 'clear' }>): void {
+    switch (piece.kind) {
+      case 'move':
+        this.column = Math.max(0, Math.min(this.lineLength, this.column + piece.by));
+        break;
+      case 'return':
+        this.column = 0;
+        break;
+      case 'erase': {
+        if (piece.whole) this.column = 0;
+        const { column } = this;
+        this.changeLine(entries, (line) => line.slice(0, column));
+        break;
+      }
+      default:
+        piece satisfies never;
+    }
+  }
+
+  /** Changes the line being written, which is the end of the last entry. */
+  private changeLine(entries: ConsoleEntry[], change: (line: string) => string): void {
+    if (this.lineLength === 0) return;
+    if (this.open === null) {
+      const last = entries.pop();
+      if (last?.kind !== 'text') throw new Error('The line being written is not in the last entry.');
+      this.open = { ...last };
+    }
+    const { text } = this.open;
+    const from = text.length - this.lineLength;
+    const line = change(text.slice(from));
+    this.open.text = text.slice(0, from) + line;
+    this.lineLength = line.length;
+  }
+
   /** Adds to the entry being written; a full one, or one in another tone, is closed first. */
-  private append(entries: ConsoleEntry[], tone: TextTone, piece: string, endsLine: boolean): void {
+  private append(entries: ConsoleEntry[], piece: string, endsLine: boolean): void {
+    const { tone } = this;
     const starts = this.lineStart ? 1 : 0;
     this.lines += starts;
     this.lineStart = endsLine;
     this.lineLength = endsLine ? 0 : this.lineLength + piece.length;
+    this.column = this.lineLength;
     const last = this.open ?? entries.at(-1);
-    const fits = last?.kind === 'text' && last.tone === tone && (starts === 0 || hasRoom(last));
+    const fits = last?.kind === 'text' && (starts === 0 || (last.tone === tone && hasRoom(last)));
     if (!fits) this.closeEntry(entries);
     else if (this.open === null) entries.pop(); // taken up again: output in small pieces makes no small entries
     const open = fits

@@ -1,4 +1,6 @@
 import type { TextKey, TextValues } from '../i18n/texts';
+import { errorTable } from './error-table';
+import { syntaxAdvice, type Source } from './syntax-advice';
 
 /** An explanation of an error in the pupil's language: a text's name and what goes into it. */
 export interface Advice {
@@ -15,49 +17,43 @@ export interface Failure {
   readonly traceback?: string;
 }
 
+/** Exceptions that have one text whatever the device says. */
 const PLAIN = [
-  'SyntaxError', 'IndentationError', 'TypeError', 'ValueError', 'ZeroDivisionError', 'IndexError', 'KeyError', 'MemoryError',
-  'AssertionError', 'NotImplementedError',
+  'SyntaxError', 'IndentationError', 'TypeError', 'ValueError', 'ZeroDivisionError', 'IndexError', 'MemoryError', 'OSError',
+  'AssertionError', 'NotImplementedError', 'RuntimeError', 'StopIteration', 'UnicodeError', 'OverflowError',
+  'KeyboardInterrupt',
 ] as const; // prettier-ignore
 
-/** What a pupil should read about an exception: first in their words, then in the device's. */
-export function adviceFor({ type, message, traceback = '' }: Failure): Advice {
+/** Values are the pupil's own text at times; this much of it fits into a sentence. */
+const SHOWN_CHARACTERS = 40;
+
+/**
+ * What a pupil should read about an exception: first in their words, then in the device's.
+ *
+ * @param source the pupil's file and the line the exception names. With it, "invalid syntax" can be explained.
+ */
+export function adviceFor({ type, message, traceback = '' }: Failure, source: Source | null = null): Advice {
   const device = message === '' ? type : `${type}: ${message}`;
   if (type === 'MemoryError' && traceback.includes('too long for the board'))
     return { key: 'error.tooLong', values: {}, device };
-  const plain = PLAIN.find((name) => name === type);
-  if (plain !== undefined) return { key: `error.${plain}`, values: {}, device };
-  return { ...special(type, message), device };
-}
-
-/** Explanations that depend on the exception's own words. */
-function special(type: string, message: string): Omit<Advice, 'device'> {
-  const quoted = /'([^']+)'/g;
-  const names = [...message.matchAll(quoted)].map((match) => match[1] ?? '');
-  switch (type) {
-    case 'NameError':
-      return named('error.NameError', 'error.NameErrorAny', names[0]);
-    case 'AttributeError':
-      return named('error.AttributeError', 'error.AttributeErrorAny', names[1]);
-    case 'ImportError':
-    case 'ModuleNotFoundError':
-      return named('error.ImportError', 'error.ImportErrorAny', names[0]);
-    case 'RuntimeError':
-      return { key: message.includes('recursion') ? 'error.recursion' : 'error.RuntimeError', values: {} };
-    case 'OSError':
-      return { key: osError(message), values: {} };
-    default:
-      return { key: 'error.other', values: {} };
+  const general = type === 'SyntaxError' && message === 'invalid syntax';
+  if (general && source !== null) {
+    const found = syntaxAdvice(source);
+    if (found !== null) return { ...found, device };
   }
+  return { ...explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message), device };
 }
 
-function named(withName: TextKey, without: TextKey, name: string | undefined): Omit<Advice, 'device'> {
-  return name === undefined ? { key: without, values: {} } : { key: withName, values: { name } };
+function explained(type: string, message: string): Omit<Advice, 'device'> {
+  for (const pattern of errorTable) {
+    if (pattern.type !== type) continue;
+    const match = pattern.words.exec(message);
+    if (match === null) continue;
+    const values = (pattern.values ?? []).map((name, index) => [name, short(match[index + 1] ?? '')]);
+    return { key: pattern.key, values: Object.fromEntries(values) as TextValues };
+  }
+  const plain = PLAIN.find((name) => name === type);
+  return { key: plain === undefined ? 'error.other' : `error.${plain}`, values: {} };
 }
 
-/** MicroPython says `[Errno 19] ENODEV`, or just the number. */
-function osError(message: string): TextKey {
-  const errno = /\d+/.exec(message)?.[0];
-  if (errno === '19') return 'error.noDevice';
-  return errno === '2' ? 'error.noFile' : 'error.OSError';
-}
+const short = (text: string): string => (text.length > SHOWN_CHARACTERS ? `${text.slice(0, SHOWN_CHARACTERS)}…` : text);

@@ -1,31 +1,47 @@
 import { createI18n, type I18n } from 'vue-i18n';
 
-import { de } from './de';
-import { en } from './en';
-import { LANGUAGES, type Language, type Translate } from './texts';
+import { LANGUAGES, type Language, type Texts, type Translate } from './texts';
 
 export { LANGUAGES, type Language, type TextKey, type Texts, type TextValues, type Translate } from './texts';
 
-type Catalogues = Record<Language, typeof en>;
+type Catalogues = Partial<Record<Language, Texts>>;
 
-/** The app's vue-i18n instance; German until a language is chosen. */
+/** The texts of a language, fetched when it is chosen: nobody waits for those of another one. */
+const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
+  de: async () => (await import('./de')).de,
+  en: async () => (await import('./en')).en,
+};
+
+/** The app's vue-i18n instance; without texts until a language is chosen. */
 export const i18n: I18n<Catalogues, Record<string, never>, Record<string, never>, Language, false> = createI18n<
   false,
   { legacy: false; locale: Language; fallbackLocale: Language; messages: Catalogues }
->({ legacy: false, locale: 'de', fallbackLocale: 'de', messages: { de, en } });
+>({ legacy: false, locale: 'de', fallbackLocale: 'de', messages: {} });
 
 /** Looks a text up by its typed name. Reads the chosen language, so templates follow when it changes. */
 export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
 
-/** Chooses the language of the page, and tells browsers and screen readers. */
-export function setLanguage(language: Language): void {
+/** Fetches the texts of a language, once. Rejects without a connection. */
+export async function loadTexts(language: Language): Promise<void> {
+  if (i18n.global.availableLocales.includes(language)) return;
+  i18n.global.setLocaleMessage(language, await catalogues[language]());
+}
+
+/** The language chosen last; its texts may be under way. */
+let wanted: Language = 'de';
+
+/** Chooses the language of the page, and tells browsers and screen readers. Done once its texts are there. */
+export async function setLanguage(language: Language): Promise<void> {
+  wanted = language;
+  await loadTexts(language);
+  if (wanted !== language) return; // another one was chosen meanwhile
   i18n.global.locale.value = language;
   document.documentElement.lang = language === 'de' ? 'de-CH' : language;
 }
 
 /** The first of the browser's languages that the app has; German, if none. */
-export function preferredLanguage(wanted: readonly string[]): Language {
-  for (const tag of wanted) {
+export function preferredLanguage(tags: readonly string[]): Language {
+  for (const tag of tags) {
     const found = LANGUAGES.find((language) => tag.toLowerCase().startsWith(language));
     if (found !== undefined) return found;
   }

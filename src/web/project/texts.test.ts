@@ -1,7 +1,10 @@
-import { describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 
 import { clockText } from '../composables/use-run-text';
+import { loadTexts } from '../i18n';
 import { factorText, isTooSlow, speedName } from './speed-text';
+
+beforeAll(() => loadTexts('de'));
 
 describe('figures on the page', () => {
   it('show simulated time as minutes, seconds and tenths', () => {

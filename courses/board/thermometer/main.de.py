@@ -1,0 +1,15 @@
+# Thermometer
+# Ein Gesicht zeigt, wie warm es ist. Taste A zeigt die Zahl.
+from microbit import *
+
+while True:
+    degrees = temperature()
+    if button_a.was_pressed():
+        display.scroll(degrees)
+    elif degrees < 10:
+        display.show(Image.SAD)
+    elif degrees < 28:
+        display.show(Image.HAPPY)
+    else:
+        display.show(Image.SURPRISED)
+    sleep(100)

@@ -1,0 +1,54 @@
+import { expect, test, type App } from './app';
+import { consoleIn, on, openApp, typeProgram } from './page';
+
+const open = (app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> => app.click(`[data-testid=panel-${panel}]`);
+const shown = (app: App, css: string): Promise<boolean> =>
+  app.evaluate((selector) => document.querySelector(selector) !== null, css);
+
+test('a sensor set before the run is felt by the program, and one moved meanwhile too', async ({ app }) => {
+  await openApp(app);
+  await typeProgram(
+    app,
+    'from microbit import *\nwhile True:\n    print("light", display.read_light_level())\n    sleep(100)',
+  );
+  await open(app, 'sensors');
+  const slider = '.panel-open input[type=range]';
+  await expect.poll(() => shown(app, slider)).toBe(true);
+  await app.click(slider);
+  await app.press('End');
+  await app.click(on('run'));
+  await expect.poll(() => consoleIn(app)).toContain('light 255');
+  await app.click(slider);
+  await app.press('Home');
+  await expect.poll(() => consoleIn(app)).toMatch(/light 0\s*$/);
+});
+
+test('after the program’s end its names can be asked for, line by line and with arrow up', async ({ app }) => {
+  await openApp(app);
+  await typeProgram(app, 'n = 20\nprint("end")');
+  await app.click(on('run'));
+  await expect.poll(() => app.text('.pane-console .pane-head')).toContain('REPL');
+  const field = '[data-testid=console-input]';
+  await app.click(field);
+  await app.type('n = n + 1');
+  await app.press('Enter');
+  await app.press('ArrowUp');
+  await app.press('Enter');
+  await app.type('print(n * 2)');
+  await app.press('Enter');
+  await expect.poll(() => consoleIn(app)).toMatch(/>>> print\(n \* 2\)\s+44\s+>>>/);
+});
+
+test('messages go over the air both ways', async ({ app }) => {
+  await openApp(app);
+  const program =
+    'import radio\nradio.on()\nradio.send("ready")\nwhile True:\n    m = radio.receive()\n    if m: print("got", m)';
+  await typeProgram(app, program);
+  await open(app, 'radio');
+  await app.click(on('run'));
+  await expect.poll(() => shown(app, '.panel-open li')).toBe(true);
+  expect(await app.text('.panel-open ol')).toContain('ready');
+  await app.fill('.panel-open input', 'hello board');
+  await app.press('Enter');
+  await expect.poll(() => consoleIn(app)).toContain('got hello board');
+});

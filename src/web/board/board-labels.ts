@@ -1,0 +1,23 @@
+import type { BoardKey } from './presses';
+
+/** What a board drawing says to screen readers, in the user's language. The drawing itself writes only device names. */
+export interface BoardLabels extends Readonly<Record<BoardKey, string>> {
+  /** The whole board, e.g. "micro:bit V2". */
+  readonly board: string;
+  /** Buttons A and B together. */
+  readonly both: string;
+  /** The 5 × 5 lights; their levels are added row by row. */
+  readonly display: string;
+  /** The light that says that the microphone listens. */
+  readonly microphone: string;
+  /** The coloured lights of the board; their levels are added. */
+  readonly rgb: string;
+  /** The motor outputs; names and percentages are added. */
+  readonly motors: string;
+  /** That the loudspeaker plays. */
+  readonly speaker: string;
+  /** That the board sleeps. */
+  readonly asleep: string;
+  /** That the board has switched itself off. */
+  readonly off: string;
+}

@@ -1,0 +1,29 @@
+import type { BoardLabels } from './board-labels';
+import type { BoardKey } from './presses';
+import type { PressHandlers } from './use-presses';
+
+/** Red, green, blue, 0 … 255 each. */
+export type Rgb = readonly [red: number, green: number, blue: number];
+
+/** Whether the board is awake, sleeps until something wakes it, or has switched itself off. */
+export type Power = 'on' | 'asleep' | 'off';
+
+/** What the drawing of one board shows, and how it is pressed. */
+export interface FaceProps {
+  /** 25 levels 0 … 9, row by row. */
+  readonly display: readonly number[];
+  readonly rgb: readonly Rgb[];
+  /** Duty of each motor output, −1 … 1, positive forwards. */
+  readonly motors: readonly number[];
+  readonly microphoneOn: boolean;
+  readonly sounding: boolean;
+  readonly power: Power;
+  /** Whether its lights can glow: it has power and is awake. */
+  readonly lit: boolean;
+  /** Whether simulated time passes; when not, nothing in the drawing moves. */
+  readonly moving: boolean;
+  /** The keys that look pressed. */
+  readonly down: ReadonlySet<BoardKey>;
+  readonly handlers: Readonly<Record<BoardKey, PressHandlers>>;
+  readonly labels: BoardLabels;
+}

@@ -1,0 +1,41 @@
+import { linter, type Diagnostic } from '@codemirror/lint';
+import { StateEffect, type Extension } from '@codemirror/state';
+import { ViewPlugin, type EditorView } from '@codemirror/view';
+
+import { checkForDevice } from '#device-check/check-for-device';
+import { explain } from '#device-check/explain';
+import { devicePanel } from './device-panel';
+import { deviceLook } from './device-look';
+import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
+
+/** How long a pupil has stopped typing before the text is checked. Chosen: longer than between two keys. */
+const PAUSE_MS = 700;
+
+/** Another board, another file: what was checked has to be checked again. */
+const checkAgain = StateEffect.define();
+
+/** Marks in the text and in the gutter, an explanation when pointed at, and a line below the text that explains. */
+export function deviceLint({ question, onChange }: DeviceMarksOptions): Extension {
+  return [
+    linter((view) => diagnosticsOf(view, question()), {
+      delay: PAUSE_MS,
+      needsRefresh: ({ transactions }) => transactions.some(({ effects }) => effects.some((it) => it.is(checkAgain))),
+    }),
+    ViewPlugin.define((view) => ({ destroy: onChange(() => view.dispatch({ effects: checkAgain.of(null) })) })),
+    devicePanel(() => question()?.board ?? ''),
+    deviceLook,
+  ];
+}
+
+function diagnosticsOf(view: EditorView, question: DeviceQuestion | null): readonly Diagnostic[] {
+  if (question === null) return [];
+  const { file, files, device, board, language } = question;
+  return checkForDevice({ ...files, [file]: view.state.doc.toString() }, device)
+    .filter((finding) => finding.file === file)
+    .map((finding) => ({
+      from: finding.from,
+      to: finding.to,
+      severity: finding.severity === 'error' ? 'warning' : 'info',
+      message: explain(finding, board, language),
+    }));
+}

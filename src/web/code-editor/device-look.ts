@@ -1,0 +1,73 @@
+import { EditorView } from '@codemirror/view';
+
+const underline = (colour: string) => ({
+  backgroundImage: 'none',
+  textDecoration: `underline wavy ${colour} 1px`,
+  textDecorationSkipInk: 'none',
+  textUnderlineOffset: '3px',
+});
+
+/** Marks of the device check: colour, line and sign, quieter than an error. */
+export const deviceLook = EditorView.theme({
+  '.cm-lintRange.cm-lintRange-warning': underline('var(--warn)'),
+  '.cm-lintRange.cm-lintRange-info': underline('var(--info)'),
+  '.cm-deviceGutter .cm-gutterElement': { display: 'grid', placeItems: 'center end' },
+  '.cm-deviceMark': {
+    font: '700 12px/14px var(--sans)',
+    width: '14px',
+    height: '14px',
+    textAlign: 'center',
+    borderRadius: 'var(--r-full)',
+    color: 'var(--warn)',
+    backgroundColor: 'var(--warn-soft)',
+    boxShadow: '0 0 0 1px var(--warn)',
+    cursor: 'pointer',
+  },
+  '.cm-deviceMark-hint': {
+    color: 'var(--info)',
+    backgroundColor: 'var(--info-soft)',
+    boxShadow: '0 0 0 1px var(--info)',
+  },
+  '.cm-tooltip.cm-tooltip-lint, .cm-tooltip-lint': { maxWidth: 'min(440px, calc(100vw - 24px))' },
+  '.cm-tooltip': {
+    border: '1px solid var(--line)',
+    borderRadius: 'var(--r-m)',
+    backgroundColor: 'var(--surface)',
+    color: 'var(--text)',
+    boxShadow: 'var(--e3)',
+    zIndex: '60',
+  },
+  '.cm-diagnostic': { font: '14px/20px var(--sans)', padding: '8px 12px', margin: '0', overflowWrap: 'anywhere' },
+  '.cm-diagnostic-warning': { borderLeft: '4px solid var(--warn)' },
+  '.cm-diagnostic-info': { borderLeft: '4px solid var(--info)' },
+  '.cm-panels.cm-panels-bottom': { borderTop: 'none', backgroundColor: 'transparent', color: 'var(--text)' },
+  '.cm-devicePanel': {
+    display: 'grid',
+    gridTemplateColumns: '20px 1fr auto',
+    gap: '0 10px',
+    alignItems: 'center',
+    padding: '4px 4px 4px 12px',
+    maxHeight: '30vh',
+    overflowY: 'auto',
+    backgroundColor: 'var(--warn-soft)',
+    borderTop: '1px solid var(--line)',
+    font: '14px/20px var(--sans)',
+  },
+  '.cm-devicePanel p': { margin: '8px 0', whiteSpace: 'pre-line', overflowWrap: 'anywhere' },
+  '.cm-devicePanel svg': { width: '20px', height: '20px', fill: 'var(--warn)' },
+  '.cm-devicePanel button': {
+    minHeight: 'var(--hit)',
+    padding: '0 12px',
+    border: '0',
+    borderRadius: 'var(--r-m)',
+    background: 'none',
+    color: 'var(--warn)',
+    font: '500 14px/1.2 var(--sans)',
+    cursor: 'pointer',
+  },
+  '.cm-devicePanel button[hidden]': { display: 'none' },
+  '.cm-devicePanel button:focus-visible': { outline: '2px solid var(--accent)', outlineOffset: '-2px' },
+  '.cm-devicePanel.cm-devicePanel-hint': { backgroundColor: 'var(--info-soft)' },
+  '.cm-devicePanel-hint svg': { fill: 'var(--info)' },
+  '.cm-devicePanel-hint button': { color: 'var(--info)' },
+});

@@ -1,0 +1,30 @@
+import type { Item } from '#reference/item';
+import type { RobotReference } from '#reference/types';
+import { t, type Language } from '../../i18n';
+
+/** The short words on names of the API, in one language. */
+export type Words = Readonly<Record<string, string>>;
+
+/** The words of the boards' modules and of all robots' libraries. */
+export async function loadWords(language: Language, robots: readonly RobotReference[]): Promise<Words> {
+  const words: Words =
+    language === 'de' ? (await import('#reference/texts/de')).de : (await import('#reference/texts/en')).en;
+  return Object.assign({}, words, ...robots.map(({ texts }) => texts[language])) as Words;
+}
+
+/** What is said about an item; empty when nothing is known about it. */
+export function wordsOn(item: Item, words: Words): string {
+  return item.own ?? words[item.text ?? ''] ?? '';
+}
+
+/** Where an item belongs and what kind of thing it is: “microbit.display · function”. */
+export function captionOf(item: Item): string {
+  const kind = t(`help.${item.kind}`);
+  return item.home === null ? kind : `${item.home} · ${kind}`;
+}
+
+/** What the firmware has to say against an item; empty when it has it. */
+export function missingText(item: Item): string {
+  if (item.missing === null) return '';
+  return item.missing === 'absent' ? t('help.absent') : t('help.newer');
+}

@@ -1,0 +1,23 @@
+import { computed, watch, type ComputedRef } from 'vue';
+
+import type { Hardware } from '#simulation/hardware';
+import type { App } from '../composables/use-app';
+import { deviceName } from '../project/devices';
+import { filesByName } from '../project/project';
+import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
+
+/** What the marks of each file are about: the microcomputer that is chosen now, and its firmware. */
+export function useDeviceMarks(
+  { work, settings }: Pick<App, 'work' | 'settings'>,
+  hardware: ComputedRef<Hardware | null>,
+): (file: string) => DeviceMarksOptions {
+  const board = computed(() => deviceName(settings.current.value.device, hardware.value?.board));
+  const key = computed(() => [board.value, hardware.value?.firmware.id, settings.current.value.deviceCheck].join());
+  const question = (file: string): DeviceQuestion | null => {
+    const firmware = hardware.value?.firmware;
+    if (firmware === undefined || !settings.current.value.deviceCheck) return null;
+    const files = filesByName(work.files.value.filter(({ name }) => name !== file));
+    return { file, files, device: firmware, board: board.value, language: settings.current.value.language };
+  };
+  return (file) => ({ question: () => question(file), onChange: (listener) => watch(key, listener) });
+}

@@ -1,0 +1,24 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import { emptyLog, withLogEvents, type LogTable } from '#simulation/log-table';
+import type { TimedLogEvent } from '#simulation/outlets';
+
+/** The board's data log as the page keeps it: every row, since the device's own memory is the bound. */
+export class DataLogModel {
+  readonly table: ShallowRef<LogTable> = shallowRef(emptyLog);
+  readonly isFull = shallowRef(false);
+
+  take(events: readonly TimedLogEvent[]): void {
+    if (events.length === 0) return;
+    for (const { type } of events) {
+      if (type === 'full') this.isFull.value = true;
+      if (type === 'clear') this.isFull.value = false;
+    }
+    this.table.value = withLogEvents(this.table.value, events);
+  }
+
+  clear(): void {
+    this.table.value = emptyLog;
+    this.isFull.value = false;
+  }
+}

@@ -1,0 +1,43 @@
+/**
+ * How long after it was heard of a sound is played, in s. Chosen: what a run tells comes once a frame and the audio
+ * thread looks ahead some ms; less and notes come late, more and the sound lags behind the lights.
+ */
+export const LATENCY_S = 0.08;
+/** A sound further ahead than this does not belong to the present tie any more, in s. */
+const MOST_AHEAD_S = 0.3;
+/** A sound that would come later than this after its time ties the clocks anew, in s. Chosen: earlier, it is played at once. */
+const MOST_LATE_S = 0.02;
+
+/** Ties simulated time to the time of the sound system. */
+export interface SoundClock {
+  /**
+   * When something of simulated time `timeUs` is to sound, in s of the sound system, never before `nowS`.
+   *
+   * The first one sounds `LATENCY_S` from now. From then on the distances are those of simulated time, to the ms, as
+   * long as simulated time keeps pace; when it has stood still or stumbled, the clocks are tied anew.
+   *
+   * @param speed simulated seconds per second
+   */
+  at(timeUs: number, nowS: number, speed: number): number;
+  /** Forgets the tie: the next sound is a first one. */
+  reset(): void;
+}
+
+/** Creates a clock without a tie. */
+export function createSoundClock(): SoundClock {
+  let tie: { readonly timeUs: number; readonly atS: number; readonly speed: number } | null = null;
+  return {
+    at(timeUs, nowS, speed) {
+      if (tie !== null) {
+        const atS = tie.atS + (timeUs - tie.timeUs) / 1_000_000 / tie.speed;
+        const isInTime = atS > nowS - MOST_LATE_S && atS < nowS + MOST_AHEAD_S;
+        if (isInTime && tie.speed === speed) return Math.max(atS, nowS);
+      }
+      tie = { timeUs, atS: nowS + LATENCY_S, speed };
+      return tie.atS;
+    },
+    reset() {
+      tie = null;
+    },
+  };
+}

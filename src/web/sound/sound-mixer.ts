@@ -1,0 +1,120 @@
+import type { SoundEvent, SoundSource } from '#board/sound/sound-event';
+
+import type { EFFECT_RATE, renderEffect, SPEECH_RATE, speechPieces } from './synthesis';
+import { createStream, EDGE_S, LOUDNESS, playPieces, playSamples, playTone, SPEECH_GAIN, type Voice } from './voices';
+
+/** What makes samples; loaded when it is needed. */
+export interface Synthesis {
+  readonly EFFECT_RATE: typeof EFFECT_RATE;
+  readonly SPEECH_RATE: typeof SPEECH_RATE;
+  readonly renderEffect: typeof renderEffect;
+  readonly speechPieces: typeof speechPieces;
+}
+
+/** Whether an event can only be played with the synthesis at hand. */
+export const needsSynthesis = (event: SoundEvent): boolean => event.type === 'effect' || event.type === 'speech';
+
+const FULL_VOLUME = 255;
+const SOURCES = ['tone', 'effect', 'speech'] as const;
+
+/** The board's four sources of sound as nodes of the sound system. It plays into the context's destination. */
+export class SoundMixer {
+  private readonly volume: GainNode;
+  private readonly speaker: GainNode;
+  private readonly stream: ReturnType<typeof createStream>;
+  private readonly voices: Record<(typeof SOURCES)[number], Voice | null> = { tone: null, effect: null, speech: null };
+
+  private speechMade: Promise<void> = Promise.resolve();
+
+  constructor(private readonly context: BaseAudioContext) {
+    this.volume = context.createGain();
+    this.speaker = context.createGain();
+    this.volume.connect(this.speaker).connect(context.destination);
+    this.stream = createStream(context, this.volume);
+  }
+
+  /** When the last sound that is under way ends, in s of the sound system; `Infinity` while a tone sounds. */
+  get endS(): number {
+    return Math.max(this.stream.endS, ...SOURCES.map((source) => this.voices[source]?.endS ?? 0));
+  }
+
+  /** Fulfilled when all samples of what is being said are made; the first are heard before that. */
+  get made(): Promise<void> {
+    return this.speechMade;
+  }
+
+  /**
+   * Plays a sound event.
+   *
+   * @param atS when, in s of the sound system
+   * @param synthesis needed for effects and speech (see `needsSynthesis`), which are silent without
+   */
+  play(event: SoundEvent, atS: number, synthesis: Synthesis | null): void {
+    switch (event.type) {
+      case 'tone':
+        this.replace('tone', atS, event.hz === null ? null : playTone(this.context, this.volume, event.hz, atS));
+        break;
+      case 'effect':
+      case 'speech':
+        if (synthesis !== null) this.replace(event.type, atS, this.playMade(event, atS, synthesis));
+        break;
+      case 'samples':
+        this.stream.play(event, atS);
+        break;
+      case 'silence':
+        this.endSource(event.source, atS);
+        break;
+      case 'volume':
+        this.volume.gain.setTargetAtTime(event.volume / FULL_VOLUME, atS, EDGE_S);
+        break;
+      case 'output':
+        // What a pin alone carries is not heard: nobody has headphones on.
+        this.speaker.gain.setTargetAtTime(event.isSpeakerOn ? 1 : 0, atS, EDGE_S);
+        break;
+      default:
+        event satisfies never;
+    }
+  }
+
+  /** Silence at once; volume and output stay. */
+  stop(): void {
+    for (const source of SOURCES) this.replace(source, this.context.currentTime, null);
+    this.stream.end(this.context.currentTime);
+  }
+
+  /** Silence at once, full volume, speaker on. */
+  reset(): void {
+    this.stop();
+    for (const { gain } of [this.volume, this.speaker]) {
+      gain.cancelScheduledValues(0);
+      gain.value = 1;
+    }
+  }
+
+  private playMade(
+    event: Extract<SoundEvent, { type: 'effect' | 'speech' }>,
+    atS: number,
+    synthesis: Synthesis,
+  ): Voice {
+    const { context, volume } = this;
+    if (event.type === 'effect') {
+      const samples = synthesis.renderEffect(event.parts);
+      return playSamples(context, volume, { samples, rate: synthesis.EFFECT_RATE, loudness: LOUDNESS }, atS);
+    }
+    const sound = { rate: synthesis.SPEECH_RATE, loudness: LOUDNESS * SPEECH_GAIN };
+    const voice = playPieces(context, volume, synthesis.speechPieces(event.utterance), sound, atS);
+    this.speechMade = voice.made;
+    return voice;
+  }
+
+  private endSource(source: SoundSource, atS: number): void {
+    if (source === 'samples') this.stream.end(atS);
+    else this.replace(source, atS, null);
+  }
+
+  /** Ends what a source plays and plays something else, or nothing. */
+  private replace(source: (typeof SOURCES)[number], atS: number, voice: Voice | null): void {
+    this.voices[source]?.end(atS);
+    this.voices[source] = voice;
+  }
+}

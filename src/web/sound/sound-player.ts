@@ -1,0 +1,166 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import type { SoundEvent } from '#board/sound/sound-event';
+
+import { createSoundClock } from './sound-clock';
+import { needsSynthesis, SoundMixer, type Synthesis } from './sound-mixer';
+
+/** Silence after which the sound system is put to sleep, in ms: awake it costs a weak tablet a few percent all the time. */
+const SLEEP_AFTER_MS = 3000;
+/** How long the browser may take to let sound begin, in ms. */
+const BLOCKED_AFTER_MS = 400;
+
+interface System {
+  readonly context: AudioContext;
+  readonly mixer: SoundMixer;
+}
+
+/** Lets the board be heard. The sound system itself is made when something is to be heard, or inside `wake`. */
+export class SoundPlayer {
+  /** True while something should be heard and the browser does not let it: a tap on the page helps. */
+  readonly isBlocked: ShallowRef<boolean> = shallowRef(false);
+  private readonly clock = createSoundClock();
+  private system: System | null = null;
+  private synthesis: Synthesis | null = null;
+  private isLoading = false;
+  private speed = 0;
+  private muted = false;
+  /** What stays until it is changed: known while nothing is heard, too, so that it can come back. */
+  private readonly lasting = new Map<SoundEvent['type'], SoundEvent>();
+  /** Events that wait for the synthesis. */
+  private waiting: readonly SoundEvent[] = [];
+  private sleep: ReturnType<typeof setTimeout> | undefined;
+  private check: ReturnType<typeof setTimeout> | undefined;
+
+  /** What the run's sound hardware has done, oldest first. */
+  take(events: readonly SoundEvent[]): void {
+    for (const event of events) this.remember(event);
+    if (!this.isHeard || events.length === 0) return;
+    if (this.waiting.length > 0 || (this.synthesis === null && events.some(needsSynthesis))) {
+      this.waiting = [...this.waiting, ...events];
+      void this.load();
+    } else {
+      this.play(events);
+    }
+  }
+
+  /** A new run begins: silence, full volume, speaker on. */
+  start(): void {
+    this.stop();
+    this.system?.mixer.reset();
+    this.lasting.clear();
+  }
+
+  /** Silence. */
+  stop(): void {
+    this.waiting = [];
+    this.clock.reset();
+    this.system?.mixer.stop();
+    clearTimeout(this.check);
+    this.isBlocked.value = false;
+  }
+
+  /** How fast simulated time goes; 0 while it stands still. Above 1 nothing is heard. */
+  setSpeed(speed: number): void {
+    this.change(() => (this.speed = speed));
+  }
+
+  setMuted(muted: boolean): void {
+    this.change(() => (this.muted = muted));
+  }
+
+  /** To be called inside a tap or a key press: there alone browsers let sound begin. */
+  wake(): void {
+    if (!this.muted) this.open();
+  }
+
+  dispose(): void {
+    clearTimeout(this.sleep);
+    clearTimeout(this.check);
+    void this.system?.context.close().catch(() => undefined);
+    this.system = null;
+  }
+
+  private get isHeard(): boolean {
+    return !this.muted && this.speed > 0 && this.speed <= 1;
+  }
+
+  private remember(event: SoundEvent): void {
+    if (event.type === 'tone' && event.hz === null) this.lasting.delete('tone');
+    else if (event.type === 'tone' || event.type === 'volume' || event.type === 'output') {
+      this.lasting.set(event.type, event);
+    }
+  }
+
+  /** Something about being heard changes: what sounds on comes back with it. */
+  private change(apply: () => void): void {
+    const before = this.isHeard;
+    apply();
+    if (before === this.isHeard) return;
+    if (before) this.stop();
+    else if (this.lasting.size > 0) this.play([...this.lasting.values()].map((event) => ({ ...event, timeUs: 0 })));
+    this.clock.reset();
+  }
+
+  private play(events: readonly SoundEvent[]): void {
+    const system = this.open();
+    if (system === null) return;
+    const { context, mixer } = system;
+    if (context.state !== 'running') this.checkLater(context);
+    for (const event of events) {
+      mixer.play(event, this.clock.at(event.timeUs, context.currentTime, this.speed), this.synthesis);
+    }
+  }
+
+  private async load(): Promise<void> {
+    if (this.isLoading) return;
+    this.isLoading = true;
+    try {
+      this.synthesis = await import('./synthesis');
+    } catch {
+      // Without a connection tones are heard all the same.
+    }
+    this.isLoading = false;
+    const events = this.waiting;
+    this.waiting = [];
+    if (this.isHeard) this.play(events);
+  }
+
+  private open(): System | null {
+    try {
+      this.system ??= this.create();
+      if (this.system.context.state !== 'running') this.system.context.resume().catch(() => undefined);
+      this.sleepLater(this.system);
+    } catch {
+      return null; // a machine without sound runs all the same
+    }
+    return this.system;
+  }
+
+  private create(): System {
+    const context = new AudioContext({ latencyHint: 'interactive' });
+    context.onstatechange = () => {
+      if (context.state === 'running') this.isBlocked.value = false;
+    };
+    return { context, mixer: new SoundMixer(context) };
+  }
+
+  /** Puts the sound system to sleep some time after the last sound. */
+  private sleepLater(system: System): void {
+    const { context, mixer } = system;
+    clearTimeout(this.sleep);
+    this.sleep = setTimeout(() => {
+      if (context.state !== 'running') return;
+      if (mixer.endS > context.currentTime) this.sleepLater(system);
+      else context.suspend().catch(() => undefined);
+    }, SLEEP_AFTER_MS);
+  }
+
+  /** Looks a while after something should have been heard whether the browser lets it. */
+  private checkLater(context: AudioContext): void {
+    clearTimeout(this.check);
+    this.check = setTimeout(() => {
+      this.isBlocked.value = this.isHeard && context.state === 'suspended';
+    }, BLOCKED_AFTER_MS);
+  }
+}
