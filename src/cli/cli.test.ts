@@ -1,31 +1,10 @@
-import { spawn, spawnSync } from 'node:child_process';
-import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
-import { tmpdir } from 'node:os';
+import { spawn } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
-import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import type { Report } from './report';
+import { describe, expect, it } from 'vitest';
+import { lastLine, parcours, useFolder } from './testing/parcours';
 
-const folder = mkdtempSync(join(tmpdir(), 'parcours-cli-'));
-afterAll(() => rmSync(folder, { recursive: true }));
-beforeAll(() => {
-  if (!existsSync('dist/cli/main.mjs')) throw new Error('The command line is not built. Run: npm run setup');
-});
-
-/** Writes a file and gives its path. */
-function file(name: string, text: string | Uint8Array): string {
-  const path = join(folder, name);
-  writeFileSync(path, text);
-  return path;
-}
-
-/** Runs the bundle to its end. */
-function parcours(...args: string[]): { code: number | null; out: string; err: string } {
-  const { status, stdout, stderr } = spawnSync(process.execPath, ['bin/parcours.mjs', ...args], { encoding: 'utf8' });
-  return { code: status, out: stdout, err: stderr };
-}
-
-const lastLine = (text: string): Report & { console: string } =>
-  JSON.parse(text.trimEnd().split('\n').at(-1) ?? '') as Report & { console: string };
+const { folder, file } = useFolder();
 
 const scene = (change: object): string => JSON.stringify({ format: 'parcours-scene', version: 1, ...change });
 const wall = { id: 'w', type: 'wall', from: [0, 0], to: [100, 0] };
@@ -200,7 +179,11 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
       [hello, '--input', file('g.json', '[{"at":"1s","sensor":"smell","value":1}]')],
       /g\.json: \[0\]: There is no sensor "smell"/,
     ],
-    ['a trace in no folder', [hello, '--trace', join(folder, 'no', 'trace.csv')], /trace\.csv: there is no such file/],
+    [
+      'a trace in no folder',
+      [hello, '--trace', join(folder, 'no', 'trace.csv')],
+      /--trace: .*trace\.csv: its folder does not exist/,
+    ],
   ];
   it.each(table)('%s: says so and exits with 2', (_what, args, message) => {
     const { code, out, err } = parcours('run', ...args);
@@ -251,7 +234,7 @@ describe('a run that does not end', { timeout: 40_000 }, () => {
       '--json',
     );
     expect(code).toBe(1);
-    expect(lastLine(out)).toMatchObject({ ended: 'stuck', console: 'go\n' });
+    expect(lastLine(out)).toMatchObject({ ended: 'stuck', console: 'go\n', robot: { xMm: 600, yMm: 450 } });
     expect(err).toContain('no sign of life');
   });
 });

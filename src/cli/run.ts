@@ -1,5 +1,5 @@
-import { closeSync, openSync } from 'node:fs';
-import { resolve } from 'node:path';
+import { closeSync, existsSync, openSync } from 'node:fs';
+import { dirname, resolve } from 'node:path';
 import { chooseHardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
@@ -91,7 +91,8 @@ function openResult(option: string, path: string | null, options: RunOptions): O
   try {
     return { file: openSync(path, 'a') };
   } catch (error) {
-    return { problem: `${option}: ${path}: ${reasonOf(error)}` };
+    const isFolderMissing = !existsSync(dirname(resolve(path)));
+    return { problem: `${option}: ${path}: ${isFolderMissing ? 'its folder does not exist.' : reasonOf(error)}` };
   }
 }
 

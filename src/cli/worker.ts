@@ -77,6 +77,8 @@ function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly Radio
   let isInterrupted = false;
   const hasEnded = (): boolean => simulation.ended !== null || simulation.isOff;
   const isOver = (): boolean => simulation.nowUs >= untilUs || (hasEnded() && (untilProgramEnds || isInterrupted));
+  // A program stuck in its very first call is reported as it stood then.
+  post({ type: 'progress', report: reportOf(simulation, sent, 0) });
   while (!isOver()) {
     const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
     if (untilProgramEnds) simulation.advanceProgramTo(nextUs);

@@ -200,6 +200,7 @@ function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent
     robot,
     board: boardWish(device),
     firmware: hardware?.firmware.id ?? '',
+    repl: 'at-once',
     seed: 1,
     reality: 0,
     inputs,

@@ -23,6 +23,9 @@ function bench(options: { costMs?: number; perMs?: number; endsAtUs?: number; mi
       run.nowUs = us;
       if (us >= (options.endsAtUs ?? Infinity)) run.ended ??= { kind: 'finished', exception: null, timeUs: us };
     },
+    advanceProgramTo(us: number) {
+      run.advanceTo(Math.min(us, Math.max(run.nowUs, options.endsAtUs ?? Infinity)));
+    },
     input: (action: unknown) => run.inputs.push(action),
     interrupt() {
       if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };

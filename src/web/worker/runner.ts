@@ -13,6 +13,8 @@ export interface Run {
   readonly nowUs: number;
   readonly ended: Ended | null;
   advanceTo(us: number): void;
+  /** Like `advanceTo`, but stops at once when the program ends. */
+  advanceProgramTo(us: number): void;
   input(action: InputAction): void;
   interrupt(): void;
   snapshot(): Snapshot;
@@ -178,10 +180,13 @@ export class Runner {
 
   private advance(run: Run, untilMs: number): void {
     const limitUs = this.limitUs(run);
-    while (run.nowUs < limitUs && !this.outbox.isFull) {
+    // When the program has ended, the page hears of it before the REPL says its first word.
+    while (run.nowUs < limitUs && !this.outbox.isFull && run.ended === this.toldEnd) {
       const startMs = this.at.nowMs();
       if (startMs >= untilMs) return;
-      run.advanceTo(Math.min(limitUs, run.nowUs + this.pieceUs));
+      const nextUs = Math.min(limitUs, run.nowUs + this.pieceUs);
+      if (run.ended === null) run.advanceProgramTo(nextUs);
+      else run.advanceTo(nextUs);
       this.changed = true;
       this.pieceUs = nextPieceUs(this.pieceUs, this.at.nowMs() - startMs);
       this.outbox.put(run.takeConsole());
