@@ -54,6 +54,10 @@ export interface BoardCosts {
   readonly ws2812SetupUs: number;
   /** One packet sent by radio. */
   readonly radioPacketUs: number;
+  /** A line of the data log, besides its bytes. */
+  readonly logLineUs: number;
+  /** A byte of the data log. */
+  readonly logByteUs: number;
 }
 
 /**

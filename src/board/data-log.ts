@@ -44,6 +44,11 @@ export class DataLog {
     return this.text;
   }
 
+  /** How long that is in bytes: of the 118,780 that there are. */
+  get byteCount(): number {
+    return this.bytes;
+  }
+
   /** True once a row did not fit, until the log is deleted. */
   get isFull(): boolean {
     return this.full;

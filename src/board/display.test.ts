@@ -37,6 +37,20 @@ describe('the display', () => {
     expect(waitUntil(() => picture() === B)).toBe(402);
   });
 
+  it('D15: who asked is told in the tick of the end, and hears nothing when something else came', () => {
+    const { display, frames, clock, passUs } = bench('AB');
+    const told: number[] = [];
+    const onOver = (): unknown => told.push(clock.nowUs);
+    display.showFrames(frames, { ...once, onOver });
+    passUs(1_000_000);
+    expect(told).toEqual([804_000]);
+    display.showFrames(frames, { ...once, onOver });
+    passUs(100_000);
+    display.show(frames[0] ?? new Uint8Array(25));
+    passUs(2_000_000);
+    expect(told).toEqual([804_000]);
+  });
+
   it('D2: the first picture is there at once, the last one stays for its delay and then for good', () => {
     const { display, frames, picture, passMs, waitUntil } = bench('AB');
     display.showFrames(frames, once);

@@ -15,6 +15,8 @@ export interface ShowOptions {
   readonly loop: boolean;
   /** A blank picture follows, for one more delay. */
   readonly clear: boolean;
+  /** Called in the tick in which it ends by itself, and not when something else takes its place. */
+  readonly onOver?: () => void;
 }
 
 /** How a text runs through. */
@@ -32,6 +34,7 @@ interface Animation {
   /** Whether a blank picture still has to follow. */
   clear: boolean;
   readonly delayMs: number;
+  readonly onOver: (() => void) | undefined;
   next: number;
   waitedMs: number;
 }
@@ -164,7 +167,8 @@ export class Display {
     this.stopAnimation();
     const loop = options.loop && film.length > 0;
     const delayMs = options.delayMs >>> 0; // unsigned, as on the device: a negative delay becomes an enormous one
-    const animation = { film, loop, clear: options.clear, delayMs, next: 0, waitedMs: 0 };
+    const { clear, onOver } = options;
+    const animation: Animation = { film, loop, clear, delayMs, onOver, next: 0, waitedMs: 0 };
     if (!this.advance(animation)) return;
     this.animation = animation;
     this.slot.wake();
@@ -180,7 +184,10 @@ export class Display {
     animation.waitedMs += TICK_MS;
     if (animation.waitedMs >= animation.delayMs) {
       animation.waitedMs = 0;
-      if (!this.advance(animation)) this.animation = null;
+      if (!this.advance(animation)) {
+        this.animation = null;
+        animation.onOver?.();
+      }
     }
     return this.animation !== null;
   }

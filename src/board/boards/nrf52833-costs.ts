@@ -12,4 +12,9 @@ export const nrf52833CostsUs: BoardCosts = {
   ws2812ByteUs: 10, // WS2812B datasheet: 1.25 µs a bit, hence 30 µs an LED
   ws2812SetupUs: 125, // measured by users, micropython-microbit-v2 issue #227: 125 … 300 µs besides the bits
   radioPacketUs: 700, // micropython-microbit-v2 drv_radio.c: between packets sent one after the other
+  // The log lies in the flash memory of the chip behind the USB socket: codal-microbit-v2 MicroBitUSBFlashManager.cpp
+  // sends 8 bytes of order and fetches 9 of answer over the board's own I2C bus, 400 kHz, nine bits a byte. Erasing a page
+  // and the journal are left out.
+  logLineUs: 17 * 22.5,
+  logByteUs: 22.5 + 42.5 / 4, // and that chip writes a word of four bytes in 42.5 µs (nRF52833 product specification)
 };

@@ -3,7 +3,7 @@
 # recording (the newest firmware): microbit_audiorecording.c, microbit_audiotrack.c.
 import _hal as _h
 from _pins import pin_number
-from _sim import addressof, ints, number, raw
+from _sim import addressof, ints, number, raw, refuse_attribute
 
 # The pin that carries sound unless the program names another: pin0.
 DEFAULT_PIN = 0
@@ -24,6 +24,11 @@ def check(problem):
 
 
 class MicroBitSpeaker:
+    __setattr__ = refuse_attribute
+
+    def __repr__(self):
+        return "<MicroBitSpeaker>"
+
     def on(self):
         _h.speaker(True)
 
@@ -161,9 +166,11 @@ class MicroBitSoundEffect:
 _FRAME_SAMPLES = 32
 _FRAME_RATE = 7812
 _RECORDING_RATE = 11000
+_FASTEST = 1000000
 
 
 def _rate(rate):
+    number(rate)
     rate = int(rate)
     if rate <= 0:
         raise ValueError("rate out of bounds")
@@ -177,6 +184,11 @@ def _size(duration, rate, problem):
     return max(1, int(duration * rate / 1000))
 
 
+def rate_of(source):
+    """Samples a second, as many as the simulation tells apart: one a microsecond."""
+    return min(source._rate, _FASTEST)
+
+
 class _Rated:
     def get_rate(self):
         return self._rate
@@ -185,10 +197,16 @@ class _Rated:
         self._rate = _rate(rate)
 
 
+_SILENCE = b"\x80" * 256
+
+
 class _Samples:
     # Samples in memory of its own. No subclass of bytearray: that could not have *=.
     def _fill(self, size, rate):
-        self._data = memoryview(bytearray(b"\x80" * size))
+        # Silence, bit by bit: a recording of 3 s would not fit into memory twice.
+        self._data = memoryview(bytearray(size))
+        for start in range(0, size, len(_SILENCE)):
+            self._data[start : start + len(_SILENCE)] = _SILENCE[: size - start]
         self._rate = rate
         return self
 
@@ -302,6 +320,8 @@ class AudioRecording(_Samples, _Rated):
 
     def track(self, *, start_ms=0, end_ms=-1):
         size = len(self._data)
+        number(start_ms)
+        number(end_ms)
         place = lambda ms: min(max(0, int(ms * self._rate / 1000)), size)
         start = place(start_ms)
         end = size if end_ms == -1 else place(end_ms)
@@ -312,6 +332,9 @@ class AudioTrack(_Sums, _Rated):
     # Part of a buffer: what is changed here changes there.
     def __init__(self, buffer, rate=_RECORDING_RATE):
         self._rate = _rate(rate)
+        if isinstance(buffer, (str, bytes)):
+            # These must not change.
+            buffer = bytearray(raw(buffer))
         self._data = buffer._data if isinstance(buffer, (_Samples, AudioTrack)) else memoryview(buffer)
 
     def _copy(self):

@@ -1,7 +1,7 @@
 # I2C, SPI and serial. Behaviour and errors: micropython-microbit-v2 microbit_i2c.c, microbit_spi.c, microbit_uart.c.
 import _hal
 from _pins import pin_number
-from _sim import addressof, ints, raw
+from _sim import addressof, ints, raw, refuse_attribute, room
 
 _write = _hal.i2c_write
 _read = _hal.i2c_read
@@ -11,6 +11,8 @@ _USB = -1
 
 
 class MicroBitI2C:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitI2C>"
 
@@ -39,7 +41,9 @@ class MicroBitI2C:
     def read(self, addr, n, repeat=False):
         if type(n) is not int:
             ints(n)
+            n |= 0
         if n < 0:
+            ints(n)
             raise MemoryError("memory allocation failed, allocating %d bytes" % (n & 0xFFFFFFFF))
         buf = bytearray(n)
         r = _read(addr, addressof(buf), n)
@@ -50,6 +54,8 @@ class MicroBitI2C:
 
 
 class MicroBitSPI:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitSPI>"
 
@@ -76,6 +82,7 @@ class MicroBitSPI:
         ints(nbytes, out)
         if nbytes < 0:
             raise ValueError("invalid number of bytes")
+        nbytes |= 0
         buffer = bytearray(nbytes)
         out &= 0xFF
         if out:
@@ -87,7 +94,7 @@ class MicroBitSPI:
     def write_readinto(self, out, in_):
         _check_spi()
         sent = raw(out)
-        received = memoryview(in_)
+        received = room(in_)
         if len(sent) != len(received):
             raise ValueError("write and read buffers must be the same length")
         buffer = bytearray(len(sent))
@@ -101,6 +108,7 @@ def _check_spi():
 
 
 class MicroBitUART:
+    __setattr__ = refuse_attribute
     ODD = 1
     EVEN = 0
 
@@ -149,13 +157,15 @@ class MicroBitUART:
         return more
 
     def readline(self, max_size=-1):
+        ints(max_size)
         n = _hal.uart_line()
         if max_size >= 0:
             n = min(n, max_size)
         return self._take(n) if n else None
 
     def readinto(self, buf, nbytes=-1):
-        view = memoryview(buf)
+        ints(nbytes)
+        view = room(buf)
         data = self.read(len(view) if nbytes < 0 else min(nbytes, len(view)))
         if data is None:
             return None

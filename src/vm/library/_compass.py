@@ -1,8 +1,11 @@
 # The compass. Names: micropython-microbit-v2 microbit_compass.c.
 import _hal
+from _sim import refuse_attribute
 
 
 class MicroBitCompass:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitCompass>"
 

@@ -1,7 +1,7 @@
 # The 5 x 5 display. Behaviour and errors: micropython-microbit-v2 microbit_display.c, drv_display.c.
 import _hal
 from _image import MicroBitImage
-from _sim import addressof, ints
+from _sim import addressof, ints, raise_in_program, refuse_attribute, remember, text as as_text
 
 _show_bits = _hal.display_show_bits
 _show_image = _hal.display_show_image
@@ -11,6 +11,8 @@ _add_bits = _hal.display_add_bits
 _add_image = _hal.display_add_image
 _add_text = _hal.display_add_text
 _run = _hal.display_run
+_turn = _hal.display_turn
+_moves_on = _hal.display_moves_on
 _busy = _hal.display_busy
 _set_pixel = _hal.display_set_pixel
 _get_pixel = _hal.display_get_pixel
@@ -43,7 +45,63 @@ def _add(frame):
     return True
 
 
+# Pictures that a generator makes one by one, perhaps without end: each is asked for when it is due.
+_frames = None
+_delay = 0
+_clear = False
+
+
+def _one_by_one(frames, delay, clear, wait):
+    global _frames, _delay, _clear
+    _frames = frames
+    _delay = delay
+    _clear = bool(clear)
+    if not wait:
+        _next_frame(_due)
+        return
+    turn = -1
+    # Something else that is shown meanwhile takes their place.
+    while _frames is frames and turn in (-1, _turn()):
+        _next_frame(-1)
+        turn = _turn()
+        _wait()
+    if _frames is frames:
+        _frames = None
+
+
+def _next_frame(due):
+    """Shows the next one; the end of the pictures, and an error, end the sequence. The callback is for the one after."""
+    global _frames
+    try:
+        added = _add(next(_frames))
+        if added is None:
+            raise TypeError("not an image")
+        if added:
+            _run(_delay, False, False, due)
+            return
+    except StopIteration:
+        if _clear:
+            _run(_delay, False, True)
+    except BaseException:
+        _frames = None
+        raise
+    _frames = None
+
+
+def _next_frame_is_due():
+    if _frames is not None and _moves_on():
+        try:
+            _next_frame(_due)
+        except BaseException as error:
+            raise_in_program(error)
+
+
+_due = remember(_next_frame_is_due)
+
+
 class MicroBitDisplay:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitDisplay>"
 
@@ -54,7 +112,7 @@ class MicroBitDisplay:
                 return
             image = (image,)
         ints(delay)
-        if isinstance(image, (int, float)):
+        if isinstance(image, (int, float, bool)):
             image = str(image)
         if isinstance(image, str):
             if _show_text(image, delay, bool(loop), bool(clear)) and wait:
@@ -64,9 +122,13 @@ class MicroBitDisplay:
 
     def _sequence(self, frames, delay, clear, wait, loop):
         _hal.display_begin()
-        if wait and not loop and not isinstance(frames, (tuple, list)):
-            self._one_by_one(frames, delay, clear)
-            return
+        if not isinstance(frames, (tuple, list)):
+            if loop:
+                # The device repeats by number: what has no length and no places cannot be repeated.
+                frames = [frames[place] for place in range(len(frames))]
+            else:
+                _one_by_one(iter(frames), delay, clear, wait)
+                return
         added = True
         for frame in frames:
             added = _add(frame)
@@ -78,24 +140,8 @@ class MicroBitDisplay:
         if added is None:
             raise TypeError("not an image")
 
-    def _one_by_one(self, frames, delay, clear):
-        # Pictures that a generator makes one by one, perhaps without end: each is asked for when it is due.
-        for frame in frames:
-            added = _add(frame)
-            if added is None:
-                raise TypeError("not an image")
-            if not added:
-                break
-            _run(delay, False, False)
-            _wait()
-        if clear:
-            self.clear()
-
     def scroll(self, text, delay=150, *, wait=True, monospace=False, loop=False):
-        if isinstance(text, (int, float)):
-            text = str(text)
-        elif not isinstance(text, str):
-            raise TypeError("can't convert '%s' object to str implicitly" % type(text).__name__)
+        text = str(text) if isinstance(text, (int, float, bool)) else as_text(text)
         ints(delay)
         _scroll(text, delay, bool(loop), bool(monospace))
         if wait:
@@ -108,7 +154,8 @@ class MicroBitDisplay:
 
     def set_pixel(self, x, y, value):
         try:
-            x | y | value
+            if (x | y | value) & -16:
+                ints(x, y, value)
         except TypeError:
             ints(x, y, value)
         r = _set_pixel(x, y, value)
@@ -117,7 +164,8 @@ class MicroBitDisplay:
 
     def get_pixel(self, x, y):
         try:
-            x | y
+            if (x | y) & -16:
+                ints(x, y)
         except TypeError:
             ints(x, y)
         value = _get_pixel(x, y)

@@ -1,7 +1,7 @@
 # open() and input() of the device. Behaviour and errors: MicroPython microbitfs.c; input: lib/mp-readline.
 import builtins
 import _hal
-from _sim import addressof, ints, raw
+from _sim import addressof, ints, raw, room, text as as_text
 
 _open = _hal.file_open
 _read = _hal.file_read
@@ -47,7 +47,8 @@ class FileIO:
         return self._get(_LINE, n)
 
     def readinto(self, buffer, n=-1):
-        view = memoryview(buffer)
+        ints(n)
+        view = room(buffer)
         data = self._get(_BYTES, len(view) if n < 0 else min(n, len(view)))
         view[: len(data)] = data
         return len(data)
@@ -107,6 +108,7 @@ class TextIO(FileIO):
 
 
 def open(name, mode="r"):
+    mode = as_text(mode)
     read = text = -1
     for letter in mode:
         if letter in "rw" and read < 0:
@@ -116,8 +118,7 @@ def open(name, mode="r"):
         else:
             raise ValueError("illegal mode")
     writable = read == 0
-    if not isinstance(name, str):
-        raise TypeError("can't convert '%s' object to str implicitly" % type(name).__name__)
+    name = as_text(name)
     file = _open(name, writable)
     if file < 0:
         raise OSError(-file)

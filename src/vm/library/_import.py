@@ -3,6 +3,7 @@
 import builtins
 import _hal
 import _files
+import _builtins
 import _sys
 import os
 from _sim import on_import as _on_import
@@ -14,6 +15,7 @@ _HIDDEN = (
     " platform re select ssl socket uctypes vfs websocket zlib "
 )
 _ALIASES = {
+    "builtins": "_builtins",
     "errno": "_errno",
     "gc": "_gc",
     "micropython": "_micropython",
@@ -35,10 +37,17 @@ def _is_hidden(name):
 
 def _import(name, globals=None, locals=None, names=None, level=0):
     if level == 0:
-        if _is_hidden(name):
+        # There are no packages: the file system is flat.
+        if "." in name or _is_hidden(name):
             raise ImportError("no module named '" + name + "'")
         name = _ALIASES.get(name, name)
-    module = _import_module(name, globals, locals, names, level)
+    if level == 0 and name in _BUILT_IN and _file_size(name + ".py") < 0:
+        # Whatever a program did to sys.modules and sys.path: what is built in stays.
+        if name not in _loaded:
+            _loaded[name] = _BUILT_IN[name]
+        module = _loaded[name]
+    else:
+        module = _import_module(name, globals, locals, names, level)
     if level == 0 and name in _on_import and _file_size(name + ".py") < 0:
         _on_import.pop(name)()
     return module
@@ -51,7 +60,9 @@ def _make_way():
             _sys.modules.pop(file[:-3], None)
 
 
+_loaded = _sys.modules
 # The library's own parts, which are no modules of the device's.
-_OURS = [name for name in _sys.modules if name[0] == "_" and name != "__main__"]
+_OURS = [name for name in _loaded if name[0] == "_" and name != "__main__"]
+_BUILT_IN = {name: _loaded[name] for name in _loaded if name not in ("__main__", "_hal", "_boot", "_sim", "_repl")}
 _make_way()
-builtins.__import__ = _import
+builtins.__import__ = _builtins.__import__ = _import

@@ -1,7 +1,7 @@
 # The microphone. Names and errors: micropython-microbit-v2 microbit_microphone.c, microbit_soundevent.c.
 import _hal
-from _audio import AudioFrame, AudioRecording, AudioTrack
-from _sim import addressof, ints, number
+from _audio import AudioFrame, AudioRecording, AudioTrack, rate_of
+from _sim import addressof, ints, number, refuse_attribute
 
 _has = _hal.board_has
 
@@ -37,7 +37,7 @@ def _record(buffer, rate, wait):
     number(rate)
     buffer.set_rate(rate)
     _buffer = data = buffer._data
-    _hal.mic_record(addressof(data), len(data), int(rate))
+    _hal.mic_record(addressof(data), len(data), rate_of(buffer))
     try:
         # A callback in between ends the syscall early: wait on.
         while wait and _hal.mic_recorded():
@@ -48,6 +48,8 @@ def _record(buffer, rate, wait):
 
 
 class MicroBitMicrophone:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitMicrophone>"
 

@@ -1,6 +1,6 @@
 # The accelerometer. Names and errors: micropython-microbit-v2 microbit_accelerometer.c.
 import _hal
-from _sim import ints, text
+from _sim import ints, refuse_attribute, text
 
 _axis = _hal.acceleration
 _gesture = _hal.gesture
@@ -18,6 +18,8 @@ def _known(name):
 
 
 class MicroBitAccelerometer:
+    __setattr__ = refuse_attribute
+
     def __repr__(self):
         return "<MicroBitAccelerometer>"
 

@@ -1,6 +1,6 @@
 # Pins, touch pads and buttons. Names and errors: micropython-microbit-v2 microbit_pin.c, microbit_pinmode.c, microbit_button.c.
 import _hal
-from _sim import ints
+from _sim import ints, refuse_attribute
 
 _read = _hal.pin_read
 _write = _hal.pin_write
@@ -12,6 +12,7 @@ _pressed = _hal.button_is
 _was_pressed = _hal.button_was
 _presses = _hal.button_presses
 
+_set = object.__setattr__
 _counts_touches = _hal.board_has("touch-counts")
 
 _HELD = -1
@@ -26,9 +27,10 @@ class MicroBitDigitalPin:
     PULL_UP = 0
     PULL_DOWN = 1
     NO_PULL = 2
+    __setattr__ = refuse_attribute
 
     def __init__(self, n):
-        self._n = n
+        _set(self, "_n", n)
 
     def __repr__(self):
         return "<" + type(self).__name__ + ">"
@@ -47,6 +49,7 @@ class MicroBitDigitalPin:
         if r:
             if r == _HELD:
                 _held(self._n)
+            ints(value)
             raise ValueError("value must be 0 or 1")
 
     def write_analog(self, value):
@@ -55,6 +58,8 @@ class MicroBitDigitalPin:
             if r == _HELD:
                 _held(self._n)
             if r == _OUT_OF_RANGE:
+                if isinstance(value, int):
+                    ints(value)
                 raise ValueError("value must be between 0 and 1023")
             ints(value)
 
@@ -96,9 +101,10 @@ class MicroBitAnalogDigitalPin(MicroBitDigitalPin):
 class MicroBitTouchOnlyPin:
     RESISTIVE = 0
     CAPACITIVE = 1
+    __setattr__ = refuse_attribute
 
     def __init__(self, n):
-        self._n = n
+        _set(self, "_n", n)
 
     __repr__ = MicroBitDigitalPin.__repr__
 
@@ -147,8 +153,10 @@ class MicroBitTouchPin(MicroBitAnalogDigitalPin):
 
 
 class MicroBitButton:
+    __setattr__ = refuse_attribute
+
     def __init__(self, n):
-        self._n = n
+        _set(self, "_n", n)
 
     __repr__ = MicroBitDigitalPin.__repr__
 

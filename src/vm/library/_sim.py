@@ -2,7 +2,7 @@
 # Loaded first, while every built-in module can still be imported (see _import.py).
 import _hal
 from math import trunc
-from uctypes import addressof
+from uctypes import addressof, bytearray_at
 from utime import ticks_add, ticks_diff
 
 _throw = _hal.throw
@@ -17,6 +17,25 @@ def raw(buffer):
     return bytes(memoryview(buffer))
 
 
+def room(buffer):
+    """The bytes of a buffer that a call fills, to be changed in place."""
+    try:
+        if isinstance(buffer, memoryview):
+            # One of bytes that must not change raises a TypeError here.
+            buffer[:0] = buffer[:0]
+        changes = not isinstance(buffer, (str, bytes))
+    except TypeError:
+        changes = False
+    if not changes:
+        raise TypeError("object with buffer protocol required")
+    return bytearray_at(addressof(buffer), len(bytes(memoryview(buffer))))
+
+
+def refuse_attribute(thing, name, value):
+    """What the device says when a program puts something into one of its objects: as their __setattr__."""
+    raise AttributeError("'%s' object has no attribute '%s'" % (type(thing).__name__, name))
+
+
 def ints(*values):
     """Raises the device's TypeError for the first value that is not a whole number."""
     for value in values:
@@ -29,9 +48,12 @@ def number(value):
 
 
 def text(value):
-    """Raises the device's TypeError for what is no text."""
-    if not isinstance(value, str):
-        "".find(value)
+    """The text of a str or of bytes, which the device takes alike; its TypeError for anything else."""
+    if isinstance(value, str):
+        return value
+    if isinstance(value, bytes):
+        return "".join([chr(byte if byte < 0x80 else 0x3F) for byte in value])
+    return "".find(value)
 
 
 # What a module of the device's does when a program imports it for the first time, by its name.

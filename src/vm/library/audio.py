@@ -8,6 +8,7 @@ from _audio import (
     check as _check,
     has_recording as _has_recording,
     output as _output,
+    rate_of as _rate_of,
 )
 from _sim import addressof as _addressof, raise_in_program as _raise, remember as _remember
 
@@ -38,7 +39,7 @@ def _next_frame():
             return
         raise
     data = frame._data
-    _h.audio_frame(_addressof(data), len(data), frame._rate)
+    _h.audio_frame(_addressof(data), len(data), _rate_of(frame))
 
 
 def _next_frame_is_due():

@@ -35,6 +35,8 @@ err(i2c.write, 0x11, b'1')
 err(i2c.read, 0x11, 1)
 err(i2c.write, 0x10, [1, 2])
 err(i2c.write, 'a', b'1')
+err(i2c.read, 0x11, True)
+err(i2c.read, 0x10, -2**40)
 try:
     i2c.write(0x11, b'')
 except OSError as e:
@@ -44,7 +46,32 @@ except OSError as e:
       'OSError: [Errno 19] ENODEV',
       'TypeError: object with buffer protocol required',
       "TypeError: can't convert str to int",
+      'OSError: [Errno 19] ENODEV',
+      'OverflowError: overflow converting long int to machine word',
       '19',
+    ]);
+  });
+});
+
+describe('what spi and serial read into', () => {
+  it('is a buffer that may change, of bytes or of words', () => {
+    const program = `
+import array
+words = array.array('H', [0, 0])
+spi.init(mosi=pin15, miso=pin15)
+spi.write_readinto(b'\\x01\\x02\\x03\\x04', words)
+print(words, len(spi.read(True)))
+for buffer in ('ab', b'ab', memoryview(b'ab'), [1, 2]):
+    err(spi.write_readinto, b'ab', buffer)
+    err(uart.readinto, buffer)
+err(uart.readinto, bytearray(2), None)
+err(uart.readline, 'x')`;
+    const refused = 'TypeError: object with buffer protocol required';
+    expect(linesOf(program)).toEqual([
+      "array('H', [0, 0]) 1",
+      ...Array.from({ length: 8 }, () => refused),
+      "TypeError: can't convert NoneType to int",
+      "TypeError: can't convert str to int",
     ]);
   });
 });

@@ -80,6 +80,15 @@ print('on')`).until(3000);
     expect(run.printed()).not.toContain('on\n');
   });
 
+  it('counts days: 25 of them have more milliseconds than 31 bits', () => {
+    const run = play(`
+from microbit import *
+run_every(lambda: print('never today'), days=25)
+run_every(lambda: print('a second'), days=-1, h=24, s=1)
+sleep(1500)`).until(3000);
+    expect(run.printed()).toBe('a second\n');
+  });
+
   it('takes its periods by name only', () => {
     expect(linesOf("err(run_every, print, 5)\nerr(lambda: run_every(print, ms='a'))")).toEqual([
       'TypeError: run_every() takes 1 positional arguments but 2 were given',

@@ -35,6 +35,22 @@ print(f.readinto(buffer), buffer, f.read())`;
     ]);
   });
 
+  it('read into what may change, words too', () => {
+    const program = `
+import array
+words = array.array('H', [0, 0])
+print(open('daten.txt', 'rb').readinto(words), words)
+err(open('daten.txt').readinto, b'1234')
+err(open('daten.txt').readinto, memoryview(b'1234'))
+err(open, 'daten.txt', None)`;
+    expect(linesOf(program, FILES)).toEqual([
+      "4 array('H', [26981, 29550])",
+      'TypeError: object with buffer protocol required',
+      'TypeError: object with buffer protocol required',
+      "TypeError: can't convert 'NoneType' object to str implicitly",
+    ]);
+  });
+
   it('write text and bytes', () => {
     const program = `
 with open('a', 'w') as f:

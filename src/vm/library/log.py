@@ -20,10 +20,10 @@ def _check(done):
 def _row(pairs):
     row = []
     for key, value in pairs:
-        _text(key)
+        key = _text(key)
         if isinstance(value, (int, float, bool)):
             value = str(value)
-        _text(value)
+        value = _text(value)
         row.append((key, value))
     _h.log_begin()
     for key, value in row:

@@ -23,6 +23,7 @@ class _Memory:
     def _checked(self, address):
         _ints(address)
         size = self._bits // 8
+        address &= 0xFFFFFFFF
         if address % size:
             raise ValueError("address %08x is not aligned to %u bytes" % (address, size))
         return address
@@ -45,6 +46,8 @@ mem32 = _Memory(32)
 
 def time_pulse_us(pin, level, timeout_us=1000000):
     t = _pulse(_pin_number(pin), level, timeout_us)
+    if t is None:
+        _ints(level, timeout_us)
     while t < -2:
         # A callback came in between; the measurement goes on meanwhile.
         t = _pulse_on(t)

@@ -35,9 +35,18 @@ def sleep(ms):
     t = _sleep(ms)
     while t:
         if t < 0:
-            _number(ms)
+            _check_time(ms)
+            return
         # A callback came in between: sleep on until the same moment.
         t = _sleep_until(t)
+
+
+def _check_time(ms):
+    # Less than nothing, more than the device can count, or no number at all.
+    if isinstance(ms, int):
+        _ints(ms)
+    else:
+        _number(ms)
 
 
 def running_time():
@@ -76,7 +85,8 @@ class _RunEvery:
         self._period = period
 
     def __call__(self, callback):
-        _h.run_every(_remember(callback), self._period)
+        # Days of milliseconds have more than 32 bits: as a float they reach the simulation.
+        _h.run_every(_remember(callback), float(self._period))
         return self
 
     def __repr__(self):
@@ -106,17 +116,6 @@ def scale(value, from_, to):
     return result if isinstance(low, float) or isinstance(high, float) else round(result)
 
 
-def __getattr__(name):
-    # Names of the type hints that editors give to pupils. The device has the types, but no names for them here.
-    if name == "Button":
-        return _Button
-    if name.startswith("MicroBit"):
-        kind = getattr(_kinds, name, None)
-        if kind:
-            return kind
-    raise AttributeError("'module' object has no attribute '" + name + "'")
-
-
 def _name_module():
     """The board's names for this module; it calls itself by the first."""
     global __name__
@@ -129,4 +128,10 @@ def _name_module():
         _sys.modules["calliope_mini"] = _calliope
 
 
+# What `from microbit import *` brings: what the device has. The names below are for type hints alone, which editors give
+# to pupils; the device has these types, but no names for them.
+__all__ = tuple([name for name in globals() if name[0] != "_"])
+Button = _Button
+globals().update({name: getattr(_kinds, name) for name in dir(_kinds) if name.startswith("MicroBit")})
+del MicroBitButton
 _name_module()

@@ -67,14 +67,13 @@ def _wait():
 
 
 def play(music, pin=_DEFAULT_PIN, wait=True, loop=False):
-    if isinstance(music, str):
+    if isinstance(music, (str, bytes)):
         notes = (music,)
     elif isinstance(music, (tuple, list)):
         notes = music
     else:
         raise TypeError("object '%s' isn't a tuple or list" % type(music).__name__)
-    for note in notes:
-        _text(note)
+    notes = [_text(note) for note in notes]
     # Each note has a newline before it, so that no note and an empty one are two things.
     _check(_h.music_play("".join(["\n" + note for note in notes]), _output(pin), bool(loop)))
     if wait:

@@ -2,16 +2,17 @@ import { describe, expect, it } from 'vitest';
 import { linesOf, play } from './testing/play';
 
 describe('music', () => {
-  it('plays a note of four ticks at 120 beats a minute in about half a second', () => {
+  it('plays a note of four ticks at 120 beats a minute in 510 ms, a pitch of 100 ms in 114', () => {
     const program = `
 import music
-print(music.get_tempo(), 490 <= took(music.play, ['c4:4']) <= 520, 490 <= took(music.play, 'c4:4') <= 520)
-print(100 <= took(music.pitch, 440, 100) <= 130, took(music.pitch, 440, 100, wait=False))
+print(music.get_tempo(), exact(music.play, ['c4:4']), exact(music.play, 'c4:4'), exact(music.play, ['c', 'd:2', 'r:1']))
+print(exact(music.pitch, 440, 100), exact(music.pitch, 440, 100, wait=False), exact(music.play, music.BA_DING))
 music.set_tempo(bpm=60)
 print(music.get_tempo())
 music.reset()
 print(music.get_tempo())`;
-    expect(linesOf(program)).toEqual(['(120, 4) True True', 'True 0', '(60, 4)', '(120, 4)']);
+    // On the tick, 6 ms: c silent at 498, d from 510 to 750, the rest from 762 to 882, each followed by a gap of 10 ms.
+    expect(linesOf(program)).toEqual(['(120, 4) 510 510 894', '114 0 516', '(60, 4)', '(120, 4)']);
   });
 
   it('has 21 melodies as tuples of notes, also after from music import *', () => {

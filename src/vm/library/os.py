@@ -5,7 +5,8 @@ from collections import namedtuple as _namedtuple
 _ENOENT = 2
 _FIELDS = ("sysname", "nodename", "release", "version", "machine")
 # The device shows it without a name: (sysname='microbit', …).
-_uname = _namedtuple("", _FIELDS)(*[_h.board_text(field) for field in _FIELDS])
+uname_result = _namedtuple("", _FIELDS)  # named for type hints alone: the device has no name for it
+_uname = uname_result(*[_h.board_text(field) for field in _FIELDS])
 
 
 def listdir():
@@ -39,13 +40,6 @@ def stat(filename):
 
 def uname():
     return _uname
-
-
-def __getattr__(name):
-    # A name of the type hints that editors give to pupils; the device has the type, but no name for it.
-    if name == "uname_result":
-        return type(_uname)
-    raise AttributeError("'module' object has no attribute '" + name + "'")
 
 
 def _name(filename):

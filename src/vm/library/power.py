@@ -5,6 +5,7 @@ from _sim import ints as _ints
 
 
 def off():
+    _h.run_every_stop()
     while True:
         try:
             # Only a reset ends it. A Ctrl-C does not reach a board that is off; it is raised at the inner loop's jump.

@@ -88,6 +88,19 @@ err(power.deep_sleep, 5, (button_a, display))`;
     ]);
   });
 
+  it('does nothing while it is off: no callback, no radio, no sound', () => {
+    const run = play(`
+from microbit import *
+import music, power, radio
+run_every(lambda: print('tick'), ms=100)
+music.pitch(440, wait=False)
+sleep(150)
+power.off()`);
+    run.until(10_000);
+    const { board } = run.bench;
+    expect([run.printed(), board.radio.isOn, board.music.frequencyHz]).toEqual(['tick\n', false, null]);
+  });
+
   it('stays off: nothing of the program runs any more', () => {
     const run = play(`
 from microbit import *

@@ -178,6 +178,27 @@ print(max(half), max(rest), min(rest))`;
     expect(printedBy(program, setUp)).toBe('500 4000 8000 AudioRecording\n128 255 1\n');
   });
 
+  it('takes any rate that is a number, at once a million samples a second and at most that', () => {
+    const program = `
+r = audio.AudioRecording(10)
+for rate in (2**31, 10**10, 1e30, 1000000):
+    t = running_time()
+    track = microphone.record_into(r, rate)
+    print(len(track), running_time() - t <= 1)
+    audio.play(track)
+for rate in (0, -2**40, '5', None):
+    try:
+        r.set_rate(rate)
+    except Exception as e:
+        print(repr(e))
+print(len(audio.AudioTrack('text')), audio.AudioTrack(b'ab')[0])`;
+    expect(printedBy(program)).toBe(
+      '110 True\n'.repeat(4) +
+        "ValueError('rate out of bounds',)\n".repeat(2) +
+        `TypeError("can't convert str to float",)\nTypeError("can't convert NoneType to float",)\n4 97\n`,
+    );
+  });
+
   it('goes on in the background until it is stopped', () => {
     const program = `
 r = audio.AudioRecording(1000, 10000)

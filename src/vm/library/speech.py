@@ -7,7 +7,7 @@ _LONGEST = 80
 
 
 def translate(words):
-    _text(words)
+    words = _text(words)
     if len(words.encode()) > _LONGEST:
         raise ValueError("text too long")
     phonemes = _h.speech_translate(words)
@@ -18,7 +18,7 @@ def translate(words):
 
 def _articulate(sings, phonemes, pitch=64, speed=72, mouth=128, throat=128, debug=False, mode=1, volume=4, pin=_DEFAULT_PIN):
     _ints(pitch, speed, mouth, throat, mode, volume)
-    _text(phonemes)
+    phonemes = _text(phonemes)
     _check(_h.audio_pin(_output(pin)))
     settings = (pitch & 255) | (speed & 255) << 8 | (mouth & 255) << 16
     if not _h.speech_say(phonemes, settings, throat & 255, sings):

@@ -43,11 +43,3 @@ def ticks_ms():
 
 def ticks_us():
     return _ticks_us()
-
-
-def ticks_cpu():
-    return _ticks_us()
-
-
-def time():
-    return _ticks_ms() // 1000

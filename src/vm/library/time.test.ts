@@ -15,12 +15,16 @@ print(time is utime, took(time.sleep, 0.01), took(time.sleep_ms, 20), took(time.
     ]);
   });
 
-  it('counts microseconds and milliseconds alike', () => {
+  it('counts microseconds and milliseconds alike, and has no names but those of the device', () => {
     const program = `
 import time
 sleep(1234)
-print(time.ticks_ms(), time.ticks_us() // 1000, running_time(), time.time())`;
-    expect(linesOf(program)).toEqual(['1234 1234 1234 1']);
+print(time.ticks_ms(), time.ticks_us() // 1000, running_time())
+print(' '.join(sorted(name for name in dir(time) if name[0] != '_')))`;
+    expect(linesOf(program)).toEqual([
+      '1234 1234 1234',
+      'sleep sleep_ms sleep_us ticks_add ticks_diff ticks_ms ticks_us',
+    ]);
   });
 
   it('refuses what is no number', () => {
@@ -28,12 +32,14 @@ print(time.ticks_ms(), time.ticks_us() // 1000, running_time(), time.time())`;
 import time
 err(sleep, '5')
 err(sleep, None)
+err(sleep, 2**31)
 err(time.sleep, 'a')
 err(time.sleep_ms, 1.5)
 err(time.sleep_us, None)`;
     expect(linesOf(program)).toEqual([
       "TypeError: can't convert str to float",
       "TypeError: can't convert NoneType to float",
+      'OverflowError: overflow converting long int to machine word',
       "TypeError: can't convert str to float",
       "TypeError: can't convert float to int",
       "TypeError: can't convert NoneType to int",
@@ -48,6 +54,8 @@ import machine
 print(machine.time_pulse_us(pin1, 1))
 print(machine.time_pulse_us(pin1, 1, 2000), machine.time_pulse_us(pin1, 0, 2000))
 err(machine.time_pulse_us, 5, 1)
+err(machine.time_pulse_us, pin1, None)
+err(machine.time_pulse_us, pin1, 1, 'a')
 print(machine.freq(), len(machine.unique_id()))
 machine.enable_irq(machine.disable_irq())
 err(lambda: machine.mem32[0])`;
@@ -61,6 +69,8 @@ err(lambda: machine.mem32[0])`;
       '583',
       '-2 -1',
       'TypeError: expecting a pin',
+      "TypeError: can't convert NoneType to int",
+      "TypeError: can't convert str to int",
       '64000000 8',
       'NotImplementedError: reading machine.mem32[0x00000000] is not simulated',
     ]);

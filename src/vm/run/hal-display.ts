@@ -15,7 +15,9 @@ const BAD_BRIGHTNESS = -2;
  * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
  *   clears is shown at once, no text at all only ends what was moving
  * - display_begin(), then display_add_bits(bits), display_add_image(address, w, h), display_add_text(text), then
- *   display_run(delayMs, loop, clear) → whether something moves now
+ *   display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
+ *   unless something else has taken its place: display_moves_on() tells the callback whether that is still so
+ * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
  * - display_busy() waits until the animation of now is over or replaced → True when a callback came in between
  * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
@@ -24,7 +26,7 @@ const BAD_BRIGHTNESS = -2;
  */
 export function createDisplayCalls(machine: Machine, board: Board): SyscallTable {
   const stage = createStage(machine, board);
-  return { ...atOnce(machine, board, stage), ...sequences(board, stage), ...pixels(machine, board) };
+  return { ...atOnce(machine, board, stage), ...sequences(machine, board, stage), ...pixels(machine, board) };
 }
 
 /** What the calls that show something share. */
@@ -98,9 +100,11 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
   };
 }
 
-function sequences(board: Board, stage: Stage): SyscallTable {
+function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
   const { display } = board;
   let frames: Uint8Array[] = [];
+  /** The animation whose end has queued a callback. */
+  let dueAfter = -1;
   const add = (frame: Uint8Array): null => {
     frames.push(frame);
     return null;
@@ -114,12 +118,25 @@ function sequences(board: Board, stage: Stage): SyscallTable {
     display_add_bits: (bits) => add(stage.builtIn(bits)),
     display_add_image: (address, w, h) => add(stage.image(address, w, h)),
     display_add_text: (text) => add(display.glyph(textOf(text))),
-    display_run: (delayMs, loop, clear) => {
+    display_run: (delayMs, loop, clear, callback) => {
       stage.begin();
-      display.showFrames(frames, { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, clear: clear === true });
+      const next = wholeOf(callback) ?? -1;
+      const turn = stage.turn();
+      display.showFrames(frames, {
+        delayMs: wholeOf(delayMs) ?? 0,
+        loop: loop === true,
+        clear: clear === true,
+        onOver: () => {
+          if (next < 0) return;
+          dueAfter = turn;
+          machine.schedule(next);
+        },
+      });
       frames = [];
       return display.isAnimating;
     },
+    display_turn: () => stage.turn(),
+    display_moves_on: () => stage.turn() === dueAfter,
     display_scroll: (text, delayMs, loop, monospace) => {
       stage.begin();
       const options = { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, monospace: monospace === true };

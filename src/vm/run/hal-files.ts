@@ -1,3 +1,4 @@
+import type { Board } from '#board/board';
 import { Errno, textOf, wholeOf } from './arguments';
 import type { Files } from './files';
 import type { Machine, SyscallTable } from './syscall';
@@ -17,7 +18,8 @@ const NEWLINE = 10;
  * - file_read(number, place, address, bytes) → bytes, −EBADF · file_write(number, address, bytes) appends → bytes,
  *   −EBADF, −ENOSPC
  */
-export function createFileCalls(machine: Machine, files: Files, callUs: number): SyscallTable {
+export function createFileCalls(machine: Machine, files: Files, board: Board): SyscallTable {
+  const { callUs } = board.type.costsUs;
   const use = <T>(value: T): T => {
     machine.spend(callUs);
     return value;
@@ -29,6 +31,8 @@ export function createFileCalls(machine: Machine, files: Files, callUs: number):
     file_size: (name) => files.find(textOf(name))?.bytes.length ?? -Errno.ENOENT,
     file_remove: (name) => use(files.remove(textOf(name)) ? 0 : -Errno.ENOENT),
     file_open: (name, writable) => {
+      // A new program makes the log worthless: microbitfs.c, microbit_file_open.
+      if (writable && textOf(name) === 'main.py') board.dataLog.invalidate();
       const file = writable ? files.create(textOf(name)) : (files.find(textOf(name)) ?? -Errno.ENOENT);
       return use(typeof file === 'number' ? file : file.id);
     },

@@ -12,7 +12,7 @@ import type { Machine, SyscallTable } from './syscall';
  */
 export function createLogCalls(machine: Machine, board: Board, port: ConsolePort): SyscallTable {
   const { dataLog } = board;
-  const { callUs, printByteUs } = board.type.costsUs;
+  const { callUs, printByteUs, logLineUs, logByteUs } = board.type.costsUs;
   const encoder = new TextEncoder();
   const mirror = (line: string): void => {
     const bytes = encoder.encode(`${line}\n`);
@@ -46,7 +46,11 @@ export function createLogCalls(machine: Machine, board: Board, port: ConsolePort
     log_end: () => {
       const nowMs = Math.floor((machine.clock.nowUs - machine.startUs) / 1000);
       machine.spend(callUs);
-      return dataLog.add(row, nowMs);
+      const { byteCount } = dataLog;
+      const fits = dataLog.add(row, nowMs);
+      const bytes = dataLog.byteCount - byteCount;
+      if (bytes > 0) machine.spend(logLineUs + logByteUs * bytes);
+      return fits;
     },
   };
 }

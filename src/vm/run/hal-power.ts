@@ -44,6 +44,7 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
   return {
     power_off: (): Wait => {
       hush(board);
+      board.radio.off();
       power.off();
       return { untilUs: Infinity, result: () => null };
     },

@@ -6,6 +6,10 @@ import type { Machine, Syscall, SyscallTable, Value } from './syscall';
 
 const SOUND_KINDS: readonly SoundKind[] = ['quiet', 'loud', 'clap'];
 const SEPARATOR = '\n';
+/** A sample a microsecond: the clock tells no more apart. */
+const FASTEST_HZ = 1_000_000;
+/** No recording is longer than the device's heap. */
+const MOST_SAMPLES = 64 * 1024;
 
 /**
  * What the board feels. Gestures and sounds go by name, lists of them parted by newlines.
@@ -119,8 +123,8 @@ function recordingCalls(machine: Machine, { microphone }: Board): SyscallTable {
       const start = wholeOf(address) ?? 0;
       count = 0;
       microphone.record({
-        rateHz: Math.max(1, wholeOf(rate) ?? 1),
-        length: wholeOf(length) ?? 0,
+        rateHz: Math.min(Math.max(wholeOf(rate) ?? 1, 1), FASTEST_HZ),
+        length: Math.min(wholeOf(length) ?? 0, MOST_SAMPLES),
         write: (offset, samples) => {
           machine.memory(start + offset, samples.length).set(samples);
           count = offset + samples.length;

@@ -64,7 +64,7 @@ function audioCalls(machine: Machine, board: Board, chance: Rng): SyscallTable {
     }),
     audio_frame: spending((address, length, rate) => {
       const samples = [...machine.memory(wholeOf(address) ?? 0, wholeOf(length) ?? 0)];
-      stream.write({ samples, rate: wholeOf(rate) ?? 1 });
+      stream.write({ samples, rate: Math.max(wholeOf(rate) ?? 1, 1) });
       return null;
     }),
     audio_close: spending(() => {

@@ -16,8 +16,8 @@ const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are 
  * Time on the simulated clock.
  *
  * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms; all since the last reset
- * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number, else (a callback came in
- *   between) a moment for sleep_until(moment), which answers likewise
+ * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for less than nothing (which
+ *   a number of more than 32 bits may come as), else (a callback came in between) a moment for sleep_until(moment), which answers likewise
  * - run_every(callback, periodMs): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
  * - set_irq(on) → what it was; while off no callback is queued
  * - pulse(n, level, timeoutUs), pulse_on(token): see `createPulseCalls`
@@ -39,6 +39,7 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
   const sleep = (us: number | null): Value | Wait => {
     machine.spend(callUs);
     if (us === null) return NO_NUMBER;
+    if (us < 0) return NO_NUMBER;
     return us > 0 ? sleepUntil(clock.nowUs + us) : 0;
   };
   const times = (value: Value | undefined, factor: number): number | null => {
@@ -173,10 +174,12 @@ function createPulseCalls(machine: Machine, board: Board): SyscallTable {
     pulse: (n, level, timeoutUs) => {
       machine.spend(callUs);
       const pin = pins[n as number];
+      const timeout = wholeOf(timeoutUs);
+      if (wholeOf(level) === null || timeout === null) return null;
       if (!pin) return NEVER_BEGAN;
       let token = FIRST_TOKEN;
       while (running.has(token)) token--;
-      const pulse = begin(pin, wholeOf(level) ? 1 : 0, Math.max(wholeOf(timeoutUs) ?? 0, 0));
+      const pulse = begin(pin, wholeOf(level) ? 1 : 0, Math.max(timeout, 0));
       running.set(token, pulse);
       return wait(token, pulse);
     },

@@ -36,7 +36,7 @@ export function createHal(machine: Machine, board: Board, files: Files, port: Co
     ...createMusicCalls(machine, board),
     ...createSoundCalls(machine, board, rng),
     ...createTimeCalls(machine, board),
-    ...createFileCalls(machine, files, board.type.costsUs.callUs),
+    ...createFileCalls(machine, files, board),
     ...createConsoleCalls(port),
     ...createDeviceCalls(machine, board, rng),
     ...createSenseCalls(machine, board),

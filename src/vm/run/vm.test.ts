@@ -185,7 +185,7 @@ describe('stopping a program', () => {
       'from microbit import *\ndef f(): sleep(1500)\nrun_every(f, ms=50)\nwhile True: pass',
       SECOND / 2,
     );
-    vm.resume(12 * SECOND); // up to four calls wait in the scheduler's queue and run first
+    vm.resume(15 * SECOND); // the calls that wait in the scheduler's queue run first, 1.5 s each
     expect(vm.ended?.kind).toBe('stopped');
   });
 

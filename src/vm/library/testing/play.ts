@@ -56,7 +56,10 @@ export function play(
 
 const LIMIT_MS = 60_000;
 
-/** Prepended to programs of `linesOf`: err(f, …) prints the error that a call raises, took(f, …) its time in ms. */
+/**
+ * Prepended to programs of `linesOf`: err(f, …) prints the error that a call raises, took(f, …) its time in ms, and
+ * exact(f, …) its time from a 6 ms tick on, which is exact: it begins and ends in the ms of a tick.
+ */
 const PRELUDE = `
 def err(f, *a, **k):
     try:
@@ -67,6 +70,10 @@ def took(f, *a, **k):
     t = running_time()
     f(*a, **k)
     return running_time() - t
+def exact(f, *a, **k):
+    while running_time() % 6:
+        pass
+    return took(f, *a, **k)
 `;
 
 /** Runs a program that imports microbit to its end, within a minute, and gives the lines that it printed. */
