@@ -8,12 +8,15 @@ export default defineConfig({
   base: './',
   publicDir: false,
   plugins: [vue(), vuetify({ autoImport: true })],
+  // Without its compiler: `src/web/i18n` puts values into texts itself.
+  resolve: { alias: [{ find: /^vue-i18n$/, replacement: 'vue-i18n/dist/vue-i18n.runtime.mjs' }] },
   define: {
     // Nothing in the app uses these parts of Vue and vue-i18n; leaving them out makes the page lighter.
     __VUE_OPTIONS_API__: 'false',
     __VUE_PROD_DEVTOOLS__: 'false',
     __VUE_I18N_FULL_INSTALL__: 'false',
     __VUE_I18N_LEGACY_API__: 'false',
+    __INTLIFY_DROP_MESSAGE_COMPILER__: 'true',
     __INTLIFY_PROD_DEVTOOLS__: 'false',
   },
   worker: { format: 'es' },

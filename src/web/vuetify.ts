@@ -1,5 +1,5 @@
 import { createVuetify, type ThemeDefinition } from 'vuetify';
-import { aliases, mdi } from 'vuetify/iconsets/mdi-svg';
+import { VSvgIcon } from 'vuetify/components/VIcon';
 
 /** Vuetify's own colours, taken from the same palette as `styles/tokens.css`. */
 const light: ThemeDefinition = {
@@ -27,10 +27,10 @@ const dark: ThemeDefinition = {
   },
 };
 
-/** The app's Vuetify: only what its templates use is bundled, icons come as paths. */
+/** The app's Vuetify: only what its templates use is bundled. Icons come as paths; none of Vuetify's own is ever shown. */
 export const vuetify = createVuetify({
   theme: { defaultTheme: 'light', themes: { light, dark } },
-  icons: { defaultSet: 'mdi', aliases, sets: { mdi } },
+  icons: { defaultSet: 'mdi', aliases: {}, sets: { mdi: { component: VSvgIcon } } },
   defaults: {
     // Menus open inside a landmark of the page, so that screen readers find them there.
     VMenu: { attach: '#menus', offset: 6, transition: 'fade-transition' },

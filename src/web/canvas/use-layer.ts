@@ -44,7 +44,12 @@ function putOn(canvas: HTMLCanvasElement, place: PxBox, ratio: number): void {
   const height = Math.round(place.height * ratio);
   if (canvas.width !== width) canvas.width = width;
   if (canvas.height !== height) canvas.height = height;
-  canvas.style.width = `${String(place.width)}px`;
-  canvas.style.height = `${String(place.height)}px`;
-  canvas.style.transform = `translate(${String(place.left)}px, ${String(place.top)}px)`;
+  setStyle(canvas, 'width', `${String(place.width)}px`);
+  setStyle(canvas, 'height', `${String(place.height)}px`);
+  setStyle(canvas, 'transform', `translate(${String(place.left)}px, ${String(place.top)}px)`);
+}
+
+/** Writing costs even where nothing changes. */
+function setStyle(canvas: HTMLCanvasElement, name: 'width' | 'height' | 'transform', value: string): void {
+  if (canvas.style[name] !== value) canvas.style[name] = value;
 }

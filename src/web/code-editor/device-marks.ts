@@ -1,5 +1,5 @@
 import { Compartment, type Extension } from '@codemirror/state';
-import { ViewPlugin, type EditorView } from '@codemirror/view';
+import { ViewPlugin, type EditorView, type ViewUpdate } from '@codemirror/view';
 
 import { columnLook, deviceColumn } from './device-gutter';
 import type { DeviceMarksOptions } from './device-question';
@@ -7,24 +7,38 @@ import type { DeviceMarksOptions } from './device-question';
 /** The check comes after the editor can be used. Chosen: pages must be usable first (architecture.md, budgets). */
 const LOAD_AFTER_MS = 1500;
 
-/** A place for the marks at what would not run on the device; filled a little after the editor is there. */
+/** A place for the marks at what would not run on the device; filled a little after there is something to check. */
 export function deviceMarks(options: DeviceMarksOptions): Extension {
   const slot = new Compartment();
-  return [deviceColumn, columnLook, slot.of([]), ViewPlugin.define((view) => fillLater(view, slot, options))];
+  return [deviceColumn, columnLook, slot.of([]), ViewPlugin.define((view) => fillWhenNeeded(view, slot, options))];
 }
 
-function fillLater(view: EditorView, slot: Compartment, options: DeviceMarksOptions): { destroy(): void } {
+function fillWhenNeeded(view: EditorView, slot: Compartment, options: DeviceMarksOptions) {
   let gone = false;
-  const timer = setTimeout(() => void fill(), LOAD_AFTER_MS);
+  let timer: ReturnType<typeof setTimeout> | undefined;
   async function fill(): Promise<void> {
     if (isFilled(view, slot)) return;
     const { deviceLint } = await import('./device-lint');
     if (gone || isFilled(view, slot)) return;
     view.dispatch({ effects: slot.reconfigure(deviceLint(options)) });
   }
+  /** A first visit is spared the check: our own programs were checked before. */
+  function look(edited: boolean): void {
+    if (timer !== undefined || isFilled(view, slot)) return;
+    if (options.question() === null || (!edited && options.isOurs())) return;
+    // Without a connection there are no marks; the next change tries again.
+    const fillOrForget = (): void => void fill().catch(() => (timer = undefined));
+    timer = setTimeout(fillOrForget, edited ? 0 : LOAD_AFTER_MS);
+  }
+  const stop = options.onChange(() => look(false));
+  look(false);
   return {
+    update: ({ docChanged }: ViewUpdate) => {
+      if (docChanged) look(true);
+    },
     destroy: () => {
       gone = true;
+      stop();
       clearTimeout(timer);
     },
   };

@@ -17,6 +17,8 @@ export interface DeviceQuestion {
 export interface DeviceMarksOptions {
   /** Asked at every check; `null`: there is nothing to check against, no marks. */
   readonly question: () => DeviceQuestion | null;
+  /** Whether the program is one of ours just as it came, for its own board: there is nothing to find in it. */
+  readonly isOurs: () => boolean;
   /** Tells when the question has changed, for another board or another file of the project. */
   readonly onChange: (listener: () => void) => Stop;
 }

@@ -17,6 +17,7 @@ import {
   highlightSpecialChars,
   keymap,
   lineNumbers,
+  tooltips,
 } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
 
@@ -72,6 +73,8 @@ export function editorExtensions(options: {
   label: string;
   help: HelpOptions;
   device: DeviceMarksOptions;
+  /** Where lists and cards hang: outside the pane, which cuts off what leaves it. */
+  popups: HTMLElement;
   onChange(text: string): void;
   onRun(): void;
 }): Extension {
@@ -89,6 +92,7 @@ export function editorExtensions(options: {
     indentUnit.of('    '),
     EditorState.tabSize.of(4),
     wrongLineField,
+    tooltips({ parent: options.popups }),
     helpSlot(options.help),
     deviceMarks(options.device),
     look,

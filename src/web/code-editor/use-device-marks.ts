@@ -2,7 +2,8 @@ import { computed, watch, type ComputedRef } from 'vue';
 
 import type { Hardware } from '#simulation/hardware';
 import type { App } from '../composables/use-app';
-import { deviceName } from '../project/devices';
+import { isUntouched } from '../project/courses';
+import { AUTO_DEVICE, deviceName } from '../project/devices';
 import { filesByName } from '../project/project';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
@@ -19,5 +20,10 @@ export function useDeviceMarks(
     const files = filesByName(work.files.value.filter(({ name }) => name !== file));
     return { file, files, device: firmware, board: board.value, language: settings.current.value.language };
   };
-  return (file) => ({ question: () => question(file), onChange: (listener) => watch(key, listener) });
+  const isOurs = (): boolean => settings.current.value.device === AUTO_DEVICE && isUntouched(work.work.value.project);
+  return (file) => ({
+    question: () => question(file),
+    isOurs,
+    onChange: (listener) => watch(key, listener),
+  });
 }

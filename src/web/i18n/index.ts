@@ -1,10 +1,14 @@
-import { createI18n, type I18n } from 'vue-i18n';
+import { createI18n, type I18n, type MessageContext, type MessageFunction } from 'vue-i18n';
 
 import { LANGUAGES, type Language, type Texts, type Translate } from './texts';
 
 export { LANGUAGES, type Language, type TextKey, type Texts, type TextValues, type Translate } from './texts';
 
-type Catalogues = Partial<Record<Language, Texts>>;
+/** Texts as vue-i18n takes them without its compiler. */
+interface Messages {
+  readonly [name: string]: Messages | MessageFunction;
+}
+type Catalogues = Partial<Record<Language, Messages>>;
 
 /** The texts of a language, fetched when it is chosen: nobody waits for those of another one. */
 const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
@@ -16,7 +20,12 @@ const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
 export const i18n: I18n<Catalogues, Record<string, never>, Record<string, never>, Language, false> = createI18n<
   false,
   { legacy: false; locale: Language; fallbackLocale: Language; messages: Catalogues }
->({ legacy: false, locale: 'de', fallbackLocale: 'de', messages: {} });
+>({
+  legacy: false,
+  locale: 'de',
+  fallbackLocale: 'de',
+  messages: {},
+});
 
 /** Looks a text up by its typed name. Reads the chosen language, so templates follow when it changes. */
 export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
@@ -24,8 +33,26 @@ export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
 /** Fetches the texts of a language, once. Rejects without a connection. */
 export async function loadTexts(language: Language): Promise<void> {
   if (i18n.global.availableLocales.includes(language)) return;
-  i18n.global.setLocaleMessage(language, await catalogues[language]());
+  i18n.global.setLocaleMessage(language, messagesOf(await catalogues[language]()));
 }
+
+/** All that our texts need of vue-i18n's own language is places for values in braces; its compiler is not bundled. */
+function messagesOf(texts: Tree): Messages {
+  const entries = Object.entries(texts);
+  return Object.fromEntries(
+    entries.map(([name, it]) => [name, typeof it === 'string' ? messageOf(it) : messagesOf(it)]),
+  );
+}
+type Tree = { readonly [name: string]: string | Tree };
+
+function messageOf(text: string): MessageFunction {
+  const parts = text.split(/\{(\w+)\}/);
+  if (parts.length === 1) return () => text;
+  return (context: MessageContext) =>
+    parts.map((part, index) => (index % 2 === 0 ? part : valueOf(context.named(part)))).join('');
+}
+const valueOf = (value: unknown): string =>
+  typeof value === 'string' || typeof value === 'number' ? String(value) : '';
 
 /** The language chosen last; its texts may be under way. */
 let wanted: Language = 'de';
