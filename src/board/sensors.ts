@@ -1,4 +1,5 @@
 import type { Stop } from '#core/stop';
+import { GESTURE_NAMES } from './gestures';
 
 /** Something a finger can hold down: a button or a touch pad. */
 export interface Pressable {
@@ -47,17 +48,7 @@ const NO_GESTURE = 'none';
 /** What `gesture` may be; `none` for no gesture. Same source. */
 export const GESTURES: readonly string[] = [
   NO_GESTURE,
-  'up',
-  'down',
-  'left',
-  'right',
-  'face up',
-  'face down',
-  'freefall',
-  '3g',
-  '6g',
-  '8g',
-  'shake',
+  ...GESTURE_NAMES.filter((name) => name !== '' && name !== '2g'), // no 2g in the official simulator
 ];
 
 /**

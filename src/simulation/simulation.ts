@@ -188,6 +188,7 @@ export class Simulation {
       ...boardSnapshot(this.board),
       timeUs: this.nowUs,
       running: this.end === null ? 'program' : 'world',
+      repl: this.vm.isInRepl,
       robot: this.robotSnapshot(),
       blocks: Object.fromEntries(Array.from(this.blocks, ([id, block]) => [id, block.pose()])),
       arenaSenses: this.mounted?.senses.isOn ?? false,

@@ -34,6 +34,8 @@ export interface Snapshot extends BoardSnapshot {
   readonly timeUs: number;
   /** Whose time it is: the program's, or after its end the world's, in which the REPL waits. */
   readonly running: 'program' | 'world';
+  /** The REPL has greeted: what is typed is its. */
+  readonly repl: boolean;
   /** `null` for the bare board. */
   readonly robot: RobotSnapshot | null;
   /** Where the movable blocks are, by object id. */

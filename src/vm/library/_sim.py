@@ -60,32 +60,6 @@ def text(value):
 on_import = {}
 
 
-def absent(name):
-    raise NotImplementedError(name + " is not simulated yet")
-
-
-class Absent:
-    """Stands where the device has something that is not simulated yet: every use says so by name."""
-
-    def __init__(self, name):
-        self._name = name
-
-    def __getattr__(self, name):
-        absent(self._name)
-
-    def __call__(self, *args, **kwargs):
-        absent(self._name)
-
-    def __getitem__(self, index):
-        absent(self._name)
-
-    def __setitem__(self, index, value):
-        absent(self._name)
-
-    def __repr__(self):
-        return "<" + self._name + " (not simulated yet)>"
-
-
 def raise_in_program(error):
     """Raises this error in the main program; it is kept here until then."""
     global _thrown

@@ -17,28 +17,37 @@ export interface PressHandlers {
   contextmenu(event: Event): void;
 }
 
-/** Lets fingers, mouse, keyboard and screen readers press the keys of the board. */
-export function usePresses(listener: PressListener): {
+/**
+ * Lets fingers, mouse, keyboard and screen readers press the keys of the board.
+ * @param slowness how many times slower than real time the program runs, 1 or more: a tap lasts as much longer
+ */
+export function usePresses(
+  listener: PressListener,
+  slowness: () => number = () => 1,
+): {
   readonly down: Readonly<ShallowRef<ReadonlySet<BoardKey>>>;
   /** The handlers of something that presses these keys. */
   handlersFor(keys: readonly BoardKey[]): PressHandlers;
 } {
   const down = shallowRef<ReadonlySet<BoardKey>>(new Set());
-  const presses = new Presses({
-    press(key) {
-      down.value = new Set([...down.value, key]);
-      listener.press(key);
+  const presses = new Presses(
+    {
+      press(key) {
+        down.value = new Set([...down.value, key]);
+        listener.press(key);
+      },
+      release(key) {
+        down.value = new Set([...down.value].filter((other) => other !== key));
+        listener.release(key);
+      },
     },
-    release(key) {
-      down.value = new Set([...down.value].filter((other) => other !== key));
-      listener.release(key);
-    },
-  });
+    slowness,
+  );
   const letGoAll = (): void => presses.letGoAll();
   onMounted(() => window.addEventListener('blur', letGoAll));
   onBeforeUnmount(() => {
     window.removeEventListener('blur', letGoAll);
-    letGoAll();
+    presses.end();
   });
   return { down, handlersFor: (keys) => handlers(presses, keys) };
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { gridOf, limitsOf } from './pane-grid';
+import { gridOf, limitsOf, withRoomForPanel } from './pane-grid';
 
 const all = { code: true, board: true, arena: true, console: true };
 const room = { widthPx: 1424, heightPx: 900 };
@@ -27,6 +27,15 @@ describe('the grid of the panes', () => {
   it('stacks on a tablet held upright: code and board, arena, console', () => {
     const grid = gridOf('narrow', all, { ...sizes, code: 0, board: 264 }, { widthPx: 820, heightPx: 1180 });
     expect(grid.areas).toContain("'code s-board board' 's-top s-top s-top' 'arena arena arena'");
+  });
+
+  it('gives code and board 540 px on a tablet held upright while something is unfolded, unless a height was chosen', () => {
+    const upright = { widthPx: 820, heightPx: 1180 };
+    const rows = (top: number, isUnfolded: boolean): string =>
+      gridOf('narrow', all, withRoomForPanel({ ...sizes, top }, isUnfolded), upright).rows;
+    expect(rows(0, true).startsWith('540px ')).toBe(true);
+    expect(rows(0, false).startsWith('minmax(0, 0.8fr) ')).toBe(true);
+    expect(rows(300, true).startsWith('300px ')).toBe(true);
   });
 
   it('shows one pane on a phone', () => {

@@ -179,9 +179,14 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
   });
   const sensors = new SensorsModel(run);
   const radio = new RadioModel(run);
-  watch(run.phase, (phase) => {
-    if (phase === 'stopped' && run.ended.value === null) parts.console.quieten();
-  });
+  // At once: a reset leaves this phase in the same breath.
+  watch(
+    run.phase,
+    (phase) => {
+      if (phase === 'stopped') parts.console.addNote('console.stopped');
+    },
+    { flush: 'sync' },
+  );
   return { run, sensors, radio };
 }
 
@@ -214,6 +219,10 @@ function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
   if (kind === 'stopped') {
     console.quieten(); // the pupil wanted it: nothing is wrong
     console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted');
+    return;
+  }
+  if (kind === 'panic') {
+    console.addNote('console.panic');
     return;
   }
   if (exception === null) {

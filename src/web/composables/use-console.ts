@@ -13,6 +13,8 @@ export class ConsoleModel {
   readonly isCut = shallowRef(false);
   /** There is output the pupil may not have seen, on a screen where the console is behind a tab. */
   readonly isNew = shallowRef(false);
+  /** Counts what the pupil has sent: from then on the console shows its end. */
+  readonly sent = shallowRef(0);
   private readonly log = new ConsoleLog();
   private pending = '';
   private timer: ReturnType<typeof setTimeout> | undefined;

@@ -4,6 +4,7 @@ import type { Hardware } from '#simulation/hardware';
 import { NO_ROBOT } from '#simulation/hardware';
 
 import { AUTO_ROBOT, deviceName } from '../project/devices';
+import type { Settings } from '../project/settings';
 import { useHardware, type App } from './use-app';
 
 /** Choosing what the program runs on. */
@@ -19,20 +20,27 @@ export interface DeviceModel {
   readonly allowRobot: () => void;
 }
 
-export function useDevice(app: Pick<App, 'work' | 'settings'>): DeviceModel {
-  const { settings } = app;
+export function useDevice(app: Pick<App, 'work' | 'settings' | 'run' | 'notices'>): DeviceModel {
+  const { settings, run, notices } = app;
   const hardware = useHardware(app);
+  /** Another device ends the run: that must not look like an accident. */
+  function change(wish: Partial<Settings>): void {
+    const now = settings.current.value;
+    const isOther = (['device', 'firmware', 'robot'] as const).some((key) => (wish[key] ?? now[key]) !== now[key]);
+    if (isOther && run.isActive.value) notices.show({ kind: 'info', key: 'notice.deviceChanged' });
+    settings.change(wish);
+  }
   function chooseRobot(robot: string): void {
     const before = settings.current.value.robot;
     if (robot === before) return;
     const changesArena = robot === NO_ROBOT || before === NO_ROBOT;
-    settings.change({ robot, ...(changesArena && { showArena: robot !== NO_ROBOT }) });
+    change({ robot, ...(changesArena && { showArena: robot !== NO_ROBOT }) });
   }
   return {
     hardware,
     name: computed(() => deviceName(settings.current.value.device, hardware.value?.board)),
-    chooseDevice: (device) => settings.change({ device }),
-    chooseFirmware: (firmware) => settings.change({ firmware }),
+    chooseDevice: (device) => change({ device }),
+    chooseFirmware: (firmware) => change({ firmware }),
     chooseRobot,
     allowRobot: () => {
       if (settings.current.value.robot === NO_ROBOT) chooseRobot(AUTO_ROBOT);

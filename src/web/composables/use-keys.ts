@@ -1,7 +1,8 @@
 import { onScopeDispose } from 'vue';
 
+import { Presses, type BoardKey } from '../board/presses';
+import { slownessOf } from './board-press';
 import type { App } from './use-app';
-import type { BoardKey } from '../board/presses';
 
 /** Keys of the keyboard that press something on the board. */
 const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
@@ -14,23 +15,22 @@ export interface KeyActions {
 }
 
 /** Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs, Ctrl+S saves. */
-export function useKeys({ run }: Pick<App, 'run'>, actions: KeyActions): void {
-  const held = new Set<BoardKey>();
+export function useKeys({ run, settings }: Pick<App, 'run' | 'settings'>, actions: KeyActions): void {
+  const presses = new Presses(
+    { press: (key) => actions.press(key, true), release: (key) => actions.press(key, false) },
+    () => slownessOf(settings.current.value.speed),
+  );
   function down(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return command(event, actions);
     const key = BOARD_KEYS[event.key.toLowerCase()];
     if (key === undefined || event.altKey || event.repeat || takesText(event.target) || !run.isActive.value) return;
-    held.add(key);
-    actions.press(key, true);
+    presses.hold(key, [key]);
   }
   function up(event: KeyboardEvent): void {
     const key = BOARD_KEYS[event.key.toLowerCase()];
-    if (key !== undefined && held.delete(key)) actions.press(key, false);
+    if (key !== undefined) presses.letGo(key);
   }
-  function releaseAll(): void {
-    for (const key of held) actions.press(key, false);
-    held.clear();
-  }
+  const releaseAll = (): void => presses.letGoAll();
   addEventListener('keydown', down);
   addEventListener('keyup', up);
   addEventListener('blur', releaseAll);
@@ -38,6 +38,7 @@ export function useKeys({ run }: Pick<App, 'run'>, actions: KeyActions): void {
     removeEventListener('keydown', down);
     removeEventListener('keyup', up);
     removeEventListener('blur', releaseAll);
+    presses.end();
   });
 }
 

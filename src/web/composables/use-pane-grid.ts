@@ -1,7 +1,7 @@
 import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../i18n/texts';
-import { gridOf, limitsOf, type SplitterId } from './pane-grid';
+import { gridOf, limitsOf, withRoomForPanel, type SplitterId } from './pane-grid';
 import type { App } from './use-app';
 
 /** One bar between panes, ready for `PaneSplitter`. */
@@ -29,7 +29,9 @@ export function usePaneGrid({ layout, settings }: Pick<App, 'layout' | 'settings
   });
   onScopeDispose(() => observer.disconnect());
 
-  const grid = computed(() => gridOf(layout.kind.value, layout.isShown.value, layout.sizes.value, room.value));
+  const isUnfolded = computed(() => layout.isShown.value.board && settings.current.value.panel !== null);
+  const sizes = computed(() => withRoomForPanel(layout.sizes.value, isUnfolded.value));
+  const grid = computed(() => gridOf(layout.kind.value, layout.isShown.value, sizes.value, room.value));
   const style = computed(() => ({
     '--columns': grid.value.columns,
     '--rows': grid.value.rows,

@@ -54,4 +54,14 @@ describe('the list of radio packets', () => {
     radio.take([packet('a')], 7);
     expect(radio.isCut.value).toBe(true);
   });
+
+  it('marks a text that was sent while the radio of the program was off, and no other', () => {
+    const { radio } = model();
+    radio.send('a', false);
+    radio.send('b', true);
+    expect(radio.entries.value.map(({ text, isLost }) => [text, isLost ?? false])).toEqual([
+      ['a', true],
+      ['b', false],
+    ]);
+  });
 });

@@ -14,10 +14,18 @@ export interface RadioEntry {
   /** Its text, or its bytes as hexadecimal digits where it is none. */
   readonly text: string;
   readonly isText: boolean;
+  /** Sent by hand while the program's radio was off: nobody received it. */
+  readonly isLost?: true;
 }
 
 /** Packets that are kept. Chosen: more than anyone reads, little enough to draw. */
 export const RADIO_ENTRIES = 200;
+
+/** Bytes of text that a message has room for as the radio is at its start: 32 (modradio.c), less the 3 before a text. */
+export const USUAL_TEXT_BYTES = 29;
+
+/** Likewise for `radio.config(length=251)`, the longest there is. */
+export const MOST_TEXT_BYTES = 248;
 
 const TEXT_PREFIX = [1, 0, 1]; // micropython-microbit-v2 modradio.c: what `radio.send` puts before a text
 
@@ -37,10 +45,10 @@ export class RadioModel {
     this.add(packets.map(({ timeUs, bytes }) => ({ timeUs, from: 'program' as const, ...readable(bytes) })));
   }
 
-  /** Sends a text to the program. */
-  send(text: string): void {
+  /** Sends a text to the program. @param heard whether its radio is on */
+  send(text: string, heard = true): void {
     this.run.input({ type: 'radio', text });
-    this.add([{ timeUs: this.run.nowUs.value, from: 'hand', text, isText: true }]);
+    this.add([{ timeUs: this.run.nowUs.value, from: 'hand', text, isText: true, ...(!heard && { isLost: true }) }]);
   }
 
   clear(): void {

@@ -16,6 +16,7 @@ export function clockText(timeUs: number, fine = false): string {
 export function useRunText({ run }: Pick<App, 'run'>) {
   const state = computed((): { key: TextKey; tone: 'run' | 'stop' | 'warn' | '' } => {
     const ended = run.ended.value;
+    if (ended?.kind === 'panic' && run.isActive.value) return { key: 'state.panic', tone: 'stop' };
     if (ended !== null && ended.exception !== null) return { key: 'state.failed', tone: 'stop' };
     switch (run.phase.value) {
       case 'starting':

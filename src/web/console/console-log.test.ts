@@ -151,3 +151,27 @@ describe('places in a traceback', () => {
     expect(lastPlace(TRACEBACK, [])).toBeNull();
   });
 });
+
+describe('an error that is typed at the REPL', () => {
+  const say = (text: string): string[] => {
+    const log = new ConsoleLog();
+    for (const line of text.split(/(?<=\n)/)) log.write(line);
+    return log.entries.map((entry) => (entry.kind === 'error' ? entry.advice.key : entry.kind));
+  };
+  const typed = (last: string): string =>
+    `>>> x\r\nTraceback (most recent call last):\r\n  File "<stdin>", line 1, in <module>\r\n${last}\r\n>>> `;
+
+  it('is explained before the next prompt', () => {
+    expect(say(typed('ZeroDivisionError: divide by zero'))).toEqual([
+      'text',
+      'text',
+      'error.ZeroDivisionError',
+      'text',
+    ]);
+  });
+
+  it('is not one when it is an interrupt, and main.py has its explanation elsewhere', () => {
+    expect(say(typed('KeyboardInterrupt: '))).not.toContain('error.KeyboardInterrupt');
+    expect(say(TRACEBACK)).toEqual(['text']);
+  });
+});

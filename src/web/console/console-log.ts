@@ -1,5 +1,5 @@
 import type { TextKey } from '../i18n/texts';
-import type { Advice } from './error-advice';
+import { adviceFor, type Advice } from './error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
@@ -28,6 +28,8 @@ export interface ErrorPlace {
 export const CONSOLE_LIMITS = { lines: 5000, lineCharacters: 2000, entryLines: 100, entryCharacters: 8000 } as const;
 
 const TRACEBACK = 'Traceback (most recent call last):';
+/** Stands in the traceback of what was typed at the REPL. */
+const TYPED = 'File "<stdin>"';
 
 type NewEntry =
   | { readonly kind: 'run'; readonly number: number }
@@ -46,6 +48,8 @@ export class ConsoleLog {
   private lines = 0;
   private nextId = 1;
   private tone: TextTone = 'plain';
+  /** The traceback being written, so far. */
+  private traceback = '';
   private lineStart = true;
   private lineLength = 0;
   /** Where the next character goes in the line being written; line editing moves it back. */
@@ -82,10 +86,8 @@ export class ConsoleLog {
   /** Adds a heading, a note or an error card on a line of its own. */
   add(entry: NewEntry): void {
     if (entry.kind === 'run') this.tone = 'plain';
-    this.lineStart = true;
-    this.lineLength = this.column = 0;
-    this.lines += 1;
-    const entries = this.kept.concat({ ...entry, id: this.nextId++ });
+    const entries = this.kept.slice();
+    this.addTo(entries, entry);
     this.drop(entries);
     this.kept = entries;
   }
@@ -110,6 +112,14 @@ export class ConsoleLog {
     return this.kept.map((entry) => (entry.kind === 'text' ? entry.text : '')).join('');
   }
 
+  private addTo(entries: ConsoleEntry[], entry: NewEntry): void {
+    this.closeEntry(entries);
+    this.lineStart = true;
+    this.lineLength = this.column = 0;
+    this.lines += 1;
+    entries.push({ ...entry, id: this.nextId++ });
+  }
+
   private forget(): void {
     this.open = null;
     this.lines = this.lineLength = this.column = 0;
@@ -128,7 +138,10 @@ export class ConsoleLog {
 
   /** One line or a part of one. */
   private writePart(entries: ConsoleEntry[], part: string): void {
-    if (this.lineStart && part.startsWith(TRACEBACK)) this.tone = 'error';
+    if (this.lineStart && part.startsWith(TRACEBACK)) {
+      this.tone = 'error';
+      this.traceback = '';
+    }
     for (let from = this.overwrite(entries, part); from < part.length;) {
       const room = CONSOLE_LIMITS.lineCharacters - this.lineLength;
       const piece = part.slice(from, from + room);
@@ -137,10 +150,18 @@ export class ConsoleLog {
       const broken = !ends && piece.length === room;
       this.append(entries, broken ? `${piece}\n` : piece, ends || broken);
     }
-    // A traceback ends with the line that names the exception: the first one that is not indented.
-    if (part.endsWith('\n') && this.tone === 'error' && !part.startsWith(TRACEBACK) && !part.startsWith(' ')) {
-      this.tone = 'plain';
-    }
+    if (this.tone === 'error') this.readTraceback(entries, part);
+  }
+
+  /** A traceback ends with the line that names the exception: the first one that is not indented. */
+  private readTraceback(entries: ConsoleEntry[], part: string): void {
+    this.traceback += part;
+    if (!part.endsWith('\n')) return;
+    const line = this.traceback.trimEnd().split('\n').at(-1) ?? '';
+    if (line.startsWith(TRACEBACK) || line.startsWith(' ')) return;
+    this.tone = 'plain';
+    const advice = this.traceback.includes(TYPED) ? adviceOf(line, this.traceback) : null;
+    if (advice !== null) this.addTo(entries, { kind: 'error', place: null, advice });
   }
 
   /** Writes over what stands right of the cursor, as far as that goes; returns how much of `part` is done. */
@@ -223,6 +244,12 @@ export class ConsoleLog {
     entries.splice(0, dropped);
     this.cut = true;
   }
+}
+
+/** What is to be read about an exception that was typed at the REPL; an interrupt is no mistake. */
+function adviceOf(line: string, traceback: string): Advice | null {
+  const [, type = '', message = ''] = /^(\w+)(?:: (.*))?$/.exec(line) ?? [];
+  return type === '' || type === 'KeyboardInterrupt' ? null : adviceFor({ type, message, traceback });
 }
 
 function hasRoom(entry: TextEntry): boolean {

@@ -32,6 +32,8 @@ type Mistake = readonly [key: TextKey, program: string, shown?: Readonly<Record<
 /** Mistakes by what they are explained with. Whatever the device says about them is what our VM says here. */
 const mistakes: readonly Mistake[] = [
   ['error.NameError', 'print(irLinks)', { name: 'irLinks' }],
+  ['error.nameOfModule', 'radio.on()', { name: 'radio' }],
+  ['error.nameOfModule', 'time.sleep(1)', { name: 'time' }],
   ['error.nameCapital', 'x = true'],
   ['error.localUnbound', 'n = 1\ndef f():\n    n += 1\nf()'],
   ['error.curlyQuotes', 'print(“hallo”)'],
@@ -43,6 +45,7 @@ const mistakes: readonly Mistake[] = [
   ['error.attributeOfNone', 'x = print("a")\nx.upper()', { name: 'upper' }],
 
   ['error.ImportError', 'import mbrobbot', { name: 'mbrobbot' }],
+  ['error.moduleOfCalliope', 'from calliopemini import *', { name: 'calliopemini' }],
   ['error.importName', 'from microbit import knopf_a', { name: 'knopf_a' }],
 
   ['error.addTextNumber', 'print("Punkte: " + 3)'],
@@ -76,6 +79,7 @@ const mistakes: readonly Mistake[] = [
   ['error.bytesNeeded', `${USING}uart.write(3)`],
 
   ['error.wholeOfText', 'int("3.5")', { text: '3.5' }],
+  ['error.wholeOfText', 'int("zwölf")', { text: 'zwölf' }],
   ['error.wholeOfNothing', 'int("")'],
   ['error.numberOfText', 'float("3,5")'],
   ['error.unpackMany', 'a, b = 1, 2, 3', { expected: '2' }],
@@ -187,6 +191,7 @@ describe('advice', () => {
     expect(key('ImportError', 'can\'t import name "x"')).toBe('error.ImportErrorAny');
     expect(key('OSError', '19')).toBe('error.noDevice');
     expect(key('TypeError', "'int' object is not callable")).toBe('error.notCallable');
+    expect(key('RuntimeError', 'Please connect to Maqueen robot and switch it on.')).toBe('error.noRobot');
     expect(key('RuntimeError', 'pystack exhausted')).toBe('error.recursion');
     expect(key('TypeError', 'function missing 1 required positional arguments')).toBe('error.argumentMissing');
     expect(key('NotImplementedError', 'reading machine.mem32[0x00000000] is not simulated')).toBe('error.notSimulated');

@@ -49,11 +49,23 @@ function explained(type: string, message: string): Omit<Advice, 'device'> {
     if (pattern.type !== type) continue;
     const match = pattern.words.exec(message);
     if (match === null) continue;
-    const values = (pattern.values ?? []).map((name, index) => [name, short(match[index + 1] ?? '')]);
+    const values = (pattern.values ?? []).map((name, index) => [name, short(readable(match[index + 1] ?? ''))]);
     return { key: pattern.key, values: Object.fromEntries(values) as TextValues };
   }
   const plain = PLAIN.find((name) => name === type);
   return { key: plain === undefined ? 'error.other' : `error.${plain}`, values: {} };
+}
+
+/** Letters that the device wrote as the bytes of UTF-8, `\xc3\xb6`, as letters again; bytes that are none stay. */
+function readable(text: string): string {
+  return text.replace(/(?:\\x[0-9a-f]{2})+/g, (codes) => {
+    const bytes = Array.from(codes.matchAll(/[0-9a-f]{2}/g), ([byte]) => Number.parseInt(byte, 16));
+    try {
+      return new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(bytes));
+    } catch {
+      return codes;
+    }
+  });
 }
 
 const short = (text: string): string => (text.length > SHOWN_CHARACTERS ? `${text.slice(0, SHOWN_CHARACTERS)}…` : text);

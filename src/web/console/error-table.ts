@@ -17,6 +17,8 @@ const when = (type: string, words: RegExp, key: TextKey, ...values: readonly str
 });
 
 const NUMBER = '(?:int|float|bool)';
+/** Modules whose name is used without their import. */
+const MODULES = 'audio|log|machine|math|microbit|music|neopixel|os|power|radio|random|speech|time';
 
 /**
  * The device's messages that are explained one by one, the special before the general; the first that fits counts.
@@ -27,6 +29,7 @@ export const errorTable: readonly ErrorPattern[] = [
   when('NameError', /^local variable referenced/, 'error.localUnbound'),
   when('NameError', /'[^']*[“”„‘’«»‹›´`][^']*'/, 'error.curlyQuotes'),
   when('NameError', /'(true|false|none)'/, 'error.nameCapital', 'name'),
+  when('NameError', new RegExp(`'(${MODULES})'`), 'error.nameOfModule', 'name'),
   when('NameError', /'([^']+)'/, 'error.NameError', 'name'),
   when('NameError', /(?:)/, 'error.NameErrorAny'),
 
@@ -37,6 +40,7 @@ export const errorTable: readonly ErrorPattern[] = [
   when('AttributeError', /(?:)/, 'error.AttributeErrorAny'),
 
   when('ImportError', /^can(?:'|no)t import name '?(\w+)/, 'error.importName', 'name'),
+  when('ImportError', /'(calliope_?mini)'/, 'error.moduleOfCalliope', 'name'),
   when('ImportError', /'([^']+)'/, 'error.ImportError', 'name'),
   when('ImportError', /(?:)/, 'error.ImportErrorAny'),
 
@@ -107,6 +111,7 @@ export const errorTable: readonly ErrorPattern[] = [
   when('OSError', /\b5\b|EIO/, 'error.transfer'),
 
   when('MemoryError', /allocating (\d{5,}) bytes/, 'error.memoryAtOnce', 'bytes'),
+  when('RuntimeError', /^Please connect to Maqueen/, 'error.noRobot'),
   when('RuntimeError', /recursion|pystack/, 'error.recursion'),
   when('NotImplementedError', /not simulated/, 'error.notSimulated'),
 

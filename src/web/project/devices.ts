@@ -20,6 +20,8 @@ export interface Device {
   readonly board: string;
   /** What is worth knowing about it, where there is something. */
   readonly about: TextKey | null;
+  /** How it differs from the picture of its board, where it does. */
+  readonly picture: TextKey | null;
 }
 
 /** Calliope mini 1 and 2 have another chip and no MicroPython of their own; their programs run on the board of the mini 3. */
@@ -28,6 +30,7 @@ const CALLIOPE_1_2: Device = {
   name: 'Calliope mini 1/2',
   board: 'calliope-mini-3',
   about: 'device.aboutCalliope12',
+  picture: 'device.pictureCalliope12',
 };
 
 const ABOUT: Readonly<Record<string, TextKey>> = {
@@ -37,7 +40,7 @@ const ABOUT: Readonly<Record<string, TextKey>> = {
 
 /** Every microcomputer that can be chosen by name. */
 export const devices: readonly Device[] = [
-  ...boardTypes.map(({ id, name }) => ({ id, name, board: id, about: ABOUT[id] ?? null })),
+  ...boardTypes.map(({ id, name }) => ({ id, name, board: id, about: ABOUT[id] ?? null, picture: null })),
   CALLIOPE_1_2,
 ];
 

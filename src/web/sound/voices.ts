@@ -49,8 +49,9 @@ export function playSamples(
   const gain = context.createGain();
   gain.gain.value = loudness;
   if (samples.length > 0) {
-    source.buffer = context.createBuffer(1, samples.length, rate);
-    source.buffer.getChannelData(0).set(samples);
+    const buffer = context.createBuffer(1, samples.length, rate);
+    buffer.getChannelData(0).set(samples);
+    source.buffer = buffer; // filled before: Firefox plays what is in it at this moment
   }
   source.connect(gain).connect(to);
   source.start(atS);

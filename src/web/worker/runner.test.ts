@@ -157,6 +157,21 @@ describe('the runner', () => {
     expect(b.run.disposed).toBe(true);
   });
 
+  it('leaves the traceback of a stop out and keeps what finally printed', async () => {
+    const b = bench();
+    await b.start();
+    await b.pass(100);
+    const traceback = 'Traceback (most recent call last):\nKeyboardInterrupt: \n';
+    b.run.interrupt = () => {
+      b.run.printed = `bye\n${traceback}`;
+      const exception = { type: 'KeyboardInterrupt', message: '', line: null, traceback };
+      b.run.ended = { kind: 'stopped', exception, timeUs: b.run.nowUs };
+    };
+    b.send({ type: 'stop' });
+    const said = b.posted.map((message) => (message.type === 'console' ? message.text : '')).join('');
+    expect(said).toBe('bye\n');
+  });
+
   it('gives a program that ignores the interrupt 50 ms, then drops it', async () => {
     const b = bench({ minds: false, costMs: 1 });
     await b.start();

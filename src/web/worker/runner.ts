@@ -141,17 +141,21 @@ export class Runner {
     this.schedule(0);
   }
 
-  /** Ends the run: interrupt, a moment for its `finally`, all of its output, the last picture. */
+  /**
+   * Ends the run: interrupt, a moment for its `finally`, all of its output, the last picture. The traceback of this
+   * interrupt is left out: whoever presses Stop has found no error.
+   */
   private stop(): void {
     this.stopped = true;
     const run = this.run;
     if (run === null) return; // still being created: start() comes back here
     this.guarded(() => {
       if (run.ended === null) {
+        this.outbox.put(run.takeConsole());
         run.interrupt();
         const untilMs = this.at.nowMs() + FAREWELL_MS;
-        while (run.ended === null && this.at.nowMs() < untilMs) run.advanceTo(run.nowUs + 4000);
-        this.outbox.put(run.takeConsole());
+        while (run.ended === null && this.at.nowMs() < untilMs) run.advanceProgramTo(run.nowUs + 4000);
+        this.outbox.put(withoutTraceback(run.takeConsole(), run.ended));
       }
       this.outbox.flush();
       this.tellEvents();
@@ -250,4 +254,10 @@ export class Runner {
     this.stopped = true;
     this.at.post({ type: 'failed', message: error instanceof Error ? error.message : String(error) });
   }
+}
+
+/** What a stopped program printed at last, without the traceback of the interrupt that stopped it. */
+function withoutTraceback(text: string, ended: Ended | null): string {
+  const traceback = ended?.kind === 'stopped' ? (ended.exception?.traceback ?? '') : '';
+  return traceback !== '' && text.endsWith(traceback) ? text.slice(0, -traceback.length) : text;
 }
