@@ -1,4 +1,5 @@
 import { test as base, chromium, expect, firefox, type Browser, type Page } from '@playwright/test';
+import { startScreen, type Screen } from './screen';
 import { WebKitSession, type PageCode } from './webkit';
 
 export { expect };
@@ -18,8 +19,14 @@ export interface App {
   text(css: string): Promise<string>;
   /** Presses keys together, by Playwright's names: `press('Control', 'Enter')`, `press('a')`. */
   press(...keys: string[]): Promise<void>;
+  /** Holds one key down until `release`. */
+  hold(key: string): Promise<void>;
+  release(key: string): Promise<void>;
   /** Types characters into whatever has the focus. */
   type(text: string): Promise<void>;
+  /** Presses the mouse on the middle of an element and keeps it down until `letGo`. */
+  grab(css: string): Promise<void>;
+  letGo(): Promise<void>;
   screenshot(): Promise<Buffer>;
 }
 
@@ -59,7 +66,14 @@ function playwrightApp(engine: string, page: Page): App {
     fill: (css, text) => page.fill(css, text),
     text: (css) => page.innerText(css),
     press: (...keys) => page.keyboard.press(keys.join('+')),
+    hold: (key) => page.keyboard.down(key),
+    release: (key) => page.keyboard.up(key),
     type: (text) => page.keyboard.type(text),
+    grab: async (css) => {
+      await page.hover(css);
+      await page.mouse.down();
+    },
+    letGo: () => page.mouse.up(),
     screenshot: () => page.screenshot(),
   };
 }
@@ -75,7 +89,11 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
     fill: (css, text) => session.fill(css, text),
     text: (css) => session.text(css),
     press: (...keys) => session.press(keys.map((key) => KEYS[key] ?? key)),
+    hold: (key) => session.hold(KEYS[key] ?? key),
+    release: (key) => session.release(KEYS[key] ?? key),
     type: (text) => session.type(text),
+    grab: (css) => session.grab(css),
+    letGo: () => session.letGo(),
     screenshot: () => session.screenshot(),
   };
 }
@@ -85,6 +103,7 @@ interface Fixtures {
 }
 
 interface WorkerFixtures {
+  readonly ownScreen: Screen | null;
   readonly browserOfEngine: Browser | null;
 }
 
@@ -95,8 +114,16 @@ const STARTERS = { chromium, firefox };
  * Playwright's own `page` is for tests of Chromium and Firefox alone.
  */
 export const test = base.extend<Fixtures, WorkerFixtures>({
+  ownScreen: [
+    async ({}, use, info) => {
+      const screen = info.project.name === 'chromium' ? null : await startScreen();
+      await use(screen);
+      await screen?.close();
+    },
+    { scope: 'worker', auto: true },
+  ],
   browserOfEngine: [
-    async ({ headless, launchOptions, channel }, use, info) => {
+    async ({ ownScreen: _first, headless, launchOptions, channel }, use, info) => {
       const starter = STARTERS[info.project.name as keyof typeof STARTERS] as (typeof STARTERS)['chromium'] | undefined;
       const browser = await starter?.launch({ ...launchOptions, headless, ...(channel !== undefined && { channel }) });
       await use(browser ?? null);

@@ -1,4 +1,3 @@
-import { AxeBuilder } from '@axe-core/playwright';
 import { expect, test } from '@playwright/test';
 import { on } from './page';
 
@@ -25,15 +24,3 @@ test('a visit with a run asks nobody but the own host, and the page has nothing 
   expect(complaints).toEqual([]);
   expect(strangers).toEqual([]);
 });
-
-for (const colorScheme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out, ${colorScheme}`, async ({ page }) => {
-    await page.emulateMedia({ colorScheme });
-    await page.goto('./');
-    await expect(page.locator(on('editor'))).toBeVisible();
-    // axe's types come with a copy of Playwright's of their own.
-    const { violations } = await new AxeBuilder({ page: page as never }).analyze();
-    const told = violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
-    expect(told).toEqual([]);
-  });
-}

@@ -1,3 +1,4 @@
+import type { Settings } from '../src/web/project/settings';
 import { expect, type App } from './app';
 
 /** The things that tests touch. */
@@ -16,9 +17,13 @@ export const on = (name: keyof typeof PLACES): string => PLACES[name];
 const EDITOR = on('editor');
 const EDITOR_BOX = '.code-editor .cm-scroller';
 
-/** Opens the app and waits until a program can be typed. */
-export async function openApp(app: App): Promise<void> {
+/** Opens the app and waits until a program can be typed; `settings` are those of an earlier visit. */
+export async function openApp(app: App, settings: Partial<Settings> = {}): Promise<void> {
   await app.goto('./');
+  if (Object.keys(settings).length > 0) {
+    await app.evaluate((text) => localStorage.setItem('parcours.settings', text), JSON.stringify(settings));
+    await app.reload();
+  }
   await expect.poll(() => app.evaluate((css) => document.querySelector(css) !== null, EDITOR)).toBe(true);
 }
 
@@ -38,6 +43,29 @@ export async function typeProgram(app: App, source: string): Promise<void> {
   }
   await expect.poll(() => programIn(app)).toBe(source);
 }
+
+/** Replaces the program in the editor by pasting, as from a worksheet: quick, and without the editor's own indentation. */
+export async function pasteProgram(app: App, source: string): Promise<void> {
+  await app.click(EDITOR_BOX);
+  await app.press('Control', 'a');
+  await app.evaluate(
+    ({ css, text }) => {
+      const event = new Event('paste', { bubbles: true, cancelable: true });
+      Object.defineProperty(event, 'clipboardData', { value: { getData: () => text } });
+      document.querySelector(css)?.dispatchEvent(event);
+    },
+    { css: EDITOR, text: source },
+  );
+  await expect.poll(() => programIn(app)).toBe(source);
+}
+
+/** Whether something is on the page. */
+export const isThere = (app: App, css: string): Promise<boolean> =>
+  app.evaluate((selector) => document.querySelector(selector) !== null, css);
+
+/** What an attribute of the first such element says; `null` without element or attribute. */
+export const attribute = (app: App, css: string, name: string): Promise<string | null> =>
+  app.evaluate((of) => document.querySelector(of.css)?.getAttribute(of.name) ?? null, { css, name });
 
 /** The text in the editor. */
 export function programIn(app: App): Promise<string> {
@@ -63,8 +91,31 @@ export function robotIn(app: App): Promise<Shown> {
   }, on('arena'));
 }
 
-/** What the console shows. */
-export const consoleIn = (app: App): Promise<string> => app.text(on('console'));
+/** What the console has, one thing under the other; also what is scrolled out of sight, which engines leave out of `text`. */
+export const consoleIn = (app: App): Promise<string> =>
+  app.evaluate(
+    (css) => Array.from(document.querySelector(css)?.children ?? [], ({ textContent }) => textContent).join('\n'),
+    on('console'),
+  );
+
+/**
+ * Keeps something down until the program has seen it. Once more where that fails: a window of another test that opens
+ * takes the focus away, and the page then lets go of everything, as it should.
+ */
+export async function keepDown(
+  app: App,
+  by: { down(): Promise<void>; up(): Promise<void> },
+  seen: string,
+): Promise<void> {
+  await expect(async () => {
+    await by.down();
+    try {
+      await expect.poll(() => consoleIn(app), { timeout: 3000 }).toContain(seen);
+    } finally {
+      await by.up();
+    }
+  }).toPass();
+}
 
 /** Whether a button can be pressed. */
 export function isEnabled(app: App, name: keyof typeof PLACES): Promise<boolean> {

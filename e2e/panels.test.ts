@@ -1,9 +1,7 @@
 import { expect, test, type App } from './app';
-import { consoleIn, on, openApp, typeProgram } from './page';
+import { consoleIn, isThere, on, openApp, pasteProgram, typeProgram } from './page';
 
 const open = (app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> => app.click(`[data-testid=panel-${panel}]`);
-const shown = (app: App, css: string): Promise<boolean> =>
-  app.evaluate((selector) => document.querySelector(selector) !== null, css);
 
 test('a sensor set before the run is felt by the program, and one moved meanwhile too', async ({ app }) => {
   await openApp(app);
@@ -13,7 +11,7 @@ test('a sensor set before the run is felt by the program, and one moved meanwhil
   );
   await open(app, 'sensors');
   const slider = '.panel-open input[type=range]';
-  await expect.poll(() => shown(app, slider)).toBe(true);
+  await expect.poll(() => isThere(app, slider)).toBe(true);
   await app.click(slider);
   await app.press('End');
   await app.click(on('run'));
@@ -46,9 +44,34 @@ test('messages go over the air both ways', async ({ app }) => {
   await typeProgram(app, program);
   await open(app, 'radio');
   await app.click(on('run'));
-  await expect.poll(() => shown(app, '.panel-open li')).toBe(true);
+  await expect.poll(() => isThere(app, '.panel-open li')).toBe(true);
   expect(await app.text('.panel-open ol')).toContain('ready');
   await app.fill('.panel-open input', 'hello board');
   await app.press('Enter');
   await expect.poll(() => consoleIn(app)).toContain('got hello board');
+});
+
+test('what a program logs is a row in the table, and all of it in the file that is saved', async ({ app }) => {
+  await openApp(app);
+  await pasteProgram(
+    app,
+    'import log\nlog.set_labels(timestamp=None)\nlog.add(light=12, temp=20.5)\nlog.add(light=13)',
+  );
+  await open(app, 'log');
+  await app.click(on('run'));
+  await expect.poll(() => isThere(app, '.panel-open tr.data + tr.data')).toBe(true);
+  expect(await app.text('.panel-open table')).toMatch(/light.*temp.*12.*20\.5.*13/s);
+  // Of a download WebKitGTK and Firefox tell nobody: the page itself is asked what it hands over.
+  const saved = await app.evaluate(async () => {
+    const handed: { blob?: Blob; name?: string } = {};
+    const addressOf = URL.createObjectURL.bind(URL);
+    URL.createObjectURL = (blob: Blob) => addressOf((handed.blob = blob));
+    HTMLAnchorElement.prototype.click = function (this: HTMLAnchorElement) {
+      handed.name = this.download;
+    };
+    document.querySelector<HTMLButtonElement>('.panel-open [aria-label*="CSV"]')?.click();
+    return { name: handed.name, text: await handed.blob?.text() };
+  });
+  expect(saved.name).toBe('data-log.csv');
+  expect(saved.text?.trimEnd().split('\r\n')).toEqual(['light,temp', '12,20.5', '13,']);
 });

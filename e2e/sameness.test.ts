@@ -1,6 +1,11 @@
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
+import { runnerImport } from 'vite';
 import { parseScene } from '../src/scene/parse';
+import { defaultScene } from '../src/scene/scene';
+import type { InputAction, InputEvent } from '../src/simulation/input';
 import { expect, test } from './app';
+import type { runBare } from './probe/run-bare';
 
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
 interface GoldenRun {
@@ -25,3 +30,68 @@ for (const { folder, forMs, seed, traceHash } of runs) {
     expect(result.traceHash).toBe(traceHash);
   });
 }
+
+/** Everything on the bare board that has a rhythm of its own, chance, or figures that are computed. */
+const ALL_AT_ONCE = `
+from microbit import *
+import audio, log, math, music, radio, random
+
+def tell(*what):
+    print(running_time(), *what)
+
+@run_every(ms=330)
+def beat():
+    tell("beat", display.get_pixel(2, 2), microphone.sound_level(), "%.3f" % math.sin(running_time()))
+
+log.set_labels("n", "chance")
+radio.on()
+random.seed(7)
+music.play(music.DADADADUM, wait=False)
+display.scroll("Hi 5!", delay=70, wait=False)
+for n in range(40):
+    x, y, z = accelerometer.get_values()
+    tell(n, x, y, z, accelerometer.current_gesture(), accelerometer.get_gestures(), compass.heading())
+    tell(random.random(), random.randint(1, 6), random.choice("abc"), button_a.get_presses(), pin1.is_touched())
+    message = radio.receive_full()
+    if message:
+        tell("got", message)
+        radio.send("got " + str(n))
+    if n == 15: audio.play(Sound.GIGGLE, wait=False)
+    if n % 8 == 0: log.add(n=n, chance=random.uniform(-1, 1))
+    sleep(random.randint(20, 90))
+tell(temperature(), display.read_light_level(), accelerometer.get_strength(), sum(math.sqrt(i) for i in range(99)))
+1 / 0
+`;
+const at = (ms: number, action: InputAction): InputEvent => ({ timeUs: ms * 1000, action });
+const HANDS: readonly InputEvent[] = [
+  at(200, { type: 'button', button: 'a', down: true }),
+  at(290, { type: 'button', button: 'a', down: false }),
+  at(400, { type: 'sensor', id: 'gesture', value: 'shake' }),
+  at(500, { type: 'radio', text: 'hello' }),
+  at(700, { type: 'sensor', id: 'accelerometerX', value: 777 }),
+  at(900, { type: 'touch', pad: 'pin1', down: true }),
+  at(1000, { type: 'sensor', id: 'compassHeading', value: 123 }),
+  at(1100, { type: 'sensor', id: 'gesture', value: 'freefall' }),
+  at(1400, { type: 'radio', bytes: [1, 0, 1, 72, 105] }),
+  at(1500, { type: 'sensor', id: 'soundLevel', value: 130 }),
+];
+
+test('a program with display, music, radio, gestures and chance says the same at the same µs as in Node', async ({
+  app,
+}) => {
+  const files = { 'main.py': ALL_AT_ONCE };
+  const setup = { scene: defaultScene(), files, robot: 'none', board: 'auto', seed: 3, reality: 0, inputs: HANDS };
+  const run = { setup, untilMs: 8000 };
+  const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
+  // Playwright's own loader takes no JSON, which the VM's library is.
+  const bare = fileURLToPath(new URL('./probe/run-bare.ts', import.meta.url));
+  const { module } = await runnerImport<{ readonly runBare: typeof runBare }>(bare, {
+    configFile: false,
+    logLevel: 'warn',
+  });
+  const inNode = await module.runBare({ ...run, firmware });
+  for (const part of ['beat', "'shake'", 'hello', 'ZeroDivisionError']) expect(inNode.console).toContain(part);
+  for (const part of ['sound', 'radio', 'log']) expect(inNode.told.join('\n')).toContain(part);
+  await app.goto(PROBE);
+  expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
+});

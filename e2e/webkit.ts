@@ -94,6 +94,32 @@ export class WebKitSession {
     );
   }
 
+  /** A key goes down and stays so: the driver remembers it from one command to the next. */
+  async hold(key: string): Promise<void> {
+    await this.strokes([{ type: 'keyDown', value: key }]);
+  }
+
+  async release(key: string): Promise<void> {
+    await this.strokes([{ type: 'keyUp', value: key }]);
+  }
+
+  /** Presses the mouse on the middle of an element and keeps it down. In a drawing WebDriver itself finds no middle. */
+  async grab(css: string): Promise<void> {
+    await this.find(css);
+    const middle = await this.evaluate((selector: string) => {
+      const box = document.querySelector(selector)?.getBoundingClientRect() ?? new DOMRect();
+      return { x: Math.round(box.x + box.width / 2), y: Math.round(box.y + box.height / 2) };
+    }, css);
+    await this.mouse([
+      { type: 'pointerMove', origin: 'viewport', ...middle, duration: 0 },
+      { type: 'pointerDown', button: 0 },
+    ]);
+  }
+
+  async letGo(): Promise<void> {
+    await this.mouse([{ type: 'pointerUp', button: 0 }]);
+  }
+
   async screenshot(): Promise<Buffer> {
     return Buffer.from((await this.command('GET', '/screenshot')) as string, 'base64');
   }
@@ -116,6 +142,11 @@ export class WebKitSession {
   private async strokes(actions: readonly { readonly type: string; readonly value: string }[]): Promise<void> {
     if (actions.length > 0)
       await this.command('POST', '/actions', { actions: [{ type: 'key', id: 'keyboard', actions }] });
+  }
+
+  private async mouse(actions: readonly object[]): Promise<void> {
+    const source = { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions };
+    await this.command('POST', '/actions', { actions: [source] });
   }
 
   private find(css: string): Promise<string> {

@@ -46,8 +46,7 @@ const miniBrowser = () => {
   return firstOf(...folders.map((name) => `/usr/lib/${name}/webkit2gtk-4.1/MiniBrowser`));
 };
 
-const hasScreen = () =>
-  process.platform !== 'linux' || Boolean(process.env.DISPLAY) || Boolean(onPath('Xvfb') && onPath('xvfb-run'));
+const hasScreen = () => process.platform !== 'linux' || Boolean(process.env.DISPLAY) || Boolean(onPath('Xvfb'));
 
 /**
  * What can be tested on this machine.
@@ -56,7 +55,7 @@ const hasScreen = () =>
  *   env tells playwright.config.ts where the programs are; missing says why an engine cannot run
  */
 export function engines() {
-  const screen = hasScreen() ? null : 'no screen: neither DISPLAY nor xvfb-run';
+  const screen = hasScreen() ? null : 'no screen: neither DISPLAY nor Xvfb';
   const driver = webkitDriver();
   const browser = miniBrowser();
   return [

@@ -60,14 +60,15 @@ async function buildProbe() {
   );
 }
 
-/** Firefox and WebKit need a screen, and a sound card without which their AudioContext never starts. */
+/**
+ * Firefox and WebKit need a screen, one for every test worker (e2e/screen.ts), and a sound card without which their
+ * AudioContext never starts.
+ */
 async function onDesktop(args, env) {
   if (process.platform !== 'linux' || process.env.DISPLAY) return run('node', args, { env });
   const sound = await startSound();
   try {
-    return await run('xvfb-run', ['-a', '-s', '-screen 0 1600x1200x24', process.execPath, ...args], {
-      env: { ...env, ...sound.env },
-    });
+    return await run('node', args, { env: { ...env, ...sound.env, PARCOURS_OWN_SCREENS: 'yes' } });
   } finally {
     await sound.stop();
   }

@@ -14,6 +14,8 @@ export interface ProbeResult {
   readonly console: string;
   readonly timeUs: number;
   readonly heapFree: number;
+  /** All that the board said to its surroundings, in order: sounds, radio packets and rows of the data log, as JSON. */
+  readonly told: readonly string[];
 }
 
 /** The result, or what broke. */

@@ -58,10 +58,14 @@ export class ConsolePort {
     return byte;
   }
 
-  /** As after a reset: nothing received, Ctrl-C interrupts. */
+  /** main.py begins: Ctrl-C interrupts, whatever the program before or the REPL made of it. */
+  watchForInterrupt(): void {
+    this.interruptByte = CTRL_C;
+  }
+
+  /** As after a reset: nothing received. */
   reset(): void {
     this.line = [];
     this.next = 0;
-    this.interruptByte = CTRL_C;
   }
 }

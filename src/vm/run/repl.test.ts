@@ -130,6 +130,15 @@ describe('the REPL', () => {
     expect(console()).toContain('NameError');
   });
 
+  it('lets Ctrl-C interrupt the program that Ctrl-D has begun anew', () => {
+    const { vm, type } = replAfter('import os\nwhile "a" in os.listdir(): pass');
+    type('f = open("a", "w"); n = f.write("x")\r');
+    expect(type('\x04')).toContain('MPY: soft reboot');
+    expect(vm.ended).toBeNull();
+    expect(type('\x03')).toContain('KeyboardInterrupt');
+    expect(vm.ended?.kind).toBe('stopped');
+  });
+
   it('reboots at sys.exit() too, and leaves main.py alone for a tool in raw mode', () => {
     const { type } = replAfter('print("main")');
     type('\r');

@@ -53,6 +53,7 @@ export function createVm(setup: VmSetup): Vm {
     if (kind === 'reboot') report.write(REBOOT);
     session.dispose();
     board.reset();
+    port.watchForInterrupt();
     if (kind === 'reset') {
       port.reset();
       clock.advanceTo(clock.nowUs + RESET_US);

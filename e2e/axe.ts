@@ -1,0 +1,29 @@
+import { createRequire } from 'node:module';
+import type { App } from './app';
+
+/** The copy of axe that comes with Playwright's binding, which itself cannot drive WebKitGTK. */
+const { source } = createRequire(createRequire(import.meta.url).resolve('@axe-core/playwright'))('axe-core') as {
+  readonly source: string;
+};
+
+interface Violation {
+  readonly id: string;
+  readonly nodes: readonly { readonly target: readonly string[] }[];
+}
+
+interface WithAxe {
+  readonly axe?: { run(options: object): Promise<{ readonly violations: readonly Violation[] }> };
+}
+
+/** What axe finds on the page as it is now: one line for each rule broken, with the places. */
+export async function violationsOn(app: App): Promise<readonly string[]> {
+  if (!(await app.evaluate(() => 'axe' in window))) await app.evaluate(`(() => { ${source} })()`);
+  const violations = await app.evaluate(async () => {
+    // What fades in or out would be judged by a colour that is gone in a moment.
+    const running = document.getAnimations().filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity);
+    await Promise.all(running.map(({ finished }) => finished.catch(() => null)));
+    const found = await (window as WithAxe).axe?.run({ resultTypes: ['violations'] });
+    return found?.violations.map(({ id, nodes }) => ({ id, nodes: nodes.map(({ target }) => ({ target })) })) ?? [];
+  });
+  return violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ target }) => target.join(' ')).join(', ')}`);
+}

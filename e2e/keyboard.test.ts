@@ -1,0 +1,97 @@
+import { expect, test, type App } from './app';
+import { consoleIn, isEnabled, isThere, keepDown, on, openApp, pasteProgram } from './page';
+
+/** Tells every key that goes down or up, the shaking, the tilt and the light. */
+const program = (module: string, pins: readonly string[]): string =>
+  [
+    `from ${module} import *`,
+    'parts = [("A", button_a.is_pressed), ("B", button_b.is_pressed), ("logo", pin_logo.is_touched)]',
+    ...pins.map((pin) => `parts.append(("${pin}", ${pin}.is_touched))`),
+    'was = set()',
+    'light = tilt = None',
+    'print("ready")',
+    'while True:',
+    '    now = {name for name, is_down in parts if is_down()}',
+    '    for name in now - was: print(name, "down")',
+    '    for name in was - now: print(name, "up")',
+    '    was = now',
+    '    if accelerometer.was_gesture("shake"): print("shaken")',
+    '    if accelerometer.get_x() != tilt:',
+    '        tilt = accelerometer.get_x()',
+    '        print("tilt", tilt)',
+    '    if display.read_light_level() != light:',
+    '        light = display.read_light_level()',
+    '        print("light", light)',
+    '    sleep(20)',
+  ].join('\n');
+
+/** More presses than the page has places where the keyboard stops. */
+const PLACES = 80;
+
+const isAt = (app: App, css: string): Promise<boolean> =>
+  app.evaluate((selector) => document.activeElement?.closest(selector) !== null, css);
+
+/** Goes on with Tab, or back, until the keyboard is at an element. Out of the editor it goes as the editor says: by Escape. */
+async function tabTo(app: App, css: string, back = false): Promise<void> {
+  for (let press = 0; press < PLACES; press += 1) {
+    if (await isAt(app, css)) return;
+    if (await isAt(app, on('editor'))) await app.press('Escape');
+    await (back ? app.press('Shift', 'Tab') : app.press('Tab'));
+  }
+  throw new Error(`Tab does not reach ${css}.`);
+}
+
+const says = (app: App, text: string): Promise<void> => expect.poll(() => consoleIn(app)).toContain(text);
+
+/** Holds a key of the board and lets go of it; the program sees both. */
+async function hold(app: App, css: string, key: string, name: string): Promise<void> {
+  await tabTo(app, css);
+  await keepDown(app, { down: () => app.hold(key), up: () => app.release(key) }, `${name} down`);
+  await says(app, `${name} up`);
+}
+
+for (const [module, drawing, pins] of [
+  ['microbit', 'svg.microbit', ['pin0', 'pin1', 'pin2']],
+  ['calliopemini', 'svg.calliope', ['pin0', 'pin1', 'pin2', 'pin3']],
+] as const) {
+  test(`the board of ${module} is used by keyboard alone, from the editor to the REPL`, async ({ app }) => {
+    await openApp(app, { language: 'en', robot: 'none' }); // a robot has its sensors on some of the pins
+    await pasteProgram(app, program(module, pins));
+    expect(await isAt(app, on('editor'))).toBe(true);
+
+    await tabTo(app, on('run'), true);
+    await app.press('Enter');
+    await says(app, 'ready');
+    await expect.poll(() => isThere(app, drawing)).toBe(true);
+
+    await hold(app, `${drawing} [aria-label="Button A"]`, 'Space', 'A');
+    await hold(app, `${drawing} [aria-label="Button B"]`, 'Enter', 'B');
+    await hold(app, `${drawing} [aria-label="Touch the logo"]`, 'Space', 'logo');
+    for (const pin of pins) await hold(app, `${drawing} [aria-label="Touch pin ${pin.slice(3)}"]`, 'Enter', pin);
+
+    await tabTo(app, '[data-testid=panel-sensors]');
+    await app.press('Enter');
+    await expect.poll(() => isThere(app, '.panel-open input[type=range]')).toBe(true);
+    await tabTo(app, '.panel-open [role=slider][aria-label=Tilt]');
+    for (let step = 0; step < 4; step += 1) await app.press('ArrowRight');
+    await expect.poll(() => consoleIn(app)).toMatch(/tilt (19|20|21)\d\b/);
+    await tabTo(app, '[data-testid=shake]');
+    await app.press('Space');
+    await says(app, 'shaken');
+    await tabTo(app, '.panel-open input[type=range]');
+    await app.press('End');
+    await says(app, 'light 255');
+
+    await tabTo(app, '[data-testid=console-input]');
+    await app.press('Control', 'c');
+    await says(app, 'KeyboardInterrupt');
+    await says(app, '>>>');
+    await app.type('6 * 7');
+    await app.press('Enter');
+    await expect.poll(() => consoleIn(app)).toMatch(/>>> 6 \* 7\s+42\s+>>>/);
+
+    await tabTo(app, on('stop'), true);
+    await app.press('Enter');
+    await expect.poll(() => isEnabled(app, 'stop')).toBe(false);
+  });
+}

@@ -1,0 +1,67 @@
+import { expect, test, type App } from './app';
+import { consoleIn, isEnabled, on, openApp, pasteProgram } from './page';
+
+const FIELD = '[data-testid=console-input]';
+
+const says = (app: App, text: RegExp | string): Promise<void> =>
+  typeof text === 'string'
+    ? expect.poll(() => consoleIn(app)).toContain(text)
+    : expect.poll(() => consoleIn(app)).toMatch(text);
+
+async function start(app: App, source: string): Promise<void> {
+  await openApp(app);
+  await pasteProgram(app, source);
+  await app.click(on('run'));
+}
+
+/** Types one line and sends it. */
+async function line(app: App, text: string): Promise<void> {
+  if (text !== '') await app.type(text);
+  await app.press('Enter');
+}
+
+test('after the program the REPL greets as the device does, calculates, and shows an error', async ({ app }) => {
+  await start(app, 'total = 20\nprint("end")');
+  await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
+  await app.click(FIELD);
+  await line(app, 'total * 2 + 2');
+  await says(app, /\+ 2\s+42\s+>>>/);
+  await line(app, 'totl');
+  await says(app, /File "<stdin>", line 1, in <module>\s+NameError: name 'totl' (is not|isn't) defined[^]*>>>/);
+});
+
+test('a function of several lines is written at the REPL and called', async ({ app }) => {
+  await start(app, 'print("end")');
+  await says(app, '>>>');
+  await app.click(FIELD);
+  await line(app, 'def twice(x):');
+  await line(app, 'y = x + x');
+  await line(app, 'return y'); // the field keeps the indentation of the block by itself
+  await line(app, ''); // the first of the two takes the indentation away, the second ends the block
+  await line(app, '');
+  await line(app, 'twice(21)');
+  await says(app, /twice\(21\)\s+42\s+>>>/);
+});
+
+const ENDLESS = 'n = 0\nprint("begin")\nwhile True:\n    n = n + 1';
+
+test('Ctrl-C ends a loop without end, and its variable can be looked at', async ({ app }) => {
+  await start(app, ENDLESS);
+  await says(app, 'begin');
+  await app.click(FIELD);
+  await app.press('Control', 'c');
+  await says(app, /KeyboardInterrupt[^]*>>>/);
+  await line(app, 'n > 0');
+  await says(app, /n > 0\s+True\s+>>>/);
+});
+
+test('Ctrl-D begins the program anew, and Ctrl-C ends it again', async ({ app }) => {
+  await start(app, ENDLESS);
+  await says(app, 'begin');
+  await app.click(FIELD);
+  await app.press('Control', 'd'); // interrupts first: only the REPL takes it
+  await says(app, /KeyboardInterrupt[^]*MPY: soft reboot\s+begin/);
+  expect(await isEnabled(app, 'stop')).toBe(true);
+  await app.press('Control', 'c');
+  await says(app, /soft reboot[^]*KeyboardInterrupt[^]*>>>/);
+});
