@@ -52,6 +52,11 @@ const TYPE_HINT_NAMES: ReadonlyMap<string, string> = new Map(
   ),
 );
 
+/** Pins that only the type hints of the Calliope mini number: calliope-edu/micropython-calliope-stubs. */
+const TYPE_HINT_PINS: ReadonlyMap<string, string> = new Map(
+  ['pin16', 'pin17', 'pin19', 'pin20'].map((name) => [name, '']),
+);
+
 /** Modules of which the type hints name types that the device's have not. */
 export const typeHintModules: ReadonlySet<string> = new Set(['microbit', 'calliopemini', 'calliope_mini', 'os']);
 
@@ -86,7 +91,7 @@ export const moduleNames: ReadonlyMap<string, ReadonlyMap<string, string>> = new
   ],
   ['collections', new Map([['deque', '']])],
   ['microbit', TYPE_HINT_NAMES],
-  ['calliopemini', TYPE_HINT_NAMES],
+  ['calliopemini', new Map([...TYPE_HINT_NAMES, ...TYPE_HINT_PINS])],
   ['calliope_mini', TYPE_HINT_NAMES],
   ['os', new Map([['uname_result', '']])],
   [

@@ -31,7 +31,7 @@ export const de: RuleTexts = {
   deque: 'deque gibt es auf dem {board} nicht. Nimm eine Liste mit append() und pop(0).',
   'time-name':
     'Der {board} kennt {name} nicht, denn er hat keine Uhr. running_time() gibt die Millisekunden seit dem Start.',
-  'type-name': 'Den Typ {name} kennen nur Editoren, nicht der {board}. Lass ihn weg.',
+  'type-name': '{name} kennen nur Editoren, nicht der {board}. Lass es weg.',
   module: 'Das Modul {name} gibt es auf dem {board} nicht. Lass es weg oder lade eine Datei {name}.py dazu.',
   'module-instead': 'Das Modul {name} gibt es auf dem {board} nicht. Vielleicht hilft dir {instead}',
   'newer-name':

@@ -29,7 +29,7 @@ export const en: RuleTexts = {
   deque: 'There is no deque on the {board}. Use a list with append() and pop(0).',
   'time-name':
     'The {board} does not know {name}, for it has no clock. running_time() gives the milliseconds since the start.',
-  'type-name': 'Only editors know the type {name}; the {board} does not. Leave it out.',
+  'type-name': 'Only editors know {name}; the {board} does not. Leave it out.',
   module: 'There is no module {name} on the {board}. Leave it out, or add a file {name}.py.',
   'module-instead': 'There is no module {name} on the {board}. Perhaps this helps you: {instead}',
   'newer-name': '{name} came with newer firmware. The {board} with the chosen firmware stops here with an error.',

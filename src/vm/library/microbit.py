@@ -123,6 +123,9 @@ def _name_module():
     __name__ = _h.board_module(0)
     _sys.modules[__name__] = this
     if __name__ == "calliopemini":
+        # Type hints number these pins, too.
+        names = ("pin16", "pin_A1_RX"), ("pin17", "pin_A1_TX"), ("pin19", "pin_A0_SCL"), ("pin20", "pin_A0_SDA")
+        globals().update({hint: globals()[name] for hint, name in names})
         import _calliope
 
         _sys.modules["calliope_mini"] = _calliope
