@@ -1,3 +1,4 @@
+import { textBytesOf } from '#board/radio-text';
 import type { RadioPacket, Simulation } from '#simulation/simulation';
 
 /** How a run ended, as a word for programs. */
@@ -49,7 +50,7 @@ export interface Report {
 }
 
 /** What is to be told about a run now. While its program goes on, `ended` is `time-limit`. */
-export function reportOf(simulation: Simulation, sent: readonly RadioPacket[], wallMs: number): Report {
+export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[], wallMs: number): Report {
   const { ended, nowUs } = simulation;
   const snapshot = simulation.snapshot();
   const simulatedMs = nowUs / 1000;
@@ -63,7 +64,7 @@ export function reportOf(simulation: Simulation, sent: readonly RadioPacket[], w
     display: displayText(snapshot.display),
     heapFree: simulation.heapFree(),
     traceHash: simulation.traceHash,
-    radio: sent.map(reportedPacket),
+    radio: sent,
   };
 }
 
@@ -79,13 +80,11 @@ export function jsonLine(report: Report, console: string): string {
   return JSON.stringify({ ...rest, console, heapFree, traceHash, ...(radio.length > 0 ? { radio } : {}) });
 }
 
-/** What `radio.send` puts before a text: micropython-microbit-v2 modradio.c. */
-const TEXT_PREFIX = '1,0,1';
-
-function reportedPacket({ timeUs, bytes }: RadioPacket): ReportedPacket {
+/** A packet as the report has it. */
+export function reportedPacket({ timeUs, bytes }: RadioPacket): ReportedPacket {
   const atMs = timeUs / 1000;
-  if (bytes.slice(0, 3).join() !== TEXT_PREFIX) return { atMs, bytes };
-  return { atMs, text: new TextDecoder().decode(Uint8Array.from(bytes.slice(3))) };
+  const text = textBytesOf(bytes);
+  return text === null ? { atMs, bytes } : { atMs, text: new TextDecoder().decode(text) };
 }
 
 /** 0 for a run without exception, 1 for one that ended badly. */

@@ -5,8 +5,8 @@ import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
 import { checkRun } from '#simulation/run-problem';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
-import { Simulation, type RadioPacket, type RunOutlets } from '#simulation/simulation';
-import { reportOf, type Report } from './report';
+import { Simulation, type RunOutlets } from '#simulation/simulation';
+import { reportedPacket, reportOf, type Report, type ReportedPacket } from './report';
 import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
@@ -49,15 +49,15 @@ function createTraceWriter(simulation: Simulation, file: number | null): () => v
 /** Gathers what the program sends and logs; the program's text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
-  readonly radio: RadioPacket[];
+  readonly radio: ReportedPacket[];
   readonly log: LogEvent[];
 } {
-  const radio: RadioPacket[] = [];
+  const radio: ReportedPacket[] = [];
   const log: LogEvent[] = [];
   const outlets: RunOutlets = {
     print: createConsoleWriter(task.console),
     radio: (packet) => {
-      if (radio.length < MAX_PACKETS) radio.push(packet);
+      if (radio.length < MAX_PACKETS) radio.push(reportedPacket(packet));
     },
     ...(task.logFile === null ? {} : { log: (event) => log.push(event) }),
   };
@@ -69,7 +69,7 @@ function writeLog(file: number, events: readonly LogEvent[]): void {
   writeSync(file, csvOf(withLogEvents(emptyLog, events)));
 }
 
-function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly RadioPacket[]): Report {
+function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly ReportedPacket[]): Report {
   const { shared, untilUs, untilProgramEnds } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile);
   const startMs = performance.now();

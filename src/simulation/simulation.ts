@@ -1,4 +1,5 @@
 import { Board } from '#board/board';
+import { packetOfText } from '#board/radio-text';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { createRng } from '#core/rng';
@@ -335,10 +336,6 @@ const radOf = (degrees: number): number => (degrees * Math.PI) / 180;
 
 const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
 
-/** What `radio.send` puts before a text: micropython-microbit-v2 modradio.c. */
-const TEXT_PREFIX = [1, 0, 1];
-
 function packetOf(action: Extract<InputAction, { type: 'radio' }>): Uint8Array {
-  if ('bytes' in action) return Uint8Array.from(action.bytes);
-  return Uint8Array.from([...TEXT_PREFIX, ...new TextEncoder().encode(action.text)]);
+  return 'bytes' in action ? Uint8Array.from(action.bytes) : packetOfText(action.text);
 }

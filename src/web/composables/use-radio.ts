@@ -1,5 +1,6 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
+import { textBytesOf } from '#board/radio-text';
 import type { RadioPacket } from '#simulation/outlets';
 
 import type { RunModel } from './use-run';
@@ -26,8 +27,6 @@ export const USUAL_TEXT_BYTES = 29;
 
 /** Likewise for `radio.config(length=251)`, the longest there is. */
 export const MOST_TEXT_BYTES = 248;
-
-const TEXT_PREFIX = [1, 0, 1]; // micropython-microbit-v2 modradio.c: what `radio.send` puts before a text
 
 /** What goes over the air in this run: what the program sent, and what was sent to it by hand. */
 export class RadioModel {
@@ -65,10 +64,10 @@ export class RadioModel {
 
 /** A packet as people read it: the text of `radio.send`, or else the bytes in hexadecimal. */
 export function readable(bytes: readonly number[]): Pick<RadioEntry, 'text' | 'isText'> {
-  if (TEXT_PREFIX.every((byte, place) => bytes[place] === byte)) {
+  const textBytes = textBytesOf(bytes);
+  if (textBytes !== null) {
     try {
-      const text = new TextDecoder('utf-8', { fatal: true }).decode(Uint8Array.from(bytes.slice(TEXT_PREFIX.length)));
-      return { text, isText: true };
+      return { text: new TextDecoder('utf-8', { fatal: true }).decode(textBytes), isText: true };
     } catch {
       // Not a text after all: shown as bytes.
     }
