@@ -34,13 +34,13 @@ function streamOf(seed: number, salt: number): Rng {
   return {
     u32,
     unit: () => u32() / 4294967296,
-    fork: (name) => streamOf(seed, hashOf(name) ^ salt),
+    fork: (name) => streamOf(seed, hashOf(name, salt)),
   };
 }
 
-/** FNV-1a over the UTF-16 units of a name. */
-function hashOf(text: string): number {
-  let hash = 0x811c9dc5;
+/** FNV-1a over the UTF-16 units of a name, begun with a salt: so forks of forks depend on the order of their names. */
+function hashOf(text: string, salt: number): number {
+  let hash = 0x811c9dc5 ^ salt;
   for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
   return hash | 0;
 }

@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 import type { DriveLaw } from './drive-law';
 
 /** A wheel of a chassis; its axle lies along y. */
@@ -23,6 +24,11 @@ export interface ChassisType {
   /** Where the castor stands; it carries its share of the weight. Left out: the wheels carry everything. */
   readonly castorMm?: Vec;
   readonly drive: DriveLaw;
+  /**
+   * How strong the left and the right motor are compared with `drive` (stall force and v0 alike); left out: 1 and 1.
+   * Unequal motors make a robot drift.
+   */
+  readonly strength?: readonly [number, number];
 }
 
 /** 0 = left wheel, 1 = right wheel. */
@@ -36,6 +42,10 @@ export interface Chassis {
   place(pose: Pose): void;
   /** Duty of a motor from −1 (full speed back) to 1; 0 brakes. Values beyond are clamped. Holds until the next call. */
   setDuty(wheel: WheelSide, duty: number): void;
+  /** The duty that was set, −1 … 1. */
+  duty(wheel: WheelSide): number;
+  /** What the battery gives compared with a full one, 0 … 1 (the start): it weakens both motors like a smaller duty. */
+  setSupply(share: number): void;
   /** Speed of the wheel's rim in mm/s, forward positive; on a slipping wheel not that of the floor. */
   wheelSpeedMmPerS(wheel: WheelSide): number;
   /** How far the wheel has turned since the start, in rad, forward positive. */
@@ -44,8 +54,83 @@ export interface Chassis {
   turnedRad(): number;
   /** Length of the way of the middle of the axle since the start, in mm. */
   pathMm(): number;
-  /** How many times the robot has touched a wall or block anew since the start. */
+  /**
+   * How many times the robot has touched a wall or block anew since the start, with its body, with what was added to it
+   * or with what it holds. Jaws and forks that touch blocks which can be moved do their work; that is not counted.
+   */
   collisions(): number;
   /** From the robot frame to the world, mm. */
   toWorld(point: Vec): Vec;
+  /**
+   * Adds something solid to the body that is not part of its type, such as a bumper or a plate. Mass and drive stay as
+   * they are.
+   *
+   * @param outlineMm convex, counter-clockwise, robot frame (of this robot's size), 3 to 12 corners
+   */
+  addPart(outlineMm: readonly Vec[]): ChassisPart;
+  /** Adds a gripper with two jaws; lengths at this robot's size. The first `setSwing` puts the jaws there at once. */
+  addGripper(type: GripperType): Gripper;
+  /** Adds a fork or bucket that takes up blocks, lowered to the floor; lengths at this robot's size. */
+  addFork(type: ForkType): Fork;
+}
+
+/** A part that was added to a body. */
+export interface ChassisPart {
+  /** Whether a wall, the arena's edge or a block presses against it, as the last step of the world left it. */
+  isTouched(): boolean;
+  readonly remove: Stop;
+}
+
+/** Two jaws that swing about their hinges, mirror images of each other. Robot frame, mm. */
+export interface GripperType {
+  /** Hinge of the left jaw; the right one's is mirrored at the x axis. */
+  readonly hingeMm: Vec;
+  /**
+   * The left jaw at swing 0, pointing forward, relative to its hinge: one or more convex parts, counter-clockwise. Its
+   * inner side, which touches what is gripped, has the smaller y.
+   */
+  readonly jawMm: readonly (readonly Vec[])[];
+  /** How hard a jaw presses at its tip, in newton. Each jaw moves the blocks whose friction on the floor is less. */
+  readonly forceN: number;
+}
+
+/**
+ * A gripper on a robot. Swing: angle of each jaw outwards from pointing straight ahead, in rad; 0 = closed. The jaws are
+ * geared together: what stops one stops both.
+ *
+ * A block (or a few that stand against each other) that both jaws touch and that lets them close no farther is held: it
+ * moves with the robot as a part of its body until the jaws are told to be as wide as they are, or wider.
+ */
+export interface Gripper {
+  /**
+   * Where the servo wants the jaws now, from 0; they follow at 10 rad/s at most. They push movable blocks aside and stop
+   * at everything else. Nothing they push on moves the robot.
+   */
+  setSwing(swingRad: number): void;
+  /** Where the jaws are. */
+  swingRad(): number;
+  /** Whether a block is held: it moves with the robot until the jaws open. */
+  isHolding(): boolean;
+  readonly remove: Stop;
+}
+
+/** A fork, shovel or bucket ahead of the robot that is lowered to the floor and lifted. Robot frame, mm. */
+export interface ForkType {
+  /** What lies on the floor when it is down: convex, counter-clockwise. A block with its middle above it is taken up. */
+  readonly plateMm: readonly Vec[];
+  /** Height from which a block is clear of the floor. */
+  readonly clearMm: number;
+}
+
+/**
+ * A fork on a robot. Up to `clearMm` its plate slides under movable blocks and is stopped by all the rest. Higher it
+ * carries what has its middle above it, as a part of the robot's body, and every other block stops it.
+ */
+export interface Fork {
+  /** Height of the plate above the floor, 0 = down. It is there at once. */
+  setHeightMm(heightMm: number): void;
+  heightMm(): number;
+  /** Whether it carries a block clear of the floor. */
+  isHolding(): boolean;
+  readonly remove: Stop;
 }

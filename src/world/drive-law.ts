@@ -1,20 +1,30 @@
 /**
- * How the two wheels of a robot pull: a geared DC motor each, and the scrub of tyres and castor in curves.
+ * How the two wheels of a robot pull: a geared DC motor each, dry friction that is greatest at rest, and the scrub of tyres
+ * and castor in curves.
  *
  * With duty D (0 … 1), speed v of the rim and F0 the pull of a blocked motor at full duty, a motor pulls with
  *
- *     F = F0 · ( D − (D + viscous) · v / v0 − coulomb · sign v )
+ *     F = F0 · ( D − (D + viscous) · v / v0 − dry(v) · sign v )
+ *     dry(v) = coulomb + breakaway.share · (1 − |v| / (breakaway.until · v0)), the second term never below 0
  *
- * and the floor resists turning with a torque F0 · m · track, m = yawResistance · (V / v0)², V the mean speed of the wheels.
+ * and the floor resists turning with a torque F0 · m · track, V being the mean speed of the wheels and Δ their difference,
+ *
+ *     m = yawResistance · (V / v0)³ · Δ / √(Δ² + (0.1 · V)²)
+ *
  * That torque acts like friction: it can cancel the difference of the wheels, never reverse it, and there is none in a
- * turn on the spot (V = 0). In a steady curve the wheels therefore run at v0 · (D − coulomb ∓ m) / (D + viscous), outer
- * wheel minus, inner plus. Duty 0 shorts the motor: it brakes like a motor at full duty whose supply is 0.
+ * turn on the spot (V = 0). The last factor is the tyres giving way a little before they scrub in full. In a steady curve the
+ * wheels therefore run at v0 · (D − dry ∓ m) / (D + viscous), outer wheel minus, inner plus. Duty 0 shorts the motor: it
+ * brakes like a motor at full duty whose supply is 0.
+ *
+ * Where the terms come from: docs/decisions/0013-a-motor-law-for-all-robots.md.
  */
 export interface DriveLaw {
   /** Rim speed in mm/s that duty 1 would reach without any loss. */
   readonly v0MmPerS: number;
-  /** Dry friction of motor and gear as a share of the stall force; below this duty a wheel stays still. */
+  /** Dry friction of motor and gear as a share of the stall force: what is left of it once the wheel turns fast. */
   readonly coulomb: number;
+  /** What a wheel must overcome besides to start turning: below the duty coulomb + share it stays still. Left out: nothing. */
+  readonly breakaway?: Breakaway;
   /** Friction that grows with speed, as a share of the stall force at v0. */
   readonly viscous: number;
   /** Strength of the scrub in curves; no unit. */
@@ -24,3 +34,17 @@ export interface DriveLaw {
   /** Time constant of the whole robot's speed at full duty, in seconds. The turning motors' own inertia follows from it. */
   readonly lagS: number;
 }
+
+/** Dry friction that a wheel loses as it speeds up: gears and brushes stick. */
+export interface Breakaway {
+  /** At rest, as a share of the stall force. */
+  readonly share: number;
+  /** Rim speed from which nothing of it is left, as a share of v0. */
+  readonly until: number;
+}
+
+/**
+ * Difference of the wheels, as a share of their mean speed, beyond which tyres and castor scrub nearly in full: circles of
+ * ten tracks and less. Fitted: 0.1 serves all robots of docs/hardware; with less, circles of 1 m come out up to twice as wide.
+ */
+export const SCRUB_FULL_BEYOND = 0.1;

@@ -1,18 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import type { ChassisType } from './chassis';
 import { byteForSpeed, createRig, LITE_DRIVE, testChassis } from './testing/rig';
 
 const TURN = 2 * Math.PI;
-
-/** Duty bytes of mbrobot's setSpeed for the Lite, and the inner and outer wheel of its leftArc(radius) at speed 50. */
-const byteOfPercent = (s: number): number =>
-  s <= 0 ? 0 : Math.floor(s <= 33 ? 0.4 * s + 11 : s <= 63 ? 0.89 * s - 5 : s < 100 ? 1.0561 ** s + 20 : 255);
-const arcBytes = (radiusM: number): [number, number] => {
-  const cm = Math.round(100 * radiusM);
-  const outer = 50 - Math.max(cm + 20, 40) <= 0 ? Math.min(Math.max(cm + 40, 40), 100) : 50;
-  const outerPercent = Math.max(outer, 50);
-  const inner = (outerPercent * (10 * cm - 35)) / (cm * 10.6 + 90 + Math.floor((100 - outerPercent) / 2));
-  return [byteOfPercent(Math.floor(inner)), byteOfPercent(outerPercent)];
-};
 
 describe('driving straight', () => {
   it.each([0, 0.7, 2.2, -1])('does not bend by 1 nm in 1 m at equal duty, heading %s rad', (headingRad) => {
@@ -46,6 +36,16 @@ describe('driving straight', () => {
     expect(robot.pathMm()).toBe(0);
     drive(8, 8, 1);
     expect(robot.pathMm()).toBeGreaterThan(0.5);
+  });
+
+  it('needs more power to start than to keep rolling where the gears stick', () => {
+    const sticky = testChassis({ coulomb: 0, breakaway: { share: 0.1, until: 0.2 } });
+    const atRest = createRig(undefined, sticky);
+    atRest.drive(25, 25, 2); // 25 / 255 < 0.1
+    expect(atRest.robot.pathMm()).toBe(0);
+    atRest.drive(60, 60, 2);
+    atRest.drive(25, 25, 4);
+    expect(atRest.robot.wheelSpeedMmPerS(0)).toBeGreaterThan(100);
   });
 
   it('reaches 63 % of its full speed after 60 ms', () => {
@@ -114,25 +114,14 @@ describe('driving curves', () => {
     drive(inner, outer, 8);
     const [slow, fast] = [robot.wheelSpeedMmPerS(0), robot.wheelSpeedMmPerS(1)];
     const { v0MmPerS: v0, coulomb, viscous, yawResistance } = LITE_DRIVE;
-    const scrub = yawResistance * ((slow + fast) / 2 / v0) ** 2;
+    const mean = (slow + fast) / 2;
+    const givingWay = (fast - slow) / Math.hypot(fast - slow, 0.1 * mean);
+    const scrub = yawResistance * (mean / v0) ** 3 * givingWay;
     const expectedSlow = (v0 * (inner / 255 - coulomb + scrub)) / (inner / 255 + viscous);
     const expectedFast = (v0 * (outer / 255 - coulomb - scrub)) / (outer / 255 + viscous);
     expect(Math.abs(slow / expectedSlow - 1)).toBeLessThan(0.002);
     expect(Math.abs(fast / expectedFast - 1)).toBeLessThan(0.002);
   });
-
-  it.each([0.15, 0.2, 0.25, 0.3, 0.35, 0.4])(
-    'drives leftArc(%f) at speed 50 as a circle within a quarter of its radius',
-    (radiusM) => {
-      const { robot, drive } = createRig();
-      const [inner, outer] = arcBytes(radiusM);
-      drive(inner, outer, 1);
-      const [path, turned] = [robot.pathMm(), robot.turnedRad()];
-      drive(inner, outer, 4);
-      const radius = (robot.pathMm() - path) / (robot.turnedRad() - turned) / 1000;
-      expect(Math.abs(radius / radiusM - 1)).toBeLessThan(0.15);
-    },
-  );
 
   it('curves to the other side when the bytes change sides, mirrored to 1 nm', () => {
     const left = createRig();
@@ -145,10 +134,73 @@ describe('driving curves', () => {
     expect(a.headingRad).toBeCloseTo(-b.headingRad, 9);
   });
 
-  it('lets scrub cancel a small difference of the wheels, never reverse it', () => {
+  it('lets scrub hold back a small difference of the wheels, never reverse it', () => {
+    const free = createRig(undefined, testChassis({ yawResistance: 0 }));
+    const scrubbing = createRig(undefined, testChassis({ yawResistance: 1 }));
+    for (const { drive } of [free, scrubbing]) drive(195, 200, 4);
+    expect(scrubbing.robot.turnedRad()).toBeGreaterThan(0);
+    expect(scrubbing.robot.turnedRad()).toBeLessThan(0.2 * free.robot.turnedRad());
+    expect(scrubbing.robot.wheelSpeedMmPerS(1)).toBeGreaterThanOrEqual(scrubbing.robot.wheelSpeedMmPerS(0));
+  });
+
+  it('never drags the standing inner wheel backwards', () => {
     const { robot, drive } = createRig();
-    drive(200, 201, 6);
-    expect(Math.abs(robot.turnedRad())).toBeLessThan(0.02);
-    expect(robot.wheelSpeedMmPerS(1)).toBeGreaterThanOrEqual(robot.wheelSpeedMmPerS(0) - 1e-9);
+    drive(0, 60, 0.004);
+    for (let step = 0; step < 250; step++) {
+      drive(0, 60, 0.004);
+      expect(robot.wheelSpeedMmPerS(0)).toBeGreaterThanOrEqual(0);
+    }
+  });
+
+  it('does not swing when it comes out of a curve at full power: the turn dies out, it never changes sides', () => {
+    const { robot, drive } = createRig();
+    drive(60, 255, 1);
+    let before = robot.turnedRad();
+    for (let step = 0; step < 250; step++) {
+      drive(255, 255, 0.004);
+      expect(robot.turnedRad() - before).toBeGreaterThan(-1e-9);
+      before = robot.turnedRad();
+    }
+    drive(255, 255, 1);
+    expect(robot.turnedRad() - before).toBeLessThan(1e-3);
+  });
+});
+
+describe('unequal motors', () => {
+  const unequal: ChassisType = { ...testChassis(), strength: [1.05, 0.95] };
+
+  it.each([
+    [39, 60],
+    [100, 60],
+    [255, 40],
+  ])('bend the way of a robot with a strong left motor at byte %i: over %i mm to the right within 1 m', (byte, mm) => {
+    const { robot, drive } = createRig(undefined, unequal);
+    while (robot.pathMm() < 1000) drive(byte, byte, 0.004);
+    expect(2000 - robot.pose().yMm).toBeGreaterThan(mm);
+  });
+
+  it('drive mirrored when the right one is the stronger, to 1 nm', () => {
+    const right: ChassisType = { ...testChassis(), strength: [0.95, 1.05] };
+    const [a, b] = [createRig(undefined, unequal), createRig(undefined, right)];
+    for (const { drive } of [a, b]) drive(39, 39, 3);
+    expect(a.robot.pose().yMm - 2000).toBeCloseTo(2000 - b.robot.pose().yMm, 6);
+  });
+
+  it('drive as any others when both are as strong as the law says', () => {
+    const plain = createRig();
+    const same = createRig(undefined, { ...testChassis(), strength: [1, 1] });
+    for (const { drive } of [plain, same]) drive(30, 80, 3);
+    expect(same.robot.pose()).toEqual(plain.robot.pose());
+  });
+
+  it('turn 5 % faster or slower at full power, and start a little earlier or later', () => {
+    const { robot, drive } = createRig(undefined, { ...testChassis({ yawResistance: 0 }), strength: [1.05, 0.95] });
+    drive(255, 255, 2);
+    const ofStrength = (strength: number): number => (387 * strength * (1 - 0.0296 / strength)) / 1.1;
+    expect(robot.wheelSpeedMmPerS(0)).toBeCloseTo(ofStrength(1.05), 1);
+    expect(robot.wheelSpeedMmPerS(1)).toBeCloseTo(ofStrength(0.95), 1);
+    const weak = createRig(undefined, { ...testChassis(), strength: [0.8, 0.8] });
+    weak.drive(8, 8, 1); // 0.8 · 8 / 255 < 0.0296
+    expect(weak.robot.pathMm()).toBe(0);
   });
 });

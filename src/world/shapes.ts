@@ -27,8 +27,15 @@ export interface BlockShape {
 export interface BlockHandle {
   /** Its middle and its angle (not wrapped). */
   pose(): Pose;
-  /** The hand: puts the block there, standing still. Fixed blocks can be moved this way too. */
+  /**
+   * The hand: puts the block there, standing still. Fixed blocks can be moved this way too; from a robot that holds it
+   * a block is taken away, and put on a raised fork it is carried.
+   */
   place(pose: Pose): void;
+  /** Whether a robot holds or carries it. */
+  isHeld(): boolean;
+  /** How high above the floor a robot carries it, in mm; 0 = it lies or is dragged on the floor. */
+  liftMm(): number;
 }
 
 /** A line drawn on the floor with a round pen. */

@@ -2,12 +2,23 @@ import type { Pose, Vec } from '#core/geometry';
 import type { Chassis, ChassisType } from './chassis';
 import { createGround } from './ground/strokes';
 import { createPhysics } from './physics/physics';
+import type { RobotBody } from './physics/robot-body';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
 import { wallCorners } from './shapes';
 import type { BlockHandle, BlockShape, StrokeShape, WallShape, WorldSize } from './shapes';
 
-export type { Chassis, ChassisType, Wheel, WheelSide } from './chassis';
+export type {
+  Chassis,
+  ChassisPart,
+  ChassisType,
+  Fork,
+  ForkType,
+  Gripper,
+  GripperType,
+  Wheel,
+  WheelSide,
+} from './chassis';
 export type { DriveLaw } from './drive-law';
 export type { Cone, ConeHit } from './probes/distance-cone';
 export type { BlockHandle, BlockShape, StrokeShape, WallShape, WorldSize } from './shapes';
@@ -46,6 +57,7 @@ export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const ground = createGround();
   const obstacles: { readonly obstacle: Obstacle; readonly chassis: Chassis | null }[] = [];
+  const robots: RobotBody[] = [];
   const add = (obstacle: Obstacle, chassis: Chassis | null = null): number => obstacles.push({ obstacle, chassis });
   for (const wall of edges(size)) add(stillObstacle(wallCorners(wall)));
 
@@ -63,6 +75,7 @@ export function createWorld(size: WorldSize): World {
     addStroke: (stroke) => ground.addStroke(stroke),
     addChassis(type, pose) {
       const chassis = physics.addRobot(type, pose);
+      robots.push(chassis);
       for (const part of type.outlineMm)
         add(
           movingObstacle(part, () => chassis.pose()),
@@ -77,14 +90,15 @@ export function createWorld(size: WorldSize): World {
     },
     distanceCone(from, headingRad, cone, except) {
       const others = obstacles.filter(({ chassis }) => chassis === null || chassis !== except);
-      return nearestInCone(
-        from,
-        headingRad,
-        cone,
-        others.map(({ obstacle }) => obstacle),
-      );
+      const added = robots.filter((robot) => robot !== except).flatMap(addedTo);
+      return nearestInCone(from, headingRad, cone, [...others.map(({ obstacle }) => obstacle), ...added]);
     },
   };
+}
+
+/** What was added to a robot's body, for a beam. */
+function addedTo(robot: RobotBody): Obstacle[] {
+  return robot.addedOutlinesMm().map((outline) => movingObstacle(outline, () => robot.pose()));
 }
 
 /** The inner faces of the wall around the arena, as thin walls just outside it. */

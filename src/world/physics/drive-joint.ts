@@ -1,5 +1,6 @@
 import { exactCos, exactSin } from '#core/exact-math';
-import type { ChassisType, WheelSide } from '../chassis';
+import type { ChassisType, Wheel, WheelSide } from '../chassis';
+import { SCRUB_FULL_BEYOND } from '../drive-law';
 import { Joint, Vec2 } from './planck';
 import type { Body, TimeStep } from './planck';
 import { GRAVITY, UNITS_PER_MM, UNITS_PER_NEWTON } from './scale';
@@ -14,6 +15,8 @@ interface DrivenWheel {
   readonly response: number;
   /** Most impulse per second the tyre can pass on. */
   readonly grip: number;
+  /** Pull of its motor when blocked, at full duty. */
+  readonly stallForce: number;
   duty: number;
   /** Speed of the rim. */
   rim: number;
@@ -23,6 +26,8 @@ interface DrivenWheel {
   push: number;
   /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
   stiffness: number;
+  /** Most impulse of the dry friction in this step. */
+  dry: number;
 }
 
 /**
@@ -39,17 +44,18 @@ export class DriveJoint extends Joint {
   private readonly inverseMass: number;
   private readonly inertia: number;
   private readonly rimMass: number;
-  private readonly stallForce: number;
   private readonly dryForce: number;
-  private readonly v0: number;
+  private readonly breakawayForce: number;
+  private readonly breakawaySpeed: number;
+  /** How much less a motor at full duty pulls per unit of speed. */
+  private readonly slope: number;
   private readonly viscous: number;
-  /** Torque of the scrub per square of the mean speed. */
-  private readonly scrubPerSpeed2: number;
+  /** Torque of the scrub per cube of the mean speed. */
+  private readonly scrubPerSpeed3: number;
   private readonly sideGrip: number;
   private sideImpulse = 0;
   private scrub = 0;
   private maxScrub = 0;
-  private dry = 0;
   private cos = 1;
   private sin = 0;
 
@@ -62,23 +68,28 @@ export class DriveJoint extends Joint {
     this.solved = solverBodyOf(body);
     this.inverseMass = 1 / mass;
     this.inertia = body.getInertia();
-    this.v0 = drive.v0MmPerS * UNITS_PER_MM;
+    const v0 = drive.v0MmPerS * UNITS_PER_MM;
+    const stallForce = drive.stallForceN * UNITS_PER_NEWTON;
+    this.slope = stallForce / v0;
     this.viscous = drive.viscous;
-    this.stallForce = drive.stallForceN * UNITS_PER_NEWTON;
-    this.dryForce = this.stallForce * drive.coulomb;
+    this.dryForce = stallForce * drive.coulomb;
+    this.breakawayForce = stallForce * (drive.breakaway?.share ?? 0);
+    this.breakawaySpeed = v0 * (drive.breakaway?.until ?? 1);
     // lag = (mass + 2 rim masses) / (2 slopes of the force), solved for the rim's mass
-    const slope = (this.stallForce * (1 + drive.viscous)) / this.v0;
-    this.rimMass = Math.max(slope * drive.lagS - mass / 2, 0);
+    this.rimMass = Math.max(this.slope * (1 + drive.viscous) * drive.lagS - mass / 2, 0);
     const track = (left.atMm.y - right.atMm.y) * UNITS_PER_MM;
-    this.scrubPerSpeed2 = (this.stallForce * drive.yawResistance * track) / (this.v0 * this.v0);
+    this.scrubPerSpeed3 = (stallForce * drive.yawResistance * track) / (v0 * v0 * v0);
     const castorShare = type.castorMm ? type.centreOfMassMm.x / type.castorMm.x : 0;
     const weightPerWheel = (mass * GRAVITY * (1 - castorShare)) / 2;
-    const wheel = (yMm: number, gripMu: number): DrivenWheel => {
-      const y = yMm * UNITS_PER_MM;
+    // A stronger motor pulls more and turns faster in the same measure; the friction of its gear is that of any other.
+    const wheel = ({ atMm, gripMu }: Wheel, strength: number): DrivenWheel => {
+      const y = atMm.y * UNITS_PER_MM;
       const response = this.inverseMass + (y * y) / this.inertia;
-      return { y, response, grip: gripMu * weightPerWheel, duty: 0, rim: 0, impulse: 0, push: 0, stiffness: 0 };
+      const fixed = { y, response, grip: gripMu * weightPerWheel, stallForce: stallForce * strength };
+      return { ...fixed, duty: 0, rim: 0, impulse: 0, push: 0, stiffness: 0, dry: 0 };
     };
-    this.wheels = [wheel(left.atMm.y, left.gripMu), wheel(right.atMm.y, right.gripMu)];
+    const [leftStrength, rightStrength] = type.strength ?? [1, 1];
+    this.wheels = [wheel(left, leftStrength), wheel(right, rightStrength)];
     this.sideGrip = this.wheels[0].grip + this.wheels[1].grip;
   }
 
@@ -115,19 +126,27 @@ export class DriveJoint extends Joint {
     const heading = this.solved.c_position.a + 0.5 * step.dt * w;
     this.cos = exactCos(heading);
     this.sin = exactSin(heading);
-    this.dry = this.dryForce * step.dt;
     this.prepare(left, step.dt);
     this.prepare(right, step.dt);
-    const meanSpeed = (left.rim + right.rim) / 2;
-    this.maxScrub = this.scrubPerSpeed2 * meanSpeed * meanSpeed * step.dt;
+    this.maxScrub = this.scrubTorque(Math.abs(left.rim + right.rim) / 2, Math.abs(left.rim - right.rim)) * step.dt;
     this.push(left.impulse, right.impulse, this.sideImpulse, this.scrub);
   }
 
   private prepare(wheel: DrivenWheel, dt: number): void {
     // A shorted motor (duty 0) brakes as strongly as one at full duty resists its own speed.
     const resisting = wheel.duty === 0 ? 1 : Math.abs(wheel.duty);
-    wheel.push = this.rimMass * wheel.rim + this.stallForce * wheel.duty * dt;
-    wheel.stiffness = this.rimMass + ((this.stallForce * (resisting + this.viscous)) / this.v0) * dt;
+    wheel.push = this.rimMass * wheel.rim + wheel.stallForce * wheel.duty * dt;
+    wheel.stiffness = this.rimMass + this.slope * (resisting + this.viscous) * dt;
+    const sticking = Math.max(0, 1 - Math.abs(wheel.rim) / this.breakawaySpeed);
+    wheel.dry = (this.dryForce + this.breakawayForce * sticking) * dt;
+  }
+
+  /** What tyres and castor can hold against turning at this mean speed and this difference of the wheels. */
+  private scrubTorque(mean: number, difference: number): number {
+    if (difference === 0) return 0;
+    const full = SCRUB_FULL_BEYOND * mean;
+    const builtUp = difference / Math.sqrt(difference * difference + full * full);
+    return this.scrubPerSpeed3 * mean * mean * mean * builtUp;
   }
 
   override solveVelocityConstraints(step: TimeStep): void {
@@ -158,7 +177,8 @@ export class DriveJoint extends Joint {
    */
   private tyreImpulse(wheel: DrivenWheel, speed: number, dt: number): number {
     const withoutTyre = speed - wheel.response * wheel.impulse;
-    const common = soften(wheel.push + withoutTyre / wheel.response, this.dry) / (wheel.stiffness + 1 / wheel.response);
+    const common =
+      soften(wheel.push + withoutTyre / wheel.response, wheel.dry) / (wheel.stiffness + 1 / wheel.response);
     return clamp((common - withoutTyre) / wheel.response, wheel.grip * dt);
   }
 
@@ -174,7 +194,7 @@ export class DriveJoint extends Joint {
   /** To be called after each step: the rims take the speed that motor and tyre left them with. */
   settle(): void {
     if (!this.body.isAwake()) return this.forget();
-    for (const wheel of this.wheels) wheel.rim = soften(wheel.push - wheel.impulse, this.dry) / wheel.stiffness;
+    for (const wheel of this.wheels) wheel.rim = soften(wheel.push - wheel.impulse, wheel.dry) / wheel.stiffness;
   }
 
   override solvePositionConstraints(): boolean {

@@ -5,7 +5,7 @@ import { solverBodyOf } from './solver-body';
 import type { SolverBody } from './solver-body';
 
 /** Block on floor. Source: wood on wood or plastic 0.2 … 0.5; chosen in between. */
-const BLOCK_FRICTION = 0.3;
+export const BLOCK_FRICTION = 0.3;
 
 /**
  * Dry friction between a flat body and the floor it lies on, solved together with the contacts of a step.

@@ -5,9 +5,12 @@ import type { BlockShape, WorldSize } from '../shapes';
 import { STEP_S } from '../step';
 import { BlockBody } from './block-body';
 import { PlanckWorld, PolygonShape, Vec2 } from './planck';
-import type { Body, Contact } from './planck';
-import { CONTACT_FRICTION, RobotBody } from './robot-body';
-import { toUnits } from './scale';
+import type { Body, Contact, Fixture } from './planck';
+import { gapBetween } from './convex';
+import { RobotBody } from './robot-body';
+import { toUnits, UNITS_PER_MM } from './scale';
+import { CONTACT_FRICTION, Kind, outlineOf } from './solid';
+import { createSurroundings } from './surroundings';
 
 // Rounds of the solver per step. Chosen: a train of five blocks is pushed without lag; more changes nothing visible.
 const VELOCITY_ROUNDS = 12;
@@ -15,6 +18,12 @@ const POSITION_ROUNDS = 4;
 
 /** Thickness of the wall around the arena, in mm; outside it, so nobody sees it. Chosen: thick enough to push anything back in. */
 const EDGE_MM = 200;
+
+/**
+ * A raised fork does not push on a block that reaches this far over or under it. Chosen: more than any contact gives way.
+ * Such a block was there when the fork went up, or the hand put it there.
+ */
+const OVERLAP = 2 * UNITS_PER_MM;
 
 /** Bodies that push each other. All that the rest of the world knows about the physics engine. */
 export interface Physics {
@@ -33,28 +42,37 @@ export function createPhysics(size: WorldSize): Physics {
   const floor = world.createBody();
   const walls = world.createBody();
   const robots: RobotBody[] = [];
+  const blocks = new Map<Body, BlockBody>();
+  const around = createSurroundings(world, blocks);
 
   const robotOf = (body: Body): RobotBody | undefined => robots.find((robot) => robot.owns(body));
   world.on('begin-contact', (contact: Contact) => {
     const a = contact.getFixtureA();
     const b = contact.getFixtureB();
-    robotOf(a.getBody())?.beginTouch(b);
-    robotOf(b.getBody())?.beginTouch(a);
+    robotOf(a.getBody())?.beginTouch(a, b);
+    robotOf(b.getBody())?.beginTouch(b, a);
   });
   world.on('end-contact', (contact: Contact) => {
     const a = contact.getFixtureA();
     const b = contact.getFixtureB();
-    robotOf(a.getBody())?.endTouch(b);
-    robotOf(b.getBody())?.endTouch(a);
+    robotOf(a.getBody())?.endTouch(a, b);
+    robotOf(b.getBody())?.endTouch(b, a);
+  });
+  world.on('pre-solve', (contact: Contact) => {
+    if (isForkAcross(contact.getFixtureA(), contact.getFixtureB())) contact.setEnabled(false);
   });
 
   const physics: Physics = {
     addFixture(cornersMm) {
       walls.createFixture({ shape: new PolygonShape(cornersMm.map(toUnits)), friction: CONTACT_FRICTION });
     },
-    addBlock: (block) => new BlockBody(world, floor, block),
+    addBlock(shape) {
+      const block = new BlockBody(world, floor, shape, () => robots.forEach((robot) => robot.blockPlaced()));
+      blocks.set(block.body, block);
+      return block;
+    },
     addRobot(type, pose) {
-      const robot = new RobotBody(world, floor, type, pose);
+      const robot = new RobotBody(world, floor, around, type, pose);
       robots.push(robot);
       return robot;
     },
@@ -66,6 +84,13 @@ export function createPhysics(size: WorldSize): Physics {
   };
   for (const corners of edgeWalls(size)) physics.addFixture(corners);
   return physics;
+}
+
+/** Whether a block lies across a plate. Jaws have the kind of plates; they never come so close to a block by themselves. */
+function isForkAcross(a: Fixture, b: Fixture): boolean {
+  const kinds = a.getFilterCategoryBits() | b.getFilterCategoryBits();
+  if (kinds !== (Kind.tool | Kind.movableBlock)) return false;
+  return gapBetween(outlineOf(a), outlineOf(b)).gap < -OVERLAP;
 }
 
 /** The four walls around the arena: right, top, left, bottom. */

@@ -1,13 +1,15 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { Chassis, ChassisType, WheelSide } from '../chassis';
+import type { Chassis, ChassisPart, ChassisType, ForkType, GripperType, WheelSide } from '../chassis';
 import { STEP_S } from '../step';
 import { DriveJoint } from './drive-joint';
+import { ForkBody } from './fork-body';
+import { GripperBody } from './gripper-body';
 import { PolygonShape, Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
-
-/** Robot against wall or block. Chosen: ABS on wood or plastic. */
-export const CONTACT_FRICTION = 0.3;
+import { CONTACT_FRICTION, Kind, Solid } from './solid';
+import type { Surroundings } from './surroundings';
+import type { Tool, ToolPlace } from './tool';
 
 /** A touch that begins within this many steps after the last one of the same thing is the same collision. Chosen: 0.1 s. */
 const SAME_COLLISION_STEPS = 25;
@@ -24,6 +26,9 @@ export class RobotBody implements Chassis {
   private readonly joint: DriveJoint;
   private readonly type: ChassisType;
   private readonly touches = new Map<Fixture, Touch>();
+  private readonly parts = new Set<Solid>();
+  private readonly tools = new Set<Tool>();
+  private readonly toolPlace: ToolPlace;
   private steps = 0;
   private lastX: number;
   private lastY: number;
@@ -32,10 +37,18 @@ export class RobotBody implements Chassis {
   private turned = 0;
   private collisionCount = 0;
   private readonly wheelTurn: [number, number] = [0, 0];
+  private readonly wheelDuty: [number, number] = [0, 0];
+  private supply = 1;
 
-  constructor(world: PlanckWorld, floor: Body, type: ChassisType, pose: Pose) {
+  constructor(world: PlanckWorld, floor: Body, around: Surroundings, type: ChassisType, pose: Pose) {
     this.type = type;
     this.body = createBody(world, type, pose);
+    this.toolPlace = {
+      body: this.body,
+      around,
+      expectTouch: (fixture) => this.expectTouch(fixture),
+      drop: (tool) => this.tools.delete(tool),
+    };
     this.joint = new DriveJoint(floor, this.body, type);
     world.createJoint(this.joint);
     this.lastX = this.body.getPosition().x;
@@ -60,10 +73,22 @@ export class RobotBody implements Chassis {
     this.lastX = this.body.getPosition().x;
     this.lastY = this.body.getPosition().y;
     this.lastAngle = this.body.getAngle();
+    this.blockPlaced();
   }
 
   setDuty(wheel: WheelSide, duty: number): void {
-    this.joint.setDuty(wheel, Math.min(Math.max(duty, -1), 1));
+    this.wheelDuty[wheel] = Math.min(Math.max(duty, -1), 1);
+    this.joint.setDuty(wheel, this.wheelDuty[wheel] * this.supply);
+  }
+
+  duty(wheel: WheelSide): number {
+    return this.wheelDuty[wheel];
+  }
+
+  setSupply(share: number): void {
+    this.supply = share;
+    this.joint.setDuty(0, this.wheelDuty[0] * share);
+    this.joint.setDuty(1, this.wheelDuty[1] * share);
   }
 
   wheelSpeedMmPerS(wheel: WheelSide): number {
@@ -91,8 +116,45 @@ export class RobotBody implements Chassis {
     return { x: x * MM_PER_UNIT, y: y * MM_PER_UNIT };
   }
 
+  addPart(outlineMm: readonly Vec[]): ChassisPart {
+    const solid = new Solid(this.body, outlineMm.map(toUnits));
+    this.parts.add(solid);
+    return {
+      isTouched: () => solid.isTouched(),
+      remove: () => {
+        this.parts.delete(solid);
+        solid.remove();
+      },
+    };
+  }
+
+  addGripper(type: GripperType): GripperBody {
+    const gripper = new GripperBody(this.toolPlace, type);
+    this.tools.add(gripper);
+    return gripper;
+  }
+
+  addFork(type: ForkType): ForkBody {
+    const fork = new ForkBody(this.toolPlace, type);
+    this.tools.add(fork);
+    return fork;
+  }
+
+  /** Outlines of all that was added to the body, as they are now: robot frame, mm. */
+  addedOutlinesMm(): Vec[][] {
+    const solids = [...this.parts].map((part) => part.corners());
+    const outlines = solids.concat(...[...this.tools].map((tool) => tool.outlines()));
+    return outlines.map((outline) => outline.map(({ x, y }) => ({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT })));
+  }
+
+  /** To be called after the hand has moved a block. */
+  blockPlaced(): void {
+    for (const tool of this.tools) tool.blockPlaced();
+  }
+
   beforeStep(): void {
     if (this.joint.isMoving()) this.body.setAwake(true);
+    for (const tool of this.tools) tool.beforeStep();
   }
 
   afterStep(): void {
@@ -113,7 +175,9 @@ export class RobotBody implements Chassis {
     this.wheelTurn[1] += (this.wheelSpeedMmPerS(1) * STEP_S) / right.radiusMm;
   }
 
-  beginTouch(other: Fixture): void {
+  /** A fixture of this body begins to touch one of another. */
+  beginTouch(own: Fixture, other: Fixture): void {
+    if (isWork(own, other)) return;
     const touch = this.touches.get(other);
     if (!touch) {
       this.touches.set(other, { parts: 1, lastStep: this.steps });
@@ -124,13 +188,24 @@ export class RobotBody implements Chassis {
     touch.parts++;
   }
 
-  endTouch(other: Fixture): void {
+  /** The end of such a touch. */
+  endTouch(own: Fixture, other: Fixture): void {
+    if (isWork(own, other)) return;
     const touch = this.touches.get(other);
     if (!touch) return;
     touch.parts--;
     touch.lastStep = this.steps;
   }
+
+  private expectTouch(other: Fixture): void {
+    const parts = this.touches.get(other)?.parts ?? 0;
+    this.touches.set(other, { parts, lastStep: this.steps });
+  }
 }
+
+/** What jaws and forks do to movable blocks is their work and no collision. */
+const isWork = (own: Fixture, other: Fixture): boolean =>
+  own.getFilterCategoryBits() === Kind.tool && other.getFilterCategoryBits() === Kind.movableBlock;
 
 function createBody(world: PlanckWorld, type: ChassisType, pose: Pose): Body {
   const body = world.createBody({

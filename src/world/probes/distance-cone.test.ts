@@ -94,6 +94,15 @@ describe('the distance cone with an incidence limit of 25°', () => {
     expect(distanceMm).toBeCloseTo((1000 * Math.cos(20 * DEGREE)) / Math.cos(5 * DEGREE), 3);
   });
 
+  it.each([
+    [24, true],
+    [26, false],
+    [34, false],
+  ])('tells a wall turned by %f° against the way it looks: seen is %s', (degrees, isSeen) => {
+    const { distanceMm } = facing(1000, degrees * DEGREE).distanceCone({ x: 500, y: 2500 }, 0, cone);
+    expect(distanceMm < Infinity).toBe(isSeen);
+  });
+
   it('does not see a wall turned by 45°, nor what is behind it', () => {
     const world = facing(1000, 45 * DEGREE);
     world.addBlock({ atMm: { x: 2500, y: 2500 }, sizeMm: { x: 50, y: 2000 }, angleRad: 0, fixed: true });

@@ -6,7 +6,7 @@ export interface Cone {
   /** Full opening angle, 0 … under π. */
   readonly openingRad: number;
   readonly rangeMm: number;
-  /** Surfaces hit at a flatter angle than this (from their normal) throw nothing back; left out: all do. */
+  /** Surfaces turned by more than this against the middle of the beam throw nothing back; left out: all do. */
   readonly incidenceLimitRad?: number;
 }
 
@@ -59,7 +59,7 @@ export function movingObstacle(cornersMm: readonly Vec[], pose: () => Pose): Obs
 
 /**
  * The nearest point of all obstacles inside a cone. Without an incidence limit it is found exactly, not by rays: nothing
- * can hide the nearest point. With one, rays 0.5° apart are traced, and surfaces met too flatly hide what is behind them.
+ * can hide the nearest point. With one, rays 0.5° apart are traced, and surfaces turned away too far hide what is behind them.
  */
 export function nearestInCone(from: Vec, headingRad: number, cone: Cone, obstacles: Iterable<Obstacle>): ConeHit {
   const halfRad = cone.openingRad / 2;
@@ -142,7 +142,7 @@ function nearestPoint(edges: readonly Edge[], slope: number): Vec {
   return { x: bestX, y: bestY };
 }
 
-/** The nearest point that a ray of the beam meets steeply enough; far away when there is none. */
+/** The nearest point that a ray of the beam meets on a surface that is not turned away too far; far away when there is none. */
 function nearestEcho(edges: readonly Edge[], halfRad: number, steepCos: number): Vec {
   const raysPerSide = Math.ceil(halfRad / RAY_STEP_RAD);
   let bestDistance = Infinity;
@@ -162,7 +162,7 @@ function nearestEcho(edges: readonly Edge[], halfRad: number, steepCos: number):
       const share = (ax * sin - ay * cos) / across;
       if (share < 0 || share > 1 || along <= 0 || along >= distance) continue;
       distance = along;
-      steepness = Math.abs(across) / Math.sqrt(dx * dx + dy * dy);
+      steepness = Math.abs(dy) / Math.sqrt(dx * dx + dy * dy);
     }
     if (steepness >= steepCos && distance < bestDistance) {
       bestDistance = distance;

@@ -5,12 +5,12 @@ import { STEP_S } from '../step';
 import { createWorld } from '../world';
 import type { World } from '../world';
 
-/** The fitted law of a Maqueen Lite with motors of 3 N, which is what the tests of this room drive. */
+/** Much like a Maqueen Lite, with motors of 3 N and without breakaway friction: what the tests of this room drive. */
 export const LITE_DRIVE: DriveLaw = {
   v0MmPerS: 387,
   coulomb: 0.0296,
   viscous: 0.1,
-  yawResistance: 0.0372,
+  yawResistance: 0.08,
   stallForceN: 3,
   lagS: 0.06,
 };

@@ -1,0 +1,41 @@
+import type { Texts } from './texts';
+
+/** Something about a robot that can be chosen: what hangs on a servo port, how a sensor of its series behaves. */
+export interface Option {
+  /** Used in course files and on the command line. */
+  readonly id: string;
+  readonly title: Texts;
+  /** A sentence on what it changes, where the title does not say it. */
+  readonly about?: Texts;
+  /** At least two; the first is what holds when nothing is chosen. */
+  readonly choices: readonly OptionChoice[];
+}
+
+/** One of an option's values. */
+export interface OptionChoice {
+  readonly id: string;
+  readonly title: Texts;
+}
+
+/** Chosen values: id of an option → id of a choice. */
+export type OptionValues = Readonly<Record<string, string>>;
+
+/** Every option with its value: the chosen one where that is one of its choices, else its first. */
+export function completeOptions(options: readonly Option[], chosen: OptionValues): OptionValues {
+  const value = ({ id, choices }: Option): string =>
+    (choices.find((choice) => choice.id === chosen[id]) ?? choices[0])?.id ?? '';
+  return Object.fromEntries(options.map((option) => [option.id, value(option)]));
+}
+
+/** What is wrong with chosen values: a message naming option, value and what there is, or `null`. */
+export function optionProblem(options: readonly Option[], chosen: OptionValues): string | null {
+  for (const [id, value] of Object.entries(chosen)) {
+    const option = options.find((candidate) => candidate.id === id);
+    if (option === undefined) return `there is no option "${id}". Known: ${idsOf(options) || 'none'}.`;
+    if (!option.choices.some((choice) => choice.id === value))
+      return `"${value}" is no choice of ${id}. Known: ${idsOf(option.choices)}.`;
+  }
+  return null;
+}
+
+const idsOf = (things: readonly { readonly id: string }[]): string => things.map(({ id }) => id).join(', ');

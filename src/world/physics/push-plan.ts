@@ -1,0 +1,113 @@
+import type { Vec } from '#core/geometry';
+import { turned } from './block-body';
+import type { BlockBody, Place } from './block-body';
+import { gapBetween, touchPoint } from './convex';
+import type { Polygon } from './convex';
+import type { Fixture } from './planck';
+import { UNITS_PER_MM } from './scale';
+import type { Surroundings, Thing } from './surroundings';
+
+/**
+ * Things are moved up to this close to each other: inside the engine's skin (0.4 mm), so that they touch, and outside
+ * what its solver corrects (0.3 mm), so that it does not push back.
+ */
+export const NEAR = 0.3 * UNITS_PER_MM;
+
+/** Gaps smaller by less than this, 2 µm, count as equal. */
+export const EQUAL = 1e-4;
+
+/** How many blocks in a row one push may move. */
+const MAX_ROW = 5;
+
+/** How often one block may be pushed by another in one plan before it counts as jammed. */
+const MAX_PUSHES = 12;
+
+/** A block on its way to where a push would bring it. */
+interface Moved {
+  readonly place: Place;
+  readonly outline: Polygon;
+  /** Direction of the last push. */
+  readonly normal: Vec;
+}
+
+/**
+ * Where blocks would be after something slow had pushed them: tried out first, then carried out as a whole or not at all.
+ *
+ * A pushed block slides and turns as the floor's dry friction lets it (force and torque on an ellipse, the usual model
+ * of slow pushing); it takes the blocks before it along, and stops at everything else.
+ */
+export class PushPlan {
+  private readonly around: Surroundings;
+  /** Whether a fixture is that which pushes. */
+  private readonly pushes: (fixture: Fixture) => boolean;
+  private readonly moved = new Map<BlockBody, Moved>();
+
+  constructor(around: Surroundings, pushes: (fixture: Fixture) => boolean) {
+    this.around = around;
+    this.pushes = pushes;
+  }
+
+  /** Outline of a thing as the plan has it. */
+  outlineOf(thing: Thing): Polygon {
+    return (thing.block && this.moved.get(thing.block)?.outline) ?? thing.outline;
+  }
+
+  /** Whether the plan has already pushed a block against this direction. */
+  isPinched(block: BlockBody, normal: Vec): boolean {
+    const before = this.moved.get(block)?.normal;
+    return before !== undefined && before.x * normal.x + before.y * normal.y < 0;
+  }
+
+  /**
+   * Pushes a block that is touched by an outline, and what stands before it.
+   *
+   * @param by outline of what pushes
+   * @param normal direction of the push, length 1
+   * @param force what there is to push with
+   * @returns the force that is left, negative when something did not give way; the plan is then of no more use
+   */
+  push(by: Polygon, thing: Thing, normal: Vec, distance: number, force: number, row = 1): number {
+    const { block } = thing;
+    if (!block || row > MAX_ROW) return -1;
+    const before = this.moved.get(block);
+    const left = before ? force : force - block.drag;
+    if (left < 0) return -1;
+    const from = before?.place ?? block.at();
+    const fromOutline = this.outlineOf(thing);
+    const place = slide(from, touchPoint(by, fromOutline, normal), normal, distance, block.meanRadius);
+    const outline = turned(block.corners, place);
+    this.moved.set(block, { place, outline, normal });
+    return this.clear(block, fromOutline, outline, left, row);
+  }
+
+  /** Pushes on what a block on its way from one place to another meets. */
+  private clear(block: BlockBody, from: Polygon, to: Polygon, force: number, row: number): number {
+    let left = force;
+    for (const other of this.around.near([to])) {
+      if (other.block === block || this.pushes(other.fixture) || !other.fixture.shouldCollide(block.fixture)) continue;
+      const allowed = Math.min(NEAR, gapBetween(from, this.outlineOf(other)).gap);
+      // A block that turns as it gives way may come closer at another corner.
+      for (let push = 0; ; push++) {
+        const { gap, normal } = gapBetween(to, this.outlineOf(other));
+        if (gap >= allowed - EQUAL) break;
+        if (push === MAX_PUSHES) return -1;
+        left = this.push(to, other, normal, allowed - gap, left, row + 1);
+        if (left < 0) return left;
+      }
+    }
+    return left;
+  }
+
+  /** Puts the blocks where the plan has them. */
+  carryOut(): void {
+    for (const [block, { place }] of this.moved) block.shove(place);
+  }
+}
+
+/** Where a body comes to when a point of it is pushed so far along a normal. */
+function slide(from: Place, at: Vec, normal: Vec, distance: number, meanRadius: number): Place {
+  const lever = (at.x - from.x) * normal.y - (at.y - from.y) * normal.x;
+  const turn = lever / (meanRadius * meanRadius);
+  const way = distance / (1 + lever * turn);
+  return { x: from.x + normal.x * way, y: from.y + normal.y * way, angle: from.angle + turn * way };
+}

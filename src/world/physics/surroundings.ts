@@ -1,0 +1,47 @@
+import type { Polygon } from './convex';
+import type { BlockBody } from './block-body';
+import type { Body, Fixture, PlanckWorld } from './planck';
+import { outlineOf } from './solid';
+
+/** Something solid as it stands now. */
+export interface Thing {
+  readonly fixture: Fixture;
+  /** World frame, units. */
+  readonly outline: Polygon;
+  /** The block, if it is one that can be moved and that nobody holds. */
+  readonly block: BlockBody | null;
+}
+
+/** What stands around. */
+export interface Surroundings {
+  /** Everything solid that may reach into the box around these outlines (world frame, units), always in the same order. */
+  near(outlines: readonly Polygon[]): Thing[];
+}
+
+/** Added to the box that is looked through, in units; chosen: 1 mm. */
+const MARGIN = 0.05;
+
+/** Looks around in an engine's world. */
+export function createSurroundings(world: PlanckWorld, blocks: ReadonlyMap<Body, BlockBody>): Surroundings {
+  return {
+    near(outlines) {
+      const lowerBound = { x: Infinity, y: Infinity };
+      const upperBound = { x: -Infinity, y: -Infinity };
+      for (const outline of outlines) {
+        for (const { x, y } of outline) {
+          lowerBound.x = Math.min(lowerBound.x, x - MARGIN);
+          lowerBound.y = Math.min(lowerBound.y, y - MARGIN);
+          upperBound.x = Math.max(upperBound.x, x + MARGIN);
+          upperBound.y = Math.max(upperBound.y, y + MARGIN);
+        }
+      }
+      const things: Thing[] = [];
+      world.queryAABB({ lowerBound, upperBound }, (fixture) => {
+        const block = blocks.get(fixture.getBody()) ?? null;
+        things.push({ fixture, outline: outlineOf(fixture), block: block?.isMovable ? block : null });
+        return true;
+      });
+      return things;
+    },
+  };
+}
