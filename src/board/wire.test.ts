@@ -192,4 +192,15 @@ describe('an LED stream', () => {
     expect(pin.mode).toBe('read_digital');
     expect(pin.readDigital()).toBe(1);
   });
+
+  it('S4: is awaited by 2 listeners, by 1 when one of them has gone', () => {
+    const wire = new Wire('P15');
+    expect(wire.streamListenerCount).toBe(0);
+    wire.onStream(() => undefined);
+    const stop = wire.onStream(() => undefined);
+    expect(wire.streamListenerCount).toBe(2);
+    stop();
+    stop();
+    expect(wire.streamListenerCount).toBe(1);
+  });
 });

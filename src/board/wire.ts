@@ -136,6 +136,11 @@ export class Wire {
     return attach(this.streamListeners, listener);
   }
 
+  /** How many listen for LED streams: more than the one who asks means that the LEDs have an owner (rule S4). */
+  get streamListenerCount(): number {
+    return this.streamListeners.size;
+  }
+
   /** Sends an LED stream. The level does not move: afterwards the wire is where its ends leave it (rule S2). */
   stream(bytes: Uint8Array): void {
     tellAll(this.streamListeners, bytes);

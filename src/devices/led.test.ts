@@ -17,9 +17,9 @@ describe('an LED on a wire', () => {
     expect([led.isLit(), led.brightness()]).toEqual([0, 0]);
   });
 
-  it('shines with a quarter of its brightness at a duty of 25 %', () => {
+  it('is lit with a quarter of its brightness at a duty of 25 %', () => {
     const wire = new Wire('P8');
     wire.connect('board').drivePwm({ periodUs: 20_000, dutyFraction: 0.25 });
-    expect(ledOn(wire).brightness()).toBe(0.25);
+    expect([ledOn(wire).brightness(), ledOn(wire).isLit()]).toEqual([0.25, 1]);
   });
 });

@@ -5,7 +5,7 @@ import type { Wire } from '#board/wire';
 export interface Led {
   /** Brightness, 0 (dark) … 1 (fully lit): the mean voltage on the wire as a fraction of the supply. */
   brightness(): number;
-  /** 1 while the wire is high, else 0. */
+  /** 1 while it shines, however weakly, else 0. */
   isLit(): 0 | 1;
 }
 
@@ -13,6 +13,6 @@ export interface Led {
 export function ledOn(wire: Wire): Led {
   return {
     brightness: () => wire.fraction,
-    isLit: () => wire.level,
+    isLit: () => (wire.fraction > 0 ? 1 : 0),
   };
 }

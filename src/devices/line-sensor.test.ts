@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Wire } from '#board/wire';
-import { attachLineSensor } from './line-sensor';
+import { attachLineSensor, createLineComparator } from './line-sensor';
 
 function sensorOver(start: number) {
   const wire = new Wire('P13');
@@ -36,5 +36,24 @@ describe('a digital line sensor', () => {
     const { wire, sensor } = sensorOver(1);
     sensor.stop();
     expect(wire.level).toBe(0);
+  });
+});
+
+describe('a line sensor without a wire', () => {
+  it('tells what it saw at its last look, and light or dark with the same gap: below 45 %, above 55 %', () => {
+    let reflectance = 0.5;
+    const sensor = createLineComparator(() => reflectance);
+    const looks = [0.44, 0.5, 0.56, 0.5].map((next) => {
+      reflectance = next;
+      const before = sensor.reflectance();
+      sensor.sample();
+      return [before, sensor.reflectance(), sensor.isBright()];
+    });
+    expect(looks).toEqual([
+      [0.5, 0.44, false],
+      [0.44, 0.5, false],
+      [0.5, 0.56, true],
+      [0.56, 0.5, true],
+    ]);
   });
 });

@@ -1,6 +1,7 @@
 /**
- * A reflective line sensor with a digital output: an infrared LED, a phototransistor and a comparator.
- * The output is 1 on light ground and 0 on dark ground or with nothing below.
+ * A reflective line sensor: an infrared LED, a phototransistor and a comparator. Its output is 1 on light ground and 0
+ * on dark ground or with nothing below, on a wire (`attachLineSensor`) or inside a robot that reports it by I2C
+ * (`createLineComparator`).
  * Source of the polarity: docstrings in Tiger-Jython/Robotics-Libraries mbrobot.py and tkilla77/maqueen.
  */
 import type { Level, Wire } from '#board/wire';
@@ -14,7 +15,35 @@ import type { Stop } from '#core/stop';
 export const DARK_BELOW = 0.45;
 export const LIGHT_ABOVE = 0.55;
 
-/** The sensor as its owner sees it. */
+/** A sensor whose digital value is asked for. */
+export interface LineComparator {
+  /** Looks at the ground. To be called after each step of the world, see `attachLineSensor`. */
+  sample(): void;
+  isBright(): boolean;
+  /** What it saw last: 0 black … 1 bare floor. */
+  reflectance(): number;
+}
+
+/**
+ * Makes a comparator and looks at the ground once.
+ *
+ * @param look what the sensor sees now, 0 black … 1 bare floor
+ */
+export function createLineComparator(look: () => number): LineComparator {
+  let seen = look();
+  let isBright = seen >= (DARK_BELOW + LIGHT_ABOVE) / 2;
+  return {
+    sample: () => {
+      seen = look();
+      if (seen > LIGHT_ABOVE) isBright = true;
+      if (seen < DARK_BELOW) isBright = false;
+    },
+    isBright: () => isBright,
+    reflectance: () => seen,
+  };
+}
+
+/** The sensor on a wire as its owner sees it. */
 export interface LineSensor {
   /** Looks at the ground and puts the result on the wire. */
   sample(): void;
@@ -32,17 +61,18 @@ export interface LineSensor {
  */
 export function attachLineSensor(wire: Wire, reflectance: () => number): LineSensor {
   const output = wire.connect('line sensor');
-  let level: Level = reflectance() >= (DARK_BELOW + LIGHT_ABOVE) / 2 ? 1 : 0;
+  const comparator = createLineComparator(reflectance);
+  let level: Level = comparator.isBright() ? 1 : 0;
   output.drive(level);
   return {
     sample: () => {
-      const seen = reflectance();
-      const next: Level = seen > LIGHT_ABOVE ? 1 : seen < DARK_BELOW ? 0 : level;
+      comparator.sample();
+      const next: Level = comparator.isBright() ? 1 : 0;
       if (next === level) return;
       level = next;
       output.drive(level);
     },
-    isBright: () => level === 1,
+    isBright: () => comparator.isBright(),
     stop: output.detach,
   };
 }

@@ -1,0 +1,86 @@
+/**
+ * A register machine: how most I2C chips and robot controllers talk.
+ *
+ *      write  [register, data, data …]   data for that register and the following ones
+ *      write  [register]                 selects it
+ *      read   n bytes                    from the selected register on; the selection moves along
+ *
+ * Register numbers are bytes and wrap from 255 to 0. What no part answers for ignores writes and reads as 0.
+ */
+import type { I2cTarget } from '#board/i2c-bus';
+
+const REGISTER_COUNT = 256;
+
+/** Some registers in a row that belong together. `offset` counts from the first of them. */
+export interface RegisterPart {
+  readonly first: number;
+  readonly count: number;
+  readonly read: (offset: number) => number;
+  /** Left out: read-only. */
+  readonly write?: (offset: number, byte: number) => void;
+  /** Called once at the end of each transfer that wrote at least one of them. */
+  readonly written?: () => void;
+}
+
+/** Registers that keep what was written; at the start 0. `written` gets their contents. */
+export function memoryRegisters(
+  first: number,
+  count: number,
+  written: (bytes: Readonly<Uint8Array>) => void = () => undefined,
+): RegisterPart {
+  const bytes = new Uint8Array(count);
+  return {
+    first,
+    count,
+    read: (offset) => bytes[offset] ?? 0,
+    write: (offset, byte) => {
+      bytes[offset] = byte;
+    },
+    written: () => written(bytes),
+  };
+}
+
+/** Registers that can only be read: asked anew for every byte. */
+export function liveRegisters(first: number, count: number, read: (offset: number) => number): RegisterPart {
+  return { first, count, read };
+}
+
+/** An ASCII text, read-only: its length in the first register, its characters in the following ones. */
+export function textRegisters(first: number, text: string): RegisterPart {
+  return liveRegisters(first, text.length + 1, (offset) => (offset === 0 ? text.length : text.charCodeAt(offset - 1)));
+}
+
+/** Makes the device. Where parts overlap, the first one in the list counts. */
+export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget {
+  const partOf = Array.from({ length: REGISTER_COUNT }, (_, register) =>
+    parts.find(({ first, count }) => register >= first && register < first + count),
+  );
+  let selected = 0;
+  const next = (): number => (selected + 1) % REGISTER_COUNT;
+
+  return {
+    write: (bytes) => {
+      if (bytes.length === 0) return; // an address probe
+      selected = bytes[0] ?? 0;
+      const touched = new Set<RegisterPart>();
+      for (const byte of bytes.subarray(1)) {
+        const part = partOf[selected];
+        if (part?.write) {
+          part.write(selected - part.first, byte);
+          touched.add(part);
+        }
+        selected = next();
+      }
+      for (const part of touched) part.written?.();
+    },
+    read: (count) => {
+      const answer = new Uint8Array(count);
+      for (let i = 0; i < count; i++) {
+        const part = partOf[selected];
+        answer[i] = part?.read(selected - part.first) ?? 0;
+        selected = next();
+      }
+      return answer;
+    },
+  };
+}

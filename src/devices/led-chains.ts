@@ -1,0 +1,84 @@
+/**
+ * Chains of WS2812 LEDs that somebody has plugged onto free pins: rings, strips, matrices. Nobody says that they are
+ * there; the bytes that a program sends them do.
+ *
+ * Bytes as in `ws2812.ts`. A chain is as long as the longest stream that it was sent since the start.
+ */
+import type { Wire } from '#board/wire';
+import type { Stop } from '#core/stop';
+import type { Rgb } from './ws2812';
+
+/** The colours of one chain, as plain data. */
+export interface LedChain {
+  /** Name of its wire, e.g. `P2`. */
+  readonly pin: string;
+  /** The LED next to the pin first; as long as the chain. The same array until something new is sent. */
+  readonly colors: readonly Rgb[];
+}
+
+/** The chains found so far. */
+export interface LedChains {
+  /** In the order of the wires; the same array until something new is sent. */
+  chains(): readonly LedChain[];
+  readonly stop: Stop;
+}
+
+/** Chosen: a matrix of 32 × 32. More would be lost in a drawing, and takes 30 ms to send. */
+export const LONGEST_CHAIN = 1024;
+
+const BYTES_PER_LED = 3;
+
+/**
+ * Shows a chain on each of these wires as soon as a stream for at least one LED arrives there, unless somebody else
+ * listens for streams on the wire: then the LEDs are a robot's or the board's own.
+ */
+export function watchLedChains(wires: readonly Wire[]): LedChains {
+  const watched = [...new Set(wires)].map(watchWire);
+  let shown: readonly LedChain[] = [];
+  return {
+    chains() {
+      const now = watched.flatMap((wire) => wire.chain() ?? []);
+      if (now.length !== shown.length || now.some((chain, i) => chain !== shown[i])) shown = now;
+      return shown;
+    },
+    stop: () => watched.forEach(({ stop }) => stop()),
+  };
+}
+
+interface WatchedWire {
+  /** `null` while nothing was sent. */
+  chain(): LedChain | null;
+  readonly stop: Stop;
+}
+
+/** Keeps the bytes as they come and makes colours of them only when they are asked for. */
+function watchWire(wire: Wire): WatchedWire {
+  let bytes = new Uint8Array(0);
+  let shown: LedChain | null = null;
+  const stop = wire.onStream((stream) => {
+    if (wire.streamListenerCount > 1) return;
+    const whole = Math.min(LONGEST_CHAIN, Math.floor(stream.length / BYTES_PER_LED)) * BYTES_PER_LED;
+    if (whole === 0) return;
+    if (whole > bytes.length) {
+      const longer = new Uint8Array(whole);
+      longer.set(bytes);
+      bytes = longer;
+    }
+    bytes.set(stream.subarray(0, whole));
+    shown = null;
+  });
+  return {
+    chain() {
+      if (bytes.length > 0) shown ??= { pin: wire.name, colors: colorsOf(bytes) };
+      return shown;
+    },
+    stop,
+  };
+}
+
+function colorsOf(bytes: Uint8Array): Rgb[] {
+  return Array.from({ length: bytes.length / BYTES_PER_LED }, (_, led): Rgb => {
+    const [green = 0, red = 0, blue = 0] = bytes.subarray(led * BYTES_PER_LED, (led + 1) * BYTES_PER_LED);
+    return [red, green, blue];
+  });
+}
