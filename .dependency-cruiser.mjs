@@ -55,7 +55,7 @@ export default {
       comment: 'Robots do not know each other.',
       severity: 'error',
       from: { path: '^src/robots/([^/]+)/' },
-      to: { path: '^src/robots/[^/]+/', pathNot: '^src/robots/$1/' },
+      to: { path: '^src/robots/[^/]+/', pathNot: ['^src/robots/$1/', '^src/robots/testing/'] },
     },
     {
       name: 'tests-are-leaves',

@@ -12,6 +12,7 @@ const CHECKS = [
   { name: 'types of cli and tests', args: tool('tsc', '-p', 'tsconfig.node.json') },
   { name: 'types of the scripts', args: tool('tsc', '-p', 'tsconfig.scripts.json') },
   { name: 'layers and graph', args: ['scripts/layers.mjs'] },
+  { name: 'lists of robots', args: ['scripts/robots.mjs', '--check'] },
   {
     name: 'format',
     args: tool('prettier', '--check', '--log-level', 'warn', '--cache', '--cache-location', '.cache/prettier', '.'),

@@ -1,14 +1,58 @@
-import { readdirSync } from 'node:fs';
-import { describe, expect, it } from 'vitest';
-import { boardTypes } from '#board/boards/index';
+import { readdirSync, readFileSync } from 'node:fs';
+import { beforeAll, describe, expect, it } from 'vitest';
+import { Board } from '#board/board';
+import { boardTypes, findBoard } from '#board/boards/index';
+import { Clock } from '#core/clock';
+import { bareProgram } from '#core/testing/bare-program';
+import type { Texts } from '#core/texts';
+import { robotBuilds } from './builds';
 import { findRobot, robotTypes } from './index';
+import { robotSheets } from './sheets';
+import { putOnFloor } from './testing/floor';
 
 const LONGEST_FILE_NAME = 120; // the board's file system
+const LARGEST_DRAWING_BYTES = 24_000; // about 6 kB compressed: drawings are part of the page before Run
+
+let firmware: WebAssembly.Module;
+beforeAll(async () => {
+  firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
+});
+
+/** Both languages are there, without a German letter that Switzerland does not use. */
+function expectTexts({ de, en }: Texts): void {
+  expect(de).not.toBe('');
+  expect(en).not.toBe('');
+  expect(de).not.toContain('ß');
+}
+
+/** What a reader with a pull-up and one with a pull-down see on each wire: where both are right, nobody drives. */
+function levels(board: Board): Record<string, readonly number[]> {
+  const seen = ([name, wire]: readonly [string, ReturnType<Board['wire']>]) => {
+    const reader = wire.connect('reader');
+    const both = (['up', 'down'] as const).map((pull) => {
+      reader.pull(pull);
+      return wire.level;
+    });
+    reader.detach();
+    return [name, both] as const;
+  };
+  return Object.fromEntries([...board.wires].map(seen));
+}
 
 describe('the list of robots', () => {
   it('has every folder in src/robots, once', () => {
-    const folders = readdirSync('src/robots', { withFileTypes: true }).filter((entry) => entry.isDirectory());
-    expect(robotTypes.map((type) => type.id).sort()).toEqual(folders.map((folder) => folder.name).sort());
+    const folders = readdirSync('src/robots', { withFileTypes: true })
+      .filter((entry) => entry.isDirectory() && entry.name !== 'testing')
+      .map(({ name }) => name)
+      .sort();
+    expect(robotTypes.map(({ id }) => id).sort()).toEqual(folders);
+    expect(robotBuilds.map(({ type }) => type.id).sort()).toEqual(folders);
+    expect(robotSheets.map(({ robot }) => robot).sort()).toEqual(folders);
+  });
+
+  it('offers them by their places, each of which is taken once', () => {
+    const places = robotTypes.map(({ place }) => place);
+    expect(places).toEqual([...new Set(places)].sort((a, b) => a - b));
   });
 
   it('finds a robot by its id and gives null for a stranger', () => {
@@ -17,7 +61,7 @@ describe('the list of robots', () => {
   });
 });
 
-describe.each(robotTypes.map((type) => [type.name, type] as const))('%s', (_, type) => {
+describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its body', (_, type) => {
   it('plugs into a board that exists', () => {
     expect(boardTypes.map((board) => board.id)).toContain(type.board);
   });
@@ -51,9 +95,49 @@ describe.each(robotTypes.map((type) => [type.name, type] as const))('%s', (_, ty
     expect(type.body.massG).toBeLessThan(1000);
   });
 
-  it('brings Python libraries the real robot can run: no f-strings, no tabs, only the device’s modules', () => {
-    const known = ['microbit', 'machine', 'neopixel', 'music', 'utime', 'gc'];
-    for (const [file, source] of Object.entries(type.libraries)) {
+  it('has options with titles in both languages and at least two choices, every id once', () => {
+    expect(new Set(type.options.map(({ id }) => id)).size).toBe(type.options.length);
+    for (const { id, title, about, choices } of type.options) {
+      expect(id).toMatch(/^\w[\w-]*$/);
+      expectTexts(title);
+      if (about) expectTexts(about);
+      expect(choices.length, id).toBeGreaterThanOrEqual(2);
+      expect(new Set(choices.map((choice) => choice.id)).size).toBe(choices.length);
+      for (const choice of choices) expectTexts(choice.title);
+    }
+  });
+});
+
+describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its drawing', (_, { body, drawing }) => {
+  it('is in millimetres, around the whole body, and its wheels carry names', () => {
+    expect(drawing).toContain('<svg xmlns="http://www.w3.org/2000/svg"');
+    for (const id of ['body', 'wheel-left', 'wheel-right']) expect(drawing).toContain(`id="${id}"`);
+    const [x, y, width, height] = /viewBox="([^"]+)"/.exec(drawing)?.[1]?.split(' ').map(Number) ?? [];
+    for (const corner of body.outlineMm.flat()) {
+      expect(-corner.y).toBeGreaterThanOrEqual(x!);
+      expect(-corner.y).toBeLessThanOrEqual(x! + width!);
+      expect(-corner.x).toBeGreaterThanOrEqual(y!);
+      expect(-corner.x).toBeLessThanOrEqual(y! + height!);
+    }
+  });
+
+  it('needs nothing from outside and stays small', () => {
+    expect(drawing).not.toMatch(/<(image|script|foreignObject|text)\b|href="(?!#)|url\((?!#)/);
+    expect(drawing.length).toBeLessThan(LARGEST_DRAWING_BYTES);
+  });
+
+  it('gives every id to one element only', () => {
+    const ids = [...drawing.matchAll(/ id="([^"]+)"/g)].map((match) => match[1]);
+    expect(ids).toEqual([...new Set(ids)]);
+  });
+});
+
+describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s, its libraries', (_, build) => {
+  it('can run on the real robot: no f-strings, no tabs, only the device’s modules and its own', () => {
+    const board = findBoard(build.type.board);
+    const own = Object.keys(build.libraries).map((file) => file.replace('.py', ''));
+    const known = ['machine', 'neopixel', 'music', 'utime', 'gc', ...(board?.modules ?? []), ...own];
+    for (const [file, source] of Object.entries(build.libraries)) {
       expect(file).toMatch(/^[a-z]\w*\.py$/i);
       expect(source).not.toMatch(/\bf["']|\t/);
       const imported = [...source.matchAll(/^\s*(?:from|import) (\w+)/gm)].map((match) => match[1]);
@@ -61,27 +145,104 @@ describe.each(robotTypes.map((type) => [type.name, type] as const))('%s', (_, ty
     }
   });
 
-  it('brings examples with a German and an English title', () => {
-    expect(type.examples.length).toBeGreaterThan(0);
-    for (const { file, title, source } of type.examples) {
-      expect(file).toMatch(/\.py$/);
-      expect(file.length).toBeLessThanOrEqual(LONGEST_FILE_NAME);
-      expect(title.de).not.toBe('');
-      expect(title.en).not.toBe('');
-      expect(title.de).not.toContain('ß'); // Swiss spelling
-      expect(source).not.toContain('ß');
-    }
-  });
-
-  it('has a drawing in millimetres whose moving and shining parts carry names', () => {
-    expect(type.drawing).toContain('<svg xmlns="http://www.w3.org/2000/svg"');
-    for (const id of ['body', 'wheel-left', 'wheel-right']) expect(type.drawing).toContain(`id="${id}"`);
-    const [, x, y, width, height] = /viewBox="(\S+) (\S+) (\S+) (\S+)"/.exec(type.drawing)?.map(Number) ?? [];
-    for (const corner of type.body.outlineMm.flat()) {
-      expect(-corner.y).toBeGreaterThanOrEqual(x!);
-      expect(-corner.y).toBeLessThanOrEqual(x! + width!);
-      expect(-corner.x).toBeGreaterThanOrEqual(y!);
-      expect(-corner.x).toBeLessThanOrEqual(y! + height!);
-    }
+  it('contain every module that hints at this robot', () => {
+    expect(build.type.modules.length).toBeGreaterThan(0);
+    for (const module of build.type.modules) expect(Object.keys(build.libraries)).toContain(`${module}.py`);
   });
 });
+
+describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s on a board', (_, build) => {
+  it('tells its state as plain data, and its drawing has a place for each thing in it', () => {
+    const state = putOnFloor(build).robot.state();
+    expect(structuredClone(state)).toEqual(state);
+    const { drawing } = build.type;
+    for (const { name } of state.lineSensors) expect(drawing).toContain(`id="line-${name}"`);
+    for (let i = 0; i < state.rgb.length; i++) expect(drawing).toContain(`id="rgb-${i}"`);
+  });
+
+  it('stands still and shines nowhere before a program says so', () => {
+    const { robot, chassis, passMs } = putOnFloor(build);
+    passMs(500);
+    const { leds, rgb, duty } = robot.state();
+    expect([leds, duty, chassis.pathMm()]).toEqual([{ left: 0, right: 0 }, { left: 0, right: 0 }, 0]);
+    for (const color of rgb) expect(color).toEqual([0, 0, 0]);
+  });
+
+  it.each(build.type.options.flatMap(({ id, choices }) => choices.map((choice) => [id, choice.id] as const)))(
+    'works with the option %s = %s',
+    (id, choice) => {
+      const { robot, passMs } = putOnFloor(build, { options: { [id]: choice } });
+      passMs(100);
+      expect(structuredClone(robot.state())).toEqual(robot.state());
+      robot.detach();
+    },
+  );
+
+  it('leaves wires and bus as it found them', () => {
+    const { board, clock, robot, passMs } = putOnFloor(build);
+    passMs(20);
+    robot.detach();
+    const bare = new Board(board.type, new Clock());
+    bare.clock.advanceTo(clock.nowUs);
+    expect(levels(board)).toEqual(levels(bare));
+    expect([...Array(128).keys()].filter((address) => board.i2c.answers(address))).toEqual([]);
+  });
+});
+
+describe.each(robotSheets.map((sheet) => [findRobot(sheet.robot)!.name, sheet] as const))(
+  '%s, its sheet',
+  (_, sheet) => {
+    const build = robotBuilds.find(({ type }) => type.id === sheet.robot)!;
+
+    it('says what the robot is, what is plugged where and what answers on the bus', () => {
+      expectTexts(sheet.about);
+      expect(sheet.wiring.length).toBeGreaterThan(0);
+      for (const { part, at, note } of sheet.wiring) {
+        expectTexts(part);
+        expect(at).not.toBe('');
+        if (note) expectTexts(note);
+      }
+      for (const { title, rows } of sheet.registers) {
+        expectTexts(title);
+        expect(rows.length).toBeGreaterThan(0);
+        for (const { meaning } of rows) expectTexts(meaning);
+      }
+    });
+
+    it('has a register table for each address that answers on the bus, and for no other', () => {
+      const { board } = putOnFloor(build);
+      const answering = [...Array(128).keys()].filter((address) => board.i2c.answers(address));
+      expect(sheet.registers.map(({ address }) => address).sort((a, b) => a - b)).toEqual(answering);
+    });
+
+    it('has examples with a German and an English title', () => {
+      expect(sheet.examples.length).toBeGreaterThan(0);
+      for (const { file, title, source } of sheet.examples) {
+        expect(file).toMatch(/\.py$/);
+        expect(file.length).toBeLessThanOrEqual(LONGEST_FILE_NAME);
+        expectTexts(title);
+        expectTexts(source);
+      }
+      const files = sheet.examples.map(({ file }) => file);
+      expect(files).toEqual([...new Set(files)]);
+    });
+
+    it.each(sheet.examples.map(({ file, source }) => [file, source] as const))(
+      'has the same program %s in German and English, but for comments and words in quotes',
+      (_file, { de, en }) => {
+        expect(bareProgram(en)).toBe(bareProgram(de));
+        expect(en).not.toBe(de);
+        expect(en).not.toMatch(/[äöü]/i);
+      },
+    );
+
+    it.each(
+      sheet.examples.flatMap(({ file, source }) => [
+        [file, 'de', source.de] as const,
+        [file, 'en', source.en] as const,
+      ]),
+    )('its example %s (%s) runs for 5 s without an exception', (_file, _language, source) =>
+      expect(putOnFloor(build).run(firmware, source).exception).toBeNull(),
+    );
+  },
+);

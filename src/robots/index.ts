@@ -1,8 +1,14 @@
-import { maqueenLite } from './maqueen-lite/robot';
+// Written by `npm run robots`: do not edit.
+import { callibot } from './callibot/type';
+import { maqueenLite } from './maqueen-lite/type';
+import { maqueenPlusV1 } from './maqueen-plus-v1/type';
+import { maqueenPlusV2 } from './maqueen-plus-v2/type';
 import type { RobotType } from './robot';
 
 /** Every robot there is, in the order in which they are offered. */
-export const robotTypes: readonly RobotType[] = [maqueenLite];
+export const robotTypes: readonly RobotType[] = [callibot, maqueenLite, maqueenPlusV1, maqueenPlusV2].sort(
+  (one, other) => one.place - other.place,
+);
 
 /** The robot with this id, or `null`. */
 export function findRobot(id: string): RobotType | null {

@@ -1,8 +1,7 @@
 import { describe, expect, it } from 'vitest';
-
 import { Reader } from '#reference/python/reader';
 import { textKeysOf } from '#reference/text-keys';
-import { robotTypes } from './index';
+import { robotBuilds } from './builds';
 import { robotReferences } from './references';
 
 const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
@@ -14,12 +13,16 @@ function publicNames(source: string): string[] {
   return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
 }
 
-describe.each(robotTypes)('the reference of $name', ({ id, libraries }) => {
-  const reference = robotReferences.find(({ robot }) => robot === id);
+describe.each(robotBuilds)('the reference of $type.name', ({ type, libraries }) => {
+  const reference = robotReferences.find(({ robot }) => robot === type.id);
 
   it.each(Object.entries(libraries))('knows every name of %s and no other', (file, source) => {
     const module = reference?.modules.find(({ name }) => `${name}.py` === file);
     expect(Object.keys(module?.names ?? {}).sort()).toEqual(publicNames(source));
+  });
+
+  it('describes no module that the robot does not bring along', () => {
+    expect(reference?.modules.map(({ name }) => `${name}.py`).sort()).toEqual(Object.keys(libraries).sort());
   });
 
   it('has words for every name in German and English, each ending in a full stop, and no more words', () => {
@@ -28,5 +31,6 @@ describe.each(robotTypes)('the reference of $name', ({ id, libraries }) => {
       expect(Object.keys(texts).sort()).toEqual(keys);
       for (const text of Object.values(texts)) expect(text).toMatch(/\.$/);
     }
+    for (const text of Object.values(reference?.texts.de ?? {})) expect(text).not.toContain('ß'); // Swiss spelling
   });
 });

@@ -1,5 +1,14 @@
+// Written by `npm run robots`: do not edit.
 import type { RobotReference } from '#reference/types';
+import { callibotReference } from './callibot/reference';
 import { maqueenLiteReference } from './maqueen-lite/reference';
+import { maqueenPlusV1Reference } from './maqueen-plus-v1/reference';
+import { maqueenPlusV2Reference } from './maqueen-plus-v2/reference';
 
 /** What the editor knows about the libraries of robots. Apart from `index.ts`, as only the editor needs it, and later. */
-export const robotReferences: readonly RobotReference[] = [maqueenLiteReference];
+export const robotReferences: readonly RobotReference[] = [
+  callibotReference,
+  maqueenLiteReference,
+  maqueenPlusV1Reference,
+  maqueenPlusV2Reference,
+];

@@ -1,11 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { createBench } from '#board/testing/bench';
 import { attachHcSr04 } from '#devices/hc-sr04';
-import { attachWs2812 } from '#devices/ws2812';
-import { createVm } from '#vm/run/vm';
+import { attachWs2812, type Rgb } from '#devices/ws2812';
+import { runOnWires } from '../testing/wires';
 import { createController } from './controller';
-import { maqueenLite } from './robot';
+import { maqueenLiteBuild } from './robot';
 
 let firmware: WebAssembly.Module;
 beforeAll(async () => {
@@ -22,54 +21,35 @@ interface Surroundings {
 }
 
 /** Runs a program with the robot's libraries and listens to the wires. */
-function run(
-  program: string,
-  { isOn = true, distanceMm = Infinity, bright = [1, 0], forMs = 5000 }: Surroundings = {},
-) {
-  const { board, clock } = createBench();
-  const messages: number[][] = [];
+function run(program: string, { isOn = true, distanceMm = Infinity, bright = [1, 0], forMs }: Surroundings = {}) {
   const controller = createController({ motors: () => undefined, servo: () => undefined });
-  const write = (bytes: Uint8Array): void => {
-    messages.push([...bytes]);
-    controller.write(bytes);
-  };
-  if (isOn) board.i2c.attach(0x10, { write, read: (count) => controller.read(count) });
-  attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => distanceMm);
-  board.wire('P13').connect('left').drive(bright[0]);
-  board.wire('P14').connect('right').drive(bright[1]);
-  const rgb = attachWs2812(board.wire('P15'), 4);
-  const tones: number[] = [];
-  board.wire('P0').onPwm((pwm) => tones.push(pwm ? Math.round(1_000_000 / pwm.periodUs) : 0));
-  let output = '';
-  const vm = createVm({
+  let rgb: readonly Rgb[] = [];
+  const result = runOnWires(program, {
+    build: maqueenLiteBuild,
     firmware,
-    board,
-    clock,
-    files: { 'main.py': program },
-    libraries: maqueenLite.libraries,
-    seed: 1,
-    write: (text) => {
-      output += text;
+    chips: isOn ? { 0x10: controller } : {},
+    connect: (board, clock) => {
+      attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => distanceMm);
+      board.wire('P13').connect('left').drive(bright[0]);
+      board.wire('P14').connect('right').drive(bright[1]);
+      const chain = attachWs2812(board.wire('P15'), 4);
+      board.wire('P15').onStream(() => (rgb = chain.colors()));
     },
+    ...(forMs === undefined ? {} : { forMs }),
   });
-  vm.resume(forMs * 1000);
-  const lines = output.split(/\r?\n/).filter((line) => line !== '');
-  const leds = (): number[] => [board.wire('P8').level, board.wire('P12').level];
-  return { messages, lines, ended: vm.ended, rgb: rgb.colors(), tones, leds: leds() };
+  return { ...result, rgb, leds: [result.board.wire('P8').level, result.board.wire('P12').level] };
 }
 
 /** The bytes sent to 0x10 by a program that has imported everything from mbrobot. */
-const bytesOf = (program: string): number[][] => {
-  const { messages, ended } = run(`from mbrobot import *\n${program}`);
-  expect(ended?.exception ?? null).toBeNull();
+const bytesOf = (program: string) => {
+  const { messages, exception } = run(`from mbrobot import *\n${program}`);
+  expect(exception).toBeNull();
   return messages;
 };
 
 /** `Type: message` of the exception that ends a program. */
-const exceptionOf = (program: string, surroundings?: Surroundings): string => {
-  const { ended } = run(`from mbrobot import *\n${program}`, surroundings);
-  return `${ended?.exception?.type}: ${ended?.exception?.message}`;
-};
+const exceptionOf = (program: string, surroundings?: Surroundings): string | null =>
+  run(`from mbrobot import *\n${program}`, surroundings).exception;
 
 describe('mbrobot: driving, byte by byte (Tiger-Jython Robotics-Libraries mbrobot.py)', () => {
   it.each([
@@ -146,6 +126,7 @@ describe('mbrobot: errors', () => {
     ['setServo("S3", 1)', "ValueError: Unknown Servo. Please use 'S1' or 'S2'."],
     ['setServo("S1", 181)', 'ValueError: Invalid angle. Must be between 0 and 180'],
     ['setServo("S1", -1)', 'ValueError: Invalid angle. Must be between 0 and 180'],
+    ['posRGB(-1, 0, 0, 0)', 'ValueError: invalid RGB-LED position. Must be 0,1,2 or 3.'],
     ['setRGB(4, 0, 0, 0)', 'ValueError: invalid RGB-LED position. Must be 0,1,2 or 3.'],
     ['irLeft.read_analog()', 'NameError: Maqueen Lite does not support reading analog sensor values.'],
   ])('%s raises %s', (program, exception) => {
@@ -204,6 +185,18 @@ describe('mbrobot: sensors, lights and sound', () => {
     expect(cleared.rgb).toEqual(Array(4).fill([0, 0, 0]));
   });
 
+  it('takes setRGB with three values for all four lights, and posRGB for one, as on the Plus V2', () => {
+    const { rgb } = run(
+      'from mbrobot import *\nsetRGB(1, 2, 3)\nposRGB(0, 9, 8, 7)\nsetRGB(position=3, red=4, green=5, blue=6)',
+    );
+    expect(rgb).toEqual([
+      [9, 8, 7],
+      [1, 2, 3],
+      [1, 2, 3],
+      [4, 5, 6],
+    ]);
+  });
+
   it('hands out the colour lights as np_rgb_pixels', () => {
     const { rgb } = run('from mbrobot import *\nnp_rgb_pixels[3] = (5, 6, 7)\nnp_rgb_pixels.show()');
     expect(rgb[3]).toEqual([5, 6, 7]);
@@ -244,9 +237,9 @@ describe('mbrobotmot and mbalarm (Tiger-Jython Aplu-Libraries)', () => {
   });
 
   it('prints a hint and waits for ever when the robot is off', () => {
-    const { lines, ended } = run('from mbrobotmot import *\nmotL.rotate(50)\nprint("no")', { isOn: false });
+    const { lines, hasEnded } = run('from mbrobotmot import *\nmotL.rotate(50)\nprint("no")', { isOn: false });
     expect(lines).toEqual(['Please switch on mbRobot!']);
-    expect(ended).toBeNull();
+    expect(hasEnded).toBe(false);
   });
 
   it('measures 30 cm and lights both lamps', () => {

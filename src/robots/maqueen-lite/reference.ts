@@ -1,5 +1,8 @@
-import { absent, fn, module, type, value } from '#reference/table';
+import { absent, fn, module, object, saidBy, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
+
+/** What TigerJython's own simulation can be told. */
+const told = saidBy('mbrobot.RobotContext', fn('(*arguments) -> None'));
 
 /** The names of this robot's libraries (library/*.py) and short words on each. */
 const mbrobot = module('mbrobot', {
@@ -22,13 +25,26 @@ const mbrobot = module('mbrobot', {
   setLEDLeft: fn('(state: int) -> None'),
   setLEDRight: fn('(state: int) -> None'),
   fillRGB: fn('(red: int, green: int, blue: int) -> None'),
-  setRGB: fn('(position: int, red: int, green: int, blue: int) -> None'),
+  setRGB: fn('(position: int, red: int, green: int, blue: int) -> None', '(red: int, green: int, blue: int) -> None'),
+  posRGB: fn('(position: int, red: int, green: int, blue: int) -> None'),
   clearRGB: fn('() -> None'),
   np_rgb_pixels: value('neopixel.NeoPixel'),
   setServo: fn('(servo: str, angle: int) -> None'),
   setAlarm: fn('(state: int) -> None'),
   beep: fn('() -> None'),
   calibrate: fn('(offset: int, differential: int = 0, arcScaling: float = 0) -> None'),
+  RobotContext: object({
+    enableTrace: told,
+    enableRotCenter: told,
+    setStartPosition: told,
+    setStartDirection: told,
+    useBackground: told,
+    useObstacle: told,
+  }),
+  setBeamAreaColor: told,
+  setProximityCircleColor: told,
+  setMeshTriangleColor: told,
+  eraseBeamArea: told,
   Motor: type(['(register: int)'], { rotate: fn('(speed: int) -> None') }),
   IRSensor: type(['(pin: Pin)'], { read_digital: fn('() -> int'), read_analog: absent(fn('() -> int')) }),
 });
@@ -47,6 +63,14 @@ const mbrobotmot = module('mbrobotmot', {
 });
 
 const mbalarm = module('mbalarm', { setAlarm: fn('(on: int) -> None'), beep: fn('() -> None') });
+
+const mbled = module('mbled', {
+  fill: fn('(red: int, green: int, blue: int) -> None'),
+  set_led: fn('(pos: int, red: int, green: int, blue: int) -> None'),
+  clear: fn('() -> None'),
+  shift_by: fn('(amount: int) -> None'),
+  lerp_RGB: fn('(r1: int, g1: int, b1: int, r2: int, g2: int, b2: int, percent: float) -> tuple[int, int, int]'),
+});
 
 const de = {
   mbrobot: 'Fährt den Maqueen Lite: Motoren, Sensoren, Lichter und Töne.',
@@ -69,7 +93,8 @@ const de = {
   'mbrobot.setLEDLeft': 'Linkes rotes Licht: 1 ein, 0 aus.',
   'mbrobot.setLEDRight': 'Rechtes rotes Licht: 1 ein, 0 aus.',
   'mbrobot.fillRGB': 'Gibt allen vier Farblichtern eine Farbe, jeder Teil 0 bis 255.',
-  'mbrobot.setRGB':
+  'mbrobot.setRGB': 'Mit vier Werten die Farbe eines Lichts wie posRGB, mit drei Werten die Farbe aller vier Lichter.',
+  'mbrobot.posRGB':
     'Farbe eines Lichts: position 0 vorn links, 1 hinten links, 2 hinten rechts, 3 vorn rechts; jeder Teil 0 bis 255.',
   'mbrobot.clearRGB': 'Löscht alle Farblichter.',
   'mbrobot.np_rgb_pixels': 'Die vier Farblichter als NeoPixel.',
@@ -78,6 +103,8 @@ const de = {
   'mbrobot.beep': 'Ein kurzer Ton von 440 Hertz.',
   'mbrobot.calibrate':
     'Passt an einen bestimmten Roboter an: offset -10 bis 50, differential -150 bis 150 (links gegen rechts), arcScaling -15 bis 50.',
+  'mbrobot.RobotContext':
+    'Was man der Simulation von TigerJython sagen kann. Hier steht es nur in der Ausgabe: Start, Hindernisse und Linien gehören zum Parcours.',
   'mbrobot.Motor': 'Die Art von motL und motR.',
   'mbrobot.Motor.rotate': 'Dreht diesen Motor mit einem Tempo von -100 bis 100 Prozent; negativ ist rückwärts.',
   'mbrobot.IRSensor': 'Die Art von irLeft und irRight.',
@@ -98,6 +125,12 @@ const de = {
   mbalarm: 'Alarmtöne für Roboter.',
   'mbalarm.setAlarm': 'Zwei Töne immer wieder, im Hintergrund: 1 ein, 0 aus.',
   'mbalarm.beep': 'Ein kurzer Ton von 2000 Hertz.',
+  mbled: 'Ein Ring mit 24 Farblichtern an Pin 2.',
+  'mbled.fill': 'Gibt allen 24 Lichtern eine Farbe, jeder Teil 0 bis 255.',
+  'mbled.set_led': 'Farbe eines Lichts: pos 0 bis 23, jeder Teil 0 bis 255.',
+  'mbled.clear': 'Löscht alle Lichter.',
+  'mbled.shift_by': 'Dreht das Bild auf dem Ring: Licht 0 bekommt die Farbe von Licht Nummer amount, und so weiter.',
+  'mbled.lerp_RGB': 'Die Farbe, die auf dem Weg von der ersten zur zweiten bei percent liegt, 0 bis 100.',
 } as const;
 
 const en: Readonly<Record<keyof typeof de, string>> = {
@@ -121,7 +154,8 @@ const en: Readonly<Record<keyof typeof de, string>> = {
   'mbrobot.setLEDLeft': 'Left red light: 1 on, 0 off.',
   'mbrobot.setLEDRight': 'Right red light: 1 on, 0 off.',
   'mbrobot.fillRGB': 'Gives all four colour lights one colour, each part 0 to 255.',
-  'mbrobot.setRGB':
+  'mbrobot.setRGB': 'With four values the colour of one light, like posRGB, with three that of all four lights.',
+  'mbrobot.posRGB':
     'Colour of one light: position 0 front left, 1 back left, 2 back right, 3 front right; each part 0 to 255.',
   'mbrobot.clearRGB': 'Turns all colour lights off.',
   'mbrobot.np_rgb_pixels': 'The four colour lights as a NeoPixel.',
@@ -130,6 +164,8 @@ const en: Readonly<Record<keyof typeof de, string>> = {
   'mbrobot.beep': 'A short tone of 440 hertz.',
   'mbrobot.calibrate':
     'Adapts to one particular robot: offset -10 to 50, differential -150 to 150 (left against right), arcScaling -15 to 50.',
+  'mbrobot.RobotContext':
+    'What TigerJython’s own simulation can be told. Here it is only printed: start, obstacles and lines belong to the course.',
   'mbrobot.Motor': 'The kind of motL and motR.',
   'mbrobot.Motor.rotate': 'Turns this motor with a speed of -100 to 100 percent; negative is backward.',
   'mbrobot.IRSensor': 'The kind of irLeft and irRight.',
@@ -150,11 +186,17 @@ const en: Readonly<Record<keyof typeof de, string>> = {
   mbalarm: 'Alarm sounds for robots.',
   'mbalarm.setAlarm': 'Two tones again and again in the background: 1 on, 0 off.',
   'mbalarm.beep': 'A short tone of 2000 hertz.',
+  mbled: 'A ring of 24 colour lights on pin 2.',
+  'mbled.fill': 'Gives all 24 lights one colour, each part 0 to 255.',
+  'mbled.set_led': 'Colour of one light: pos 0 to 23, each part 0 to 255.',
+  'mbled.clear': 'Turns all lights off.',
+  'mbled.shift_by': 'Turns the picture on the ring: light 0 takes the colour of light number amount, and so on.',
+  'mbled.lerp_RGB': 'The colour that lies at percent, 0 to 100, on the way from the first to the second.',
 };
 
 /** What the editor knows about the Maqueen Lite's libraries. */
 export const maqueenLiteReference: RobotReference = {
   robot: 'maqueen-lite',
-  modules: [mbrobot, mbrobotmot, mbalarm],
+  modules: [mbrobot, mbrobotmot, mbalarm, mbled],
   texts: { de, en },
 };

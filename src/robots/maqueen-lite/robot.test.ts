@@ -1,100 +1,16 @@
-import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { Board } from '#board/board';
-import { microbitV2 } from '#board/boards/microbit-v2';
-import { Clock } from '#core/clock';
-import { createRng } from '#core/rng';
-import { createWorld, STEP_US, type World } from '#world/world';
-import { maqueenLite } from './robot';
+import { putOnFloor, type FloorSetup } from '../testing/floor';
+import { VERSION } from './controller';
+import { maqueenLiteBuild } from './robot';
 
 /** A Maqueen Lite at (1000, 1000) heading along +x in an arena of 3 m × 3 m, its board driven by the test. */
-function onTheFloor(prepare: (world: World) => void = () => undefined) {
-  const clock = new Clock();
-  const world = createWorld({ widthMm: 3000, heightMm: 3000 });
-  prepare(world);
-  clock.every(STEP_US, () => world.step());
-  const board = new Board(microbitV2, clock);
-  const chassis = world.addChassis(maqueenLite.body, { xMm: 1000, yMm: 1000, headingRad: 0 });
-  const robot = maqueenLite.attach({
-    clock,
-    board,
-    chassis,
-    ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
-    distance: (from, headingRad, cone) =>
-      world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
-    rng: createRng(1),
-    reality: 0,
-    scale: 1,
-  });
-  const send = (...bytes: number[]): boolean => board.i2c.write(0x10, Uint8Array.from(bytes)).acknowledged;
-  const passMs = (ms: number): void => clock.advanceTo(clock.nowUs + ms * 1000);
-  return { clock, world, board, chassis, robot, send, passMs };
-}
-
-/** Power bytes [inner, outer] for a circle, in the words of Tiger-Jython mbrobot.py, arc scaling 0. */
-function arcBytes(radiusM: number, percent: number): readonly [number, number] {
-  const cm = Math.trunc(radiusM * 100);
-  const outer = percent <= Math.max(cm + 20, 40) ? Math.min(Math.max(cm + 40, 40), 100) : percent;
-  const inner = cm < 4 ? 0 : ((10 * cm - 35) / (cm * 10.6 + 90 + Math.floor((100 - outer) / 2))) * outer;
-  return [powerByte(Math.trunc(inner)), powerByte(outer)];
-}
-
-function powerByte(percent: number): number {
-  if (percent <= 0) return 0;
-  if (percent <= 33) return Math.trunc(0.4 * percent + 11);
-  if (percent <= 63) return Math.trunc(0.89 * percent - 5);
-  return percent < 100 ? Math.trunc(1.0561 ** percent + 20) : 255;
-}
-
-/** Radius in m of the circle the robot drives once its speed is steady. */
-function drivenRadiusM(radiusM: number, percent: number): number {
-  const { chassis, send, passMs } = onTheFloor();
-  const [inner, outer] = arcBytes(radiusM, percent);
-  send(0, 0, inner, 0, outer);
-  passMs(2000);
-  const path = chassis.pathMm();
-  const turned = chassis.turnedRad();
-  passMs(2000);
-  return (chassis.pathMm() - path) / (chassis.turnedRad() - turned) / 1000;
+function onTheFloor(setup: FloorSetup = {}) {
+  const floor = putOnFloor(maqueenLiteBuild, setup);
+  const send = (...bytes: number[]): boolean => floor.send(0x10, ...bytes);
+  return { ...floor, send };
 }
 
 describe('Maqueen Lite on the floor', () => {
-  it('uses the constants of the fitted motor law', () => {
-    const page = readFileSync('docs/hardware/maqueen-lite-motor-law.md', 'utf8');
-    const { v0MmPerS, coulomb, viscous, yawResistance } = maqueenLite.body.drive;
-    for (const row of [
-      `v0 | ${v0MmPerS} mm/s`,
-      `coulomb | ${coulomb}`,
-      `viscous | ${viscous}`,
-      `yawResistance | ${yawResistance}`,
-    ]) {
-      expect(page).toContain(`| ${row} |`);
-    }
-  });
-
-  it.each([0.15, 0.2, 0.25, 0.3, 0.35, 0.4])(
-    'drives leftArc(%f) at speed 50 within 15 percent of that radius',
-    (radiusM) => {
-      expect(Math.abs(drivenRadiusM(radiusM, 50) / radiusM - 1)).toBeLessThan(0.15);
-    },
-  );
-
-  it.each([30, 70, 100])('drives leftArc(0.2) at speed %i within 25 percent of 20 cm', (percent) => {
-    expect(Math.abs(drivenRadiusM(0.2, percent) / 0.2 - 1)).toBeLessThan(0.25);
-  });
-
-  it.each([
-    [20, 109],
-    [50, 222],
-    [255, 352],
-  ])('drives straight at power byte %i with %i mm/s, as the fit says', (byte, speedMmPerS) => {
-    const { chassis, send, passMs } = onTheFloor();
-    send(0, 0, byte, 0, byte);
-    passMs(2500);
-    expect(Math.abs(chassis.wheelSpeedMmPerS(0) - speedMmPerS)).toBeLessThan(2);
-    expect(Math.abs(chassis.pose().yMm - 1000)).toBeLessThan(0.01);
-  });
-
   it('turns on the spot about the middle of its axle: less than 0.1 mm off after a full turn', () => {
     const { chassis, send, passMs } = onTheFloor();
     send(0, 1, 39, 0, 39);
@@ -156,7 +72,7 @@ describe('Maqueen Lite: what is on which pin', () => {
     };
     const free = onTheFloor();
     expect([free.board.wire('P13').level, free.board.wire('P14').level]).toEqual([1, 1]);
-    const over = onTheFloor((world) => world.addStroke(line));
+    const over = onTheFloor({ prepare: (world) => world.addStroke(line) });
     expect([over.board.wire('P13').level, over.board.wire('P14').level]).toEqual([0, 1]);
     expect(over.robot.state().lineSensors.map(({ bright }) => bright)).toEqual([false, true]);
   });
@@ -170,7 +86,7 @@ describe('Maqueen Lite: what is on which pin', () => {
       widthMm: 20,
       reflectance: 0,
     };
-    const { board, chassis, clock, send } = onTheFloor((world) => world.addStroke(across));
+    const { board, chassis, clock, send } = onTheFloor({ prepare: (world) => world.addStroke(across) });
     send(0, 0, 39, 0, 39);
     let seenAtMm = 0;
     board.wire('P13').onLevel((level) => {
@@ -182,7 +98,7 @@ describe('Maqueen Lite: what is on which pin', () => {
 
   it('measures 30 cm to a wall 355 mm ahead of the axle: trigger at P1, echo of 1746 µs at P2', () => {
     const wall = { fromMm: { x: 1360, y: 800 }, toMm: { x: 1360, y: 1200 }, thicknessMm: 10 };
-    const { board, clock, robot } = onTheFloor((world) => world.addWall(wall));
+    const { board, clock, robot } = onTheFloor({ prepare: (world) => world.addWall(wall) });
     const trigger = board.wire('P1').connect('test');
     const edges: number[] = [];
     board.wire('P2').onLevel(() => edges.push(clock.nowUs));
@@ -204,6 +120,25 @@ describe('Maqueen Lite: what is on which pin', () => {
     send(0x14, 90);
     send(0x15, 200);
     expect(robot.state().servos).toEqual({ S1: 90, S2: 180 });
+  });
+
+  it('lights its red lights by PWM too: write_analog(200) at P8', () => {
+    const { board, robot } = onTheFloor();
+    board
+      .wire('P8')
+      .connect('test')
+      .drivePwm({ periodUs: 20_000, dutyFraction: 200 / 1024 });
+    expect(robot.state().leds).toEqual({ left: 1, right: 0 });
+  });
+
+  it('tells its version: the length at 0x32, the text from 0x33', () => {
+    const { readFrom } = onTheFloor();
+    const [length = 0] = readFrom(0x10, 0x32, 1);
+    expect(String.fromCharCode(...readFrom(0x10, 0x33, length))).toBe(VERSION);
+  });
+
+  it('hears no remote control: its receiver at P16 is high', () => {
+    expect(onTheFloor().board.wire('P16').level).toBe(1);
   });
 
   it('drives nothing on P0, the buzzer', () => {

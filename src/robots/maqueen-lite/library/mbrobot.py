@@ -227,12 +227,22 @@ def fillRGB(red, green, blue):
     np_rgb_pixels.show()
 
 
-def setRGB(position, red, green, blue):
+def posRGB(position, red, green, blue):
     """One light below the robot: 0 front left, 1 back left, 2 back right, 3 front right."""
     if not 0 <= position <= 3:
         raise ValueError("invalid RGB-LED position. Must be 0,1,2 or 3.")
     np_rgb_pixels[position] = (red, green, blue)
     np_rgb_pixels.show()
+
+
+def setRGB(position=None, red=None, green=None, blue=None):
+    """Four values, position, red, green, blue: one light. Three values, red, green, blue: all four lights."""
+    if position is None:  # called with names
+        fillRGB(red, green, blue)
+    elif blue is None:
+        fillRGB(position, red, green)
+    else:
+        posRGB(position, red, green, blue)
 
 
 def clearRGB():
@@ -249,3 +259,57 @@ def setAlarm(state):
 
 def beep():
     music.pitch(440, 200, wait=False)
+
+
+# ---- What TigerJython's own simulation can be told; on the board it is only printed -----------------
+
+
+def _tell(name, *values):
+    print(name + "(" + ",".join([str(value) for value in values]) + ")")
+
+
+class RobotContext:
+    """Settings of TigerJython's simulation."""
+
+    @staticmethod
+    def enableTrace(value):
+        _tell("RobotContext.enableTrace", value)
+
+    @staticmethod
+    def enableRotCenter(value):
+        _tell("RobotContext.enableRotCenter", value)
+
+    @staticmethod
+    def setStartPosition(x, y):
+        _tell("RobotContext.setStartPosition", x, y)
+
+    @staticmethod
+    def setStartDirection(angle):
+        _tell("RobotContext.setStartDirection", angle)
+
+    @staticmethod
+    def useBackground(sprite):
+        _tell("RobotContext.useBackground", sprite)
+
+    @staticmethod
+    def useObstacle(sprite, x=None, y=None):
+        if x is None or y is None:
+            _tell("RobotContext.useObstacle", sprite)
+        else:
+            _tell("RobotContext.useObstacle", sprite, x, y)
+
+
+def setBeamAreaColor(color):
+    _tell("setBeamAreaColor", color)
+
+
+def setProximityCircleColor(color):
+    _tell("setProximityCircleColor", color)
+
+
+def setMeshTriangleColor(color):
+    _tell("setMeshTriangleColor", color)
+
+
+def eraseBeamArea():
+    _tell("eraseBeamArea")

@@ -1,5 +1,6 @@
 # Erste Fahrt
-# Ein Quadrat und ein Kreis. Verändere die Zahlen und schau, was passiert!
+# Ein Quadrat und ein Kreis.
+# Verändere die Zahlen und schau, was passiert!
 from mbrobot import *
 
 setSpeed(50)
@@ -9,7 +10,7 @@ for side in range(4):
     forward()
     delay(1200)
     left()
-    delay(372)          # so lange dauert eine Vierteldrehung
+    delay(298)          # so lange dauert eine Vierteldrehung
 
 setLED(0)
 fillRGB(0, 60, 0)

@@ -1,9 +1,9 @@
 # Ein Quadrat fahren
-# Vier Mal: geradeaus, dann eine Vierteldrehung nach links.
+# Viermal: geradeaus, dann eine Vierteldrehung nach links.
 from mbrobot import *
 
 SIDE = 1500             # Millisekunden für eine Seite
-QUARTER_TURN = 372      # Millisekunden für 90 Grad. Probiere andere Zahlen!
+QUARTER_TURN = 365      # Millisekunden für 90 Grad. Probier andere Zahlen aus!
 
 setSpeed(50)
 

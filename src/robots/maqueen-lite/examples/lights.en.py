@@ -1,5 +1,5 @@
-# Lichter
-# Vorne hat der Roboter zwei rote Lampen, unten vier farbige.
+# Lights
+# The robot has two red lights in front and four coloured ones below.
 from microbit import *
 from mbrobot import *
 
@@ -9,13 +9,13 @@ display.show(Image.HAPPY)
 
 for color in colors:
     red, green, blue = color
-    fillRGB(red, green, blue)       # alle vier gleich
+    fillRGB(red, green, blue)       # all four alike
     delay(500)
 
 clearRGB()
 
-for round in range(3):
-    for position in range(4):       # ein Licht läuft im Kreis
+for turn in range(3):
+    for position in range(4):       # one light runs in a circle
         clearRGB()
         setRGB(position, 0, 80, 40)
         setLED(position % 2, 1 - position % 2)

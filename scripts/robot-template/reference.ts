@@ -1,0 +1,38 @@
+import { fn, module } from '#reference/table';
+import type { RobotReference } from '#reference/types';
+
+/** The names of this robot's library (library/new_robot.py) and short words on each. */
+const library = module('new_robot', {
+  motors: fn('(left: int, right: int) -> None'),
+  forward: fn('() -> None'),
+  left: fn('() -> None'),
+  right: fn('() -> None'),
+  stop: fn('() -> None'),
+  setLED: fn('(on: int) -> None'),
+  isLight: fn('() -> int'),
+});
+
+const de = {
+  new_robot: 'Fährt den New Robot.',
+  'new_robot.motors': 'Dreht das linke und das rechte Rad: -255 bis 255, negativ ist rückwärts.',
+  'new_robot.forward': 'Fährt vorwärts, bis ein anderer Befehl kommt.',
+  'new_robot.left': 'Dreht sich an Ort nach links, bis ein anderer Befehl kommt.',
+  'new_robot.right': 'Dreht sich an Ort nach rechts, bis ein anderer Befehl kommt.',
+  'new_robot.stop': 'Hält an.',
+  'new_robot.setLED': 'Rotes Licht: 1 ein, 0 aus.',
+  'new_robot.isLight': 'Der Boden unter dem Liniensensor: 1 hell, 0 dunkel.',
+} as const;
+
+const en: Readonly<Record<keyof typeof de, string>> = {
+  new_robot: 'Drives the New Robot.',
+  'new_robot.motors': 'Turns the left and the right wheel: -255 to 255, negative is backward.',
+  'new_robot.forward': 'Drives forward until another command comes.',
+  'new_robot.left': 'Turns left on the spot until another command comes.',
+  'new_robot.right': 'Turns right on the spot until another command comes.',
+  'new_robot.stop': 'Stops.',
+  'new_robot.setLED': 'Red light: 1 on, 0 off.',
+  'new_robot.isLight': 'The ground below the line sensor: 1 light, 0 dark.',
+};
+
+/** What the editor knows about the New Robot's library. */
+export const newRobotReference: RobotReference = { robot: 'new-robot', modules: [library], texts: { de, en } };

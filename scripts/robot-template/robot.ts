@@ -1,0 +1,53 @@
+/**
+ * New Robot: its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md.
+ *
+ *      P8   red LED           I2C 0x10  motors
+ *      P13  line sensor
+ */
+import type { Vec } from '#core/geometry';
+import { signedDuty } from '#devices/dc-motor';
+import { ledOn } from '#devices/led';
+import { attachLineSensor } from '#devices/line-sensor';
+import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { CONTROLLER_ADDRESS, createController } from './controller';
+import library from './library/new_robot.py?raw';
+import { newRobot as type } from './type';
+
+const LINE_AT: Vec = { x: 40, y: 0 }; // chosen
+const LINE_SPOT_RADIUS_MM = 2.5; // chosen: the usual sensor sees a spot as wide as its housing, 5 mm
+
+export const newRobotBuild: RobotBuild = {
+  type,
+  libraries: { 'new_robot.py': library },
+  attach,
+};
+
+function attach({ board, chassis, ground, scale }: RobotContext): Robot {
+  const duty = { left: 0, right: 0 };
+  const drive = (left: number, right: number): void => {
+    duty.left = left;
+    duty.right = right;
+    chassis.setDuty(0, left);
+    chassis.setDuty(1, right);
+  };
+  const controller = createController(([dirL, speedL, dirR, speedR]) =>
+    drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
+  );
+  const led = ledOn(board.wire('P8'));
+  const line = attachLineSensor(board.wire('P13'), () =>
+    ground({ x: LINE_AT.x * scale, y: LINE_AT.y * scale }, LINE_SPOT_RADIUS_MM * scale),
+  );
+  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), line.stop, () => drive(0, 0)];
+
+  const state = (): RobotState => ({
+    leds: { left: led.isLit(), right: 0 }, // its only light
+    rgb: [],
+    lineSensors: [{ name: 'middle', atMm: LINE_AT, bright: line.isBright() }],
+    servos: {},
+    attachments: [],
+    duty: { ...duty },
+    ultrasonic: null,
+    bumper: null,
+  });
+  return { state, step: () => line.sample(), detach: () => stops.forEach((stop) => stop()) };
+}

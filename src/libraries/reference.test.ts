@@ -1,0 +1,30 @@
+import { describe, expect, it } from 'vitest';
+import { Reader } from '#reference/python/reader';
+import { textKeysOf } from '#reference/text-keys';
+import { freeLibraries } from './index';
+import { freeReference } from './reference';
+
+const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
+
+/** A library's own functions, classes and variables. */
+function publicNames(source: string): string[] {
+  const { root } = new Reader(source, nothing);
+  const own = root.names.filter(({ binding }) => binding.kind !== 'import' && binding.kind !== 'from');
+  return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
+}
+
+describe('the reference of the libraries that belong to no robot', () => {
+  it.each(Object.entries(freeLibraries))('knows every name of %s and no other', (file, source) => {
+    const module = freeReference.modules.find(({ name }) => `${name}.py` === file);
+    expect(Object.keys(module?.names ?? {}).sort()).toEqual(publicNames(source));
+  });
+
+  it('has words for every name in German and English, each ending in a full stop, and no more words', () => {
+    const keys = [...textKeysOf(freeReference.modules)].sort();
+    for (const texts of [freeReference.texts.de, freeReference.texts.en]) {
+      expect(Object.keys(texts).sort()).toEqual(keys);
+      for (const text of Object.values(texts)) expect(text).toMatch(/\.$/);
+    }
+    for (const text of Object.values(freeReference.texts.de)) expect(text).not.toContain('ß'); // Swiss spelling
+  });
+});

@@ -1,0 +1,14 @@
+// Written by `npm run robots`: do not edit.
+import { callibotBuild } from './callibot/robot';
+import { maqueenLiteBuild } from './maqueen-lite/robot';
+import { maqueenPlusV1Build } from './maqueen-plus-v1/robot';
+import { maqueenPlusV2Build } from './maqueen-plus-v2/robot';
+import type { RobotBuild } from './robot';
+
+/** What a run needs of every robot. Apart from `index.ts`, as only a run needs it. */
+export const robotBuilds: readonly RobotBuild[] = [
+  callibotBuild,
+  maqueenLiteBuild,
+  maqueenPlusV1Build,
+  maqueenPlusV2Build,
+];

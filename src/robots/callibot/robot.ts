@@ -1,0 +1,173 @@
+/**
+ * Knotech Calli:bot 2E (also as 2 and 1): its wiring. Frame and units: see ../robot.ts. Where each number comes from:
+ * SOURCES.md; CN = calliope-net/callibot2.
+ *
+ * Everything is on the I2C bus at the connector A0; see controller.ts for the bytes.
+ *
+ *      0x20  motors, servos S1 S2
+ *      0x21  lights; line sensors, bumper, ultrasonic
+ *      0x22  the same by registers, and line sensors in mV, encoders, supply voltage, type
+ */
+import { attachServoPorts } from '#attachments/servo-ports';
+import type { Vec } from '#core/geometry';
+import { signedDuty } from '#devices/dc-motor';
+import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
+import { createLineComparator } from '#devices/line-sensor';
+import type { Rgb } from '#devices/ws2812';
+import type { Cone } from '#world/world';
+import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, scaled } from '../sonar';
+import { createBumper } from './bumper';
+import {
+  createController,
+  LIGHTS_ADDRESS,
+  MOTORS_ADDRESS,
+  REGISTERS_ADDRESS,
+  type Controller,
+  type Model,
+  type MotorBytes,
+  type Side,
+} from './controller';
+import callibotPy from './library/callibot.py?raw';
+import callibotmot from './library/callibotmot.py?raw';
+import cbalarm from './library/cbalarm.py?raw';
+import { callibot as type, SERVO_PORTS } from './type';
+
+/** Chosen: below the nose, close enough together for both to see a line of 15 mm, the least width that is advised. */
+const LINE_AT: Readonly<Record<Side, Vec>> = { left: { x: 46, y: 6 }, right: { x: 46, y: -6 } };
+const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Maqueens: as wide as the sensor's housing
+/** Output on black and on bare floor, linear in between: chosen, as no source tells measured values. */
+const LINE_MV = { black: 300, floor: 2800 } as const;
+
+const SONAR_AT: Vec = { x: 65, y: 0 }; // chosen: where the cans end in the drawing
+/** Beam: that of TigerJython's own simulator (Tiger-Jython/Aplu-Libraries, CallibotSim), 20°. Range: chosen, SR04's. */
+const SONAR_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM };
+
+/** Three pulses a turn of the motor, a gear of 150 : 1: CN sensoren.ts. */
+const PULSES_PER_RAD = 450 / (2 * Math.PI);
+
+const COLOR_LIGHTS = 4;
+
+export const callibotBuild: RobotBuild = {
+  type,
+  libraries: { 'callibot.py': callibotPy, 'callibotmot.py': callibotmot, 'cbalarm.py': cbalarm },
+  attach,
+};
+
+function attach(context: RobotContext): Robot {
+  const { chassis, options, scale } = context;
+  const model = modelOf(options['model']);
+  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
+  const servos = attachServoPorts(SERVO_PORTS, options, mount);
+  const bumper = createBumper(context, fittingOf(context, model));
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const line = lineSensors(context);
+  const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
+  const rgb: Rgb[] = Array.from({ length: COLOR_LIGHTS }, () => [0, 0, 0]);
+  const drive = createDrive(context);
+
+  const controller = createController(
+    {
+      motors: drive.set,
+      servo: (port, angleDeg) => servos.set(port, angleDeg),
+      redLight: (side, isLit) => void (leds[side] = isLit ? 1 : 0),
+      colorLight: (index, color) => void (rgb[index] = color),
+      isBright: line.isBright,
+      isPressed: (side) => bumper.read(side),
+      lineMv: line.millivolts,
+      distanceMm: () => measured(sonar.distanceMm(), options['echo'] === 'zero'),
+      supplyMv: context.supplyMv,
+      pulses: (side) => Math.trunc(chassis.wheelTurnRad(side === 'left' ? 0 : 1) * PULSES_PER_RAD),
+    },
+    model,
+  );
+  const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), drive.stop];
+
+  const state = (): RobotState => ({
+    leds: { ...leds },
+    rgb: [...rgb],
+    lineSensors: line.states(),
+    servos: servos.servos(),
+    attachments: servos.attachments(),
+    duty: drive.duty(),
+    ultrasonic: sonar.state(),
+    bumper: bumper.state(),
+  });
+  const step = (): void => {
+    line.sample();
+    servos.step();
+  };
+  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+}
+
+function modelOf(choice: string | undefined): Model {
+  return choice === '1' || choice === '2' ? choice : '2E';
+}
+
+/**
+ * When the robot carries its bumper. In front there is room for one thing: with an attachment the bumper is left off,
+ * unless it was asked for.
+ */
+function fittingOf({ options }: RobotContext, model: Model): 'never' | 'when-read' | 'always' {
+  if (model === '1') return 'never';
+  if (options['bumper'] === 'always') return 'always';
+  return SERVO_PORTS.some((port) => (options[port] ?? 'none') !== 'none') ? 'never' : 'when-read';
+}
+
+function plugIn({ board }: RobotContext, { motors, lights, registers }: Controller) {
+  const stops = [board.i2c.attach(MOTORS_ADDRESS, motors), board.i2c.attach(LIGHTS_ADDRESS, lights)];
+  return registers === null ? stops : [...stops, board.i2c.attach(REGISTERS_ADDRESS, registers)];
+}
+
+function createDrive({ chassis }: RobotContext) {
+  const duty = { left: 0, right: 0 };
+  const apply = (): void => {
+    chassis.setDuty(0, duty.left);
+    chassis.setDuty(1, duty.right);
+  };
+  return {
+    set: (left: MotorBytes, right: MotorBytes): void => {
+      duty.left = signedDuty(left.direction, left.power);
+      duty.right = signedDuty(right.direction, right.power);
+      apply();
+    },
+    duty: () => ({ ...duty }),
+    stop: (): void => {
+      duty.left = duty.right = 0;
+      apply();
+    },
+  };
+}
+
+/** The two line sensors. */
+function lineSensors({ ground, scale }: RobotContext) {
+  const attachOne = (side: Side) => {
+    const spot = scaled(LINE_AT[side], scale);
+    return createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale));
+  };
+  const sensors = { left: attachOne('left'), right: attachOne('right') };
+  const isBright = (side: Side): boolean => sensors[side].isBright();
+  const millivolts = (side: Side): number =>
+    Math.round(LINE_MV.black + (LINE_MV.floor - LINE_MV.black) * sensors[side].reflectance());
+  const stateOf = (side: Side): LineSensorState => ({
+    name: side,
+    atMm: LINE_AT[side],
+    bright: isBright(side),
+    reading: millivolts(side),
+  });
+  return {
+    isBright,
+    millivolts,
+    sample: (): void => {
+      sensors.left.sample();
+      sensors.right.sample();
+    },
+    states: (): LineSensorState[] => [stateOf('left'), stateOf('right')],
+  };
+}
+
+/** Whole millimetres. Nothing in range: no source tells what the robot gives; chosen as an option, the far end or 0. */
+function measured(distanceMm: number, isZeroWithoutEcho: boolean): number {
+  if (distanceMm === Infinity) return isZeroWithoutEcho ? 0 : FARTHEST_MM;
+  return Math.round(Math.max(distanceMm, NEAREST_MM));
+}

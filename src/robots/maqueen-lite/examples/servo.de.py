@@ -1,0 +1,17 @@
+# Ein Servo am Anschluss S1
+# Was daran hängt, wählst du unter «Gerät».
+# Beim Greifer heisst 30 offen und 90 zu.
+from mbrobot import *
+
+OPEN = 30
+CLOSED = 90
+
+for turn in range(3):
+    setServo("S1", OPEN)
+    delay(1000)
+    setServo("S1", CLOSED)
+    delay(1000)
+
+for angle in range(CLOSED, OPEN, -5):   # langsam öffnen
+    setServo("S1", angle)
+    delay(100)

@@ -1,0 +1,139 @@
+/**
+ * The Maqueen Plus V1's own controller: a register machine at I2C address 0x10 (see #devices/i2c-registers).
+ *
+ *      register     access  meaning
+ *      0x00         RW      left motor direction: 0 stop, 1 forward, 2 backward
+ *      0x01         RW      left motor speed, 0 … 255, takes effect at once
+ *      0x02         RW      right motor direction
+ *      0x03         RW      right motor speed
+ *      0x04, 0x05   RW      pulses of the left wheel since the start, high byte first; a write sets them back to 0
+ *      0x06, 0x07   RW      pulses of the right wheel
+ *      0x0A         RW      speed control: 0 off, else the controller keeps the speed (see speed-control.ts)
+ *      0x0B         RW      left colour light: 1 red, 2 green, 3 yellow, 4 blue, 5 pink, 6 cyan, 7 white, else off
+ *      0x0C         RW      right colour light
+ *      0x14 … 0x16  RW      angle of servo S1, S2, S3 in degrees
+ *      0x1D         R       line sensors: bit 0 = L3, 1 = L2, 2 = L1, 3 = R1, 4 = R2, 5 = R3; 1 on black, 0 on light ground
+ *      0x1E … 0x29  R       brightness of L3, L2, L1, R1, R2, R3, two bytes each, high byte first
+ *      0x32         R       length of the version text
+ *      0x33 …       R       version text, ASCII
+ *      others               writes are ignored, reads give 0
+ *
+ * Sources: DFRobot/pxt-DFRobot-Maqueenplus `maqueenplus.ts`, DFRobot/DFRobot_Maqueenplus `DFRobot_MaqueenPlus.cpp`,
+ * Tiger-Jython/Robotics-Libraries `mbrobot_plus.py`, lawther/maqueenplus `maqueenplus.py`.
+ */
+import type { I2cTarget } from '#board/i2c-bus';
+import {
+  createRegisterMachine,
+  liveRegisters,
+  memoryRegisters,
+  textRegisters,
+  type RegisterPart,
+} from '#devices/i2c-registers';
+import type { Rgb } from '#devices/ws2812';
+
+export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenplus.ts
+
+const MOTORS = 0x00;
+const PULSES = 0x04;
+const SPEED_CONTROL = 0x0a;
+const LIGHTS = 0x0b;
+const SERVOS = 0x14;
+const LINE_BITS = 0x1d;
+const LINE_VALUES = 0x1e;
+const VERSION = 0x32;
+
+/** lawther/maqueenplus drives robots whose text ends in 1.4; the product number is that of the series (see the V2). */
+export const VERSION_TEXT = 'MBT0021-EN-1.4';
+
+/** The line sensors from left to right: the order of their bits and values. */
+export const LINE_NAMES = ['L3', 'L2', 'L1', 'R1', 'R2', 'R3'] as const;
+
+/** A line sensor's name, as printed on the robot. */
+export type LineName = (typeof LINE_NAMES)[number];
+
+/** A wheel: 0 left, 1 right. */
+export type Side = 0 | 1;
+
+const OFF: Rgb = [0, 0, 0];
+/** By colour number: DFRobot maqueenplus.ts, `Color`. */
+const COLORS: readonly Rgb[] = [
+  OFF,
+  [255, 0, 0],
+  [0, 255, 0],
+  [255, 255, 0],
+  [0, 0, 255],
+  [255, 0, 255],
+  [0, 255, 255],
+  [255, 255, 255],
+];
+
+/** What the controller tells the parts it drives, and asks its sensors. */
+export interface ControllerParts {
+  /** Called after each write transfer that touched a motor: duties −1 … 1 as the bytes say. */
+  motors(left: number, right: number): void;
+  speedControl(isOn: boolean): void;
+  lights(left: Rgb, right: Rgb): void;
+  /** Servo 0 … 2, angle in degrees. */
+  servo(index: number, angleDeg: number): void;
+  /** Pulses of a wheel since they were last set back. */
+  pulses(side: Side): number;
+  clearPulses(side: Side): void;
+  isBright(sensor: LineName): boolean;
+  /** Brightness, 0 … 4095. */
+  brightness(sensor: LineName): number;
+}
+
+/** Makes the controller; motors, lights and speed control are off. */
+export function createController(parts: ControllerParts): I2cTarget {
+  const lineBits = (): number =>
+    LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
+  return createRegisterMachine([
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
+      parts.motors(dutyOf(dirL, speedL), dutyOf(dirR, speedR)),
+    ),
+    pulseRegisters(parts),
+    memoryRegisters(SPEED_CONTROL, 1, ([isOn = 0]) => parts.speedControl(isOn !== 0)),
+    memoryRegisters(LIGHTS, 2, ([left = 0, right = 0]) => parts.lights(COLORS[left] ?? OFF, COLORS[right] ?? OFF)),
+    servoRegisters(parts),
+    liveRegisters(LINE_BITS, 1, lineBits),
+    liveRegisters(LINE_VALUES, 2 * LINE_NAMES.length, (offset) => {
+      const name = LINE_NAMES[offset >> 1];
+      return name === undefined ? 0 : byteOfWord(parts.brightness(name), offset);
+    }),
+    textRegisters(VERSION, VERSION_TEXT),
+  ]);
+}
+
+/** Two words that count; whatever is written to one sets it back. */
+function pulseRegisters(parts: ControllerParts): RegisterPart {
+  return {
+    first: PULSES,
+    count: 4,
+    read: (offset) => byteOfWord(parts.pulses(sideOf(offset)), offset),
+    write: (offset) => parts.clearPulses(sideOf(offset)),
+  };
+}
+
+/** A byte per servo; only what is written turns one, so that a servo that was never set stays where it is. */
+function servoRegisters(parts: ControllerParts): RegisterPart {
+  const angles = [0, 0, 0];
+  return {
+    first: SERVOS,
+    count: angles.length,
+    read: (offset) => angles[offset] ?? 0,
+    write: (offset, angleDeg) => {
+      angles[offset] = angleDeg;
+      parts.servo(offset, angleDeg);
+    },
+  };
+}
+
+/** Share of time a motor is driven, −1 … 1. Directions beyond 2 are not documented: chosen as stop. */
+function dutyOf(direction: number, speed: number): number {
+  if (speed === 0 || direction === 0 || direction > 2) return 0;
+  return (direction === 1 ? speed : -speed) / 255;
+}
+
+/** High byte at even offsets, low byte at odd ones. */
+const byteOfWord = (word: number, offset: number): number => (offset % 2 === 0 ? word >> 8 : word) & 0xff;
+const sideOf = (offset: number): Side => (offset < 2 ? 0 : 1);

@@ -1,0 +1,116 @@
+/**
+ * DFRobot Maqueen Plus V1: its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md;
+ * NOE = NoeSchaller/TS_Maqueen, DF = DFRobot/pxt-DFRobot-Maqueenplus.
+ *
+ *      P0  buzzer                I2C 0x10  motors, pulses, speed control, colour lights, servos S1 S2 S3,
+ *      P1  ultrasonic trigger              line sensors, version
+ *      P2  ultrasonic echo
+ */
+import { attachServoPorts } from '#attachments/servo-ports';
+import type { Vec } from '#core/geometry';
+import { attachHcSr04, FARTHEST_MM } from '#devices/hc-sr04';
+import { createLineComparator, type LineComparator } from '#devices/line-sensor';
+import type { Rgb } from '#devices/ws2812';
+import { STEP_US, type Cone } from '#world/world';
+import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, scaled } from '../sonar';
+import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
+import { createDrive } from './drive';
+import mbrobotPlus from './library/mbrobot_plus.py?raw';
+import { maqueenPlusV1 as type, SERVO_PORTS } from './type';
+
+/** Four in a row in front, one at each side: NOE. */
+const LINE_SENSORS: readonly { readonly name: LineName; readonly atMm: Vec }[] = [
+  { name: 'L3', atMm: { x: 38, y: 45 } },
+  { name: 'L2', atMm: { x: 58, y: 15 } },
+  { name: 'L1', atMm: { x: 58, y: 5 } },
+  { name: 'R1', atMm: { x: 58, y: -5 } },
+  { name: 'R2', atMm: { x: 58, y: -15 } },
+  { name: 'R3', atMm: { x: 38, y: -45 } },
+];
+const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
+
+/**
+ * What the sensors measure, of 4095. Chosen between the thresholds of published MakeCode programs for the robot, which take
+ * less than 1300 for dark, 2800 for the edge of a line and more than 3200 for light. Linear in between: chosen.
+ */
+const BRIGHTNESS = { black: 1000, floor: 3500 };
+
+/** In front of the micro:bit, near the front edge: chosen. NOE puts it 48 mm ahead of the axle. */
+const SONAR_AT: Vec = { x: 74, y: 0 };
+const SONAR_CONE: Cone = {
+  openingRad: Math.PI / 9, // 20°: beam of TigerJython's own simulator, Tiger-Jython/Aplu-Libraries
+  rangeMm: FARTHEST_MM,
+};
+
+const STEP_S = STEP_US / 1_000_000;
+
+export const maqueenPlusV1Build: RobotBuild = {
+  type,
+  libraries: { 'mbrobot_plus.py': mbrobotPlus },
+  attach,
+};
+
+function attach(context: RobotContext): Robot {
+  const { board, chassis, clock, options, scale } = context;
+  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
+  const servos = attachServoPorts(SERVO_PORTS, options, mount);
+  const drive = createDrive(chassis, scale);
+  const line = lineSensors(context);
+  let lights: readonly [Rgb, Rgb] = [
+    [0, 0, 0],
+    [0, 0, 0],
+  ];
+  const controller = createController({
+    ...drive,
+    ...line,
+    lights: (left, right) => {
+      lights = [left, right];
+    },
+    servo: (index, angleDeg) => servos.set(SERVO_PORTS[index] ?? '', angleDeg),
+  });
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const stops = [
+    board.i2c.attach(CONTROLLER_ADDRESS, controller),
+    attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => sonar.distanceMm()),
+    servos.stop,
+    drive.stop,
+  ];
+  const state = (): RobotState => ({
+    leds: { left: 0, right: 0 }, // it has colour lights in their place
+    rgb: lights,
+    lineSensors: line.states(),
+    servos: servos.servos(),
+    attachments: servos.attachments(),
+    duty: drive.duty(),
+    ultrasonic: sonar.state(),
+    bumper: null,
+  });
+  const step = (): void => {
+    drive.step(STEP_S);
+    line.sample();
+    servos.step();
+  };
+  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+}
+
+/** The six line sensors. */
+function lineSensors({ ground, scale }: RobotContext) {
+  const sensors = new Map<LineName, LineComparator>(
+    LINE_SENSORS.map(({ name, atMm }) => {
+      const spot = scaled(atMm, scale);
+      return [name, createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale))];
+    }),
+  );
+  const { black, floor } = BRIGHTNESS;
+  const isBright = (name: LineName): boolean => sensors.get(name)?.isBright() ?? false;
+  const brightness = (name: LineName): number =>
+    Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
+  return {
+    isBright,
+    brightness,
+    sample: (): void => sensors.forEach((sensor) => sensor.sample()),
+    states: (): LineSensorState[] =>
+      LINE_SENSORS.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: brightness(name) })),
+  };
+}

@@ -1,0 +1,82 @@
+/**
+ * The Maqueen Plus V2's own controller: a register machine at I2C address 0x10 (see #devices/i2c-registers).
+ *
+ *      register     access  meaning
+ *      0x00         RW      left motor direction, 0 forward, 1 backward
+ *      0x01         RW      left motor speed, 0 … 255, takes effect at once
+ *      0x02         RW      right motor direction
+ *      0x03         RW      right motor speed
+ *      0x0B         RW      left red light, 0 off, else on
+ *      0x0C         RW      right red light
+ *      0x1D         R       line sensors: bit 0 = R2, 1 = R1, 2 = M, 3 = L1, 4 = L2; 1 on black, 0 on light ground
+ *      0x1E … 0x27  R       brightness of R2, R1, M, L1, L2, two bytes each, low byte first, at most 255;
+ *                           on some robots of L2, L1, M, R1, R2
+ *      0x32         R       length of the version text
+ *      0x33 …       R       version text, ASCII
+ *      others               writes are ignored, reads give 0: so do the servo registers of the V1 (0x14 … 0x16) and the
+ *                           reset register of the V3 (0x49)
+ *
+ * Sources: DFRobot/pxt-DFRobot_MaqueenPlus_v20 `maqueenPlusV2.ts`, Tiger-Jython/Robotics-Libraries `mbrobot_plusV2.py`,
+ * almasy/micropython-maqueen-plus (motor registers read back). On the order of the brightness values see SOURCES.md.
+ */
+import type { I2cTarget } from '#board/i2c-bus';
+import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from '#devices/i2c-registers';
+
+export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenPlusV2.ts: I2CADDR
+
+const MOTORS = 0x00;
+const LEDS = 0x0b;
+const LINE_BITS = 0x1d;
+const LINE_VALUES = 0x1e;
+const VERSION = 0x32;
+
+const BYTES_PER_VALUE = 2;
+
+/** The line sensors from right to left: the order of their bits. */
+export const LINE_NAMES = ['R2', 'R1', 'M', 'L1', 'L2'] as const;
+
+/** A line sensor's name, as printed on the robot. */
+export type LineName = (typeof LINE_NAMES)[number];
+
+/** What the controller tells the parts it drives, and asks its sensors. */
+export interface ControllerParts {
+  /** Called after each write transfer that touched a motor register, with the bytes as the program set them. */
+  motors(leftDirection: number, leftSpeed: number, rightDirection: number, rightSpeed: number): void;
+  /** Called after each write transfer that touched a light. */
+  leds(left: 0 | 1, right: 0 | 1): void;
+  isBright(sensor: LineName): boolean;
+  /** Brightness, 0 … 255. */
+  brightness(sensor: LineName): number;
+}
+
+/** Where boards of the same kind differ. */
+export interface ControllerOptions {
+  /** End of the version text. */
+  readonly version: '2.0' | '2.1';
+  /** Whose brightness stands at 0x1E. */
+  readonly analogOrder: 'R2-first' | 'L2-first';
+}
+
+/** The version text: product, language, version (GBSL-Informatik/maqueen-plus-v2-mpy: `MBT0021-EN-2.1`). */
+export const versionText = (version: ControllerOptions['version']): string => `MBT0021-EN-${version}`;
+
+/** Makes the controller; motors and lights are off. */
+export function createController(parts: ControllerParts, { version, analogOrder }: ControllerOptions): I2cTarget {
+  const order: readonly LineName[] = analogOrder === 'R2-first' ? LINE_NAMES : [...LINE_NAMES].reverse();
+  const lineBits = (): number =>
+    LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
+  const lineValue = (offset: number): number => {
+    if (offset % BYTES_PER_VALUE !== 0) return 0; // the high byte
+    const sensor = order[offset / BYTES_PER_VALUE];
+    return sensor === undefined ? 0 : parts.brightness(sensor);
+  };
+  return createRegisterMachine([
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
+      parts.motors(dirL, speedL, dirR, speedR),
+    ),
+    memoryRegisters(LEDS, 2, ([left, right]) => parts.leds(left ? 1 : 0, right ? 1 : 0)),
+    liveRegisters(LINE_BITS, 1, lineBits),
+    liveRegisters(LINE_VALUES, LINE_NAMES.length * BYTES_PER_VALUE, lineValue),
+    textRegisters(VERSION, versionText(version)),
+  ]);
+}

@@ -1,0 +1,17 @@
+# Ein Servo am Anschluss P1
+# Was daran hängt, wählst du unter «Gerät».
+# Beim Greifer heisst 30 offen und 90 zu.
+from mbrobot_plusV2 import *
+
+OPEN = 30
+CLOSED = 90
+
+for turn in range(3):
+    setServo("P1", OPEN)
+    delay(1000)
+    setServo("P1", CLOSED)
+    delay(1000)
+
+for angle in range(CLOSED, OPEN, -5):   # langsam öffnen
+    setServo("P1", angle)
+    delay(100)

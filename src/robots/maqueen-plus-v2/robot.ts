@@ -1,0 +1,149 @@
+/**
+ * DFRobot Maqueen Plus V2: its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md;
+ * GBSL = GBSL-Informatik/maqueen-plus-v2-mpy, ETH = Tiger-Jython/Robotics-Libraries `mbrobot_plusV2.py`.
+ *
+ *      P0  buzzer, servo       P13  ultrasonic trigger     I2C 0x10  motors, red lights, line sensors, version
+ *      P1  servo               P14  ultrasonic echo
+ *      P2  servo               P15  four RGB LEDs
+ *                              P16  infrared receiver
+ */
+import { attachServoPorts } from '#attachments/servo-ports';
+import type { Wire } from '#board/wire';
+import type { Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
+import { signedDuty } from '#devices/dc-motor';
+import { attachIrReceiver } from '#devices/ir-receiver';
+import { attachHcSr04, FARTHEST_MM } from '#devices/hc-sr04';
+import { createLineComparator, type LineComparator } from '#devices/line-sensor';
+import { attachPwmServo } from '#devices/servo';
+import { attachWs2812 } from '#devices/ws2812';
+import type { Cone } from '#world/world';
+import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, scaled } from '../sonar';
+import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
+import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
+import { maqueenPlusV2 as type, SERVO_PORTS } from './type';
+
+/**
+ * A row of three in front of the castor, the outer two further back near the wheels, as GBSL draws them; the figures
+ * are chosen: a line of 20 mm width covers M alone, and the outer two see a crossing line after the others.
+ */
+const LINE_SENSORS: readonly { readonly name: LineName; readonly atMm: Vec }[] = [
+  { name: 'L2', atMm: { x: 46, y: 36 } },
+  { name: 'L1', atMm: { x: 56, y: 12 } },
+  { name: 'M', atMm: { x: 56, y: 0 } },
+  { name: 'R1', atMm: { x: 56, y: -12 } },
+  { name: 'R2', atMm: { x: 46, y: -36 } },
+];
+const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
+
+/** What the sensors measure on black and on bare floor. Linear in between: chosen. */
+const BRIGHTNESS = {
+  'light-high': { black: 100, floor: 230 }, // measured by the author of a TigerJython teaching project
+  'light-low': { black: 240, floor: 70 }, // jdonwells/micropython-MaqueenPlusV2: about 240 on a line, about 70 off it
+} as const;
+
+/** The cans end at the body's front edge: chosen from the drawing; the V2's figure is not published. */
+const SONAR_AT: Vec = { x: 76, y: 0 };
+const SONAR_CONE: Cone = {
+  openingRad: Math.PI / 9, // 20°: beam of TigerJython's own simulator, Tiger-Jython/Aplu-Libraries
+  rangeMm: FARTHEST_MM,
+};
+
+const RGB_COUNT = 4; // front left, back left, back right, front right: ETH
+
+/**
+ * Shortest PWM period that turns a servo here, in µs. Chosen: the buzzer hangs on P0 too, and its notes down to 100 Hz
+ * shall not turn a claw.
+ */
+const LEAST_SERVO_PERIOD_US = 10_000;
+
+export const maqueenPlusV2Build: RobotBuild = {
+  type,
+  libraries: { 'mbrobot_plusV2.py': mbrobotPlusV2 },
+  attach,
+};
+
+function attach(context: RobotContext): Robot {
+  const { board, chassis, clock, options } = context;
+  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale: context.scale };
+  const servos = attachServoPorts(SERVO_PORTS, options, mount);
+  const duty = { left: 0, right: 0 };
+  const drive = (left: number, right: number): void => {
+    duty.left = left;
+    duty.right = right;
+    chassis.setDuty(0, left);
+    chassis.setDuty(1, right);
+  };
+  const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
+  const line = lineSensors(context);
+  const controller = createController(
+    {
+      motors: (dirL, speedL, dirR, speedR) => drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
+      leds: (left, right) => Object.assign(leds, { left, right }),
+      isBright: line.isBright,
+      brightness: line.brightness,
+    },
+    {
+      version: options['version'] === '2.0' ? '2.0' : '2.1',
+      analogOrder: options['analogOrder'] === 'L2-first' ? 'L2-first' : 'R2-first',
+    },
+  );
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const underglow = attachWs2812(board.wire('P15'), RGB_COUNT);
+  const stops = [
+    board.i2c.attach(CONTROLLER_ADDRESS, controller),
+    attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, {
+      withoutTarget: options['echo'] === 'long-pulse' ? 'long-pulse' : 'none',
+    }),
+    ...SERVO_PORTS.map((port) => onServoSignal(context, board.wire(port), (angle) => servos.set(port, angle))),
+    attachIrReceiver(board.wire('P16')),
+    underglow.stop,
+    servos.stop,
+    () => drive(0, 0),
+  ];
+  const state = (): RobotState => ({
+    leds: { ...leds },
+    rgb: underglow.colors(),
+    lineSensors: line.states(),
+    servos: servos.servos(),
+    attachments: servos.attachments(),
+    duty: { ...duty },
+    ultrasonic: sonar.state(),
+    bumper: null,
+  });
+  const step = (): void => {
+    line.sample();
+    servos.step();
+  };
+  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+}
+
+/** The five line sensors. */
+function lineSensors({ ground, options, scale }: RobotContext) {
+  const { black, floor } = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
+  const sensors = new Map<LineName, LineComparator>(
+    LINE_SENSORS.map(({ name, atMm }) => {
+      const spot = scaled(atMm, scale);
+      return [name, createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale))];
+    }),
+  );
+  const isBright = (name: LineName): boolean => sensors.get(name)?.isBright() ?? false;
+  const brightness = (name: LineName): number =>
+    Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
+  return {
+    isBright,
+    brightness,
+    sample: (): void => sensors.forEach((sensor) => sensor.sample()),
+    states: (): LineSensorState[] =>
+      LINE_SENSORS.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: brightness(name) })),
+  };
+}
+
+/** Listens to a servo's wire; tones are left out. In whole degrees: the steps of `write_analog` are of 2°. */
+function onServoSignal({ clock }: RobotContext, wire: Wire, set: (angleDeg: number) => void): Stop {
+  const hear = (angleDeg: number): void => {
+    if (wire.pwm === null || wire.pwm.periodUs >= LEAST_SERVO_PERIOD_US) set(Math.round(angleDeg));
+  };
+  return attachPwmServo(wire, hear, { clock });
+}

@@ -1,0 +1,14 @@
+// Written by `npm run robots`: do not edit.
+import { callibotSheet } from './callibot/sheet';
+import { maqueenLiteSheet } from './maqueen-lite/sheet';
+import { maqueenPlusV1Sheet } from './maqueen-plus-v1/sheet';
+import { maqueenPlusV2Sheet } from './maqueen-plus-v2/sheet';
+import type { RobotSheet } from './robot';
+
+/** What the gallery tells about every robot. Apart from `index.ts`, as only the gallery needs it, and later. */
+export const robotSheets: readonly RobotSheet[] = [
+  callibotSheet,
+  maqueenLiteSheet,
+  maqueenPlusV1Sheet,
+  maqueenPlusV2Sheet,
+];

@@ -1,0 +1,111 @@
+import { Board } from '#board/board';
+import { findBoard } from '#board/boards/index';
+import { Clock } from '#core/clock';
+import { completeOptions, type OptionValues } from '#core/option';
+import { createVm } from '#vm/run/vm';
+import { createWorld, STEP_US, type Chassis, type World } from '#world/world';
+import type { Robot, RobotBuild } from '../robot';
+
+/** A robot in an arena of 3 m × 3 m, its board in the hands of a test. */
+export interface Floor {
+  readonly clock: Clock;
+  readonly world: World;
+  readonly board: Board;
+  readonly chassis: Chassis;
+  readonly robot: Robot;
+  /** Lets simulated time pass. */
+  readonly passMs: (ms: number) => void;
+  /** Writes to a chip on the bus; false when nobody answers. */
+  readonly send: (address: number, ...bytes: readonly number[]) => boolean;
+  /** Selects a register of a chip and reads from there. */
+  readonly readFrom: (address: number, register: number, count: number) => readonly number[];
+  /** What it prints and how it ends when a program runs with the robot's libraries. */
+  readonly run: (firmware: WebAssembly.Module, program: string, forMs?: number) => ProgramRun;
+}
+
+/** A program that has run. */
+export interface ProgramRun {
+  readonly lines: readonly string[];
+  /** `Type: message` of the exception that ended it, or `null`. */
+  readonly exception: string | null;
+  readonly hasEnded: boolean;
+}
+
+/** How a test wants the floor. */
+export interface FloorSetup {
+  /** Paints lines and puts up walls. */
+  readonly prepare?: (world: World) => void;
+  readonly options?: OptionValues;
+  readonly scale?: number;
+  /** What the battery gives. */
+  readonly supplyMv?: number;
+  /** How strong the left and the right motor are. */
+  readonly strength?: readonly [number, number];
+}
+
+/** Puts a robot at (1000, 1000), heading along +x, with its board. */
+export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
+  const { prepare = () => undefined, options = {}, scale = 1, supplyMv = 4800, strength = [1, 1] } = setup;
+  const boardType = findBoard(build.type.board);
+  if (!boardType) throw new Error(`There is no board "${build.type.board}".`);
+  const clock = new Clock();
+  const board = new Board(boardType, clock);
+  const world = createWorld({ widthMm: 3000, heightMm: 3000 });
+  prepare(world);
+  const chassis = world.addChassis({ ...build.type.body, strength }, { xMm: 1000, yMm: 1000, headingRad: 0 });
+  const robot = build.attach({
+    clock,
+    board,
+    chassis,
+    ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+    distance: (from, headingRad, cone) =>
+      world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
+    supplyMv: () => supplyMv,
+    options: completeOptions(build.type.options, options),
+    scale,
+  });
+  clock.every(STEP_US, () => {
+    world.step();
+    robot.step();
+  });
+  const send = (address: number, ...bytes: readonly number[]): boolean =>
+    board.i2c.write(address, Uint8Array.from(bytes)).acknowledged;
+  return {
+    clock,
+    world,
+    board,
+    chassis,
+    robot,
+    passMs: (ms) => clock.advanceTo(clock.nowUs + ms * 1000),
+    send,
+    readFrom: (address, register, count) => {
+      send(address, register);
+      return [...board.i2c.read(address, count).bytes];
+    },
+    run: (firmware, program, forMs = 5000) => runProgram({ board, clock, build, firmware, program, forMs }),
+  };
+}
+
+interface ProgramSetup {
+  readonly board: Board;
+  readonly clock: Clock;
+  readonly build: RobotBuild;
+  readonly firmware: WebAssembly.Module;
+  readonly program: string;
+  readonly forMs: number;
+}
+
+function runProgram({ board, clock, build, firmware, program, forMs }: ProgramSetup): ProgramRun {
+  let output = '';
+  const write = (text: string): void => void (output += text);
+  const files = { 'main.py': program };
+  const vm = createVm({ firmware, board, clock, files, libraries: build.libraries, seed: 1, write });
+  const untilUs = clock.nowUs + forMs * 1000;
+  while (clock.nowUs < untilUs) vm.resume(untilUs);
+  const exception = vm.ended?.exception ?? null;
+  return {
+    lines: output.split(/\r?\n/).filter((line) => line !== ''),
+    exception: exception && `${exception.type}: ${exception.message}`,
+    hasEnded: vm.ended !== null,
+  };
+}
