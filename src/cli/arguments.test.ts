@@ -25,6 +25,7 @@ describe('the command line', () => {
       forUs: null,
       seed: 1,
       reality: 0,
+      robotOptions: {},
       input: null,
       trace: null,
       log: null,
@@ -37,7 +38,7 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0 --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
+      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
@@ -47,7 +48,8 @@ describe('the command line', () => {
       firmware: 'newest',
       forUs: 1_500_000,
       seed: 7,
-      reality: 0,
+      reality: 0.5,
+      robotOptions: { S1: 'push', model: '2E' },
       input: 'i.json',
       trace: 't.csv',
       log: 'l.csv',
@@ -83,7 +85,7 @@ describe('the command line', () => {
     ['run main.py --seed 1.5', /--seed: "1\.5" is not a whole number/],
     ['run main.py --lang xx', /--lang: "xx" is not available\. Known: en, de/],
     ['run main.py --reality 2', /--reality: "2" is not a number from 0 to 1/],
-    ['run main.py --reality 0.5', /--reality: 0\.5 is not available yet\. Use 0/],
+    ['run main.py --option claw', /--option: "claw" is not like S1=claw/],
   ])('refuses "%s"', (line, message) => {
     expect(problemOf(line)).toMatch(message);
   });

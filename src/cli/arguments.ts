@@ -1,4 +1,5 @@
 import { parseArgs } from 'node:util';
+import type { OptionValues } from '#core/option';
 import { parseDuration } from './duration';
 
 /** What `parcours run` was asked to do. */
@@ -14,6 +15,8 @@ export interface RunOptions {
   readonly forUs: number | null;
   readonly seed: number;
   readonly reality: number;
+  /** Options of the robot by id. */
+  readonly robotOptions: OptionValues;
   readonly input: string | null;
   readonly trace: string | null;
   /** Where the board's data log goes as CSV. */
@@ -40,7 +43,20 @@ export type Command =
   | { readonly type: 'bad'; readonly problem: string };
 
 const texts = [
-  ...(['file', 'scene', 'robot', 'board', 'firmware', 'for', 'seed', 'reality', 'input', 'trace', 'log'] as const),
+  ...([
+    'file',
+    'scene',
+    'robot',
+    'board',
+    'firmware',
+    'option',
+    'for',
+    'seed',
+    'reality',
+    'input',
+    'trace',
+    'log',
+  ] as const),
   'lang',
 ] as const;
 const flags = ['strict', 'json', 'quiet', 'help', 'version'] as const;
@@ -109,7 +125,8 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   }
   const reality = numberOf(last('reality') ?? '0');
   if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
-  if (reality !== 0) return bad(`--reality: ${reality} is not available yet. Use 0, the ideal robot.`);
+  const robotOptions = readOptions(given.get('option') ?? []);
+  if (typeof robotOptions === 'string') return bad(robotOptions);
   const langText = last('lang') ?? 'en';
   const lang = languages.find((known) => known === langText);
   if (lang === undefined) return bad(`--lang: "${langText}" is not available. Known: ${languages.join(', ')}.`);
@@ -125,6 +142,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       forUs: duration?.us ?? null,
       seed,
       reality,
+      robotOptions,
       input: last('input') ?? null,
       trace: last('trace') ?? null,
       log: last('log') ?? null,
@@ -134,6 +152,17 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       quiet: set.has('quiet'),
     },
   };
+}
+
+/** Options of the robot from `ID=CHOICE`, the last of an id wins; or what is wrong with one of them. */
+function readOptions(texts: readonly string[]): OptionValues | string {
+  const options = new Map<string, string>();
+  for (const text of texts) {
+    const [, id, choice] = /^([^=]+)=(.+)$/.exec(text) ?? [];
+    if (id === undefined || choice === undefined) return `--option: "${text}" is not like S1=claw.`;
+    options.set(id, choice);
+  }
+  return Object.fromEntries(options);
 }
 
 /** NaN for everything that is not a plain decimal number. */

@@ -1,3 +1,12 @@
+import { boardTypes } from '#board/boards/index';
+import { robotTypes } from '#robots/index';
+
+/** Where the words of an option begin. */
+const MARGIN = ' '.repeat(22);
+
+const robotNames = [...robotTypes.map(({ id }) => id), 'or none for the microcomputer alone'].join(`,\n${MARGIN}`);
+const boardNames = boardTypes.map(({ id }) => id).join(' or ');
+
 /** What `parcours --help` prints. */
 export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
 
@@ -9,10 +18,12 @@ prints appears here. Two runs with the same files, options and seed are the same
 Which course, which robot
   --scene FILE.json   the course; without it: an empty arena of 1200 x 900 mm,
                       the robot in its centre, heading to the right
-  --robot NAME        maqueen-lite, or none for the microcomputer alone
+  --robot NAME        ${robotNames}
                       (default: the course's, else by what the program imports)
-  --board NAME        microbit-v2 or calliope-mini-3
+  --board NAME        ${boardNames}
                       (default: the course's, else by what the program imports)
+  --option ID=CHOICE  something about the robot, for instance what hangs on a servo port: S1=claw;
+                      may be given several times; an unknown one lists those there are
   --firmware NAME     for the micro:bit v2.1.2 (default) or newest, with the names that came later
   --file DRIVER.py    puts a further file on the board, for instance a module that
                       MAIN.py imports; may be given several times
@@ -29,7 +40,8 @@ How long, and what happens
                         { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } } ]
                       what is typed after the program's end goes to the REPL
   --seed NUMBER       where chance begins (default 1): random numbers repeat with it
-  --reality NUMBER    0 = the ideal robot (default); nothing else yet
+  --reality NUMBER    from 0, the ideal robot (default), to 1, one like the used robots of a
+                      school: unequal motors, weak battery, trembling sensors; from the seed
 
 What you get
   --json              at the end one line with everything about the run, for other programs

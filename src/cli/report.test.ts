@@ -14,6 +14,7 @@ const report: Report = {
   heapFree: 1,
   traceHash: 'ab',
   radio: [],
+  lights: [],
 };
 
 describe('the report', () => {

@@ -1,5 +1,5 @@
 import { textBytesOf } from '#board/radio-text';
-import type { RadioPacket, Simulation } from '#simulation/simulation';
+import type { RadioPacket, Simulation, Snapshot } from '#simulation/simulation';
 
 /** How a run ended, as a word for programs. */
 export type EndedWord = 'finished' | 'time-limit' | 'exception' | 'panic' | 'stopped' | 'stuck';
@@ -47,6 +47,8 @@ export interface Report {
   readonly traceHash: string;
   /** What was sent by radio, oldest first; the first 10,000 packets. */
   readonly radio: readonly ReportedPacket[];
+  /** Chains of colour lights on pins that no robot uses: rings and strips that the program sent colours to. */
+  readonly lights: Snapshot['lights'];
 }
 
 /** What is to be told about a run now. While its program goes on, `ended` is `time-limit`. */
@@ -65,6 +67,7 @@ export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[]
     heapFree: simulation.heapFree(),
     traceHash: simulation.traceHash,
     radio: sent,
+    lights: snapshot.lights,
   };
 }
 
@@ -74,10 +77,11 @@ function endedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): Ended
   return ended.kind === 'fault' ? 'panic' : ended.kind;
 }
 
-/** The line that `--json` prints; `radio` is there when something was sent. */
+/** The line that `--json` prints; `radio` and `lights` are there when there are any. */
 export function jsonLine(report: Report, console: string): string {
-  const { heapFree, traceHash, radio, ...rest } = report;
-  return JSON.stringify({ ...rest, console, heapFree, traceHash, ...(radio.length > 0 ? { radio } : {}) });
+  const { heapFree, traceHash, radio, lights, ...rest } = report;
+  const some = { ...(radio.length > 0 ? { radio } : {}), ...(lights.length > 0 ? { lights } : {}) };
+  return JSON.stringify({ ...rest, console, heapFree, traceHash, ...some });
 }
 
 /** A packet as the report has it. */

@@ -1,6 +1,7 @@
 import { closeSync, existsSync, openSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
-import { chooseHardware } from '#simulation/hardware';
+import { findBoard } from '#board/boards/index';
+import { chooseHardware, isMisplugged } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, type Report } from './report';
@@ -27,10 +28,11 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
-  const { robot, board, firmware, seed, reality } = options;
+  const { robot, board, firmware, seed, reality, robotOptions } = options;
+  tellMisplugged(read, options, terminal);
   const outcome = await supervise(
     {
-      setup: { ...read, robot, board, firmware, seed, reality, keepTrace: trace !== null },
+      setup: { ...read, robot, board, firmware, seed, reality, robotOptions, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
@@ -73,10 +75,20 @@ async function strictFailure(read: RunFiles, options: RunOptions, terminal: Term
   return { ...nothingYet, ended: 'exception', exception };
 }
 
+/** A robot on a board that it does not fit answers to nothing: the program will meet the device's error, and this says why. */
+function tellMisplugged(read: RunFiles, options: RunOptions, terminal: Terminal): void {
+  const hardware = chooseHardware({ ...options, ...read });
+  if ('problem' in hardware || hardware.robot === null || !isMisplugged(hardware)) return;
+  const fitting = findBoard(hardware.robot.board);
+  terminal.message(
+    `parcours: the ${hardware.robot.name} is made for the ${fitting?.name ?? ''}, but here a ${hardware.board.name} is plugged in: nothing of the robot is connected. Choose --board ${hardware.robot.board}, or another --robot.`,
+  );
+}
+
 /** Says which file a problem of the whole set-up stands in. */
 function placed(problem: string, options: RunOptions): string {
   if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
-  if (problem.startsWith('robot.at') && options.scene !== null) return `${options.scene}: ${problem}`;
+  if (/^(robot\.|board:)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
   return problem;
 }
 

@@ -43,6 +43,7 @@ export const nothingYet: Report = {
   heapFree: 0,
   traceHash: '',
   radio: [],
+  lights: [],
 };
 
 /** Runs the task in a thread of its own, passes its output on, and ends it when it is stuck or Ctrl-C is pressed. */

@@ -113,13 +113,27 @@ function readId(value: unknown, path: string, reader: Reader): string | null {
 function readRobot(value: unknown, size: Point, reader: Reader): RobotStart {
   const centre = centreStart(size);
   if (value === undefined) return centre;
-  const fields = reader.fields(value, 'robot', ['type', 'at', 'heading', 'scale']);
+  const fields = reader.fields(value, 'robot', ['type', 'at', 'heading', 'scale', 'options']);
   return {
     type: readId(fields.type, 'robot.type', reader),
     at: reader.point(fields.at, 'robot.at', sceneLimits.placeMm, centre.at),
     heading: reader.number(fields.heading, 'robot.heading', sceneLimits.headingDeg, centre.heading),
     scale: reader.number(fields.scale, 'robot.scale', sceneLimits.scale, centre.scale),
+    options: readOptions(fields.options, reader),
   };
+}
+
+function readOptions(value: unknown, reader: Reader): RobotStart['options'] {
+  if (value === undefined) return {};
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    reader.wrongType(value, 'robot.options', 'an object { "option": "choice" }');
+    return {};
+  }
+  const entries = reader.list(Object.entries(value), 'robot.options', { min: 0, max: sceneLimits.options });
+  const options = new Map<string, string>();
+  for (const [id, choice] of entries as readonly (readonly [string, unknown])[])
+    options.set(id, reader.text(choice, `robot.options.${id.slice(0, 40)}`, sceneLimits.idCharacters));
+  return Object.fromEntries(options);
 }
 
 function readObjects(value: unknown, reader: Reader): SceneObject[] {

@@ -48,7 +48,7 @@ function problemsOf(value: unknown): readonly SceneProblem[] {
 describe('a course file', () => {
   it('is read with all its properties', () => {
     const scene = sceneOf(full);
-    expect(scene.robot).toEqual({ type: 'maqueen-lite', at: [600, 450], heading: 90, scale: 1.5 });
+    expect(scene.robot).toEqual({ type: 'maqueen-lite', at: [600, 450], heading: 90, scale: 1.5, options: {} });
     expect(scene.objects.map((object) => object.id)).toEqual(['a1', 'a2', 'a3', 'a4']);
   });
 
@@ -82,6 +82,12 @@ describe('a course file', () => {
     expect(serializeScene(sceneOf(withObject(wall)))).toContain(
       '\n    { "id": "w", "type": "wall", "from": [0, 0], "to": [100, 0] }\n  ]\n',
     );
+  });
+
+  it('keeps the options of the robot, in the order of their names', () => {
+    const text = serializeScene(sceneOf({ ...full, robot: { options: { model: '2E', S1: 'claw' } } }));
+    expect(text).toContain('"options": { "S1": "claw", "model": "2E" }');
+    expect(sceneOf(JSON.parse(text)).robot.options).toEqual({ S1: 'claw', model: '2E' });
   });
 
   it('may begin with a byte order mark', () => {
@@ -142,6 +148,14 @@ describe('a bad course file', () => {
       'out-of-range',
       'robot.scale',
       /10 is not within 0.5 … 3/,
+    ],
+    ['options as a list', changed({ robot: { options: ['claw'] } }), 'wrong-type', 'robot.options', /an object/],
+    [
+      'an option that is a number',
+      changed({ robot: { options: { S1: 1 } } }),
+      'wrong-type',
+      'robot.options.S1',
+      /a text in quotes, not 1/,
     ],
     ['objects as object', changed({ objects: {} }), 'wrong-type', 'objects', /a list/],
     [

@@ -56,6 +56,8 @@ export interface RobotStart {
   readonly heading: number;
   /** Size of the robot relative to the real one. */
   readonly scale: number;
+  /** What is chosen about the robot: id of an option → id of a choice. What is left out is as usual. */
+  readonly options: Readonly<Record<string, string>>;
 }
 
 /** A course. */
@@ -103,6 +105,7 @@ export const sceneLimits = {
   widthMm: { min: 1, max: 500 },
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },
+  options: 50,
 } as const;
 
 /** The empty course: an arena of 1200 × 900 mm, the robot in its centre heading along +x. */
@@ -124,5 +127,6 @@ export function centreStart(size: Point): RobotStart {
     at: [Math.round(size[0] / 2), Math.round(size[1] / 2)],
     heading: sceneDefaults.heading,
     scale: sceneDefaults.scale,
+    options: {},
   };
 }

@@ -43,7 +43,15 @@ function robotText(robot: RobotStart): string {
     `"at": ${pair(robot.at)}`,
     ...property('heading', robot.heading, sceneDefaults.heading),
     ...property('scale', robot.scale, sceneDefaults.scale),
+    ...optionsProperty(robot.options),
   ]);
+}
+
+/** In the order of their ids, so that equal choices give equal text. */
+function optionsProperty(options: RobotStart['options']): string[] {
+  const entries = Object.entries(options).sort(([one], [other]) => (one < other ? -1 : 1));
+  if (entries.length === 0) return [];
+  return [`"options": ${braces(entries.map(([id, choice]) => `${JSON.stringify(id)}: ${JSON.stringify(choice)}`))}`];
 }
 
 function objectText(object: SceneObject): string {

@@ -1,11 +1,14 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { bareProgram } from '#core/testing/bare-program';
 import { parseScene } from '#scene/parse';
-import { Simulation } from './simulation';
+import { Simulation, type RobotSnapshot, type Snapshot } from './simulation';
 
 /** The recorded runs: courses/golden.json, made by `npm run courses:record`. */
 interface Golden {
   readonly folder: string;
+  /** The program's file in it. */
+  readonly program: string;
   readonly forMs: number;
   readonly seed: number;
   readonly traceHash: string;
@@ -19,10 +22,10 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-async function replay({ folder, forMs, seed }: Golden): Promise<Simulation> {
+async function replay({ folder, program, forMs, seed }: Golden): Promise<Simulation> {
   const parsed = parseScene(read(`${folder}/scene.json`));
   if (!('scene' in parsed)) throw new Error(parsed.problem);
-  const files = { 'main.py': read(`${folder}/main.py`) };
+  const files = { 'main.py': read(`${folder}/${program}`) };
   const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0, keepTrace: true };
   const simulation = await Simulation.create(setup, firmware);
   simulation.advanceTo(forMs * 1000);
@@ -51,18 +54,99 @@ describe('a recorded run', () => {
   });
 });
 
-describe('the ready courses', () => {
-  it('are mastered: the line for two laps and more, the maze to the finish, neither with a collision', async () => {
-    const [, line, maze] = runs;
-    const onLine = (await replay(line!)).snapshot().robot;
-    expect(onLine!.turnedRad / (2 * Math.PI)).toBeGreaterThan(2);
-    expect(onLine!.collisions).toBe(0);
-    const inMaze = await replay(maze!);
-    expect(inMaze.ended?.kind).toBe('finished');
-    expect(inMaze.snapshot().robot).toMatchObject({ collisions: 0 });
-    expect(inMaze.snapshot().robot!.pose.xMm).toBeLessThan(200);
-    expect(inMaze.snapshot().robot!.pose.yMm).toBeGreaterThan(620);
-  }, 60_000);
+describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${folder}/texts.json`)))(
+  'the course %s',
+  (folder) => {
+    it('is driven as a golden test', () => {
+      expect(runs.map((run) => run.folder)).toContain(folder);
+    });
+
+    it('has the same program in German and English, but for comments and words', () => {
+      expect(bareProgram(read(`${folder}/main.de.py`))).toBe(bareProgram(read(`${folder}/main.en.py`)));
+    });
+  },
+);
+
+const masteredRun = async (
+  folder: string,
+): Promise<{ simulation: Simulation; snapshot: Snapshot; robot: RobotSnapshot }> => {
+  const golden = runs.find((run) => run.folder === folder);
+  if (golden === undefined) throw new Error(`courses/golden.json has no ${folder}.`);
+  const simulation = await replay(golden);
+  const snapshot = simulation.snapshot();
+  if (snapshot.robot === null) throw new Error(`${folder} is driven without a robot.`);
+  return { simulation, snapshot, robot: snapshot.robot };
+};
+
+describe('the ready courses are mastered:', { timeout: 60_000 }, () => {
+  it('the line for two laps and more, without a collision', async () => {
+    const { robot } = await masteredRun('closed-line');
+    expect(robot.turnedRad / (2 * Math.PI)).toBeGreaterThan(2);
+    expect(robot.collisions).toBe(0);
+  });
+
+  it('the line with corners for a lap and more: over every corner, its wheels never off the line', async () => {
+    const { simulation, robot } = await masteredRun('corners');
+    expect(robot.type).toBe('maqueen-plus-v2');
+    expect(robot.turnedRad).toBeGreaterThan(2 * Math.PI);
+    const corners = [1000, 200, 1000, 450, 700, 450, 700, 700, 200, 700, 200, 200, 1000, 200];
+    const beyond = (at: number, one = NaN, other = NaN): number =>
+      Math.max(0, Math.min(one, other) - at, at - Math.max(one, other));
+    for (const { timeUs, xMm, yMm } of simulation.trace) {
+      const away = [0, 2, 4, 6, 8, 10].map((i) =>
+        Math.hypot(beyond(xMm, corners[i], corners[i + 2]), beyond(yMm, corners[i + 1], corners[i + 3])),
+      );
+      expect(Math.min(...away), `after ${String(timeUs / 1000)} ms`).toBeLessThan(15);
+    }
+    for (const i of [0, 2, 4, 6, 8, 10]) {
+      const [x = NaN, y = NaN] = corners.slice(i);
+      const away = simulation.trace.map(({ xMm, yMm }) => Math.hypot(xMm - x, yMm - y));
+      expect(Math.min(...away), `from the corner ${String(x)}, ${String(y)}`).toBeLessThan(15);
+    }
+  });
+
+  it('the obstacles for a minute without a touch, in motion and not on the spot', async () => {
+    const { robot } = await masteredRun('obstacles');
+    expect(robot.collisions).toBe(0);
+    expect(robot.pathMm).toBeGreaterThan(1500);
+  });
+
+  it('the ring, all three blocks outside of it', async () => {
+    const { simulation, snapshot } = await masteredRun('clear-the-ring');
+    expect(simulation.ended?.kind).toBe('finished');
+    for (const { xMm, yMm } of Object.values(snapshot.blocks))
+      expect(Math.hypot(xMm - 500, yMm - 500)).toBeGreaterThan(380);
+  });
+
+  it('the block carried by the claw into the field, and let go', async () => {
+    const { simulation, snapshot, robot } = await masteredRun('carry');
+    expect(simulation.ended?.kind).toBe('finished');
+    const block = snapshot.blocks['block'];
+    expect(block?.xMm).toBeGreaterThan(920);
+    expect(block?.xMm).toBeLessThan(1080);
+    expect(block?.yMm).toBeGreaterThan(580);
+    expect(block?.yMm).toBeLessThan(720);
+    expect(robot.state.attachments.map(({ type, isHolding }) => ({ type, isHolding }))).toEqual([
+      { type: 'claw', isHolding: false },
+    ]);
+  });
+
+  it('the maze of the ultrasonic sensor to the finish, without a collision', async () => {
+    const { simulation, robot } = await masteredRun('small-maze');
+    expect(simulation.ended?.kind).toBe('finished');
+    expect(robot.collisions).toBe(0);
+    expect(robot.pose.xMm).toBeLessThan(200);
+    expect(robot.pose.yMm).toBeGreaterThan(620);
+  });
+
+  it('the maze of the bumper to the finish, by touch alone', async () => {
+    const { simulation, robot } = await masteredRun('bumper-maze');
+    expect(robot.type).toBe('callibot');
+    expect(simulation.ended?.kind).toBe('finished');
+    expect(robot.collisions).toBeGreaterThan(3);
+    expect(robot.pose.xMm).toBeGreaterThan(950);
+    expect(robot.pose.yMm).toBeGreaterThan(480);
+  });
 });
 
 /** The first line states the tolerances, the second the columns. */

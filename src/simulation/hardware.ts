@@ -1,5 +1,6 @@
 import type { BoardType, FirmwareType } from '#board/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
+import { completeOptions, optionProblem, type OptionValues } from '#core/option';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
@@ -16,6 +17,8 @@ export interface Hardware {
   readonly firmware: FirmwareType;
   /** `null`: the bare board. */
   readonly robot: RobotType | null;
+  /** A value for each of the robot's options. */
+  readonly options: OptionValues;
 }
 
 /** What a run asks for. */
@@ -26,6 +29,8 @@ export interface HardwareWish {
   readonly board: string;
   /** Empty or left out: the board's first. */
   readonly firmware?: string;
+  /** Chosen options of the robot; they win over those of the scene. */
+  readonly robotOptions?: OptionValues;
 }
 
 /**
@@ -37,18 +42,37 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
   const imported = new Set(Object.values(wish.files).flatMap(importedModules));
   const boardId = wish.board === AUTO ? (wish.scene.board ?? AUTO) : wish.board;
   const named = boardId === AUTO ? boardByImports(imported) : findBoard(boardId);
-  if (named === undefined) return unknown('board', boardId, boardTypes);
+  if (named === undefined) return placed(wish.board === AUTO, 'board', unknown('board', boardId, boardTypes));
   const robotId = wish.robot === AUTO ? (wish.scene.robot.type ?? AUTO) : wish.robot;
   const robot = robotId === AUTO ? robotByImports(imported, named) : findRobot(robotId);
   if (robot === null && robotId !== NO_ROBOT && robotId !== AUTO)
-    return unknown('robot', robotId, [...robotTypes, { id: NO_ROBOT }]);
+    return placed(wish.robot === AUTO, 'robot.type', unknown('robot', robotId, [...robotTypes, { id: NO_ROBOT }]));
   const board = named ?? findBoard(robot?.board ?? '') ?? boardTypes[0];
   if (board === undefined) return unknown('board', boardId, boardTypes);
   const [usual] = board.firmwares;
   const firmware = wish.firmware ? board.firmwares.find(({ id }) => id === wish.firmware) : usual;
   if (firmware === undefined)
     return unknown('firmware', wish.firmware ?? '', board.firmwares, `firmwares of the ${board.name}`);
-  return { board, firmware, robot };
+  const options = chooseOptions(robot, wish);
+  return 'problem' in options ? options : { board, firmware, robot, options: options.values };
+}
+
+/** Whether the robot stands on a board that it does not fit: nothing of it is connected then. */
+export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>): boolean {
+  return robot !== null && robot.board !== board.id;
+}
+
+/** A course made for another robot may name options that this one does not have: they say nothing about it. */
+function chooseOptions(
+  robot: RobotType | null,
+  { scene, robotOptions = {} }: HardwareWish,
+): { readonly values: OptionValues } | { readonly problem: string } {
+  const known = robot?.options ?? [];
+  const wished = robot === null ? null : optionProblem(known, robotOptions);
+  if (wished !== null) return { problem: `${robot?.name ?? ''}: ${wished}` };
+  const inScene = robot?.id === scene.robot.type ? optionProblem(known, scene.robot.options) : null;
+  if (inScene !== null) return { problem: `robot.options: ${inScene}` };
+  return { values: completeOptions(known, { ...scene.robot.options, ...robotOptions }) };
 }
 
 function unknown(
@@ -60,6 +84,15 @@ function unknown(
   return { problem: `Unknown ${what} "${id}". Known ${all}: ${known.map((type) => type.id).join(', ')}.` };
 }
 
+/** Says where in the scene's file a problem stands, when it comes from there. */
+function placed(
+  isInScene: boolean,
+  where: string,
+  { problem }: { readonly problem: string },
+): { readonly problem: string } {
+  return { problem: isInScene ? `${where}: ${problem}` : problem };
+}
+
 /** The board whose own module is imported; `null` when that leaves the choice open. */
 function boardByImports(imported: ReadonlySet<string>): BoardType | null {
   const [usual] = boardTypes;
@@ -68,25 +101,13 @@ function boardByImports(imported: ReadonlySet<string>): BoardType | null {
 }
 
 /**
- * Python modules that come along with robots, by file name: those of the chosen robot win, those of the others are
- * there too, as their files would be on a real board that carries another robot, or none.
- */
-export function robotLibraries(robot: RobotType | null): Readonly<Record<string, string>> {
-  const libraries: Record<string, string> = {};
-  for (const type of robotTypes) Object.assign(libraries, type.libraries);
-  return Object.assign(libraries, robot?.libraries);
-}
-
-/**
- * The first robot one of whose libraries is imported; when none is, the first that carries the board, if that was
+ * The first robot one of whose modules is imported; when none is, the first that carries the board, if that was
  * named, or of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
-  const byImport = robotTypes.find((type) => Object.keys(type.libraries).some((file) => imported.has(moduleOf(file))));
+  const byImport = robotTypes.find(({ modules }) => modules.some((name) => imported.has(name)));
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }
-
-const moduleOf = (file: string): string => file.replace(/\.m?py$/, '');
 
 /** Names of the modules that a Python source imports at the beginning of a line. A guess for a default, never more. */
 export function importedModules(source: string): string[] {

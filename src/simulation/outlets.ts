@@ -1,5 +1,6 @@
 import type { LogEvent } from '#board/data-log';
 import type { SoundEvent } from '#board/sound/sound-event';
+import type { WayPoint } from './way';
 
 /** A packet that the program sent by radio. */
 export interface RadioPacket {
@@ -22,4 +23,6 @@ export interface RunOutlets {
   readonly sound?: (event: SoundEvent) => void;
   readonly radio?: (packet: RadioPacket) => void;
   readonly log?: (event: TimedLogEvent) => void;
+  /** Where the robot comes by, a point every few mm. */
+  readonly way?: (point: WayPoint) => void;
 }

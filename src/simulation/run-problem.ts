@@ -19,7 +19,8 @@ export function checkRun(setup: RunSetup): Hardware | { readonly problem: string
 }
 
 function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): string | null {
-  if (setup.reality !== 0) return `Reality ${String(setup.reality)} is not available yet. Use 0, the ideal robot.`;
+  if (!(setup.reality >= 0 && setup.reality <= 1))
+    return `Reality ${String(setup.reality)} is not within 0 (ideal) … 1 (like a used school robot).`;
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
   const inputs = setup.inputs ?? [];

@@ -1,3 +1,4 @@
+import type { OptionValues } from '#core/option';
 import type { Scene } from '#scene/scene';
 import type { InputEvent } from './input';
 
@@ -16,7 +17,9 @@ export interface RunSetup {
   readonly repl?: 'at-once' | 'when-typed';
   /** Whole number from which all chance is drawn. */
   readonly seed: number;
-  /** 0 = ideal; other values come later. */
+  /** Chosen options of the robot: id of an option → id of a choice. They win over those of the scene. */
+  readonly robotOptions?: OptionValues;
+  /** 0 = ideal … 1 = like a used school robot: see `reality.ts`. */
   readonly reality: number;
   /** A log to replay: each action takes effect at the first step of the world at or after its time. */
   readonly inputs?: readonly InputEvent[];

@@ -3,7 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import type { SoundEvent } from '#board/sound/sound-event';
 import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
-import { importedModules } from './hardware';
+import { chooseHardware, importedModules, type Hardware, type HardwareWish } from './hardware';
 import type { RunSetup } from './run-setup';
 import { Simulation, type RadioPacket, type TimedLogEvent } from './simulation';
 import { createTraceHash } from './trace';
@@ -40,6 +40,17 @@ function sceneWith(...objects: object[]): Scene {
   const parsed = parseSceneValue({ format: 'parcours-scene', version: 1, robot: { at: [300, 450] }, objects });
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   return parsed.scene;
+}
+
+const sceneWithOptions = (type: string, options: Readonly<Record<string, string>>): Scene => ({
+  ...defaultScene(),
+  robot: { ...defaultScene().robot, type, options },
+});
+
+function chosen(wish: HardwareWish): Hardware {
+  const hardware = chooseHardware(wish);
+  if ('problem' in hardware) throw new Error(hardware.problem);
+  return hardware;
 }
 
 const drive = lines('from mbrobot import *', 'forward()', 'delay(1000)', 'leftArc(0.2)', 'delay(1000)', 'stop()');
@@ -330,23 +341,71 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
   });
 
   it.each([
-    [{ robot: 'tank' }, 'Unknown robot "tank". Known robots: maqueen-lite, none.'],
+    [{ robot: 'tank' }, /Unknown robot "tank"\. Known robots: maqueen-lite, .*none\./],
     [{ board: 'arduino' }, 'Unknown board "arduino". Known boards: microbit-v2, calliope-mini-3.'],
+    [{ scene: sceneWithOptions('tank', {}) }, /^robot\.type: Unknown robot "tank"\. Known robots: maqueen-lite, /],
+    [
+      { scene: { ...defaultScene(), board: 'arduino' } },
+      /^board: Unknown board "arduino"\. Known boards: microbit-v2, /,
+    ],
     [{ firmware: 'v9' }, 'Unknown firmware "v9". Known firmwares of the micro:bit V2: v2.1.2, newest.'],
-    [{ reality: 0.5 }, 'Reality 0.5 is not available yet. Use 0, the ideal robot.'],
+    [{ reality: 1.5 }, 'Reality 1.5 is not within 0 (ideal) … 1 (like a used school robot).'],
+    [
+      { robot: 'maqueen-lite', robotOptions: { S9: 'claw' } },
+      /Maqueen Lite: there is no option "S9"\. Known: S1, S2, /,
+    ],
+    [
+      { robot: 'maqueen-lite', robotOptions: { S1: 'laser' } },
+      /Maqueen Lite: "laser" is no choice of S1\. Known: none/,
+    ],
   ])('is refused for %j', async (change, message) => {
     await expect(start('', change)).rejects.toThrow(message);
   });
 
-  it('is a Calliope mini 3 without a robot when the program imports its module', async () => {
+  it('is a Calliope mini 3 on a Calli:bot when the program imports its module', async () => {
     const simulation = await runFor(lines('from calliopemini import *', 'display.show("7")'), 50);
     const { board, robot, rgb, motors } = simulation.snapshot();
-    expect({ board, robot, lights: rgb.length, motors }).toEqual({
+    expect({ board, robot: robot?.type, lights: rgb.length, motors }).toEqual({
       board: 'calliope-mini-3',
-      robot: null,
+      robot: 'callibot',
       lights: 3,
       motors: [0, 0],
     });
+  });
+
+  it.each([
+    ['maqueen-lite', 'calliope-mini-3', 0x10],
+    ['callibot', 'microbit-v2', 0x20],
+  ])('gives ENODEV when a %s stands on a %s', async (robot, board, address) => {
+    const program = lines(
+      'from microbit import i2c',
+      'try:',
+      `  i2c.write(${address}, bytes(3))`,
+      'except OSError as e:',
+      '  print(e.args[0])',
+    );
+    const simulation = await runFor(program, 100, { robot, board });
+    expect(simulation.takeConsole()).toBe('19\n');
+    expect(simulation.snapshot().robot?.type).toBe(robot);
+  });
+
+  it('takes the options of the course, and those wished for before them', () => {
+    const wish = {
+      scene: sceneWithOptions('maqueen-lite', { echo: 'long-pulse' }),
+      files: {},
+      robot: 'auto',
+      board: 'auto',
+    };
+    expect(chosen(wish).options['echo']).toBe('long-pulse');
+    expect(chosen({ ...wish, robotOptions: { echo: 'none' } }).options['echo']).toBe('none');
+  });
+
+  it('refuses a course that names an option its robot does not have, and overlooks it for another robot', () => {
+    const wish = { scene: sceneWithOptions('maqueen-lite', { model: '2E' }), files: {}, robot: 'auto', board: 'auto' };
+    expect(chooseHardware(wish)).toEqual({
+      problem: expect.stringMatching(/^robot\.options: there is no option "model"/),
+    });
+    expect(chosen({ ...wish, robot: 'callibot' }).options['model']).toBe('2E');
   });
 
   it('is refused when the real outline of the robot stands in a wall', async () => {

@@ -2,23 +2,22 @@ import { Board } from '#board/board';
 import { packetOfText } from '#board/radio-text';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
-import { createRng } from '#core/rng';
-import type { Robot, RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
+import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
-import type { Chassis } from '#world/chassis';
 import { STEP_US, type BlockHandle, type World } from '#world/world';
-import { createArenaSenses, type ArenaSenses } from './arena-senses';
 import { buildWorld } from './build-world';
-import { robotLibraries, type Hardware } from './hardware';
+import type { Hardware } from './hardware';
 import type { InputAction, InputEvent, PlacedPose } from './input';
+import { mountRobot, type Mounted } from './mount-robot';
 import type { RunOutlets } from './outlets';
+import { robotLibraries } from './robot-libraries';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
-import { scaledBody } from './scaled-body';
 import type { RobotSnapshot, Snapshot } from './snapshot';
 import { boardSnapshot } from './take-snapshot';
 import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
+import { createWayTeller } from './way';
 
 export type { InputAction, InputEvent, PlacedPose } from './input';
 export type { RadioPacket, RunOutlets, TimedLogEvent } from './outlets';
@@ -32,14 +31,6 @@ export interface Ended extends VmEnd {
   readonly timeUs: number;
 }
 
-/** The robot of a run: its electronics on the board and its body in the world. */
-interface Mounted {
-  readonly type: RobotType;
-  readonly robot: Robot;
-  readonly chassis: Chassis;
-  readonly senses: ArenaSenses;
-}
-
 /**
  * One run: program, board, robot and world under one clock. The same set-up gives the same run, whatever the pieces in
  * which `advanceTo` is called. Running again from the start means creating it anew.
@@ -50,6 +41,8 @@ export class Simulation {
   private readonly world: World;
   private readonly blocks: ReadonlyMap<string, BlockHandle>;
   private readonly mounted: Mounted | null;
+  private readonly lights: LedChains;
+  private readonly tellWay: () => void;
   private readonly vm: Vm;
   private readonly hash = createTraceHash();
   private readonly rows: TraceRow[] = [];
@@ -88,14 +81,23 @@ export class Simulation {
     this.clock.every(STEP_US, () => this.step());
     this.board = new Board(hardware.board, this.clock, hardware.firmware);
     this.tell(outlets);
-    this.mounted = hardware.robot && this.mount(hardware.robot);
+    this.mounted = mountRobot(hardware, {
+      clock: this.clock,
+      board: this.board,
+      world: this.world,
+      start: setup.scene.robot,
+      seed: setup.seed,
+      reality: setup.reality,
+    });
+    this.tellWay = this.mounted && outlets.way ? createWayTeller(this.mounted.chassis, outlets.way) : () => undefined;
+    this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
     this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
     this.vm = createVm({
       firmware,
       board: this.board,
       clock: this.clock,
       files: setup.files,
-      libraries: robotLibraries(hardware.robot),
+      libraries: robotLibraries(hardware.robot?.id ?? null),
       seed: setup.seed,
       repl: setup.repl ?? 'when-typed',
       write: outlets.print ?? ((text) => this.output.push(text)),
@@ -192,6 +194,7 @@ export class Simulation {
       repl: this.vm.isInRepl,
       robot: this.robotSnapshot(),
       blocks: Object.fromEntries(Array.from(this.blocks, ([id, block]) => [id, block.pose()])),
+      lights: this.lights.chains(),
       arenaSenses: this.mounted?.senses.isOn ?? false,
     };
   }
@@ -206,29 +209,6 @@ export class Simulation {
   /** Takes the robot off the board; the memory goes with the last reference. Nothing else may be called afterwards. */
   dispose(): void {
     this.mounted?.robot.detach();
-  }
-
-  private mount(type: RobotType): Mounted {
-    const { at, heading, scale } = this.setup.scene.robot;
-    const { clock, board, world } = this;
-    const start: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
-    const chassis = world.addChassis(scaledBody(type.body, scale), start);
-    const robot = type.attach({
-      clock,
-      board,
-      chassis,
-      ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
-      distance: (from, headingRad, cone) =>
-        world.distanceCone(chassis.toWorld(from), chassis.pose().headingRad + headingRad, cone, chassis),
-      rng: createRng(this.setup.seed).fork('robot'),
-      reality: this.setup.reality,
-      scale,
-    });
-    const senses = createArenaSenses(board.sensors, {
-      chassis,
-      ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
-    });
-    return { type, robot, chassis, senses };
   }
 
   /** Passes on what the board has to tell. */
@@ -252,12 +232,14 @@ export class Simulation {
     this.isFresh = false;
     this.takeInputs();
     this.addTraceRow();
+    this.tellWay();
   }
 
   private step(): void {
     this.takeInputs();
     this.world.step();
-    this.mounted?.senses.step();
+    this.mounted?.step();
+    this.tellWay();
     if (this.nowUs % TRACE_PERIOD_US === 0) this.addTraceRow();
   }
 

@@ -40,8 +40,16 @@ export interface Snapshot extends BoardSnapshot {
   readonly robot: RobotSnapshot | null;
   /** Where the movable blocks are, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
+  /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
+  readonly lights: readonly LightChain[];
   /** Whether the board feels the arena: see the action `arena-senses`. */
   readonly arenaSenses: boolean;
+}
+
+/** A chain of colour lights on a pin, the light next to the pin first; red, green, blue 0 … 255. */
+export interface LightChain {
+  readonly pin: string;
+  readonly colors: readonly (readonly [number, number, number])[];
 }
 
 /** The robot at one moment. */

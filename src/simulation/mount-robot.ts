@@ -1,0 +1,80 @@
+import { Board } from '#board/board';
+import { findBoard } from '#board/boards/index';
+import { Clock } from '#core/clock';
+import type { Pose } from '#core/geometry';
+import type { Robot, RobotType } from '#robots/robot';
+import type { RobotStart } from '#scene/scene';
+import type { Chassis } from '#world/chassis';
+import type { World } from '#world/world';
+import { createArenaSenses, type ArenaSenses } from './arena-senses';
+import { isMisplugged, type Hardware } from './hardware';
+import { createReality, FULL_MV } from './reality';
+import { findBuild } from './robot-libraries';
+import { scaledBody } from './scaled-body';
+
+/** The robot of a run: its electronics on the board and its body in the world. */
+export interface Mounted {
+  readonly type: RobotType;
+  readonly robot: Robot;
+  readonly chassis: Chassis;
+  readonly senses: ArenaSenses;
+  /** To be called after each step of the world. */
+  step(): void;
+}
+
+/** What a robot is put into. */
+export interface Place {
+  readonly clock: Clock;
+  readonly board: Board;
+  readonly world: World;
+  readonly start: RobotStart;
+  readonly seed: number;
+  readonly reality: number;
+}
+
+/** Puts the robot of a run into the world and plugs the board into it; `null` for the bare board. */
+export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
+  const type = hardware.robot;
+  const build = type && findBuild(type.id);
+  if (type === null || build === null) return null;
+  const { clock, world, start } = place;
+  const { at, heading, scale } = start;
+  const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 };
+  const reality = createReality(place.reality, place.seed, () => clock.nowUs);
+  const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose);
+  let supply = reality.supply({ left: 0, right: 0 });
+  const robot = build.attach({
+    clock,
+    board: isMisplugged(hardware) ? spareBoard(type) : place.board,
+    chassis,
+    ground: (spot, radiusMm) => reality.reflectance(world.reflectanceAt(chassis.toWorld(spot), radiusMm), spot),
+    distance: (from, headingRad, cone) => {
+      const direction = chassis.pose().headingRad + headingRad;
+      return reality.echo(world.distanceCone(chassis.toWorld(from), direction, reality.cone(cone), chassis));
+    },
+    supplyMv: () => Math.round(FULL_MV * supply),
+    options: hardware.options,
+    scale,
+  });
+  const senses = createArenaSenses(place.board.sensors, {
+    chassis,
+    ground: (spot, radiusMm) => world.reflectanceAt(chassis.toWorld(spot), radiusMm),
+  });
+  const step = (): void => {
+    robot.step();
+    senses.step();
+    const now = reality.supply({ left: chassis.duty(0), right: chassis.duty(1) });
+    if (now === supply) return;
+    supply = now;
+    chassis.setSupply(supply);
+  };
+  chassis.setSupply(supply);
+  return { type, robot, chassis, senses, step };
+}
+
+/** A robot on a board that it does not fit hears nothing of the program: it is wired to a board that nobody programs. */
+function spareBoard(type: RobotType): Board {
+  const board = findBoard(type.board);
+  if (board === undefined) throw new Error(`${type.id} names a board that does not exist: ${type.board}`);
+  return new Board(board, new Clock());
+}

@@ -1,0 +1,84 @@
+import { describe, expect, it } from 'vitest';
+import { maqueenLite } from '#robots/maqueen-lite/type';
+import { createReality } from './reality';
+
+const spot = { x: 34, y: 7 };
+const stopped = { left: 0, right: 0 };
+
+/** A reality whose time stands still unless the test moves it. */
+function realityAt(amount: number, seed: number) {
+  const time = { us: 0 };
+  return { time, reality: createReality(amount, seed, () => time.us) };
+}
+
+describe('reality 0', () => {
+  it('changes nothing', () => {
+    const { reality } = realityAt(0, 5);
+    const hit = { distanceMm: 300, hitMm: { x: 1, y: 2 } };
+    expect(reality.body(maqueenLite.body)).toBe(maqueenLite.body);
+    expect(reality.supply({ left: 1, right: 1 })).toBe(1);
+    expect(reality.reflectance(0.3, spot)).toBe(0.3);
+    expect(reality.echo(hit)).toBe(hit);
+    expect(reality.cone({ openingRad: 0.3, rangeMm: 4000 })).toEqual({ openingRad: 0.3, rangeMm: 4000 });
+  });
+});
+
+describe('reality 1', () => {
+  it('makes one motor 3 to 6 percent stronger and the other as much weaker, either one', () => {
+    const lefts = Array.from({ length: 40 }, (_, seed) => {
+      const [left, right] = realityAt(1, seed).reality.body(maqueenLite.body).strength!;
+      expect(left + right).toBeCloseTo(2, 12);
+      return left;
+    });
+    for (const left of lefts) expect(Math.abs(left - 1)).toBeGreaterThanOrEqual(0.03);
+    for (const left of lefts) expect(Math.abs(left - 1)).toBeLessThanOrEqual(0.06);
+    expect(lefts.some((left) => left > 1)).toBe(true);
+    expect(lefts.some((left) => left < 1)).toBe(true);
+  });
+
+  it('is the same robot with the same seed', () => {
+    expect(realityAt(1, 3).reality.body(maqueenLite.body)).toEqual(realityAt(1, 3).reality.body(maqueenLite.body));
+  });
+
+  it('lets the battery sag by 8 percent at full duty', () => {
+    const { reality } = realityAt(1, 3);
+    expect(reality.supply(stopped) - reality.supply({ left: 1, right: -1 })).toBeCloseTo(0.08, 12);
+    expect(reality.supply(stopped)).toBeGreaterThan(0.88);
+  });
+
+  it('lets a line sensor tremble from step to step, by 0.14 at most, and not within a step', () => {
+    const { reality, time } = realityAt(1, 3);
+    const seen = new Set<number>();
+    for (let step = 0; step < 200; step++) {
+      time.us = step * 4000;
+      const value = reality.reflectance(0.5, spot);
+      time.us += 1999;
+      expect(reality.reflectance(0.5, spot)).toBe(value);
+      expect(Math.abs(value - 0.5)).toBeLessThanOrEqual(0.14);
+      seen.add(value);
+    }
+    expect(seen.size).toBeGreaterThan(190);
+    expect(reality.reflectance(1, spot)).toBeLessThanOrEqual(1);
+    expect(reality.reflectance(0, spot)).toBeGreaterThanOrEqual(0);
+  });
+
+  it('hears no wall that it meets beyond 25 degrees, and half-way real none beyond 57.5', () => {
+    const limitDeg = (amount: number): number =>
+      ((realityAt(amount, 3).reality.cone({ openingRad: 0.3, rangeMm: 4000 }).incidenceLimitRad ?? 0) * 180) / Math.PI;
+    expect(limitDeg(1)).toBeCloseTo(25, 9);
+    expect(limitDeg(0.5)).toBeCloseTo(57.5, 9);
+  });
+
+  it('misses about one echo in fifty, and the others are at most 7 mm wrong at 30 cm', () => {
+    const { reality, time } = realityAt(1, 3);
+    let missed = 0;
+    for (let step = 0; step < 5000; step++) {
+      time.us = step * 4000;
+      const { distanceMm } = reality.echo({ distanceMm: 300, hitMm: { x: 0, y: 0 } });
+      if (distanceMm === Infinity) missed++;
+      else expect(Math.abs(distanceMm - 300)).toBeLessThanOrEqual(7);
+    }
+    expect(missed).toBeGreaterThan(60);
+    expect(missed).toBeLessThan(140);
+  });
+});

@@ -1,0 +1,107 @@
+/**
+ * *Reality*: how much a robot is like a used one of a school, 0 (ideal) … 1. Everything comes from the seed: the same
+ * seed gives the same robot with the same faults.
+ *
+ *      motors       one is stronger than the other, so that `forward()` drifts and `calibrate` has a purpose
+ *      battery      not quite full, and weaker while the motors pull
+ *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
+ *      ultrasonic   trembles, misses an echo now and then, and hears nothing from walls that it meets at a flat angle
+ *
+ * What is measured at a moment is a function of that moment, not of how often somebody looks: a picture taken in
+ * between changes nothing.
+ */
+import type { Vec } from '#core/geometry';
+import { createRng } from '#core/rng';
+import type { ChassisType } from '#world/chassis';
+import { STEP_US, type Cone, type ConeHit } from '#world/world';
+
+/** A robot's faults. */
+export interface Reality {
+  /** The body with motors as unequal as they are. */
+  body(type: ChassisType): ChassisType;
+  /** What the battery gives compared with a full one while the motors run at these duties, 0 … 1. */
+  supply(duty: { readonly left: number; readonly right: number }): number;
+  /** What a line sensor at `spot` makes of a reflectance of 0 … 1. */
+  reflectance(seen: number, spot: Vec): number;
+  /** The beam as far as the sensor really hears. */
+  cone(cone: Cone): Cone;
+  /** What the ultrasonic sensor makes of what it faces. */
+  echo(hit: ConeHit): ConeHit;
+}
+
+/** A full battery's voltage in mV. Chosen: four NiMH cells of 1.2 V. */
+export const FULL_MV = 4800;
+
+// At reality 1. All chosen: what teachers tell of a drawer of school robots, large enough to be seen, small enough that
+// a program with feedback still succeeds.
+const MOTOR_DIFFERENCE = { least: 0.03, most: 0.06 }; // share by which one motor is stronger, the other weaker: 15 to 30 cm off after 1 m
+const FLAT_BATTERY = 0.12; // the emptiest battery that still drives
+const SAG_AT_FULL_DUTY = 0.08; // both motors at full duty
+const SENSOR_OFFSET = 0.08; // reflectance
+const SENSOR_NOISE = 0.06;
+const ECHO_NOISE_MM = 4;
+const ECHO_NOISE_SHARE = 0.01;
+const MISSED_ECHOES = 0.02;
+
+/** Beyond this angle from a wall's normal the sensor hears nothing at reality 1: measured in a thesis at ETH Zürich. */
+const INCIDENCE_LIMIT_RAD = (25 * Math.PI) / 180;
+
+/** The robot as built. */
+const IDEAL: Reality = {
+  body: (type) => type,
+  supply: () => 1,
+  reflectance: (seen) => seen,
+  cone: (cone) => cone,
+  echo: (hit) => hit,
+};
+
+/**
+ * @param amount 0 … 1
+ * @param nowUs simulated time
+ */
+export function createReality(amount: number, seed: number, nowUs: () => number): Reality {
+  if (amount === 0) return IDEAL;
+  const chance = createRng(seed).fork('reality');
+  const { least, most } = MOTOR_DIFFERENCE;
+  const sign = chance.unit() < 0.5 ? -1 : 1;
+  const difference = sign * amount * (least + (most - least) * chance.unit());
+  const charge = 1 - amount * FLAT_BATTERY * chance.unit();
+  const salt = chance.u32();
+  const trembling = (channel: number): number => 2 * unitOf(salt, Math.floor(nowUs() / STEP_US), channel) - 1;
+
+  return {
+    body: (type) => ({ ...type, strength: [1 + difference, 1 - difference] }),
+    supply: ({ left, right }) => charge - (amount * SAG_AT_FULL_DUTY * (Math.abs(left) + Math.abs(right))) / 2,
+    reflectance: (seen, spot) => {
+      const channel = channelOf(spot);
+      const offset = SENSOR_OFFSET * (2 * unitOf(salt, -1, channel) - 1);
+      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * trembling(channel)), 0), 1);
+    },
+    cone: (cone) => ({ ...cone, incidenceLimitRad: Math.PI / 2 - amount * (Math.PI / 2 - INCIDENCE_LIMIT_RAD) }),
+    echo: (hit) => {
+      if (hit.distanceMm === Infinity) return hit;
+      if (unitOf(salt, Math.floor(nowUs() / STEP_US), ECHO_MISSED) < amount * MISSED_ECHOES)
+        return { distanceMm: Infinity, hitMm: null };
+      const noiseMm = (ECHO_NOISE_MM + ECHO_NOISE_SHARE * hit.distanceMm) * trembling(ECHO);
+      return { ...hit, distanceMm: Math.max(hit.distanceMm + amount * noiseMm, 0) };
+    },
+  };
+}
+
+const ECHO = 1;
+const ECHO_MISSED = 2;
+
+/** A number of its own for each place of a sensor. */
+const channelOf = ({ x, y }: Vec): number => Math.round(x * 10) * 4096 + Math.round(y * 10) + 3;
+
+/** A number from 0 up to 1 that depends on nothing but these: the finalizer of MurmurHash3 (Austin Appleby), twice. */
+function unitOf(salt: number, moment: number, channel: number): number {
+  return mixed(mixed(salt ^ moment) ^ channel) / 4294967296;
+}
+
+function mixed(value: number): number {
+  let hash = value | 0;
+  hash = Math.imul(hash ^ (hash >>> 16), 0x85ebca6b);
+  hash = Math.imul(hash ^ (hash >>> 13), 0xc2b2ae35);
+  return (hash ^ (hash >>> 16)) >>> 0;
+}
