@@ -1,15 +1,14 @@
 import { readFileSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
-import { runnerImport } from 'vite';
 import { parseScene } from '../src/scene/parse';
 import { defaultScene } from '../src/scene/scene';
 import type { InputAction, InputEvent } from '../src/simulation/input';
 import { expect, test } from './app';
-import type { runBare } from './probe/run-bare';
+import { runInNode } from './in-node';
 
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
 interface GoldenRun {
   readonly folder: string;
+  readonly program: string;
   readonly forMs: number;
   readonly seed: number;
   readonly traceHash: string;
@@ -19,11 +18,11 @@ const read = (path: string): string => readFileSync(new URL(`../courses/${path}`
 const { runs } = JSON.parse(read('golden.json')) as { readonly runs: readonly GoldenRun[] };
 const PROBE = process.env['PARCOURS_PROBE'] ?? '';
 
-for (const { folder, forMs, seed, traceHash } of runs) {
+for (const { folder, program, forMs, seed, traceHash } of runs) {
   test(`${folder} is driven bit for bit as in Node`, async ({ app }) => {
     const parsed = parseScene(read(`${folder}/scene.json`));
     if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
-    const files = { 'main.py': read(`${folder}/main.py`) };
+    const files = { 'main.py': read(`${folder}/${program}`) };
     const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0 };
     await app.goto(PROBE);
     const result = await app.evaluate(({ run, untilMs }) => window.probe(run, untilMs), { run: setup, untilMs: forMs });
@@ -82,14 +81,7 @@ test('a program with display, music, radio, gestures and chance says the same at
   const files = { 'main.py': ALL_AT_ONCE };
   const setup = { scene: defaultScene(), files, robot: 'none', board: 'auto', seed: 3, reality: 0, inputs: HANDS };
   const run = { setup, untilMs: 8000 };
-  const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
-  // Playwright's own loader takes no JSON, which the VM's library is.
-  const bare = fileURLToPath(new URL('./probe/run-bare.ts', import.meta.url));
-  const { module } = await runnerImport<{ readonly runBare: typeof runBare }>(bare, {
-    configFile: false,
-    logLevel: 'warn',
-  });
-  const inNode = await module.runBare({ ...run, firmware });
+  const inNode = await runInNode(run);
   for (const part of ['beat', "'shake'", 'hello', 'ZeroDivisionError']) expect(inNode.console).toContain(part);
   for (const part of ['sound', 'radio', 'log']) expect(inNode.told.join('\n')).toContain(part);
   await app.goto(PROBE);

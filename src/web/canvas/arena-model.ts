@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { LightForm } from '../lights/light-wish';
 
 /**
  * What the arena needs to know of a run, as plain data. The simulation's snapshots have this shape (and more), so
@@ -12,6 +13,8 @@ export interface ArenaSnapshot {
   readonly robot: ArenaRobot | null;
   /** Where the movable blocks are now, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
+  /** Chains of colour lights by the name of their pin's wire; red, green, blue 0 … 255 each. */
+  readonly lights: readonly { readonly pin: string; readonly colors: readonly (readonly [number, number, number])[] }[];
 }
 
 /** The robot at one moment. */
@@ -19,6 +22,10 @@ export interface ArenaRobot {
   readonly pose: Pose;
   /** How far each wheel has turned since the start: left, right. */
   readonly wheelTurnRad: readonly [number, number];
+  /** Length of the way since the start. */
+  readonly pathMm: number;
+  /** Turned since the start, counter-clockwise positive, not wrapped. */
+  readonly turnedRad: number;
   readonly state: ArenaRobotState;
 }
 
@@ -28,8 +35,36 @@ export interface ArenaRobotState {
   readonly leds: { readonly left: number; readonly right: number };
   /** Red, green, blue 0 … 255 per light under the body. */
   readonly rgb: readonly (readonly [number, number, number])[];
-  readonly lineSensors: readonly { readonly name: string; readonly bright: boolean }[];
+  readonly lineSensors: readonly ArenaLineSensor[];
   readonly ultrasonic: ArenaCone | null;
+  /** Whether each half of the bumper is pressed; `null` while the robot carries none. */
+  readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
+  /** What hangs on its servos; left out: nothing. */
+  readonly attachments?: readonly ArenaAttachment[];
+}
+
+/** Something that a servo moves, as it is seen. An `AttachmentState` fits. */
+export interface ArenaAttachment {
+  /** Id of its type. */
+  readonly type: string;
+  /** Where it is fixed, robot frame, mm of the real robot. */
+  readonly atMm: Vec;
+  /** How far its parts are turned, counter-clockwise; one that is left out rests. */
+  readonly turnRad: Readonly<Record<string, number>>;
+  /** How high it lifts, in mm of the real robot. */
+  readonly heightMm: number;
+  /** It holds or carries a block. */
+  readonly isHolding: boolean;
+}
+
+/** A line sensor and what it sees. */
+export interface ArenaLineSensor {
+  readonly name: string;
+  /** Robot frame, as on the real robot. */
+  readonly atMm: Vec;
+  readonly bright: boolean;
+  /** What the program reads; left out where the robot knows only light and dark. */
+  readonly reading?: number;
 }
 
 /** An ultrasonic sensor and what it faces. */
@@ -53,6 +88,8 @@ export interface RobotLook {
     /** Convex parts in the robot's frame: x forward, y left, mm. */
     readonly outlineMm: readonly (readonly Vec[])[];
   };
+  /** Where attachments are fixed; left out or `null`: none can be. */
+  readonly mountMm?: Vec | null;
 }
 
 /** A block as it lies now. */
@@ -75,4 +112,12 @@ export interface PlacedPose {
 export interface ArenaOptions {
   /** The ultrasonic cone with its hit point and distance. */
   readonly cone: boolean;
+  /** What each line sensor sees of the floor, and what it reads. */
+  readonly spots: boolean;
+  /** The point around which the robot turns. */
+  readonly centre: boolean;
+  /** Where the robot has come by. */
+  readonly trace: boolean;
+  /** Forms of the chains of lights that lie on the robot, by the name of their pin's wire. */
+  readonly lights: Readonly<Record<string, LightForm>>;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Scene } from '#scene/scene';
-import { arranged, lieStill, summaryOf } from './arranged';
+import { arranged, bumperAtStart, lieStill, summaryOf } from './arranged';
 
 describe('the arena before and during a run', () => {
   const scene: Scene = {
@@ -8,7 +8,7 @@ describe('the arena before and during a run', () => {
     description: '',
     size: [1200, 900],
     board: null,
-    robot: { type: null, at: [600, 450], heading: 270, scale: 1 },
+    robot: { type: null, at: [600, 450], heading: 270, scale: 1, options: {} },
     objects: [
       { type: 'block', id: 'b', at: [100, 100], size: [50, 50], turn: 2 },
       { type: 'fixed-block', id: 'f', at: [300, 100], size: [50, 50], turn: 0 },
@@ -23,12 +23,19 @@ describe('the arena before and during a run', () => {
   });
 
   it('shows the block where the run has pushed it', () => {
-    const snapshot = { timeUs: 0, display: [], robot: null, blocks: { b: moved } };
+    const snapshot = { timeUs: 0, display: [], robot: null, blocks: { b: moved }, lights: [] };
     const during = arranged(scene, snapshot);
     expect(during.robot).toBeNull();
     expect(during.blocks[0]?.pose).toEqual(moved);
     expect(lieStill(arranged(scene, null).blocks, during.blocks)).toBe(false);
     expect(lieStill(during.blocks, arranged(scene, snapshot).blocks)).toBe(true);
+  });
+
+  it('shows the bumper of a robot that carries one from the start', () => {
+    const bumper = bumperAtStart({ bumper: 'always' });
+    expect(arranged(scene, null, { bumper }).robot?.state.bumper).toEqual({ left: false, right: false });
+    expect(bumperAtStart({ bumper: 'when-read' })).toBeNull();
+    expect(arranged(scene, null).robot?.state.bumper).toBeNull();
   });
 
   it('is summed up as 60 cm, 45 cm, -90 degrees, no distance', () => {

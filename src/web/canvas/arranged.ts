@@ -1,5 +1,6 @@
+import type { OptionValues } from '#core/option';
 import type { Block, Scene } from '#scene/scene';
-import type { ArenaRobot, ArenaSnapshot, PlacedBlock } from './arena-model';
+import type { ArenaRobot, ArenaRobotState, ArenaSnapshot, PlacedBlock } from './arena-model';
 import { placedBlock } from './draw-blocks';
 
 /** What stands in the arena at one moment. */
@@ -9,8 +10,22 @@ export interface Arranged {
   readonly blocks: readonly PlacedBlock[];
 }
 
-/** The course as it stands before a run, or as a snapshot of a run says. */
-export function arranged(scene: Scene, snapshot: ArenaSnapshot | null): Arranged {
+/** What a robot may carry besides its own parts. */
+export type Carried = Pick<ArenaRobotState, 'attachments' | 'bumper'>;
+
+const NOTHING: Carried = { bumper: null };
+
+/** The bumper of a robot that is to carry one from the start: its option `bumper` is `always`. */
+export function bumperAtStart(options: OptionValues): ArenaRobotState['bumper'] {
+  return options['bumper'] === 'always' ? { left: false, right: false } : null;
+}
+
+/**
+ * The course as it stands before a run, or as a snapshot of a run says.
+ *
+ * @param carried what the robot carries before a run
+ */
+export function arranged(scene: Scene, snapshot: ArenaSnapshot | null, carried: Carried = NOTHING): Arranged {
   const blocks = scene.objects
     .filter((object): object is Block => object.type === 'block')
     .map((block) => {
@@ -18,7 +33,7 @@ export function arranged(scene: Scene, snapshot: ArenaSnapshot | null): Arranged
       const pose = snapshot?.blocks[block.id];
       return pose === undefined ? placed : { ...placed, pose };
     });
-  return { robot: snapshot === null ? robotAtStart(scene) : snapshot.robot, blocks };
+  return { robot: snapshot === null ? robotAtStart(scene, carried) : snapshot.robot, blocks };
 }
 
 /** Whether all blocks lie where they lay. */
@@ -40,12 +55,14 @@ export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlo
 }
 
 /** The robot of a course where it starts, with everything off. */
-export function robotAtStart(scene: Scene): ArenaRobot {
+export function robotAtStart(scene: Scene, carried: Carried = NOTHING): ArenaRobot {
   const { at, heading } = scene.robot;
   return {
     pose: { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 },
     wheelTurnRad: [0, 0],
-    state: { leds: { left: 0, right: 0 }, rgb: [], lineSensors: [], ultrasonic: null },
+    pathMm: 0,
+    turnedRad: 0,
+    state: { leds: { left: 0, right: 0 }, rgb: [], lineSensors: [], ultrasonic: null, ...carried },
   };
 }
 

@@ -2,13 +2,16 @@ import type { Pose, Vec } from '#core/geometry';
 import type { ArenaCone, ArenaRobot, PlacedBlock } from './arena-model';
 import type { Arranged } from './arranged';
 import { drawMovableBlock } from './draw-blocks';
+import { attachmentPainter, attachmentReachMm } from './draw-attachments';
 import { coneBox, drawCone, drawHit } from './draw-cone';
 import { floorPx, sightPx } from './draw-floor';
 import { drawHeldPose, drawRing, type Ring } from './draw-hand';
-import { drawRobot, paintedRadiusMm, type RobotPainting } from './draw-robot';
+import { drawRobot, paintedRadiusMm } from './draw-robot';
 import { ringRadiusPx, type Hand } from './hand';
+import type { OverlayPicture } from './overlays';
 import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
+import type { RobotPainting } from './robot-painting';
 import { toPx, type ArenaSize, type CanvasSize, type View } from './view-transform';
 
 /** Everything on the moving layer at one moment. */
@@ -21,6 +24,8 @@ export interface MovingScene {
   readonly robotHeld: boolean;
   readonly display: ArrayLike<number>;
   readonly cone: ArenaCone | null;
+  /** What is shown besides the things themselves. */
+  readonly overlay: OverlayPicture | null;
   /** Simulated time for the cone's arcs, or `null` to keep them still. */
   readonly breathUs: number | null;
   readonly ring: Ring | null;
@@ -66,6 +71,7 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
     robotHeld,
     display: parts.display,
     cone: parts.showCone && !robotHeld ? (robot?.state.ultrasonic ?? null) : null,
+    overlay: null,
     breathUs: parts.breathUs,
     ring: robot === null || knobPx === null ? null : { pose: robot.pose, radiusPx, knobPx, turning },
     label: heldPose === undefined ? null : { pose: heldPose, turning, distancePx: robotHeld ? radiusPx + 28 : 60 },
@@ -104,6 +110,7 @@ export function drawMoving(
   const { robot, cone } = scene;
   context.save();
   clipTo(context, sightPx(view, scene.arena, canvas));
+  scene.overlay?.under(context);
   if (cone !== null) {
     context.save();
     clipTo(context, floorPx(view, scene.arena));
@@ -112,10 +119,14 @@ export function drawMoving(
   }
   if (robot !== null) {
     const appearance = { display: scene.display, scale: robot.scale, held: scene.robotHeld };
+    const painted = { robot: robot.now, painting: robot.painting, ...appearance };
+    const loose = scene.blocks.filter(({ id }) => id !== scene.heldBlock);
+    attachmentPainter(robot.now.state, robot.painting)?.drawForks(context, view, ratio, painted, loose, palette);
     drawRobot(context, view, ratio, robot.now, robot.painting, appearance, palette);
   }
   for (const block of scene.blocks)
     if (block.id === scene.heldBlock) drawMovableBlock(context, view, block, true, palette);
+  scene.overlay?.over(context);
   if (cone !== null) drawHit(context, view, cone, canvas, palette);
   if (scene.ring !== null) drawRing(context, view, scene.ring, palette);
   context.restore();
@@ -130,11 +141,12 @@ const LABEL_PX = 80;
 
 /** Where `drawMoving` draws, in CSS px; larger than needed rather than smaller. */
 export function movingBox(scene: MovingScene, view: View): PxBox {
-  const boxes: PxBox[] = [];
+  const boxes: PxBox[] = [...(scene.overlay?.boxes ?? [])];
   const at = (pose: Pose): Vec => toPx(view, { x: pose.xMm, y: pose.yMm });
   const { robot, cone, ring, label } = scene;
   if (robot !== null) {
-    const reachMm = paintedRadiusMm(robot.painting.drawing) * robot.scale;
+    const bodyMm = paintedRadiusMm(robot.painting.drawing);
+    const reachMm = Math.max(bodyMm, attachmentReachMm(robot.now.state)) * robot.scale;
     boxes.push(boxAround(at(robot.now.pose), reachMm * view.pxPerMm + 12));
   }
   if (cone !== null) boxes.push(coneBox(cone, view));

@@ -1,18 +1,14 @@
 import type { Vec } from '#core/geometry';
 import type { ArenaRobot, ArenaRobotState, RobotLook } from './arena-model';
+import { attachmentPainter } from './draw-attachments';
+import { bumperSprites } from './draw-bumper';
 import { drawGlow, floorLight } from './draw-glow';
 import { ledOpacity } from '../board/led-brightness';
 import type { Palette } from './palette';
 import type { Box, RobotDrawing, Spot } from './robot-drawing';
-import type { RobotSprite, SpriteShelf } from './robot-sprite';
+import { HELD_SIZE, type RobotPainting } from './robot-painting';
+import type { RobotSprite } from './robot-sprite';
 import { toPx, type View } from './view-transform';
-
-/** A robot type made ready to be drawn. */
-export interface RobotPainting {
-  readonly look: RobotLook;
-  readonly drawing: RobotDrawing;
-  readonly sprites: SpriteShelf;
-}
 
 /** How the robot is to be shown. */
 export interface RobotAppearance {
@@ -35,9 +31,6 @@ export function paintedRadiusMm(drawing: RobotDrawing): number {
 /** Light on the floor reaches so many times farther than the light's circle in the drawing. */
 const UNDERGLOW_REACH = 1.75;
 
-/** In the hand the robot is nearer to the eye. */
-const HELD_SIZE = 1.04;
-
 /** Draws the robot: shadow, light on the floor, body, and what lives on it. */
 export function drawRobot(
   context: CanvasRenderingContext2D,
@@ -51,7 +44,9 @@ export function drawRobot(
   const { drawing, look } = painting;
   const at = toPx(view, { x: robot.pose.xMm, y: robot.pose.yMm });
   const size = view.pxPerMm * appearance.scale * (appearance.held ? HELD_SIZE : 1);
-  const sprite = painting.sprites.at(size * ratio);
+  const attachments = attachmentPainter(robot.state, painting);
+  const sprite = (attachments?.bodySprites(robot, painting) ?? painting.sprites).at(size * ratio);
+  const bumper = bumperSprites(painting, robot.state, size * ratio);
   const enter = (shiftPx: Vec): void => {
     context.save();
     context.translate(at.x + shiftPx.x, at.y + shiftPx.y);
@@ -63,13 +58,16 @@ export function drawRobot(
     enter({ x: 0.4 * height * size, y: height * size });
     context.globalAlpha = appearance.held ? 0.26 : 0.34;
     drawInto(context, sprite.shadow, sprite.shadowBox);
+    for (const half of bumper) drawInto(context, half.sprite.shadow, half.sprite.shadowBox, half.pushedMm);
     context.restore();
   }
   enter({ x: 0, y: 0 });
   drawUnderglow(context, drawing.rgb, robot.state);
+  for (const half of bumper) drawInto(context, half.sprite.body, drawing.viewBox, half.pushedMm);
   if (sprite === null) drawPlainBody(context, look, palette);
   else drawBody(context, sprite, drawing, robot, appearance.display);
   context.restore();
+  attachments?.drawFront(context, view, ratio, { robot, painting, ...appearance });
 }
 
 function drawBody(
@@ -91,8 +89,8 @@ function drawBody(
   drawRedLight(context, drawing.leds.right, robot.state.leds.right);
 }
 
-function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, box: Box): void {
-  context.drawImage(image, box.x, box.y, box.width, box.height);
+function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, box: Box, backMm = 0): void {
+  context.drawImage(image, box.x, box.y + backMm, box.width, box.height);
 }
 
 function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[], state: ArenaRobotState): void {

@@ -25,6 +25,8 @@ export interface Palette {
   readonly trace: string;
   readonly traceCasing: string;
   readonly cone: string;
+  /** The centre of rotation. */
+  readonly centre: string;
   readonly pill: string;
   readonly pillText: string;
   readonly hand: string;
@@ -56,6 +58,7 @@ export const lightPalette: Palette = {
   trace: '#1E66D0',
   traceCasing: '#FFFFFF',
   cone: '#E06A00',
+  centre: '#8A2BB8',
   pill: '#1B1F24',
   pillText: '#FFFFFF',
   hand: '#D9691E',
@@ -87,6 +90,7 @@ export const darkPalette: Palette = {
   trace: '#1554B5',
   traceCasing: '#FFFFFF',
   cone: '#C25400',
+  centre: '#6F1D99',
   pill: '#1B1F24',
   pillText: '#FFFFFF',
   hand: '#C25400',

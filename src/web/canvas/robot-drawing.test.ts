@@ -1,5 +1,5 @@
-import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
+import { robotTypes } from '#robots/index';
 import { readRobotDrawing, withPixelSize } from './robot-drawing';
 
 const svg = `<!-- a <g id="led-left"> in a comment -->
@@ -54,17 +54,72 @@ describe('a robot drawing', () => {
   });
 });
 
-const rooms = new URL('../../robots/', import.meta.url);
-const robots = readdirSync(rooms).filter((name) => statSync(new URL(name, rooms)).isDirectory());
+describe('the bumper of a drawing', () => {
+  const text = `<svg viewBox="-50 -80 100 120">
+  <defs><linearGradient id="metal"/></defs>
+  <g id="bumper" stroke-linecap="round">
+    <g id="bumper-left"><path d="M-1 0"/></g>
+    <g id="bumper-right"><path d="M1 0"/></g>
+  </g>
+  <g id="body"><path d="M0 9"/></g>
+</svg>`;
+  const { bumper, svg: rest } = readRobotDrawing(text);
 
-describe.each(robots)('the drawing of %s', (robot) => {
-  const drawing = readRobotDrawing(readFileSync(new URL(`${robot}/robot.svg`, rooms), 'utf8'));
+  it('is left out of the picture: most robots carry none at first', () => {
+    expect(rest).not.toContain('bumper');
+    expect(rest).toContain('M0 9');
+  });
 
+  it('comes as two documents, each with one half and what it needs', () => {
+    for (const [half, own, other] of [
+      [bumper?.left, 'M-1 0', 'M1 0'],
+      [bumper?.right, 'M1 0', 'M-1 0'],
+    ] as const) {
+      expect(half).toContain(own);
+      expect(half).not.toContain(other);
+      expect(half).not.toContain('M0 9');
+      expect(half).toContain('<linearGradient id="metal"/>');
+      expect(half).toContain('stroke-linecap="round"');
+      expect(readRobotDrawing(half ?? '').viewBox.width).toBe(100);
+      expect(half?.match(/<g\b/g)?.length).toBe(half?.match(/<\/g>/g)?.length);
+    }
+  });
+
+  it('is none in a drawing without one', () => {
+    expect(readRobotDrawing(svg).bumper).toBeNull();
+  });
+});
+
+describe.each(robotTypes)('the drawing of $name', ({ drawing: text, body }) => {
+  const drawing = readRobotDrawing(text);
+  const { x, y, width, height } = drawing.viewBox;
+
+  it('shows all of its body', () => {
+    for (const corner of body.outlineMm.flat()) {
+      expect(-corner.y).toBeGreaterThanOrEqual(x);
+      expect(-corner.y).toBeLessThanOrEqual(x + width);
+      expect(-corner.x).toBeGreaterThanOrEqual(y);
+      expect(-corner.x).toBeLessThanOrEqual(y + height);
+    }
+  });
+
+  it('marks its wheels on their sides, and its lights where there are any', () => {
+    expect(drawing.wheels.left?.x ?? -1).toBeLessThan(0);
+    expect(drawing.wheels.right?.x ?? 1).toBeGreaterThan(0);
+    expect(drawing.leds.left?.x ?? -1).toBeLessThan(0);
+    expect(drawing.leds.right?.x ?? 1).toBeGreaterThan(0);
+    expect([0, 25]).toContain(drawing.display.length);
+  });
+
+  it('weighs less than 20 kB', () => {
+    expect(text.length).toBeLessThan(20_000);
+  });
+});
+
+describe.each(robotTypes.filter(({ place }) => place <= 3))('the drawing of $name, which is ours', (type) => {
   it('marks both wheels, both red lights and the 25 lights of the display', () => {
-    expect(drawing.wheels.left?.x).toBeLessThan(0);
-    expect(drawing.wheels.right?.x).toBeGreaterThan(0);
-    expect(drawing.leds.left?.x).toBeLessThan(0);
-    expect(drawing.leds.right?.x).toBeGreaterThan(0);
-    expect(drawing.display).toHaveLength(25);
+    const { wheels, leds, display } = readRobotDrawing(type.drawing);
+    expect([wheels.left, wheels.right, leds.left, leds.right]).not.toContain(null);
+    expect(display).toHaveLength(25);
   });
 });

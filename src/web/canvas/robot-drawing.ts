@@ -1,22 +1,27 @@
 import { elementsOf, readSvgTree, type SvgElement } from './svg-tree';
 
 /**
- * Reads a robot.svg: where its lights, wheels and display are, so that they can live.
+ * Reads a robot.svg: where its lights, wheels, display and bumper are, so that they can live.
  *
  * Rules for a robot.svg: 1 unit = 1 mm; seen from above, front up (x = to the right, y = backward), origin in the
  * middle of the axle; `viewBox` around everything. It shows the robot at rest with all lights off. Parts are found by
  * their `id`, which stands on the shape itself or on a group around it (of circles, the one of class `lit` counts,
  * else the first that is no `glow`); they must not lie in a transformed group:
  * - `wheel-left`, `wheel-right`: a `<rect>`, the tyre. What is of class `tread` in it gives way to a moving tread.
- * - `rgb-0` … : a `<circle>` per light under the body. A place only, left out of the picture.
+ * - `rgb-0` … : a `<circle>` per colour light under the body, two or four or how many there are, in the order of the
+ *   robot's state. A place only, left out of the picture: its light falls on the floor around it, from where the circle
+ *   is up to 1.75 times as far.
  * - `led-left`, `led-right`: a `<circle>` per red light.
  * - `line-NAME`: a `<circle>` per line sensor's light, NAME as in the robot's state.
  * - `display`: a group of 25 `<rect>`, row by row.
+ * - `bumper`: a group with two groups `bumper-left` and `bumper-right`. Drawn below all else, and only while the robot
+ *   carries its bumper; a half that is pressed moves 3 mm towards the axle and turns red.
+ * - `ultrasonic`: the group of the distance sensor, which a servo may turn: see `attachment-parts.ts`.
  *
  * A part that is not there is not drawn live; nothing else depends on it.
  */
 export interface RobotDrawing {
-  /** The text without what is a place only and without the treads. */
+  /** The text without what is a place only, without the treads and the bumper. */
   readonly svg: string;
   /** In drawing units (mm). */
   readonly viewBox: Box;
@@ -27,6 +32,8 @@ export interface RobotDrawing {
   readonly line: ReadonlyMap<string, Spot>;
   /** The lights of the display, row by row; empty when there is none. */
   readonly display: readonly Box[];
+  /** A document with each half of the bumper alone. */
+  readonly bumper: { readonly left: string; readonly right: string } | null;
 }
 
 export interface Box {
@@ -52,18 +59,36 @@ export function readRobotDrawing(svg: string): RobotDrawing {
     const spot = id.startsWith('line-') ? spotOf(element) : null;
     if (spot !== null) line.set(id.slice('line-'.length), spot);
   }
+  const root = all.find((element) => element.name === 'svg');
+  const isLeftOut = ({ attributes }: SvgElement): boolean =>
+    /^(rgb-\d+|bumper)$/.test(attributes['id'] ?? '') || attributes['class'] === 'tread';
   return {
-    svg: without(
-      svg,
-      all.filter((e) => /^rgb-\d+$/.test(e.attributes['id'] ?? '') || e.attributes['class'] === 'tread'),
-    ),
-    viewBox: viewBoxOf(all.find((element) => element.name === 'svg')),
+    svg: without(svg, all.filter(isLeftOut)),
+    viewBox: viewBoxOf(root),
     wheels: { left: wheel('wheel-left'), right: wheel('wheel-right') },
     rgb: numberedSpots(parts, 'rgb'),
     leds: { left: spotOf(parts.get('led-left')), right: spotOf(parts.get('led-right')) },
     line,
     display: boxesOf(parts.get('display')).slice(0, 25),
+    bumper: bumperOf(svg, root, parts),
   };
+}
+
+function bumperOf(
+  svg: string,
+  root: SvgElement | undefined,
+  parts: ReadonlyMap<string, SvgElement>,
+): RobotDrawing['bumper'] {
+  const bumper = parts.get('bumper');
+  const [left, right] = [parts.get('bumper-left'), parts.get('bumper-right')];
+  if (root === undefined || bumper === undefined || left === undefined || right === undefined) return null;
+  const defs = root.children.find(({ name }) => name === 'defs');
+  const alone = (other: SvgElement): string =>
+    without(
+      svg.slice(0, bumper.end) + '</svg>',
+      root.children.filter((child) => child.start < bumper.start && child !== defs).concat(other),
+    );
+  return { left: alone(right), right: alone(left) };
 }
 
 /** The same drawing with its size in px on the root, as Firefox needs it to draw an SVG image on a canvas. */

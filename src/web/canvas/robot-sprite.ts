@@ -38,8 +38,13 @@ export function resolutionStep(pixelsPerMm: number): number {
  * (allowed by `img-src data:`), which takes a moment.
  *
  * @param ready called when a sprite has been made, so that the picture can be drawn again
+ * @param tint a colour that covers all that is drawn; its alpha says how much
  */
-export function createSpriteShelf(drawing: RobotDrawing, ready: () => void): SpriteShelf {
+export function createSpriteShelf(
+  drawing: Pick<RobotDrawing, 'svg' | 'viewBox'>,
+  ready: () => void,
+  tint: string | null = null,
+): SpriteShelf {
   const made = new Map<number, RobotSprite>();
   const asked = new Set<number>();
   const ask = (step: number): void => {
@@ -48,7 +53,13 @@ export function createSpriteShelf(drawing: RobotDrawing, ready: () => void): Spr
     const image = new Image();
     const { width, height } = pixelSize(drawing.viewBox, pixelsPerMm);
     image.onload = () => {
-      const body = canvasOf(width, height, (context) => context.drawImage(image, 0, 0, width, height));
+      const body = canvasOf(width, height, (context) => {
+        context.drawImage(image, 0, 0, width, height);
+        if (tint === null) return;
+        context.globalCompositeOperation = 'source-atop';
+        context.fillStyle = tint;
+        context.fillRect(0, 0, width, height);
+      });
       made.set(step, { body, ...shadowOf(body, drawing.viewBox, pixelsPerMm) });
       ready();
     };

@@ -2,8 +2,8 @@ import { computed, watch, type ComputedRef } from 'vue';
 
 import type { Hardware } from '#simulation/hardware';
 import type { App } from '../composables/use-app';
-import { isUntouched } from '../project/courses';
 import { AUTO_DEVICE, deviceName } from '../project/devices';
+import { isAsFound } from '../project/first-course';
 import { filesByName } from '../project/project';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
@@ -20,7 +20,8 @@ export function useDeviceMarks(
     const files = filesByName(work.files.value.filter(({ name }) => name !== file));
     return { file, files, device: firmware, board: board.value, language: settings.current.value.language };
   };
-  const isOurs = (): boolean => settings.current.value.device === AUTO_DEVICE && isUntouched(work.work.value.project);
+  // Our own programs have nothing to mark: a first visit need not fetch the check.
+  const isOurs = (): boolean => settings.current.value.device === AUTO_DEVICE && isAsFound(work.work.value.project);
   return (file) => ({
     question: () => question(file),
     isOurs,

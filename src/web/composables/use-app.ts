@@ -1,25 +1,28 @@
 import { computed, inject, provide, shallowRef, watch, type InjectionKey } from 'vue';
 
 import type { InputEvent, PlacedPose } from '#simulation/input';
-import { chooseHardware, type Hardware } from '#simulation/hardware';
 import { defaultScene } from '#scene/scene';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import { lastPlace, type ErrorPlace } from '../console/console-log';
 import { adviceFor } from '../console/error-advice';
-import { t } from '../i18n';
-import { firstCourse, projectOf } from '../project/courses';
-import { boardWish, firmwareOf } from '../project/devices';
+import { t, type Language } from '../i18n';
+import { projectOf } from '../project/course';
+import { boardWish } from '../project/devices';
+import { fetchNameOf, firstCourse } from '../project/first-course';
+import { deviceSettings, hardwareOf, seedOf } from '../project/hardware';
 import { filesByName, MAIN, type SourceFile } from '../project/project';
 import type { Work } from '../project/history';
 import type { TabStorage } from '../project/tab-storage';
 import { SoundPlayer } from '../sound/sound-player';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
+import { mispluggedNotice } from './misplugged';
 import { ConsoleModel } from './use-console';
 import { DataLogModel } from './use-data-log';
 import { useDialogs, type DialogsModel } from './use-dialogs';
+import { useGallery, type GalleryModel } from './use-gallery';
 import { useLayout, type LayoutModel } from './use-layout';
 import { useNotices, type NoticesModel } from './use-notices';
 import { RadioModel } from './use-radio';
@@ -40,6 +43,7 @@ export interface App {
   readonly sound: SoundPlayer;
   readonly notices: NoticesModel;
   readonly dialogs: DialogsModel;
+  readonly gallery: GalleryModel;
   readonly layout: LayoutModel;
   readonly hand: Hand;
   readonly jump: Jump;
@@ -64,7 +68,7 @@ export function useApp(): App {
 export function provideApp(storage: TabStorage): App {
   const settings = useSettings();
   const notices = useNotices();
-  const work = new WorkModel(storedWork(storage) ?? firstWork(), Date.now);
+  const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
   keepWork(work, storage, () => notices.show({ kind: 'warn', key: 'files.storageFull' }));
   const console = new ConsoleModel();
   const jump = useJump(work);
@@ -77,6 +81,12 @@ export function provideApp(storage: TabStorage): App {
   watch(
     () => settings.current.value.speed,
     (speed) => run.setSpeed(speed),
+  );
+  watch(
+    () => work.work.value.project.course,
+    // Without a connection the course is called as in its file.
+    (id) => void fetchNameOf(id).catch(() => undefined),
+    { immediate: true },
   );
   // Another course is another start: the run and the hand belong to the old one.
   watch(work.scene, () => {
@@ -92,35 +102,25 @@ export function provideApp(storage: TabStorage): App {
     () => settings.current.value.arenaSenses,
     (on) => run.input({ type: 'arena-senses', on }),
   );
-  const app: App = { ...parts, run, sensors, radio, dialogs: useDialogs() };
+  const app: App = { ...parts, run, sensors, radio, dialogs: useDialogs(), gallery: useGallery() };
   provide(KEY, app);
   return app;
 }
 
-function firstWork(): Work {
-  const course = firstCourse();
+function firstWork(language: Language): Work {
   const empty = { files: [{ name: MAIN, text: '' }], scene: defaultScene(), course: null };
-  return { project: course === undefined ? empty : projectOf(course), open: MAIN, previous: [] };
+  return { project: firstCourse === undefined ? empty : projectOf(firstCourse, language), open: MAIN, previous: [] };
 }
 
 /** The robot, the board and its firmware that a run of the present work would have; `null` where the course names unknown ones. */
 export function useHardware(app: Pick<App, 'work' | 'settings'>) {
-  return computed(() => hardwareOf(app));
+  return computed(() => hardwareNow(app));
 }
 
-function hardwareOf({ work, settings }: Pick<App, 'work' | 'settings'>): Hardware | null {
-  const { device, robot, firmware } = settings.current.value;
-  const chosen = chooseHardware({
-    scene: work.scene.value,
-    files: filesByName(work.files.value),
-    robot,
-    board: boardWish(device),
-  });
-  return 'problem' in chosen ? null : { ...chosen, firmware: firmwareOf(chosen.board, firmware) };
-}
+const hardwareNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
+  hardwareOf(work.value.project, settings.current.value);
 
-const deviceKey = ({ current }: SettingsModel): string =>
-  [current.value.device, current.value.firmware, current.value.robot].join();
+const deviceKey = ({ current }: SettingsModel): string => JSON.stringify(deviceSettings(current.value));
 
 function useHand() {
   const pose = shallowRef<PlacedPose | null>(null);
@@ -145,7 +145,7 @@ function useJump(work: WorkModel) {
   };
 }
 
-type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs'>;
+type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs' | 'gallery'>;
 
 /** The run, and what reaches into it. */
 function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
@@ -157,7 +157,7 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
     onStart: () => {
       runs += 1;
       parts.jump.wrong.value = null;
-      parts.notices.close();
+      showStart(parts);
       parts.console.startRun(runs);
       parts.dataLog.clear();
       radio.clear();
@@ -191,8 +191,8 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
 }
 
 function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent[]): RunSetup {
-  const hardware = hardwareOf({ work, settings });
-  const { device, robot, arenaSenses } = settings.current.value;
+  const hardware = hardwareNow({ work, settings });
+  const { device, robot, reality, arenaSenses } = settings.current.value;
   const placed = hand.pose.value;
   const inputs: InputEvent[] = [...sensed];
   if (hardware !== null && hardware.robot !== null) {
@@ -206,10 +206,20 @@ function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent
     board: boardWish(device),
     firmware: hardware?.firmware.id ?? '',
     repl: 'at-once',
-    seed: 1,
-    reality: 0,
+    seed: seedOf(settings.current.value),
+    robotOptions: hardware?.options ?? {},
+    reality,
     inputs,
   };
+}
+
+/** A robot on the wrong board is told in the arena; where that is not in sight, at the foot of the page. */
+function showStart({ settings, work, layout, notices }: RunParts): void {
+  const notice = layout.isShown.value.arena
+    ? null
+    : mispluggedNotice(work.work.value.project, settings.current.value, (wish) => settings.change(wish));
+  if (notice === null) notices.close();
+  else notices.show(notice);
 }
 
 /** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */

@@ -1,11 +1,12 @@
-import type { RobotExample } from '#robots/robot';
-import { AUTO, NO_ROBOT } from '#simulation/hardware';
+import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
 import type { Language } from '../i18n/texts';
 import { isBoardProgram, type BoardProgram } from '../project/board-programs';
-import { courseName, isUntouched, projectOf, type Course } from '../project/courses';
+import { projectOf, type Course } from '../project/course';
 import { AUTO_DEVICE, boardWish } from '../project/devices';
+import { isUntouched, type ExampleOf } from '../project/examples';
+import { courseName } from '../project/first-course';
 import type { Previous } from '../project/history';
-import { MAIN, type Project } from '../project/project';
+import { filesByName, MAIN, type Project } from '../project/project';
 import type { App } from './use-app';
 import { useDevice } from './use-device';
 import { workName } from './use-file-transfer';
@@ -16,10 +17,10 @@ export function useCourses(app: App) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
 
-  /** Puts a sample program into the arena that is open. */
-  function openExample(example: RobotExample): void {
-    device.allowRobot();
-    open(withProgram(app, example.source), example.title[language()]);
+  /** Puts a sample program into the arena that is open, and its robot with it. */
+  function openExample({ example, robot }: ExampleOf): void {
+    open(withProgram(app, example.source[language()]), example.title[language()]);
+    device.bringRobot(robot);
   }
 
   /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
@@ -32,12 +33,16 @@ export function useCourses(app: App) {
   }
 
   function openWhole(course: Course): void {
-    device.allowRobot();
-    open(projectOf(course), courseName(course.scene, course.id));
+    const project = projectOf(course, language());
+    open(project, courseName(course.scene, course.id));
+    const robot = robotOf(project);
+    if (robot !== null) device.bringRobot(robot);
+    device.setUpForCourse();
   }
   function openScene(course: Course): void {
     device.allowRobot();
     app.work.setScene(course.scene, course.id);
+    device.setUpForCourse();
   }
 
   /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
@@ -60,6 +65,12 @@ export function useCourses(app: App) {
   }
 
   return { openCourse, openExample, openBoardProgram, restore };
+}
+
+/** The robot that a course and its program are made for. */
+function robotOf({ scene, files }: Project) {
+  const hardware = chooseHardware({ scene, files: filesByName(files), robot: AUTO, board: AUTO });
+  return 'problem' in hardware ? null : hardware.robot;
 }
 
 /** Puts a project in the place of the present one, and brings it back. */

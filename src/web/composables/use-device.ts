@@ -1,11 +1,22 @@
 import { computed, type ComputedRef } from 'vue';
 
-import type { Hardware } from '#simulation/hardware';
-import { NO_ROBOT } from '#simulation/hardware';
+import type { OptionValues } from '#core/option';
+import type { RobotType } from '#robots/robot';
+import { NO_ROBOT, type Hardware } from '#simulation/hardware';
 
 import { AUTO_ROBOT, deviceName } from '../project/devices';
-import type { Settings } from '../project/settings';
+import {
+  deviceSettings,
+  settingsFor,
+  startOptions,
+  withCourseOptions,
+  withOption,
+  withOptions,
+} from '../project/hardware';
+import { isSeed, LAST_SEED, type Settings } from '../project/settings';
+import { mispluggedNotice } from './misplugged';
 import { useHardware, type App } from './use-app';
+import type { Notice } from './use-notices';
 
 /** Choosing what the program runs on. */
 export interface DeviceModel {
@@ -18,32 +29,92 @@ export interface DeviceModel {
   readonly chooseRobot: (id: string) => void;
   /** A course has a robot, whatever was chosen for the programs without one. */
   readonly allowRobot: () => void;
+  /** The open program came with this robot: it and its board are chosen, as far as they are not already. */
+  readonly bringRobot: (robot: RobotType) => void;
+  /** The open course came with its robot set up: that holds, whatever was changed before. */
+  readonly setUpForCourse: () => void;
+  /** The options of the robot in use before anything is changed by hand. */
+  readonly startOptions: ComputedRef<OptionValues>;
+  readonly chooseOption: (option: string, choice: string) => void;
+  readonly resetOptions: () => void;
+  readonly chooseReality: (reality: number) => void;
+  /** Takes the used robot with this number; what is no such number changes nothing. */
+  readonly chooseSeed: (seed: number) => void;
+  /** Takes the next one, after the last the first. */
+  readonly nextSeed: () => void;
+  /** What is wrong when the robot stands on a board that it does not fit, and a way out; else `null`. */
+  readonly misplugged: ComputedRef<Required<Notice> | null>;
 }
 
-export function useDevice(app: Pick<App, 'work' | 'settings' | 'run' | 'notices'>): DeviceModel {
-  const { settings, run, notices } = app;
+type Parts = Pick<App, 'work' | 'settings' | 'run' | 'notices'>;
+
+export function useDevice(app: Parts): DeviceModel {
+  const { settings, work } = app;
   const hardware = useHardware(app);
-  /** Another device ends the run: that must not look like an accident. */
-  function change(wish: Partial<Settings>): void {
-    const now = settings.current.value;
-    const isOther = (['device', 'firmware', 'robot'] as const).some((key) => (wish[key] ?? now[key]) !== now[key]);
-    if (isOther && run.isActive.value) notices.show({ kind: 'info', key: 'notice.deviceChanged' });
-    settings.change(wish);
-  }
-  function chooseRobot(robot: string): void {
-    const before = settings.current.value.robot;
-    if (robot === before) return;
-    const changesArena = robot === NO_ROBOT || before === NO_ROBOT;
-    change({ robot, ...(changesArena && { showArena: robot !== NO_ROBOT }) });
+  const change = changing(app);
+  const now = (): Settings => settings.current.value;
+  /** Changes something about the robot in use, if there is one. */
+  function changeRobot(wish: (robot: RobotType) => Partial<Settings>): void {
+    const robot = hardware.value?.robot ?? null;
+    if (robot !== null) change(wish(robot));
   }
   return {
     hardware,
-    name: computed(() => deviceName(settings.current.value.device, hardware.value?.board)),
+    name: computed(() => deviceName(now().device, hardware.value?.board)),
     chooseDevice: (device) => change({ device }),
     chooseFirmware: (firmware) => change({ firmware }),
-    chooseRobot,
-    allowRobot: () => {
-      if (settings.current.value.robot === NO_ROBOT) chooseRobot(AUTO_ROBOT);
+    chooseRobot: (robot) => change({ robot, ...arenaFor(robot, now()) }),
+    ...useBringing(app, hardware),
+    startOptions: computed(() => {
+      const robot = hardware.value?.robot ?? null;
+      return robot === null ? {} : startOptions(robot, work.scene.value);
+    }),
+    chooseOption: (option, choice) =>
+      changeRobot((robot) => withOption(now(), robot, work.scene.value, [option, choice])),
+    resetOptions: () => changeRobot((robot) => withOptions(now(), robot, [])),
+    chooseReality: (reality) => change({ reality }),
+    chooseSeed: (seed) => {
+      if (isSeed(seed)) change({ seed });
     },
+    nextSeed: () => change({ seed: (now().seed % LAST_SEED) + 1 }),
+    misplugged: computed(() => mispluggedNotice(app.work.work.value.project, now(), change)),
+  };
+}
+
+/** What opening a program or a course does to the choice. It speaks for itself: no notice. */
+function useBringing(
+  { settings, work }: Parts,
+  hardware: ComputedRef<Hardware | null>,
+): Pick<DeviceModel, 'allowRobot' | 'bringRobot' | 'setUpForCourse'> {
+  function choose(wish: Pick<Settings, 'robot'> & Partial<Settings>): void {
+    settings.change({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
+  }
+  return {
+    allowRobot: () => {
+      if (settings.current.value.robot === NO_ROBOT) choose({ robot: AUTO_ROBOT });
+    },
+    bringRobot: (robot) => choose(settingsFor(robot, work.work.value.project, settings.current.value)),
+    setUpForCourse: () => {
+      const robot = hardware.value?.robot ?? null;
+      if (robot !== null) settings.change(withCourseOptions(settings.current.value, robot, work.scene.value));
+    },
+  };
+}
+
+/** The arena goes with the robot and comes back with it. */
+const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
+  (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
+
+/** Changes settings. Another device ends the run: that must not look like an accident. */
+function changing({ settings, run, notices }: Parts) {
+  return (wish: Partial<Settings>): void => {
+    const before = settings.current.value;
+    const isOther = (parts: typeof deviceSettings): boolean =>
+      JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
+    if (run.isActive.value && isOther(deviceSettings)) {
+      const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
+      notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });
+    }
+    settings.change(wish);
   };
 }

@@ -1,4 +1,4 @@
-import { courseName } from '../project/courses';
+import { courseName } from '../project/first-course';
 import { FILE_BYTES, freeName, MAIN, nameProblem, type SourceFile } from '../project/project';
 import type { App } from './use-app';
 

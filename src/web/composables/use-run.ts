@@ -4,6 +4,7 @@ import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended, Snapshot } from '#simulation/simulation';
 
+import { Trail } from '../canvas/trail';
 import { SPEEDS, type FromWorker, type RunEvents, type Speed } from '../worker/protocol';
 import { RunClient, type ClientOptions } from './run-client';
 
@@ -36,6 +37,8 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
   readonly snapshot: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** Where the robot has come by; what it holds changes with `snapshot`. */
+  readonly trail = new Trail();
   readonly ended: ShallowRef<Ended | null> = shallowRef(null);
   readonly nowUs = shallowRef(0);
   /** Simulated seconds per wall second reached lately; `null` while unknown. */
@@ -68,6 +71,7 @@ export class RunModel {
   /** Starts anew, also while a run is under way; `paused` starts it standing still. */
   async start(paused = false): Promise<void> {
     this.phase.value = 'starting';
+    this.trail.clear();
     this.snapshot.value = null;
     this.ended.value = null;
     this.nowUs.value = 0;
@@ -96,6 +100,7 @@ export class RunModel {
   async reset(): Promise<void> {
     await this.stop();
     this.phase.value = 'ready';
+    this.trail.clear();
     this.snapshot.value = null;
     this.ended.value = null;
     this.nowUs.value = 0;
@@ -149,6 +154,7 @@ export class RunModel {
         break;
       case 'snapshot':
         this.frameAsked = false;
+        this.trail.add(message.way);
         this.snapshot.value = message.snapshot;
         this.nowUs.value = message.snapshot.timeUs;
         break;

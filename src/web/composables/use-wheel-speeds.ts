@@ -12,7 +12,11 @@ export interface WheelSpeeds {
 /** Simulated time over which speeds are averaged, in µs: figures that change faster cannot be read. */
 const WINDOW_US = 250_000;
 
-/** How fast the wheels turn, from how far they have turned; `null` before a run. */
+/**
+ * How fast the wheels turn, from how far they have turned; `null` before a run.
+ *
+ * @param radiiMm of the real robot's wheels
+ */
 export function useWheelSpeeds(
   run: RunModel,
   radiiMm: () => readonly number[],
@@ -27,7 +31,7 @@ export function useWheelSpeeds(
     }
     const tookUs = since === null ? 0 : snapshot.timeUs - since.timeUs;
     if (since !== null && tookUs >= 0 && tookUs < WINDOW_US) return;
-    const [left = 0, right = 0] = radiiMm();
+    const [left = 0, right = 0] = radiiMm().map((radiusMm) => radiusMm * robot.scale);
     if (since !== null && tookUs > 0) {
       const rate = (wheel: 0 | 1, radiusMm: number): number =>
         // rad · mm per µs, in cm/s; adding 0 turns -0 into 0

@@ -27,6 +27,9 @@ export const i18n: I18n<Catalogues, Record<string, never>, Record<string, never>
   messages: {},
 });
 
+/** The language that is shown. Read in templates, it is followed when it changes. */
+export const shownLanguage = (): Language => i18n.global.locale.value as Language; // only setLanguage sets it
+
 /** Looks a text up by its typed name. Reads the chosen language, so templates follow when it changes. */
 export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
 

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 
+import { bareProgram } from '#core/testing/bare-program';
 import { defaultScene } from '#scene/scene';
 import type { InputAction, InputEvent } from '#simulation/input';
 import { Simulation } from '#simulation/simulation';
@@ -52,8 +53,7 @@ describe('the sample programs for the microcomputer alone', () => {
   });
 
   it('are of one code: only comments and shown words differ between the languages', () => {
-    const code = (text: string): string => text.replace(/#.*/g, '').replace(/'[^']*'/g, "''").replace(/[ \t]+$/gm, ''); // prettier-ignore
-    for (const { source } of boardPrograms) expect(code(source.en)).toBe(code(source.de));
+    for (const { source } of boardPrograms) expect(bareProgram(source.en)).toBe(bareProgram(source.de));
   });
 
   it('keep to what the usual firmware knows: no f-strings', () => {

@@ -1,16 +1,121 @@
+import { readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
-import { boardTypes } from '#board/boards/index';
+import { boardTypes, findBoard } from '#board/boards/index';
 import { checkForDevice } from '#device-check/check-for-device';
-
-import { courses, examples } from './courses';
-
-const firmware = boardTypes[0]!.firmwares[0];
+import { chooseHardware } from '#simulation/hardware';
+import { setLanguage } from '../i18n';
+import { LANGUAGES } from '../i18n/texts';
+import { coursesOf, projectOf } from './course';
+import { courses, courseText } from './courses';
+import { examples, isUntouched } from './examples';
+import { courseName, firstCourse, isAsFound } from './first-course';
+import { defaultScene } from '#scene/scene';
 
 describe('the programs that come with the app', () => {
-  it('have nothing that the device check would mark on the micro:bit, so a first visit need not load it', () => {
-    const programs = [...courses.map(({ program }) => program), ...examples.map(({ source }) => source)];
-    expect(programs.length).toBeGreaterThan(3);
-    for (const program of programs) expect(checkForDevice({ 'main.py': program }, firmware), program).toEqual([]);
+  it('have nothing that the device check would mark on their board, so a first visit need not load it', () => {
+    const ofCourses = courses.flatMap(({ scene, program }) => Object.values(program).map((text) => ({ scene, text })));
+    const ofRobots = examples.flatMap(({ example, robot }) => LANGUAGES.map((language) => ({ robot, text: example.source[language] }))); // prettier-ignore
+    expect(ofCourses.length + ofRobots.length).toBeGreaterThan(3);
+    for (const { text, ...where } of [...ofCourses, ...ofRobots]) {
+      const scene = 'scene' in where ? where.scene : defaultScene();
+      const robot = 'robot' in where ? where.robot.id : 'auto';
+      const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot, board: 'auto' });
+      const firmware = 'problem' in hardware ? boardTypes[0]!.firmwares[0] : hardware.firmware;
+      expect(checkForDevice({ 'main.py': text }, firmware), text).toEqual([]);
+    }
+  });
+
+  it('each choose a robot on its own board when everything is left to the program and the course', () => {
+    for (const { id, scene, program } of courses)
+      for (const text of Object.values(program)) {
+        const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot: 'auto', board: 'auto' });
+        if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
+        expect(hardware.robot, id).not.toBeNull();
+        expect(hardware.board, id).toBe(findBoard(hardware.robot!.board));
+      }
+  });
+
+  it('count as untouched until a letter is changed; two files are the pupil’s own', () => {
+    for (const course of courses)
+      for (const language of LANGUAGES) {
+        const project = projectOf(course, language);
+        expect(isUntouched(project), course.id).toBe(true);
+        const [main] = project.files;
+        expect(isUntouched({ ...project, files: [{ ...main!, text: `${main!.text}#` }] })).toBe(false);
+        expect(isUntouched({ ...project, files: [main!, { name: 'a.py', text: '' }] })).toBe(false);
+      }
+    for (const { example } of examples)
+      for (const language of LANGUAGES) {
+        const files = [{ name: 'main.py', text: example.source[language] }];
+        expect(isUntouched({ ...projectOf(courses[0]!, 'de'), files }), example.file).toBe(true);
+      }
+  });
+});
+
+describe('the ready courses', () => {
+  const folders = readdirSync('courses', { withFileTypes: true })
+    .filter((entry) => entry.isDirectory() && !['board', 'golden'].includes(entry.name))
+    .map(({ name }) => name);
+
+  it('are all listed, each at a place of its own', () => {
+    expect(courses.map(({ id }) => id).sort()).toEqual(folders.sort());
+    const places = courses.map(({ place }) => place);
+    expect(places).not.toContain(null);
+    expect(new Set(places).size).toBe(places.length);
+    expect([...places].sort((one, other) => one! - other!)).toEqual(places);
+  });
+
+  it('have a name, a sentence and a program in German and English, in Swiss spelling', () => {
+    for (const { id, texts, program } of courses)
+      for (const language of LANGUAGES) {
+        expect(texts[language].name, id).not.toBe('');
+        expect(texts[language].text, id).toMatch(/[.!?]$/);
+        expect(program[language], id).toMatch(/import/);
+        expect(texts.de.name + texts.de.text, id).not.toContain('ß');
+      }
+  });
+
+  it('begin with the closed line on a first visit, which comes with the page', () => {
+    expect(firstCourse?.id).toBe('closed-line');
+    expect(firstCourse).toEqual(courses.find(({ id }) => id === 'closed-line'));
+    const project = projectOf(firstCourse!, 'en');
+    expect(isAsFound(project)).toBe(true);
+    expect(isAsFound({ ...project, files: [{ name: 'main.py', text: 'print(1)' }] })).toBe(false);
+  });
+
+  it('are called in the chosen language, courses of others as their file says', async () => {
+    Object.assign(globalThis, { document: { documentElement: {} } });
+    await setLanguage('en');
+    const maze = courses.find(({ id }) => id === 'small-maze')!;
+    expect([courseName(maze.scene, maze.id), courseText(maze)]).toEqual([maze.texts.en.name, maze.texts.en.text]);
+    await setLanguage('de');
+    expect(courseName(maze.scene, maze.id)).toBe('Kleines Labyrinth');
+    expect(courseName({ ...maze.scene, name: 'Von Anna' }, null)).toBe('Von Anna');
+    expect(courseName({ ...maze.scene, name: '' }, null)).toBe('Ohne Namen');
+  });
+});
+
+describe('the files of a course', () => {
+  const scene = '{"format":"parcours-scene","version":1,"name":"A","description":"B.","size":[500,500]}';
+
+  it('may have one program for all languages or one for each', () => {
+    const [one] = coursesOf({ 'c/one/scene.json': scene, 'c/one/main.py': 'x' });
+    expect(one!.program).toEqual({ de: 'x', en: 'x' });
+    const [two] = coursesOf({ 'c/two/scene.json': scene, 'c/two/main.de.py': 'd', 'c/two/main.en.py': 'e' });
+    expect(two!.program).toEqual({ de: 'd', en: 'e' });
+  });
+
+  it('speak as the scene does where there are no texts, and stand at the end then', () => {
+    const all = coursesOf({
+      'c/a/scene.json': scene,
+      'c/z/scene.json': scene,
+      'c/z/texts.json': '{"place":9,"de":{"name":"Z","text":"Z."}}',
+      'c/broken/scene.json': '{',
+    });
+    expect(all.map(({ id, texts }) => [id, texts.de.name, texts.en.name])).toEqual([
+      ['z', 'Z', 'A'],
+      ['a', 'A', 'A'],
+    ]);
   });
 });

@@ -1,83 +1,31 @@
-import { robotTypes } from '#robots/index';
-import type { RobotExample } from '#robots/robot';
-import { parseScene } from '#scene/parse';
-import type { Scene } from '#scene/scene';
+/**
+ * The ready courses. Each is a folder in `courses/`, and everything about it is in there:
+ *
+ * - `scene.json`: the arena, and where the robot starts (`#scene/scene`). `name` and `description` are for whoever
+ *   opens the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
+ * - `main.py`, or `main.de.py` and `main.en.py`: the program that solves it. With one of them the same in all languages;
+ *   with two they differ in comments and shown words only.
+ * - `texts.json`: `{ "place": 4, "de": { "name": "…", "text": "…" }, "en": { "name": "…", "text": "…" } }`: its place in
+ *   the list (lowest first), what it is called, and one or two sentences on what it is about.
+ * - `expected.csv`: the trace of its run (`courses/golden.json`).
+ *
+ * Fetched late, with the list. `first-course.ts` holds the one that comes with the page.
+ */
+import { shownLanguage } from '../i18n';
+import { coursesOf, type Course } from './course';
+import { knownCourses } from './known-courses';
 
-import { t } from '../i18n';
-import type { TextKey } from '../i18n/texts';
-import { MAIN, type Project } from './project';
-
-/** A ready course: an arena and a program that drives in it. */
-export interface Course {
-  /** Name of its folder. */
-  readonly id: string;
-  readonly scene: Scene;
-  readonly program: string;
-}
-
-const scenes = import.meta.glob<string>('../../../courses/*/scene.json', {
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
-const programs = import.meta.glob<string>('../../../courses/*/main.py', {
+const files = import.meta.glob<string>('../../../courses/*/{scene.json,texts.json,main.py,main.de.py,main.en.py}', {
   query: '?raw',
   import: 'default',
   eager: true,
 });
 
-/** The course a first visit opens. */
-const FIRST = 'line';
+/** All ready courses, in the order of the list. */
+export const courses: readonly Course[] = coursesOf(files);
+knownCourses.value = courses;
 
-/** All ready courses, the smallest arena text first: the empty one, then the fuller ones. */
-export const courses: readonly Course[] = Object.entries(scenes)
-  .flatMap(([path, text]) => readCourse(path, text))
-  .sort((one, other) => one.scene.objects.length - other.scene.objects.length);
-
-function readCourse(path: string, text: string): Course[] {
-  const id = path.split('/').at(-2) ?? '';
-  const parsed = parseScene(text);
-  return 'scene' in parsed
-    ? [{ id, scene: parsed.scene, program: programs[path.replace('scene.json', MAIN)] ?? '' }]
-    : [];
-}
-
-/** A course as something to work on. */
-export function projectOf(course: Course): Project {
-  return { files: [{ name: MAIN, text: course.program }], scene: course.scene, course: course.id };
-}
-
-/** What a first visit shows. */
-export function firstCourse(): Course | undefined {
-  return courses.find((course) => course.id.includes(FIRST)) ?? courses[0];
-}
-
-/** Sample programs of the robots, for any arena. */
-export const examples: readonly RobotExample[] = robotTypes.flatMap((type) => type.examples);
-
-/** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
-export function isUntouched(project: Project): boolean {
-  const [main, ...others] = project.files;
-  if (others.length > 0 || main === undefined) return false;
-  const brought = [...courses.map(({ program }) => program), ...examples.map(({ source }) => source)];
-  return main.text.trim() === '' || brought.includes(main.text);
-}
-
-/** Our own courses' texts in all languages; other courses speak as their file does. */
-const TEXTS = new Map<string | null, { readonly name: TextKey; readonly text: TextKey }>([
-  ['empty', { name: 'ready.emptyName', text: 'ready.emptyText' }],
-  ['closed-line', { name: 'ready.lineName', text: 'ready.lineText' }],
-  ['small-maze', { name: 'ready.mazeName', text: 'ready.mazeText' }],
-]);
-
-/** What a course is called, in the chosen language where we know it. */
-export function courseName(scene: Scene, id: string | null): string {
-  const texts = TEXTS.get(id);
-  return texts === undefined ? scene.name || t('course.unnamed') : t(texts.name);
-}
-
-/** What a course says about itself, likewise. */
-export function courseText({ id, scene }: Course): string {
-  const texts = TEXTS.get(id);
-  return texts === undefined ? scene.description : t(texts.text);
+/** What a course says about itself, in the chosen language. */
+export function courseText(course: Course): string {
+  return course.texts[shownLanguage()].text;
 }

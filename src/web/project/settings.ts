@@ -1,4 +1,8 @@
+import type { OptionValues } from '#core/option';
+import { robotTypes } from '#robots/index';
+
 import { LANGUAGES, type Language } from '../i18n/texts';
+import { readLightWishes, type LightWishes } from '../lights/light-wish';
 import { SPEEDS, type Speed } from '../worker/protocol';
 import { AUTO_DEVICE, AUTO_ROBOT, isDevice, isRobotChoice } from './devices';
 
@@ -16,7 +20,14 @@ export interface Settings {
   readonly theme: Theme;
   readonly speed: Speed;
   readonly muted: boolean;
+  /** What the arena shows of the robot's senses: the beam of its distance sensor, what its line sensors see, … */
   readonly cone: boolean;
+  readonly spots: boolean;
+  /** … the point around which it turns, and where it has come by. */
+  readonly centre: boolean;
+  readonly trace: boolean;
+  /** Form and place of chains of lights, as far as they were chosen. */
+  readonly lights: LightWishes;
   readonly showBoard: boolean;
   readonly showArena: boolean;
   /** The microcomputer of the next run: an id of `devices`. */
@@ -25,6 +36,12 @@ export interface Settings {
   readonly firmware: string;
   /** Id of a robot type, `none` for the bare board, or `auto`. */
   readonly robot: string;
+  /** What was changed about robots: id of the robot → id of the option → id of the choice. It wins over the course. */
+  readonly robotOptions: RobotOptions;
+  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  readonly reality: number;
+  /** Which of the used robots it is, 1 … `LAST_SEED`: the same number always gives the same faults. */
+  readonly seed: number;
   /** Whether the editor marks what would not run on the microcomputer. */
   readonly deviceCheck: boolean;
   /** What is unfolded below the board, or `null`. */
@@ -39,6 +56,16 @@ export interface Settings {
   readonly topPx: number | null;
 }
 
+/** Chosen options by the robot's id. */
+export type RobotOptions = Readonly<Record<string, OptionValues>>;
+
+/** So many used robots there are to choose from. */
+export const LAST_SEED = 9999;
+
+/** The number of one of them. */
+export const isSeed = (value: unknown): value is number =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
+
 /** Settings of a first visit. */
 export function defaultSettings(language: Language): Settings {
   return {
@@ -47,11 +74,18 @@ export function defaultSettings(language: Language): Settings {
     speed: 1,
     muted: false,
     cone: true,
+    spots: false,
+    centre: false,
+    trace: false,
+    lights: {},
     showBoard: true,
     showArena: true,
     device: AUTO_DEVICE,
     firmware: '',
     robot: AUTO_ROBOT,
+    robotOptions: {},
+    reality: 0,
+    seed: 1,
     deviceCheck: true,
     panel: null,
     arenaSenses: false,
@@ -61,6 +95,9 @@ export function defaultSettings(language: Language): Settings {
     topPx: null,
   };
 }
+
+/** Settings that are on or off. */
+type Flag = 'muted' | 'cone' | 'spots' | 'centre' | 'trace' | 'showBoard' | 'showArena' | 'arenaSenses' | 'deviceCheck';
 
 /** Reads stored settings; what is missing or makes no sense is as in `fallback`. */
 export function settingsFromText(text: string | null, fallback: Settings): Settings {
@@ -72,8 +109,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
   }
   if (typeof value !== 'object' || value === null) return fallback;
   const read = value as Record<keyof Settings, unknown>;
-  const flag = (key: 'muted' | 'cone' | 'showBoard' | 'showArena' | 'arenaSenses' | 'deviceCheck'): boolean =>
-    typeof read[key] === 'boolean' ? read[key] : fallback[key];
+  const flag = (key: Flag): boolean => (typeof read[key] === 'boolean' ? read[key] : fallback[key]);
   const id = (key: 'device' | 'firmware' | 'robot', fits: (value: string) => boolean): string =>
     typeof read[key] === 'string' && fits(read[key]) ? read[key] : fallback[key];
   const size = (key: 'codePx' | 'boardPx' | 'consolePx' | 'topPx'): number | null =>
@@ -84,11 +120,19 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     speed: SPEEDS.find((speed) => speed === read.speed) ?? fallback.speed,
     muted: flag('muted'),
     cone: flag('cone'),
+    spots: flag('spots'),
+    centre: flag('centre'),
+    trace: flag('trace'),
+    lights: readLightWishes(read.lights),
     showBoard: flag('showBoard'),
     showArena: flag('showArena'),
     device: id('device', isDevice),
     firmware: id('firmware', () => true),
     robot: id('robot', isRobotChoice),
+    robotOptions: readRobotOptions(read.robotOptions),
+    reality:
+      typeof read.reality === 'number' && read.reality >= 0 && read.reality <= 1 ? read.reality : fallback.reality,
+    seed: isSeed(read.seed) ? read.seed : fallback.seed,
     deviceCheck: flag('deviceCheck'),
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
     arenaSenses: flag('arenaSenses'),
@@ -98,3 +142,17 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     topPx: size('topPx'),
   };
 }
+
+/** Keeps what this version of the app knows: robots come and go, and so do their options. */
+function readRobotOptions(value: unknown): RobotOptions {
+  if (!isRecord(value)) return {};
+  const robots = robotTypes.map(({ id, options }): [string, OptionValues] => {
+    const own = value[id];
+    const kept = options.filter((option) => isRecord(own) && option.choices.some((it) => it.id === own[option.id]));
+    return [id, Object.fromEntries(kept.map((option) => [option.id, String(isRecord(own) ? own[option.id] : '')]))];
+  });
+  return Object.fromEntries(robots.filter(([, options]) => Object.keys(options).length > 0));
+}
+
+const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
+  typeof value === 'object' && value !== null;

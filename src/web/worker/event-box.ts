@@ -13,7 +13,9 @@ export interface RunEvents {
 /** Gathers a run's news for the page. */
 export interface EventBox {
   readonly outlets: RunOutlets;
-  /** Takes everything out, or `null` when there is nothing. */
+  /** Takes out the way of the robot: x and y in mm alternately, two `NaN` where the hand lifted it. */
+  takeWay(): readonly number[];
+  /** Takes out everything else, or `null` when there is nothing. */
   take(): RunEvents | null;
 }
 
@@ -22,15 +24,19 @@ const MAX_PACKETS = 200;
 /** Most sound events in one batch, a batch being a frame: at 1 × a melody makes one, at full speed nobody listens. */
 const MAX_SOUNDS = 500;
 
+/** Most points of the way in one batch, such as while the page is hidden. Chosen: 60 m. */
+const MAX_POINTS = 15_000;
+
 /**
- * Creates a box. Rows of the data log are all kept: the log itself is bounded. Of packets and sounds the newest are
- * kept.
+ * Creates a box. Rows of the data log are all kept: the log itself is bounded. Of packets, sounds and
+ * the way the newest are kept.
  */
 export function createEventBox(): EventBox {
   let sound: SoundEvent[] = [];
   let radio: RadioPacket[] = [];
   let radioDropped = 0;
   let log: TimedLogEvent[] = [];
+  let way: number[] = [];
   return {
     outlets: {
       sound: (event) => {
@@ -47,6 +53,15 @@ export function createEventBox(): EventBox {
         if (event.type === 'clear') log = [];
         log.push(event);
       },
+      way: (point) => {
+        way.push(point?.x ?? NaN, point?.y ?? NaN);
+        if (way.length > 4 * MAX_POINTS) way = way.slice(-2 * MAX_POINTS);
+      },
+    },
+    takeWay() {
+      const taken = way;
+      way = [];
+      return taken;
     },
     take() {
       if (sound.length + radio.length + log.length === 0) return null;

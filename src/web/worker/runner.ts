@@ -159,7 +159,7 @@ export class Runner {
       }
       this.outbox.flush();
       this.tellEvents();
-      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+      this.tellPicture(run);
       run.dispose();
       this.run = null;
       this.at.post({ type: 'stopped' });
@@ -207,7 +207,7 @@ export class Runner {
   private tell(run: Run, nowMs: number): void {
     if (this.frameWanted && this.changed) {
       this.frameWanted = this.changed = false;
-      this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+      this.tellPicture(run);
     }
     this.tellEvents();
     this.tellEnd(run);
@@ -215,6 +215,10 @@ export class Runner {
       this.aliveAtMs = nowMs;
       this.at.post({ type: 'alive', nowUs: run.nowUs, achieved: this.paused ? null : this.meter.factor() });
     }
+  }
+
+  private tellPicture(run: Run): void {
+    this.at.post({ type: 'snapshot', snapshot: run.snapshot(), way: this.events.takeWay() });
   }
 
   private tellEvents(): void {
@@ -226,7 +230,7 @@ export class Runner {
     if (run.ended === this.toldEnd || !this.outbox.isEmpty) return;
     this.toldEnd = run.ended;
     // Whoever hears of the end must see how the program left the robot, not the picture before.
-    this.at.post({ type: 'snapshot', snapshot: run.snapshot() });
+    this.tellPicture(run);
     this.at.post(run.ended ? { type: 'program-ended', ended: run.ended } : { type: 'program-restarted' });
   }
 

@@ -1,5 +1,6 @@
 import type { Extension } from '@codemirror/state';
 
+import { freeReference } from '#libraries/reference';
 import type { ReferenceContext } from '#reference/context';
 import type { RobotReference } from '#reference/types';
 import { robotReferences } from '#robots/references';
@@ -14,7 +15,7 @@ import { loadWords } from './words';
 
 /** Loads the words of a language and gives what makes the help of an editor. */
 export async function loadHelp(language: Language): Promise<HelpMaker> {
-  const words = await loadWords(language, robotReferences);
+  const words = await loadWords(language, [...robotReferences, freeReference]);
   const make = ({ context }: HelpOptions): Extension => {
     const full = (): ReferenceContext => {
       const { robot, ...rest } = context();
@@ -25,9 +26,9 @@ export async function loadHelp(language: Language): Promise<HelpMaker> {
   return { make, suggestLate };
 }
 
-/** The libraries of all robots, those of the chosen one first: where two have the same name, its own counts. */
+/** All libraries, those of the chosen robot first: where two have the same name, its own counts. */
 function modulesFor(robot: string | null): RobotReference['modules'] {
   const isChosen = (it: RobotReference): boolean => it.robot === robot;
   const others = robotReferences.filter((it) => !isChosen(it));
-  return [...robotReferences.filter(isChosen), ...others].flatMap(({ modules }) => modules);
+  return [...robotReferences.filter(isChosen), ...others, freeReference].flatMap(({ modules }) => modules);
 }

@@ -5,11 +5,14 @@ import { t, type Language } from '../../i18n';
 /** The short words on names of the API, in one language. */
 export type Words = Readonly<Record<string, string>>;
 
-/** The words of the boards' modules and of all robots' libraries. */
-export async function loadWords(language: Language, robots: readonly RobotReference[]): Promise<Words> {
+/** The words of the boards' modules and of these libraries. */
+export async function loadWords(
+  language: Language,
+  libraries: readonly Pick<RobotReference, 'texts'>[],
+): Promise<Words> {
   const words: Words =
     language === 'de' ? (await import('#reference/texts/de')).de : (await import('#reference/texts/en')).en;
-  return Object.assign({}, words, ...robots.map(({ texts }) => texts[language])) as Words;
+  return Object.assign({}, words, ...libraries.map(({ texts }) => texts[language])) as Words;
 }
 
 /** What is said about an item; empty when nothing is known about it. */

@@ -1,0 +1,87 @@
+import type { Vec } from '../src/core/geometry';
+import { fitView } from '../src/web/canvas/view-transform';
+import type { App } from './app';
+import type { Shown } from './page';
+
+const ARENA = '[data-testid=arena]';
+
+interface WithWay {
+  way?: [number, number, number][];
+}
+
+/** Notes from now on where the robot comes by; `wayOf` tells it. */
+export const watchWay = (app: App): Promise<void> =>
+  app.evaluate((css) => {
+    const arena = document.querySelector<HTMLElement>(css);
+    if (arena === null) throw new Error('There is no arena.');
+    const way: [number, number, number][] = ((window as WithWay).way = []);
+    const note = (): void => {
+      const { xMm, yMm, headingDeg } = arena.dataset;
+      way.push([Number(xMm), Number(yMm), Number(headingDeg)]);
+    };
+    new MutationObserver(note).observe(arena, { attributeFilter: ['data-x-mm', 'data-y-mm', 'data-heading-deg'] });
+    note();
+  }, ARENA);
+
+/** Where the robot came by since `watchWay`, about ten times a second, the newest last. */
+export async function wayOf(app: App): Promise<readonly Shown[]> {
+  const way = await app.evaluate(() => (window as WithWay).way ?? []);
+  return way.map(([xMm, yMm, headingDeg]) => ({ xMm, yMm, headingDeg }));
+}
+
+/** Where the robot stands, to a tenth of a mm: what the arena has written on it. */
+export const robotAt = (app: App): Promise<Shown> =>
+  app.evaluate((css) => {
+    const { xMm, yMm, headingDeg } = document.querySelector<HTMLElement>(css)?.dataset ?? {};
+    return { xMm: Number(xMm), yMm: Number(yMm), headingDeg: Number(headingDeg) };
+  }, ARENA);
+
+/** Pixels of one layer of the arena that nothing shines through, by their places in mm. Shadows and cones are no paint. */
+export async function paintOf(
+  app: App,
+  layer: 'trail' | 'blocks' | 'moving',
+  size: readonly [number, number],
+): Promise<readonly Vec[]> {
+  const found = await app.evaluate(
+    ({ css, fromEnd }) => {
+      const arena = document.querySelector<HTMLElement>(css);
+      const canvases = Array.from(document.querySelectorAll<HTMLCanvasElement>(`${css} canvas`));
+      const canvas = canvases[canvases.length - fromEnd];
+      const context = canvas?.getContext('2d') ?? null;
+      if (arena === null || canvas === undefined || context === null || canvas.width * canvas.height === 0) return null;
+      const [host, own] = [arena.getBoundingClientRect(), canvas.getBoundingClientRect()];
+      const pxPerPixel = own.width / canvas.width;
+      const { data, width } = context.getImageData(0, 0, canvas.width, canvas.height);
+      const points: [number, number][] = [];
+      for (let at = 3; at < data.length; at += 4) {
+        if ((data[at] ?? 0) < 250) continue;
+        const pixel = (at - 3) / 4;
+        points.push([
+          own.left - host.left - arena.clientLeft + ((pixel % width) + 0.5) * pxPerPixel,
+          own.top - host.top - arena.clientTop + (Math.floor(pixel / width) + 0.5) * pxPerPixel,
+        ]);
+      }
+      return { points, widthPx: arena.clientWidth, heightPx: arena.clientHeight };
+    },
+    { css: ARENA, fromEnd: { moving: 1, blocks: 2, trail: 3 }[layer] },
+  );
+  if (found === null) return [];
+  const { pxPerMm, leftPx, bottomPx } = fitView(size, found);
+  return found.points.map(([x, y]) => ({ x: (x - leftPx) / pxPerMm, y: (bottomPx - y) / pxPerMm }));
+}
+
+/** The middle of what is painted. */
+export const middleOf = (points: readonly Vec[]): Vec => ({
+  x: points.reduce((sum, { x }) => sum + x, 0) / points.length,
+  y: points.reduce((sum, { y }) => sum + y, 0) / points.length,
+});
+
+/** Places as the robot sees them: x ahead of its axle, y to its left. */
+export function seenFrom({ xMm, yMm, headingDeg }: Shown, points: readonly Vec[]): readonly Vec[] {
+  const heading = (headingDeg * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+  return points.map(({ x, y }) => ({
+    x: (x - xMm) * cos + (y - yMm) * sin,
+    y: (y - yMm) * cos - (x - xMm) * sin,
+  }));
+}

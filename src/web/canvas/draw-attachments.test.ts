@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+import { completeOptions } from '#core/option';
+import { maqueenLite } from '#robots/maqueen-lite/type';
+import type { ArenaRobotState } from './arena-model';
+import { attachmentReachMm, attachmentsAtStart } from './draw-attachments';
+
+const atStart = (chosen: Readonly<Record<string, string>>) =>
+  attachmentsAtStart(maqueenLite.mountMm, completeOptions(maqueenLite.options, chosen));
+
+describe('Attachments before a run', () => {
+  it('show what was chosen for each servo port, at the front edge', () => {
+    expect(atStart({})).toEqual([]);
+    expect(atStart({ S1: 'claw', echo: 'long-pulse' })).toEqual([
+      { type: 'claw', atMm: { x: 58, y: 0 }, turnRad: {}, heightMm: 0, isHolding: false },
+    ]);
+    expect(atStart({ S1: 'forklift', S2: 'claw' }).map(({ type }) => type)).toEqual(['forklift', 'claw']);
+  });
+
+  it('show nothing on a robot that has no place for them', () => {
+    expect(attachmentsAtStart(null, { S1: 'claw' })).toEqual([]);
+  });
+
+  it('make the picture reach far enough for a block on a fork: 188 mm from the axle of a Maqueen Lite', () => {
+    const bare = { attachments: [] } as unknown as ArenaRobotState;
+    expect(attachmentReachMm(bare)).toBe(0);
+    expect(attachmentReachMm({ ...bare, attachments: atStart({ S1: 'forklift' }) })).toBe(188);
+  });
+});

@@ -1,0 +1,11 @@
+import type { RobotType } from '#robots/robot';
+
+/** A bus address as data sheets write it: `0x10`. */
+export const addressText = (address: number): string => `0x${address.toString(16).padStart(2, '0').toUpperCase()}`;
+
+/** How long and wide the robot's body is, wheels included, in whole centimetres. */
+export function sizeCm({ body }: RobotType): { readonly length: number; readonly width: number } {
+  const corners = body.outlineMm.flat();
+  const extent = (values: readonly number[]): number => Math.round((Math.max(...values) - Math.min(...values)) / 10);
+  return { length: extent(corners.map(({ x }) => x)), width: extent(corners.map(({ y }) => y)) };
+}

@@ -1,0 +1,46 @@
+import type { Entry, Names, ReferenceModule, RobotReference } from '#reference/types';
+
+import type { Language } from '../i18n/texts';
+
+/** A library as a table: what it is for, and a row for each name. */
+export interface LibraryTable {
+  readonly module: string;
+  readonly text: string;
+  readonly rows: readonly LibraryRow[];
+}
+
+export interface LibraryRow {
+  /** As it is written in a program: `setSpeed(speed: int)`, `irLeft: IRSensor`, `Motor.rotate(speed: int)`. */
+  readonly code: string;
+  readonly text: string;
+}
+
+/** The libraries of a robot with their words; what the firmware does not have is left out. */
+export function libraryTables({ modules, texts }: RobotReference, language: Language): readonly LibraryTable[] {
+  const words = texts[language];
+  return modules.map((module) => ({
+    module: module.name,
+    text: words[module.name] ?? '',
+    rows: rowsOf(module, words),
+  }));
+}
+
+function rowsOf(module: ReferenceModule, words: Readonly<Record<string, string>>): readonly LibraryRow[] {
+  const rows: LibraryRow[] = [];
+  const add = (names: Names, key: string, prefix: string): void => {
+    for (const [name, entry] of Object.entries(names)) {
+      if (entry.absent) continue;
+      const text = words[entry.text ?? `${key}.${name}`] ?? '';
+      for (const code of codesOf(prefix + name, entry)) rows.push({ code, text });
+      add(entry.members, `${key}.${name}`, `${prefix}${name}.`);
+    }
+  };
+  add(module.names, module.name, '');
+  return rows;
+}
+
+/** The ways in which a name is written; what gives nothing back does not say so. */
+function codesOf(name: string, { calls, type }: Entry): readonly string[] {
+  if (calls.length > 0) return calls.map((call) => name + call.replace(/ -> None$/, ''));
+  return [type === null ? name : `${name}: ${type}`];
+}
