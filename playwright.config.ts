@@ -1,6 +1,6 @@
 import { defineConfig } from '@playwright/test';
 
-/** What needs Playwright's own `page`: the network, the console, axe. */
+/** What needs Playwright's own `page`: the network, the console. And what takes long and is the same in every engine. */
 const IN_CHROMIUM_ALONE = '**/*.chromium.test.ts';
 
 /**

@@ -1,46 +1,8 @@
-import { readFileSync } from 'node:fs';
-import { parseScene } from '../src/scene/parse';
 import type { Point } from '../src/scene/scene';
-import { middleOf, paintOf, robotAt, watchWay, wayOf } from './arena';
+import { paintOf, wayOf } from './arena';
 import { expect, test, type App } from './app';
-import { consoleIn, isThere, on, openApp, programIn, type Shown } from './page';
-
-/** The ready courses, each opened from the list and driven by its own program in the page, at full speed. */
-const read = (path: string): string => readFileSync(new URL(`../courses/${path}`, import.meta.url), 'utf8');
-
-function sceneOf(folder: string) {
-  const parsed = parseScene(read(`${folder}/scene.json`));
-  if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
-  return parsed.scene;
-}
-
-/** Opens a course as a pupil does, and starts its program. */
-async function drive(app: App, folder: string, robot: string): Promise<void> {
-  const { en } = JSON.parse(read(`${folder}/texts.json`)) as { readonly en: { readonly name: string } };
-  await openApp(app, { language: 'en', speed: 'max', cone: false });
-  await app.click('header .course');
-  await expect.poll(() => isThere(app, '.courses')).toBe(true);
-  const place = await app.evaluate((name) => {
-    const items = Array.from(document.querySelectorAll('.courses > *'));
-    return 1 + items.findIndex((item) => item.querySelector('.v-list-item-title')?.textContent === name);
-  }, en.name);
-  expect(place, `${en.name} in the list`).toBeGreaterThan(0);
-  await app.click(`.courses > :nth-child(${String(place)})`);
-  await expect.poll(() => programIn(app)).toBe(read(`${folder}/main.en.py`).trimEnd());
-  expect(await app.text('.pane-arena .pane-head')).toContain(robot);
-  expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);
-  await watchWay(app);
-  await app.click(on('run'));
-}
-
-const PATIENCE = { timeout: 60_000 };
-
-/** The program has come to its end, without an error, and the robot is where it is in the course's recording. */
-async function ends(app: App, folder: string): Promise<void> {
-  await expect.poll(() => consoleIn(app), PATIENCE).toContain('The program has ended.');
-  const [, x = NaN, y = NaN] = (read(`${folder}/expected.csv`).trim().split('\n').at(-1) ?? '').split(',').map(Number);
-  await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeLessThan(12);
-}
+import { distance, drive, ends, PATIENCE, sceneOf } from './course';
+import { consoleIn, isThere, type Shown } from './page';
 
 /** The robot comes by all these places, in any order, and what is said holds wherever it is seen. */
 async function comesBy(app: App, places: readonly Point[], nearMm: number, always: (at: Shown) => void): Promise<void> {
@@ -53,8 +15,6 @@ async function comesBy(app: App, places: readonly Point[], nearMm: number, alway
   (await wayOf(app)).forEach(always);
   expect(await consoleIn(app)).not.toContain('Traceback');
 }
-
-const distance = ({ xMm, yMm }: Shown, [x, y]: Point): number => Math.hypot(xMm - x, yMm - y);
 
 /** From the middle of a line, as on the floor. */
 function fromLine(at: Shown, points: readonly Point[]): number {
@@ -139,12 +99,4 @@ test('the maze with a bumper: the Calli:bot comes to the black line by touch', a
 test('the small maze: the robot comes to the black line', async ({ app }) => {
   await drive(app, 'small-maze', 'Maqueen Lite');
   await ends(app, 'small-maze');
-});
-
-test('carry the block: it lies in the field, the robot has let go of it', async ({ app }) => {
-  await drive(app, 'carry', 'Maqueen Lite');
-  await ends(app, 'carry');
-  const { x, y } = middleOf(await paintOf(app, 'blocks', sceneOf('carry').size));
-  expect(distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
-  expect([Math.abs(x - 1000) < 80, Math.abs(y - 650) < 70], `the block lies at ${x}, ${y}`).toEqual([true, true]);
 });

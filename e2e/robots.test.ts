@@ -191,9 +191,10 @@ const numberOf = (app: App): Promise<string | null> =>
 
 for (const theme of ['light', 'dark'] as const) {
   test(`axe finds nothing that shuts people out of the gallery and the device panel, ${theme}`, async ({ app }) => {
-    await openApp(app, { theme, language: 'en', robot: 'maqueen-lite', device: 'calliope-mini-3' });
+    await openApp(app, { theme, language: 'en', robot: 'maqueen-lite', device: 'calliope-mini-3', reality: 0.5 });
     await openDevice(app);
     await until(app, `.device-card ${by('misplugged')}`);
+    await until(app, by('seed'));
     expect(await violationsOn(app), 'the device panel').toEqual([]);
     await app.click(by('gallery'));
     await until(app, by('card-maqueen-lite'));

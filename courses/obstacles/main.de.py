@@ -1,42 +1,42 @@
 # Hindernissen ausweichen
 # Der Ultraschall misst den Abstand nach vorne in Zentimetern.
 # Er sieht wie der Strahl einer Taschenlampe: Was daneben steht, bleibt unsichtbar.
-# Darum schaut der Roboter vor dem Weiterfahren auch ein wenig nach links und nach rechts.
+# Wo der Weg endet, schaut der Roboter darum auch nach links und nach rechts.
 from mbrobot import *
 
 NEAR = 22               # Zentimeter: näher fährt er an nichts heran
-LOOK = 130              # Millisekunden Drehung für einen Blick zur Seite
-STEP = 500              # Millisekunden Fahrt zwischen zwei Blicken
+FREE = 50               # Zentimeter: so weit soll der neue Weg frei sein
+LOOK = 110              # Millisekunden Drehung für einen Blick zur Seite
 
-def turn(direction, milliseconds):
+def turn(direction):
     direction()         # left oder right
-    delay(milliseconds)
+    delay(LOOK)
     stop()
     delay(40)           # ruhig stehen, dann erst messen
 
-def look():
-    """Abstände links, vorne und rechts."""
-    turn(left, LOOK)
-    on_the_left = getDistance()
-    turn(right, LOOK)
-    ahead = getDistance()
-    turn(right, LOOK)
-    on_the_right = getDistance()
-    turn(left, LOOK)
-    return on_the_left, ahead, on_the_right
+def look(direction, back):
+    """Abstand neben dem Roboter; danach schaut er wieder nach vorne."""
+    turn(direction)
+    distance = getDistance()
+    turn(back)
+    return distance
 
-setSpeed(40)
+def is_free(far):
+    return getDistance() > far and look(left, right) > NEAR and look(right, left) > NEAR
+
+setSpeed(50)
 
 while True:
-    distances = look()
-    if min(distances) > NEAR:
-        setLED(0)
-        forward()
-        delay(STEP)
-        stop()
-    else:
-        setLED(1)
-        direction = left if distances[0] > distances[2] else right
-        while min(distances) <= NEAR:   # immer gleich herum, sonst pendelt er in einer Ecke
-            turn(direction, 2 * LOOK)
-            distances = look()
+    setLED(0)
+    forward()
+    while getDistance() > NEAR:
+        delay(20)
+    stop()
+
+    setLED(1)
+    direction = left if look(left, right) > look(right, left) else right
+    turn(direction)
+    far = FREE
+    while not is_free(far):
+        turn(direction)     # immer gleich herum, sonst pendelt er in einer Ecke
+        far = far - 3       # wer lange sucht, ist mit weniger zufrieden

@@ -1,42 +1,42 @@
 # Avoid obstacles
 # The ultrasonic sensor measures the distance straight ahead, in centimetres.
 # It looks like the beam of a torch: what stands beside the beam stays unseen.
-# So before the robot drives on, it also looks a little to the left and to the right.
+# So where the way ends, the robot also looks to the left and to the right.
 from mbrobot import *
 
 NEAR = 22               # centimetres: closer than this it does not go
-LOOK = 130              # milliseconds of turning for a look to the side
-STEP = 500              # milliseconds of driving between two looks
+FREE = 50               # centimetres: so far ahead the new way should be free
+LOOK = 110              # milliseconds of turning for a look to the side
 
-def turn(direction, milliseconds):
+def turn(direction):
     direction()         # left or right
-    delay(milliseconds)
+    delay(LOOK)
     stop()
     delay(40)           # stand still, then measure
 
-def look():
-    """Distances to the left, ahead and to the right."""
-    turn(left, LOOK)
-    on_the_left = getDistance()
-    turn(right, LOOK)
-    ahead = getDistance()
-    turn(right, LOOK)
-    on_the_right = getDistance()
-    turn(left, LOOK)
-    return on_the_left, ahead, on_the_right
+def look(direction, back):
+    """Distance beside the robot; afterwards it looks ahead again."""
+    turn(direction)
+    distance = getDistance()
+    turn(back)
+    return distance
 
-setSpeed(40)
+def is_free(far):
+    return getDistance() > far and look(left, right) > NEAR and look(right, left) > NEAR
+
+setSpeed(50)
 
 while True:
-    distances = look()
-    if min(distances) > NEAR:
-        setLED(0)
-        forward()
-        delay(STEP)
-        stop()
-    else:
-        setLED(1)
-        direction = left if distances[0] > distances[2] else right
-        while min(distances) <= NEAR:   # always the same way round, or it would dither in a corner
-            turn(direction, 2 * LOOK)
-            distances = look()
+    setLED(0)
+    forward()
+    while getDistance() > NEAR:
+        delay(20)
+    stop()
+
+    setLED(1)
+    direction = left if look(left, right) > look(right, left) else right
+    turn(direction)
+    far = FREE
+    while not is_free(far):
+        turn(direction)     # always the same way round, or it would dither in a corner
+        far = far - 3       # whoever searches long is content with less

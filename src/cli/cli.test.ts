@@ -174,13 +174,13 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ],
     [
       'an unknown robot in the course',
-      [hello, '--scene', file('f.json', scene({ robot: { type: 'tank' } }))],
-      /f\.json: robot\.type: Unknown robot "tank"\. Known robots: maqueen-lite/,
+      [hello, '--scene', file('tank.json', scene({ robot: { type: 'tank' } }))],
+      /tank\.json: robot\.type: Unknown robot "tank"\. Known robots: maqueen-lite/,
     ],
     [
       'an unknown board in the course',
-      [hello, '--scene', file('g.json', scene({ board: 'x' }))],
-      /g\.json: board: Unknown board "x"\. Known boards: microbit-v2/,
+      [hello, '--scene', file('x.json', scene({ board: 'x' }))],
+      /x\.json: board: Unknown board "x"\. Known boards: microbit-v2/,
     ],
     ['10 MB of course', [hello, '--scene', file('e.json', ' '.repeat(10_000_000))], /e\.json: .*the limit is 4000000/],
     ['inputs that are not JSON', [hello, '--input', file('f.json', 'x')], /f\.json: is not JSON/],

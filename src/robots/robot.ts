@@ -44,6 +44,8 @@ export interface RobotType {
   readonly body: ChassisType;
   /** Names of the Python modules it brings along. Importing one of them hints at this robot, nothing more. */
   readonly modules: readonly string[];
+  /** Names under which drivers by others go around, small and without underscores: hints like `modules`. */
+  readonly driverNames?: readonly string[];
   /** What can be chosen about it; those of its servo ports are called like the ports. */
   readonly options: readonly Option[];
   /** Where an attachment is fixed: in the middle of the front edge. `null`: nothing can be fixed. */
@@ -85,9 +87,11 @@ export interface WiringRow {
   readonly note?: Texts;
 }
 
-/** The registers behind one I2C address. */
+/** The registers behind one I2C address, or behind several in a row that do the same. */
 export interface RegisterTable {
   readonly address: number;
+  /** The last address of several in a row. */
+  readonly lastAddress?: number;
   readonly title: Texts;
   readonly rows: readonly { readonly register: string; readonly access: 'R' | 'W' | 'RW'; readonly meaning: Texts }[];
 }
@@ -99,6 +103,10 @@ export interface RobotExample {
   readonly title: Texts;
   /** The same program in both languages: only comments and texts in quotes differ. */
   readonly source: Texts;
+  /** Id of the ready course that it is made for, e.g. `empty` for one that drives about; left out: any arena will do. */
+  readonly course?: string;
+  /** What it needs of the robot, e.g. a claw on the servo port that it moves: id of an option → id of a choice. */
+  readonly options?: OptionValues;
 }
 
 /** What a robot is attached to. Its places in the data above are those of the real robot: it multiplies them by `scale`. */

@@ -1,11 +1,18 @@
 /** What robots with a distance sensor share: where it looks from and how its beam shows. */
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
+import { FARTHEST_MM } from '#devices/hc-sr04';
 import type { Cone } from '#world/world';
 import type { RobotContext, UltrasonicState } from './robot';
 
 /** Its cans end so far ahead of its board, about whose middle a servo turns it. Chosen after the drawings. */
 const HEAD_MM = 11;
+
+/**
+ * The beam of an HC-SR04 and of its like: 20° as in TigerJython's own simulators (Tiger-Jython/Aplu-Libraries, MbRobotSim
+ * and CallibotSim), as far as the sensor measures. For the Calli:bot, whose sensor nobody names, chosen.
+ */
+export const SR04_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM };
 
 /** A distance sensor's place on its robot, looking ahead. */
 export interface SonarMount {

@@ -106,9 +106,11 @@ describe('the ready courses are mastered:', { timeout: 60_000 }, () => {
   });
 
   it('the obstacles for a minute without a touch, in motion and not on the spot', async () => {
-    const { robot } = await masteredRun('obstacles');
+    const { simulation, robot } = await masteredRun('obstacles');
     expect(robot.collisions).toBe(0);
-    expect(robot.pathMm).toBeGreaterThan(1500);
+    expect(robot.pathMm).toBeGreaterThan(4000);
+    const xs = simulation.trace.map(({ xMm }) => xMm);
+    expect([Math.min(...xs) < 300, Math.max(...xs) > 1200]).toEqual([true, true]); // both halves of the arena
   });
 
   it('the ring, all three blocks outside of it', async () => {

@@ -62,6 +62,20 @@ export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>
   return robot !== null && robot.board !== board.id;
 }
 
+/**
+ * The robot that a program is written for when that is not this one: the program imports a module of the former and none
+ * of the latter. A guess for a notice: the run itself does not depend on it. `null`: it fits, or nobody can tell.
+ *
+ * @param files of the program; a module that is one of them is the pupil's own
+ */
+export function robotMeant(files: Readonly<Record<string, string>>, robot: RobotType | null): RobotType | null {
+  const imported = Object.values(files)
+    .flatMap(importedModules)
+    .filter((name) => !(`${name}.py` in files));
+  const isFor = ({ modules }: RobotType): boolean => modules.some((name) => imported.includes(name));
+  return robot !== null && isFor(robot) ? null : (robotTypes.find(isFor) ?? null);
+}
+
 /** A course made for another robot may name options that this one does not have: they say nothing about it. */
 function chooseOptions(
   robot: RobotType | null,
@@ -101,11 +115,14 @@ function boardByImports(imported: ReadonlySet<string>): BoardType | null {
 }
 
 /**
- * The first robot one of whose modules is imported; when none is, the first that carries the board, if that was
+ * The first robot one of whose modules is imported, or a driver by others under one of its usual names; when none is, the first that carries the board, if that was
  * named, or of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
-  const byImport = robotTypes.find(({ modules }) => modules.some((name) => imported.has(name)));
+  const driverNames = new Set(Array.from(imported, (name) => name.toLowerCase().replaceAll('_', '')));
+  const byImport =
+    robotTypes.find(({ modules }) => modules.some((name) => imported.has(name))) ??
+    robotTypes.find((type) => type.driverNames?.some((name) => driverNames.has(name)));
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }
 

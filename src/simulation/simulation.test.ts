@@ -389,6 +389,20 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
     expect(simulation.snapshot().robot?.type).toBe(robot);
   });
 
+  it.each([
+    ['from mbrobot import *', 'maqueen-lite', 'microbit-v2'],
+    ['import maqueen', 'maqueen-lite', 'microbit-v2'],
+    ['from mbrobot_plusV2 import *', 'maqueen-plus-v2', 'microbit-v2'],
+    ['import MaqueenPlus_V2', 'maqueen-plus-v2', 'microbit-v2'],
+    ['from mbrobot_plus import forward', 'maqueen-plus-v1', 'microbit-v2'],
+    ['import callibotmot', 'callibot', 'calliope-mini-3'],
+    ['from callibot2 import Callibot2', 'callibot', 'calliope-mini-3'],
+    ['from microbit import *', 'maqueen-lite', 'microbit-v2'],
+  ])('is chosen by "%s": a %s on a %s', (program, robot, board) => {
+    const hardware = chosen({ scene: defaultScene(), files: { 'main.py': program }, robot: 'auto', board: 'auto' });
+    expect([hardware.robot?.id, hardware.board.id]).toEqual([robot, board]);
+  });
+
   it('takes the options of the course, and those wished for before them', () => {
     const wish = {
       scene: sceneWithOptions('maqueen-lite', { echo: 'long-pulse' }),

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec } from '#core/geometry';
-import { createToolRig } from './testing/tools';
+import { createToolRig, OPEN_RAD, TEST_CLAW, TEST_FORK } from './testing/tools';
 import type { ToolRig } from './testing/tools';
 import type { ChassisPart } from './world';
 
@@ -128,5 +128,63 @@ describe('a part of a body', () => {
     rig.left.remove();
     rig.right.remove();
     expect(rig.world.distanceCone(from, Math.PI, cone).distanceMm).toBeCloseTo(107, 6);
+  });
+});
+
+describe('a part that is put where a wall stands', () => {
+  const deep: readonly Vec[] = [
+    { x: 60, y: -30 },
+    { x: 80, y: -30 },
+    { x: 80, y: 30 },
+    { x: 60, y: 30 },
+  ];
+  /** A robot that has driven with its body, 59 mm ahead of the axle, to a wall whose face is at x = 2145. */
+  const atWall = (thicknessMm: number): ToolRig => {
+    const rig = createToolRig();
+    const x = 2145 + thicknessMm / 2;
+    rig.world.addWall({ fromMm: { x, y: 1800 }, toMm: { x, y: 2200 }, thicknessMm });
+    rig.drive(60, 60, 2);
+    return rig;
+  };
+
+  it.each([5, 10, 20, 40])('%f mm thick is pressed at once and lets the robot back off', (thicknessMm) => {
+    const rig = atWall(thicknessMm);
+    const part = rig.robot.addPart(deep);
+    expect(part.isTouched()).toBe(true);
+    rig.drive(0, 0, 0.5);
+    expect(part.isTouched()).toBe(true);
+    const { xMm } = rig.robot.pose();
+    expect(xMm).toBeCloseTo(2145 - 59, 0);
+    rig.drive(-60, -60, 1);
+    expect(rig.robot.pose().xMm).toBeLessThan(xMm - 100);
+    expect(part.isTouched()).toBe(false);
+  });
+
+  it('stops the robot there again once it was free, also at full speed', () => {
+    const rig = atWall(20);
+    const part = rig.robot.addPart(deep);
+    rig.drive(-60, -60, 1);
+    rig.drive(255, 255, 2);
+    expect(part.isTouched()).toBe(true);
+    expect(Math.abs(rig.robot.pose().xMm + 80 - 2145)).toBeLessThan(0.5);
+  });
+
+  it('by the hand that moves the robot lets it out again, too', () => {
+    const rig = atWall(20);
+    rig.drive(-60, -60, 1);
+    rig.robot.addPart(deep);
+    rig.robot.place({ xMm: 2145 - 60, yMm: 2000, headingRad: 0 });
+    rig.drive(-60, -60, 1);
+    expect(rig.robot.pose().xMm).toBeLessThan(2145 - 160);
+  });
+
+  it.each([
+    ['claw', (rig: ToolRig) => rig.robot.addGripper(TEST_CLAW).setSwing(OPEN_RAD)],
+    ['fork', (rig: ToolRig) => rig.robot.addFork(TEST_FORK)],
+  ])('is no trap as a %s either', (_, add) => {
+    const rig = atWall(20);
+    add(rig);
+    rig.drive(-60, -60, 1);
+    expect(rig.robot.pose().xMm).toBeLessThan(2145 - 159);
   });
 });

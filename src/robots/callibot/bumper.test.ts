@@ -51,6 +51,14 @@ describe('Calli:bot, bumper', () => {
     expect(floor.robot.state().bumper).toEqual({ left: true, right: true });
   });
 
+  it('that comes onto a robot whose nose is at a wall is pressed at once, and lets it back off', () => {
+    const floor = onTheFloor((world) => world.addWall(wallAhead(200)));
+    floor.send(0x20, 0, 0, 60, 0, 60);
+    floor.passMs(3000);
+    expect(run('print(tsValue())\nbackward()\ndelay(1000)\nstop()\nprint(tsValue())', floor, 1500)).toEqual(['1', '0']);
+    expect(floor.chassis.pose().xMm - 1000 + 60).toBeLessThan(100);
+  });
+
   it.each([
     ['straight', 0, 0x8f, '1 0 0', { left: true, right: true }],
     ['with its left half', -25, 0x8b, '0 1 0', { left: true, right: false }],

@@ -43,6 +43,12 @@ export const MOTORS_ADDRESS = 0x20;
 export const LIGHTS_ADDRESS = 0x21;
 export const REGISTERS_ADDRESS = 0x22;
 
+/**
+ * Further addresses that a scan finds on a robot with 0x22; nobody knows what they do. chbijou/mpyCalliope
+ * `mpy_Callibot2/34_i2cs_can.py`, on a Calliope mini 3; Pegasus2105/callibot-ESP32, on an ESP32.
+ */
+export const SILENT_ADDRESSES = [0x23, 0x24, 0x25, 0x26, 0x27] as const;
+
 /** The Calli:bots that there are here, oldest first. */
 export type Model = '1' | '2' | '2E';
 

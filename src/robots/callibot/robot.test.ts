@@ -41,6 +41,9 @@ const wallAhead = (distanceMm: number): WallShape => ({
   thicknessMm: 10,
 });
 
+/** What a program's `i2c.scan()` finds on a Calli:bot 2 or 2E. */
+const ALL_ADDRESSES = '[32, 33, 34, 35, 36, 37, 38, 39]';
+
 const int32 = (bytes: readonly number[]): number => new DataView(Uint8Array.from(bytes).buffer).getInt32(0, true);
 
 function encoders({ readFrom }: Floor): readonly [number, number] {
@@ -306,19 +309,28 @@ describe('Calli:bot, the rest of the wire', () => {
   });
 
   it.each([
-    ['2E', [0x20, 0x21, 0x22]],
-    ['2', [0x20, 0x21, 0x22]],
+    ['2E', [0x20, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27]],
+    ['2', [0x20, 0x21, 0x22, 0x23, 0x24, 0x25, 0x26, 0x27]],
     ['1', [0x20, 0x21]],
   ])('answers as a %s at the addresses %j', (model, addresses) => {
     const { board } = onTheFloor(undefined, { model });
     expect([...Array(128).keys()].filter((address) => board.i2c.answers(address))).toEqual(addresses);
   });
 
+  it('takes what is written to the addresses 0x23 … 0x27, does nothing with it and gives 0', () => {
+    const { robot, send, readFrom } = onTheFloor();
+    for (const address of [0x23, 0x24, 0x25, 0x26, 0x27]) {
+      expect(send(address, 0, 0, 90, 0, 90)).toBe(true);
+      expect(readFrom(address, 0, 2)).toEqual([0, 0]);
+    }
+    expect(robot.state()).toMatchObject({ duty: { left: 0, right: 0 }, leds: { left: 0, right: 0 } });
+  });
+
   it.each([
-    ['', '[32, 33, 34]'],
-    ['i2c.init()', '[32, 33, 34]'],
-    ['i2c.init(freq=400000, scl=pin_A0_SCL, sda=pin_A0_SDA)', '[32, 33, 34]'],
-    ['i2c.init(freq=100000, sda=pin_A0_SDA, scl=pin_A0_SCL)', '[32, 33, 34]'],
+    ['', ALL_ADDRESSES],
+    ['i2c.init()', ALL_ADDRESSES],
+    ['i2c.init(freq=400000, scl=pin_A0_SCL, sda=pin_A0_SDA)', ALL_ADDRESSES],
+    ['i2c.init(freq=100000, sda=pin_A0_SDA, scl=pin_A0_SCL)', ALL_ADDRESSES],
     ['i2c.init(scl=pin0, sda=pin1)', '[]'], // its cable is in the other socket
   ])('answers to a bus that a program opens with “%s”: %s', (init, found) => {
     for (const module of ['calliopemini', 'calliope_mini', 'microbit']) {

@@ -7,22 +7,24 @@
  *      0x20  motors, servos S1 S2
  *      0x21  lights; line sensors, bumper, ultrasonic
  *      0x22  the same by registers, and line sensors in mV, encoders, supply voltage, type
+ *      0x23 … 0x27  answer, do nothing
  */
 import { attachServoPorts } from '#attachments/servo-ports';
 import type { Vec } from '#core/geometry';
 import { signedDuty } from '#devices/dc-motor';
 import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
-import { createLineComparator } from '#devices/line-sensor';
+import { createRegisterMachine } from '#devices/i2c-registers';
 import type { Rgb } from '#devices/ws2812';
-import type { Cone } from '#world/world';
-import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
-import { mountSonar, scaled } from '../sonar';
+import { mountLineRow, type LinePlace } from '../line-row';
+import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, SR04_CONE } from '../sonar';
 import { createBumper } from './bumper';
 import {
   createController,
   LIGHTS_ADDRESS,
   MOTORS_ADDRESS,
   REGISTERS_ADDRESS,
+  SILENT_ADDRESSES,
   type Controller,
   type Model,
   type MotorBytes,
@@ -34,14 +36,15 @@ import cbalarm from './library/cbalarm.py?raw';
 import { callibot as type, SERVO_PORTS } from './type';
 
 /** Chosen: below the nose, close enough together for both to see a line of 15 mm, the least width that is advised. */
-const LINE_AT: Readonly<Record<Side, Vec>> = { left: { x: 46, y: 6 }, right: { x: 46, y: -6 } };
+const LINE_SENSORS: readonly LinePlace<Side>[] = [
+  { name: 'left', atMm: { x: 46, y: 6 } },
+  { name: 'right', atMm: { x: 46, y: -6 } },
+];
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Maqueens: as wide as the sensor's housing
 /** Output on black and on bare floor, linear in between: chosen, as no source tells measured values. */
 const LINE_MV = { black: 300, floor: 2800 } as const;
 
 const SONAR_AT: Vec = { x: 65, y: 0 }; // chosen: where the cans end in the drawing
-/** Beam: that of TigerJython's own simulator (Tiger-Jython/Aplu-Libraries, CallibotSim), 20°. Range: chosen, SR04's. */
-const SONAR_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM };
 
 /** Three pulses a turn of the motor, a gear of 150 : 1: CN sensoren.ts. */
 const PULSES_PER_RAD = 450 / (2 * Math.PI);
@@ -60,8 +63,8 @@ function attach(context: RobotContext): Robot {
   const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
   const servos = attachServoPorts(SERVO_PORTS, options, mount);
   const bumper = createBumper(context, fittingOf(context, model));
-  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
-  const line = lineSensors(context);
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
+  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...LINE_MV });
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const rgb: Rgb[] = Array.from({ length: COLOR_LIGHTS }, () => [0, 0, 0]);
   const drive = createDrive(context);
@@ -74,7 +77,7 @@ function attach(context: RobotContext): Robot {
       colorLight: (index, color) => void (rgb[index] = color),
       isBright: line.isBright,
       isPressed: (side) => bumper.read(side),
-      lineMv: line.millivolts,
+      lineMv: line.reading,
       distanceMm: () => measured(sonar.distanceMm(), options['echo'] === 'zero'),
       supplyMv: context.supplyMv,
       pulses: (side) => Math.trunc(chassis.wheelTurnRad(side === 'left' ? 0 : 1) * PULSES_PER_RAD),
@@ -116,7 +119,9 @@ function fittingOf({ options }: RobotContext, model: Model): 'never' | 'when-rea
 
 function plugIn({ board }: RobotContext, { motors, lights, registers }: Controller) {
   const stops = [board.i2c.attach(MOTORS_ADDRESS, motors), board.i2c.attach(LIGHTS_ADDRESS, lights)];
-  return registers === null ? stops : [...stops, board.i2c.attach(REGISTERS_ADDRESS, registers)];
+  if (registers === null) return stops;
+  const silent = SILENT_ADDRESSES.map((address) => board.i2c.attach(address, createRegisterMachine([])));
+  return [...stops, board.i2c.attach(REGISTERS_ADDRESS, registers), ...silent];
 }
 
 function createDrive({ chassis }: RobotContext) {
@@ -136,33 +141,6 @@ function createDrive({ chassis }: RobotContext) {
       duty.left = duty.right = 0;
       apply();
     },
-  };
-}
-
-/** The two line sensors. */
-function lineSensors({ ground, scale }: RobotContext) {
-  const attachOne = (side: Side) => {
-    const spot = scaled(LINE_AT[side], scale);
-    return createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale));
-  };
-  const sensors = { left: attachOne('left'), right: attachOne('right') };
-  const isBright = (side: Side): boolean => sensors[side].isBright();
-  const millivolts = (side: Side): number =>
-    Math.round(LINE_MV.black + (LINE_MV.floor - LINE_MV.black) * sensors[side].reflectance());
-  const stateOf = (side: Side): LineSensorState => ({
-    name: side,
-    atMm: LINE_AT[side],
-    bright: isBright(side),
-    reading: millivolts(side),
-  });
-  return {
-    isBright,
-    millivolts,
-    sample: (): void => {
-      sensors.left.sample();
-      sensors.right.sample();
-    },
-    states: (): LineSensorState[] => [stateOf('left'), stateOf('right')],
   };
 }
 

@@ -10,6 +10,8 @@ import lightsDe from './examples/lights.de.py?raw';
 import lightsEn from './examples/lights.en.py?raw';
 import lineDe from './examples/line.de.py?raw';
 import lineEn from './examples/line.en.py?raw';
+import servoDe from './examples/servo.de.py?raw';
+import servoEn from './examples/servo.en.py?raw';
 
 const wiring: readonly WiringRow[] = [
   {
@@ -53,8 +55,8 @@ const wiring: readonly WiringRow[] = [
     part: { de: 'Stossfänger links, rechts (2 und 2E)', en: 'Bumper left, right (2 and 2E)' },
     at: '0x21, 0x22',
     note: {
-      de: '1 = gedrückt; der Roboter trägt ihn, sobald ein Programm ihn abfragt',
-      en: '1 = pressed; the robot carries it once a program asks for it',
+      de: '1 = gedrückt; der Roboter trägt ihn, sobald ein Programm die Sensoren liest (Linie, Abstand oder Stossfänger): Alle drei stehen in derselben Antwort',
+      en: '1 = pressed; the robot carries it once a program reads the sensors (line, distance or bumper): all three stand in the same answer',
     },
   },
   {
@@ -70,7 +72,10 @@ const wiring: readonly WiringRow[] = [
   {
     part: { de: 'Servos S1, S2', en: 'Servos S1, S2' },
     at: '0x20',
-    note: { de: 'Winkel 0 bis 180 Grad', en: 'angle 0 to 180 degrees' },
+    note: {
+      de: 'Winkel 0 bis 180 Grad; callibot hat keinen Befehl dafür: i2c.write(0x20, bytes([0x14, 90])) stellt S1 auf 90 Grad',
+      en: 'angle 0 to 180 degrees; callibot has no command for it: i2c.write(0x20, bytes([0x14, 90])) sets S1 to 90 degrees',
+    },
   },
 ];
 
@@ -197,6 +202,22 @@ const registersTable: RegisterTable = {
   ],
 };
 
+const silentTable: RegisterTable = {
+  address: 0x23,
+  lastAddress: 0x27,
+  title: { de: 'Ohne bekannte Aufgabe (Calli:bot 2 und 2E)', en: 'No known purpose (Calli:bot 2 and 2E)' },
+  rows: [
+    {
+      register: '0x00 … 0xFF',
+      access: 'RW',
+      meaning: {
+        de: 'antworten, wenn ein Programm den Bus absucht; Schreiben bewirkt nichts, Lesen gibt 0',
+        en: 'answer when a program scans the bus; writing does nothing, reading gives 0',
+      },
+    },
+  ],
+};
+
 export const callibotSheet: RobotSheet = {
   robot: 'callibot',
   about: {
@@ -208,21 +229,36 @@ export const callibotSheet: RobotSheet = {
       file: 'first_drive.py',
       title: { de: 'Erste Fahrt', en: 'First drive' },
       source: { de: firstDriveDe, en: firstDriveEn },
+      course: 'empty',
     },
-    { file: 'line.py', title: { de: 'Einer Linie folgen', en: 'Follow a line' }, source: { de: lineDe, en: lineEn } },
+    {
+      file: 'line.py',
+      title: { de: 'Einer Linie folgen', en: 'Follow a line' },
+      source: { de: lineDe, en: lineEn },
+      course: 'closed-line',
+    },
     {
       file: 'bumper.py',
       title: { de: 'Anstossen und ausweichen', en: 'Bump and turn away' },
       source: { de: bumperDe, en: bumperEn },
+      course: 'empty',
     },
     { file: 'lights.py', title: { de: 'Lichter', en: 'Lights' }, source: { de: lightsDe, en: lightsEn } },
     {
       file: 'encoder.py',
       title: { de: 'Genau einen halben Meter', en: 'Exactly half a metre' },
       source: { de: encoderDe, en: encoderEn },
+      course: 'empty',
+    },
+    {
+      file: 'servo.py',
+      title: { de: 'Ein Servo', en: 'A servo' },
+      source: { de: servoDe, en: servoEn },
+      course: 'empty',
+      options: { S1: 'claw' },
     },
   ],
   sizeNote: { de: 'ohne Stossfänger', en: 'without its bumper' },
   wiring,
-  registers: [motorsTable, lightsTable, registersTable],
+  registers: [motorsTable, lightsTable, registersTable, silentTable],
 };

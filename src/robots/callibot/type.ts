@@ -79,6 +79,7 @@ export const callibot: RobotType = {
   board: 'calliope-mini-3',
   body,
   modules: ['callibot', 'callibotmot', 'cbalarm'],
+  driverNames: ['callibot2', 'callibot2e', 'cblib'],
   options: [
     {
       id: 'model',
@@ -97,11 +98,14 @@ export const callibot: RobotType = {
       id: 'bumper',
       title: { de: 'Stossfänger', en: 'Bumper' },
       about: {
-        de: 'Der Roboter trägt ihn, sobald ein Programm ihn abfragt; mit einem Anbauteil an einem Servo nur bei «immer».',
-        en: 'The robot carries it once a program reads it; with an attachment on a servo only with “always”.',
+        de: 'Der Roboter trägt ihn, sobald ein Programm die Sensoren liest (Linie, Abstand, Stossfänger); mit einem Anbauteil an einem Servo nur bei «immer».',
+        en: 'The robot carries it once a program reads the sensors (line, distance, bumper); with an attachment on a servo only with “always”.',
       },
       choices: [
-        { id: 'when-read', title: { de: 'bei Abfrage', en: 'when read' } },
+        {
+          id: 'when-read',
+          title: { de: 'sobald Sensoren gelesen werden', en: 'once sensors are read' },
+        },
         { id: 'always', title: { de: 'immer', en: 'always' } },
       ],
     },

@@ -11,14 +11,13 @@
 import type { Vec } from '#core/geometry';
 import { signedDuty } from '#devices/dc-motor';
 import { attachIrReceiver } from '#devices/ir-receiver';
-import { attachHcSr04, FARTHEST_MM } from '#devices/hc-sr04';
+import { attachHcSr04 } from '#devices/hc-sr04';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
-import type { Cone } from '#world/world';
 import { attachServoPorts } from '#attachments/servo-ports';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
-import { mountSonar, scaled } from '../sonar';
+import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import mbalarm from './library/mbalarm.py?raw';
 import mbled from './library/mbled.py?raw';
@@ -32,10 +31,6 @@ const LINE_SPOT_RADIUS_MM = 2.5; // chosen: the usual reflective sensor sees a s
 
 /** NOE draws the sensor 53 mm ahead of the axle, the body ends at 58: chosen in between, where the two cans end. */
 const SONAR_AT: Vec = { x: 55, y: 0 };
-const SONAR_CONE: Cone = {
-  openingRad: Math.PI / 9, // 20°: beam of TigerJython's own simulator, Tiger-Jython/Aplu-Libraries
-  rangeMm: FARTHEST_MM,
-};
 
 const RGB_COUNT = 4; // front left, back left, back right, front right: ETH mbrobot.py
 
@@ -60,7 +55,7 @@ function attach(context: RobotContext): Robot {
     motors: (left, right) => drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
     servo: (port, angleDeg) => servos.set(port, angleDeg),
   });
-  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
   const see = (spot: Vec) => (): number => context.ground(scaled(spot, scale), LINE_SPOT_RADIUS_MM * scale);
 
   const lineLeft = attachLineSensor(board.wire('P13'), see(LINE_LEFT));

@@ -22,15 +22,28 @@ export const maqueenLiteSheet: RobotSheet = {
       file: 'first_drive.py',
       title: { de: 'Erste Fahrt', en: 'First drive' },
       source: { de: firstDriveDe, en: firstDriveEn },
+      course: 'empty',
     },
     {
       file: 'square.py',
       title: { de: 'Ein Quadrat fahren', en: 'Drive a square' },
       source: { de: squareDe, en: squareEn },
+      course: 'empty',
     },
     { file: 'lights.py', title: { de: 'Lichter', en: 'Lights' }, source: { de: lightsDe, en: lightsEn } },
-    { file: 'ring.py', title: { de: 'Lichterring', en: 'Ring of lights' }, source: { de: ringDe, en: ringEn } },
-    { file: 'servo.py', title: { de: 'Ein Servo', en: 'A servo' }, source: { de: servoDe, en: servoEn } },
+    {
+      file: 'ring.py',
+      title: { de: 'Lichterring', en: 'Ring of lights' },
+      source: { de: ringDe, en: ringEn },
+      course: 'empty',
+    },
+    {
+      file: 'servo.py',
+      title: { de: 'Ein Servo', en: 'A servo' },
+      source: { de: servoDe, en: servoEn },
+      course: 'empty',
+      options: { S1: 'claw' },
+    },
   ],
   wiring: [
     {

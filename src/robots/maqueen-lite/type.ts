@@ -66,6 +66,7 @@ export const maqueenLite: RobotType = {
   board: 'microbit-v2',
   body,
   modules: ['mbrobot', 'mbrobotmot', 'mbalarm'],
+  driverNames: ['maqueen', 'maqueenlite'],
   options: [
     ...attachmentOptions(SERVO_PORTS),
     {

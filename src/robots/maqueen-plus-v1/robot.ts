@@ -8,19 +8,19 @@
  */
 import { attachServoPorts } from '#attachments/servo-ports';
 import type { Vec } from '#core/geometry';
-import { attachHcSr04, FARTHEST_MM } from '#devices/hc-sr04';
-import { createLineComparator, type LineComparator } from '#devices/line-sensor';
+import { attachHcSr04 } from '#devices/hc-sr04';
 import type { Rgb } from '#devices/ws2812';
-import { STEP_US, type Cone } from '#world/world';
-import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
-import { mountSonar, scaled } from '../sonar';
+import { STEP_US } from '#world/world';
+import { mountLineRow, type LinePlace } from '../line-row';
+import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
 import { createDrive } from './drive';
 import mbrobotPlus from './library/mbrobot_plus.py?raw';
 import { maqueenPlusV1 as type, SERVO_PORTS } from './type';
 
 /** Four in a row in front, one at each side: NOE. */
-const LINE_SENSORS: readonly { readonly name: LineName; readonly atMm: Vec }[] = [
+const LINE_SENSORS: readonly LinePlace<LineName>[] = [
   { name: 'L3', atMm: { x: 38, y: 45 } },
   { name: 'L2', atMm: { x: 58, y: 15 } },
   { name: 'L1', atMm: { x: 58, y: 5 } },
@@ -38,10 +38,6 @@ const BRIGHTNESS = { black: 1000, floor: 3500 };
 
 /** In front of the micro:bit, near the front edge: chosen. NOE puts it 48 mm ahead of the axle. */
 const SONAR_AT: Vec = { x: 74, y: 0 };
-const SONAR_CONE: Cone = {
-  openingRad: Math.PI / 9, // 20°: beam of TigerJython's own simulator, Tiger-Jython/Aplu-Libraries
-  rangeMm: FARTHEST_MM,
-};
 
 const STEP_S = STEP_US / 1_000_000;
 
@@ -56,20 +52,21 @@ function attach(context: RobotContext): Robot {
   const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
   const servos = attachServoPorts(SERVO_PORTS, options, mount);
   const drive = createDrive(chassis, scale);
-  const line = lineSensors(context);
+  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
   let lights: readonly [Rgb, Rgb] = [
     [0, 0, 0],
     [0, 0, 0],
   ];
   const controller = createController({
     ...drive,
-    ...line,
+    isBright: line.isBright,
+    brightness: line.reading,
     lights: (left, right) => {
       lights = [left, right];
     },
     servo: (index, angleDeg) => servos.set(SERVO_PORTS[index] ?? '', angleDeg),
   });
-  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => sonar.distanceMm()),
@@ -92,25 +89,4 @@ function attach(context: RobotContext): Robot {
     servos.step();
   };
   return { state, step, detach: () => stops.forEach((stop) => stop()) };
-}
-
-/** The six line sensors. */
-function lineSensors({ ground, scale }: RobotContext) {
-  const sensors = new Map<LineName, LineComparator>(
-    LINE_SENSORS.map(({ name, atMm }) => {
-      const spot = scaled(atMm, scale);
-      return [name, createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale))];
-    }),
-  );
-  const { black, floor } = BRIGHTNESS;
-  const isBright = (name: LineName): boolean => sensors.get(name)?.isBright() ?? false;
-  const brightness = (name: LineName): number =>
-    Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
-  return {
-    isBright,
-    brightness,
-    sample: (): void => sensors.forEach((sensor) => sensor.sample()),
-    states: (): LineSensorState[] =>
-      LINE_SENSORS.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: brightness(name) })),
-  };
 }

@@ -85,12 +85,19 @@ export const maqueenPlusV1Sheet: RobotSheet = {
       file: 'first_drive.py',
       title: { de: 'Erste Fahrt', en: 'First drive' },
       source: { de: firstDriveDe, en: firstDriveEn },
+      course: 'empty',
     },
-    { file: 'line.py', title: { de: 'Einer Linie folgen', en: 'Follow a line' }, source: { de: lineDe, en: lineEn } },
+    {
+      file: 'line.py',
+      title: { de: 'Einer Linie folgen', en: 'Follow a line' },
+      source: { de: lineDe, en: lineEn },
+      course: 'closed-line',
+    },
     {
       file: 'wheels.py',
       title: { de: 'Genau einen halben Meter', en: 'Exactly half a metre' },
       source: { de: wheelsDe, en: wheelsEn },
+      course: 'empty',
     },
   ],
   wiring: [

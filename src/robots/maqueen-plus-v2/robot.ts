@@ -13,13 +13,12 @@ import type { Vec } from '#core/geometry';
 import type { Stop } from '#core/stop';
 import { signedDuty } from '#devices/dc-motor';
 import { attachIrReceiver } from '#devices/ir-receiver';
-import { attachHcSr04, FARTHEST_MM } from '#devices/hc-sr04';
-import { createLineComparator, type LineComparator } from '#devices/line-sensor';
+import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
-import type { Cone } from '#world/world';
-import type { LineSensorState, Robot, RobotBuild, RobotContext, RobotState } from '../robot';
-import { mountSonar, scaled } from '../sonar';
+import { mountLineRow, type LinePlace } from '../line-row';
+import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
+import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
 import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
 import { maqueenPlusV2 as type, SERVO_PORTS } from './type';
@@ -28,7 +27,7 @@ import { maqueenPlusV2 as type, SERVO_PORTS } from './type';
  * A row of three in front of the castor, the outer two further back near the wheels, as GBSL draws them; the figures
  * are chosen: a line of 20 mm width covers M alone, and the outer two see a crossing line after the others.
  */
-const LINE_SENSORS: readonly { readonly name: LineName; readonly atMm: Vec }[] = [
+const LINE_SENSORS: readonly LinePlace<LineName>[] = [
   { name: 'L2', atMm: { x: 46, y: 36 } },
   { name: 'L1', atMm: { x: 56, y: 12 } },
   { name: 'M', atMm: { x: 56, y: 0 } },
@@ -45,10 +44,6 @@ const BRIGHTNESS = {
 
 /** The cans end at the body's front edge: chosen from the drawing; the V2's figure is not published. */
 const SONAR_AT: Vec = { x: 76, y: 0 };
-const SONAR_CONE: Cone = {
-  openingRad: Math.PI / 9, // 20°: beam of TigerJython's own simulator, Tiger-Jython/Aplu-Libraries
-  rangeMm: FARTHEST_MM,
-};
 
 const RGB_COUNT = 4; // front left, back left, back right, front right: ETH
 
@@ -76,20 +71,21 @@ function attach(context: RobotContext): Robot {
     chassis.setDuty(1, right);
   };
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
-  const line = lineSensors(context);
+  const brightness = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
+  const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...brightness });
   const controller = createController(
     {
       motors: (dirL, speedL, dirR, speedR) => drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
       leds: (left, right) => Object.assign(leds, { left, right }),
       isBright: line.isBright,
-      brightness: line.brightness,
+      brightness: line.reading,
     },
     {
       version: options['version'] === '2.0' ? '2.0' : '2.1',
       analogOrder: options['analogOrder'] === 'L2-first' ? 'L2-first' : 'R2-first',
     },
   );
-  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SONAR_CONE, turnRad: () => servos.sonarTurnRad() });
+  const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
   const underglow = attachWs2812(board.wire('P15'), RGB_COUNT);
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
@@ -117,27 +113,6 @@ function attach(context: RobotContext): Robot {
     servos.step();
   };
   return { state, step, detach: () => stops.forEach((stop) => stop()) };
-}
-
-/** The five line sensors. */
-function lineSensors({ ground, options, scale }: RobotContext) {
-  const { black, floor } = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
-  const sensors = new Map<LineName, LineComparator>(
-    LINE_SENSORS.map(({ name, atMm }) => {
-      const spot = scaled(atMm, scale);
-      return [name, createLineComparator(() => ground(spot, LINE_SPOT_RADIUS_MM * scale))];
-    }),
-  );
-  const isBright = (name: LineName): boolean => sensors.get(name)?.isBright() ?? false;
-  const brightness = (name: LineName): number =>
-    Math.round(black + (floor - black) * (sensors.get(name)?.reflectance() ?? 0));
-  return {
-    isBright,
-    brightness,
-    sample: (): void => sensors.forEach((sensor) => sensor.sample()),
-    states: (): LineSensorState[] =>
-      LINE_SENSORS.map(({ name, atMm }) => ({ name, atMm, bright: isBright(name), reading: brightness(name) })),
-  };
 }
 
 /** Listens to a servo's wire; tones are left out. In whole degrees: the steps of `write_analog` are of 2°. */

@@ -22,19 +22,33 @@ export const maqueenPlusV2Sheet: RobotSheet = {
       file: 'first_drive.py',
       title: { de: 'Erste Fahrt', en: 'First drive' },
       source: { de: firstDriveDe, en: firstDriveEn },
+      course: 'empty',
     },
-    { file: 'line.py', title: { de: 'Einer Linie folgen', en: 'Follow a line' }, source: { de: lineDe, en: lineEn } },
+    {
+      file: 'line.py',
+      title: { de: 'Einer Linie folgen', en: 'Follow a line' },
+      source: { de: lineDe, en: lineEn },
+      course: 'closed-line',
+    },
     {
       file: 'distance.py',
       title: { de: 'Nicht anstossen', en: 'Do not bump' },
       source: { de: distanceDe, en: distanceEn },
+      course: 'empty',
     },
     {
       file: 'lights.py',
       title: { de: 'Lichter und Helligkeit', en: 'Lights and brightness' },
       source: { de: lightsDe, en: lightsEn },
+      course: 'closed-line',
     },
-    { file: 'servo.py', title: { de: 'Ein Servo', en: 'A servo' }, source: { de: servoDe, en: servoEn } },
+    {
+      file: 'servo.py',
+      title: { de: 'Ein Servo', en: 'A servo' },
+      source: { de: servoDe, en: servoEn },
+      course: 'empty',
+      options: { P1: 'claw' },
+    },
   ],
   wiring: [
     {

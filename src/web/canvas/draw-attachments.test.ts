@@ -1,8 +1,10 @@
 import { describe, expect, it } from 'vitest';
+import { attachmentDrawings } from '#attachments/drawings';
 import { completeOptions } from '#core/option';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 import type { ArenaRobotState } from './arena-model';
-import { attachmentReachMm, attachmentsAtStart } from './draw-attachments';
+import { attachmentFrontMm, attachmentReachMm, attachmentsAtStart, LENGTH_MM } from './draw-attachments';
+import { readRobotDrawing } from './robot-drawing';
 
 const atStart = (chosen: Readonly<Record<string, string>>) =>
   attachmentsAtStart(maqueenLite.mountMm, completeOptions(maqueenLite.options, chosen));
@@ -24,5 +26,12 @@ describe('Attachments before a run', () => {
     const bare = { attachments: [] } as unknown as ArenaRobotState;
     expect(attachmentReachMm(bare)).toBe(0);
     expect(attachmentReachMm({ ...bare, attachments: atStart({ S1: 'forklift' }) })).toBe(188);
+  });
+
+  it('end ahead of the axle where their drawing ends: 122 mm with the claw of a Maqueen Lite', () => {
+    expect(attachmentFrontMm()).toBe(0);
+    expect(attachmentFrontMm(atStart({ S1: 'claw' }))).toBe(122);
+    for (const [type, drawing] of Object.entries(attachmentDrawings))
+      expect(LENGTH_MM[type], type).toBe(-readRobotDrawing(drawing).viewBox.y);
   });
 });

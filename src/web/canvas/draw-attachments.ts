@@ -35,6 +35,14 @@ export function attachmentReachMm(state: ArenaRobotState): number {
   return Math.max(0, ...(state.attachments ?? []).map(({ atMm }) => Math.hypot(atMm.x, atMm.y) + REACH_MM));
 }
 
+/** From the mount to the front end of each attachment, in mm of the real robot: the upper edge of its drawing. */
+export const LENGTH_MM: Readonly<Record<string, number>> = { claw: 64, forklift: 66, loader: 52, push: 22 };
+
+/** How far ahead of the axle what hangs on a robot ends, in mm of the real robot; 0 without any. */
+export function attachmentFrontMm(attachments: readonly ArenaAttachment[] = []): number {
+  return Math.max(0, ...attachments.map(({ type, atMm }) => atMm.x + (LENGTH_MM[type] ?? 0)));
+}
+
 /** What hangs on a robot with these options before it runs. */
 export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly ArenaAttachment[] {
   if (mountMm === null) return [];

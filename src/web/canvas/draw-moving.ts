@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { ArenaCone, ArenaRobot, PlacedBlock } from './arena-model';
 import type { Arranged } from './arranged';
 import { drawMovableBlock } from './draw-blocks';
-import { attachmentPainter, attachmentReachMm } from './draw-attachments';
+import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from './draw-attachments';
 import { coneBox, drawCone, drawHit } from './draw-cone';
 import { floorPx, sightPx } from './draw-floor';
 import { drawHeldPose, drawRing, type Ring } from './draw-hand';
@@ -62,7 +62,8 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
   const turning = held?.turning ?? false;
   const knobPx = hand.knobPx();
   const outlineMm = painting?.look.body.outlineMm ?? [];
-  const radiusPx = ringRadiusPx(view, { outlineMm, scale });
+  const frontMm = attachmentFrontMm(robot?.state.attachments);
+  const radiusPx = ringRadiusPx(view, { outlineMm, scale, frontMm });
   return {
     arena: parts.arena,
     blocks,

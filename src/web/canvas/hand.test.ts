@@ -93,6 +93,12 @@ describe('the hand', () => {
     expect(hand.held?.turning).toBe(true);
   });
 
+  it('has the knob of the ring beyond the claw: 20 px ahead of its tips', () => {
+    const view = { pxPerMm: 0.5, leftPx: 0, bottomPx: 0 };
+    expect(ringRadiusPx(view, { outlineMm, scale: 1, frontMm: 122 })).toBe(81);
+    expect(ringRadiusPx(view, { outlineMm, scale: 2, frontMm: 122 })).toBe(142);
+  });
+
   it('turns what one finger holds with a second finger: 90° to the right', () => {
     const { hand, placed, picture, down } = handOverArena();
     down(px(500, 400), 1, true);

@@ -365,9 +365,10 @@ export class Hand {
   }
 }
 
-/** Radius of the ring around the robot, in CSS px: outside the body, and never too small for a finger. */
-export function ringRadiusPx(view: View, robot: Pick<RobotShape, 'outlineMm' | 'scale'>): number {
-  return Math.max(robotRadiusMm(robot) * view.pxPerMm + 20, 48);
+/** Radius of the ring around the robot, in CSS px: outside the body and what hangs on it, never too small for a finger. */
+export function ringRadiusPx(view: View, robot: Omit<RobotShape, 'pose'>): number {
+  const radiusMm = Math.max(robotRadiusMm(robot), (robot.frontMm ?? 0) * robot.scale);
+  return Math.max(radiusMm * view.pxPerMm + 20, 48);
 }
 
 function toVec(pose: Pose): Vec {

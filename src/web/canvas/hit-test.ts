@@ -14,6 +14,8 @@ export interface RobotShape {
   /** Convex parts in the robot's frame, mm, counter-clockwise. */
   readonly outlineMm: readonly (readonly Vec[])[];
   readonly scale: number;
+  /** How far ahead of the origin what hangs on it ends, in mm of the real robot; left out: nothing does. */
+  readonly frontMm?: number;
 }
 
 /** What can be pointed at. */

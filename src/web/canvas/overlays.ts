@@ -8,7 +8,9 @@ import { layOut } from '../lights/light-form';
 import type { LightForm } from '../lights/light-wish';
 import type { ArenaOptions, ArenaRobot, RobotLook } from './arena-model';
 import { centreBox, drawCentre } from './draw-centre';
-import { drawSpots, spotsBoxes } from './draw-spots';
+import { attachmentFrontMm } from './draw-attachments';
+import { sightPx } from './draw-floor';
+import { drawSpots, spotsBoxes, type LabelRow } from './draw-spots';
 import { createTrailLayer, drawTail } from './draw-trail';
 import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
@@ -81,7 +83,9 @@ export function createOverlays(): Overlays {
       const tail = trailCanvas === null ? [] : tailOf(layer.tail(trail, view), robot, view);
       const centre = options.centre && !robot.held ? turns.centre() : null;
       const spots = options.spots ? robot.now.state.lineSensors : [];
-      const frontMm = Math.max(...robot.look.body.outlineMm.flat().map(({ x }) => x)) * robot.scale;
+      const hitMm = options.cone ? robot.now.state.ultrasonic?.hitMm : null;
+      const hit = hitMm ? toPx(view, hitMm) : null;
+      const row: LabelRow = { ...lengthOf(robot), sight: sightPx(view, parts.arena, canvas), hit };
       const chains = parts.lights.map(({ form, colors }) => ({
         ...placeOf(form, colors.length, robot),
         colors,
@@ -91,7 +95,7 @@ export function createOverlays(): Overlays {
         boxes: [
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
-          ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, frontMm)),
+          ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, row)),
           ...chains.map(({ atMm, reachMm }) => boxAround(toPx(view, atMm), reachMm * view.pxPerMm)),
         ],
         under: (context) => drawTail(context, tail, palette),
@@ -100,7 +104,7 @@ export function createOverlays(): Overlays {
             const board = boards.at(form, colors.length, unitMm * view.pxPerMm * parts.ratio);
             drawChain(context, view, pose, atMm, unitMm, board, colors);
           }
-          if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, frontMm, palette);
+          if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, row, palette);
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
         },
       };
@@ -109,6 +113,13 @@ export function createOverlays(): Overlays {
 }
 
 const NOTHING: OverlayPicture = { boxes: [], under: () => undefined, over: () => undefined };
+
+/** How far ahead of and behind its axle the robot ends, with what hangs on it, in mm. */
+function lengthOf({ now, look, scale }: ShownRobot): Pick<LabelRow, 'frontMm' | 'backMm'> {
+  const xs = look.body.outlineMm.flat().map(({ x }) => x);
+  const frontMm = Math.max(...xs, attachmentFrontMm(now.state.attachments));
+  return { frontMm: frontMm * scale, backMm: -Math.min(...xs) * scale };
+}
 
 /** The tail ends under the robot, unless the hand has it. */
 function tailOf(points: Vec[], { now, held }: ShownRobot, view: View): Vec[] {

@@ -8,8 +8,17 @@ export interface LateList {
 }
 
 export function lateList(load: () => Promise<{ default: Component }>): LateList {
-  const fetch = (): void => {
-    load().catch(() => undefined); // without a connection the open menu asks again
+  // Asked for once: WebKit leaves a menu empty whose file was asked for again while it was on its way.
+  let coming: Promise<{ default: Component }> | null = null;
+  const once = (): Promise<{ default: Component }> => {
+    coming ??= load().catch((problem: unknown) => {
+      coming = null; // without a connection the open menu asks again
+      throw problem;
+    });
+    return coming;
   };
-  return { List: defineAsyncComponent(load), soon: { pointerenter: fetch, focus: fetch } };
+  const fetch = (): void => {
+    once().catch(() => undefined);
+  };
+  return { List: defineAsyncComponent(once), soon: { pointerenter: fetch, focus: fetch } };
 }

@@ -18,7 +18,8 @@ import type { TabStorage } from '../project/tab-storage';
 import { SoundPlayer } from '../sound/sound-player';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
-import { mispluggedNotice } from './misplugged';
+import { failureNotice } from './failure-notice';
+import { mispluggedNotice, tableOf } from './misplugged';
 import { ConsoleModel } from './use-console';
 import { DataLogModel } from './use-data-log';
 import { useDialogs, type DialogsModel } from './use-dialogs';
@@ -70,7 +71,7 @@ export function provideApp(storage: TabStorage): App {
   const notices = useNotices();
   const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
   keepWork(work, storage, () => notices.show({ kind: 'warn', key: 'files.storageFull' }));
-  const console = new ConsoleModel();
+  const console = new ConsoleModel(() => tableNow({ work, settings }));
   const jump = useJump(work);
   const hand = useHand();
   const layout = useLayout(settings);
@@ -119,6 +120,9 @@ export function useHardware(app: Pick<App, 'work' | 'settings'>) {
 
 const hardwareNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
   hardwareOf(work.value.project, settings.current.value);
+
+const tableNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
+  tableOf(work.value.project, settings.current.value);
 
 const deviceKey = ({ current }: SettingsModel): string => JSON.stringify(deviceSettings(current.value));
 
@@ -173,7 +177,7 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
       parts.dataLog.take(events.log);
       parts.sound.take(events.sound);
     },
-    onFailed: (message) => parts.notices.show({ kind: 'error', key: 'notice.failed', values: { message } }),
+    onFailed: (message) => parts.notices.show(failureNotice(message, hardwareNow(parts), parts.work.scene.value)),
     onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
     onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
   });
@@ -242,12 +246,12 @@ function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
   const files = work.files.value;
   const place = placeIn(exception.traceback, files);
   jump.wrong.value = place;
-  console.addError(place, adviceFor(exception, sourceAt(place, files)));
+  console.addError(place, adviceFor(exception, sourceAt(place, files), tableNow(parts)));
   if (drives) console.addNote('console.motorsOn');
   // A phone shows one pane: an error must not stay hidden behind a tab.
   if (layout.kind.value !== 'phone' || layout.tab.value === 'console') return;
   const show = (): void => void (layout.tab.value = 'console');
-  const text = errorText(ended, files);
+  const text = errorText(ended, parts);
   if (text !== null) notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
 }
 
@@ -258,15 +262,16 @@ function isDriving(run: RunModel): boolean {
 }
 
 /** What the live region says about an error. */
-export function errorSentence(ended: Ended, files: readonly SourceFile[]): string {
-  const text = errorText(ended, files);
+export function errorSentence(ended: Ended, app: Pick<App, 'work' | 'settings'>): string {
+  const text = errorText(ended, app);
   return text === null ? '' : t(text.key, text.values);
 }
 
-function errorText({ exception }: Ended, files: readonly SourceFile[]) {
+function errorText({ exception }: Ended, app: Pick<App, 'work' | 'settings'>) {
   if (exception === null) return null;
+  const files = app.work.files.value;
   const place = placeIn(exception.traceback, files);
-  const advice = adviceFor(exception, sourceAt(place, files));
+  const advice = adviceFor(exception, sourceAt(place, files), tableNow(app));
   const message = t(advice.key, advice.values);
   return place === null
     ? { key: 'state.announceError' as const, values: { message } }

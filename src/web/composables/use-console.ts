@@ -1,7 +1,7 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from '../console/console-log';
-import type { Advice } from '../console/error-advice';
+import type { Advice, OnTable } from '../console/error-advice';
 import type { TextKey } from '../i18n/texts';
 
 /** How often new output is shown, in ms. Not by animation frames: those stop in a tab that is not seen. */
@@ -15,9 +15,14 @@ export class ConsoleModel {
   readonly isNew = shallowRef(false);
   /** Counts what the pupil has sent: from then on the console shows its end. */
   readonly sent = shallowRef(0);
-  private readonly log = new ConsoleLog();
+  private readonly log: ConsoleLog;
   private pending = '';
   private timer: ReturnType<typeof setTimeout> | undefined;
+
+  /** @param table what is plugged in, for errors of a robot that does not answer */
+  constructor(table: () => OnTable | null) {
+    this.log = new ConsoleLog(table);
+  }
 
   /** Adds output of the program. */
   write(text: string): void {

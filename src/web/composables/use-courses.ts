@@ -3,7 +3,7 @@ import type { Language } from '../i18n/texts';
 import { isBoardProgram, type BoardProgram } from '../project/board-programs';
 import { projectOf, type Course } from '../project/course';
 import { AUTO_DEVICE, boardWish } from '../project/devices';
-import { isUntouched, type ExampleOf } from '../project/examples';
+import { isUntouched, withExample, type ExampleOf } from '../project/examples';
 import { courseName } from '../project/first-course';
 import type { Previous } from '../project/history';
 import { filesByName, MAIN, type Project } from '../project/project';
@@ -17,10 +17,11 @@ export function useCourses(app: App) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
 
-  /** Puts a sample program into the arena that is open, and its robot with it. */
-  function openExample({ example, robot }: ExampleOf): void {
-    open(withProgram(app, example.source[language()]), example.title[language()]);
-    device.bringRobot(robot);
+  /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
+  function openExample(entry: ExampleOf): void {
+    const { example, robot } = entry;
+    open(withExample(app.work.work.value.project, entry, language()), example.title[language()]);
+    device.bringRobot(robot, example.options);
   }
 
   /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */

@@ -29,8 +29,8 @@ export interface DeviceModel {
   readonly chooseRobot: (id: string) => void;
   /** A course has a robot, whatever was chosen for the programs without one. */
   readonly allowRobot: () => void;
-  /** The open program came with this robot: it and its board are chosen, as far as they are not already. */
-  readonly bringRobot: (robot: RobotType) => void;
+  /** The open program came with this robot: it, its board and these options are chosen, as far as they are not already. */
+  readonly bringRobot: (robot: RobotType, options?: OptionValues) => void;
   /** The open course came with its robot set up: that holds, whatever was changed before. */
   readonly setUpForCourse: () => void;
   /** The options of the robot in use before anything is changed by hand. */
@@ -42,7 +42,7 @@ export interface DeviceModel {
   readonly chooseSeed: (seed: number) => void;
   /** Takes the next one, after the last the first. */
   readonly nextSeed: () => void;
-  /** What is wrong when the robot stands on a board that it does not fit, and a way out; else `null`. */
+  /** What is wrong when robot and board or robot and program do not fit, and a way out; else `null`. */
   readonly misplugged: ComputedRef<Required<Notice> | null>;
 }
 
@@ -93,7 +93,11 @@ function useBringing(
     allowRobot: () => {
       if (settings.current.value.robot === NO_ROBOT) choose({ robot: AUTO_ROBOT });
     },
-    bringRobot: (robot) => choose(settingsFor(robot, work.work.value.project, settings.current.value)),
+    bringRobot: (robot, options = {}) => {
+      choose(settingsFor(robot, work.work.value.project, settings.current.value));
+      for (const chosen of Object.entries(options))
+        settings.change(withOption(settings.current.value, robot, work.scene.value, chosen));
+    },
     setUpForCourse: () => {
       const robot = hardware.value?.robot ?? null;
       if (robot !== null) settings.change(withCourseOptions(settings.current.value, robot, work.scene.value));

@@ -8,7 +8,7 @@ export interface Notice {
   readonly key: TextKey;
   readonly values?: TextValues;
   /** One thing to do about it. */
-  readonly action?: { readonly key: TextKey; readonly run: () => void };
+  readonly action?: { readonly key: TextKey; readonly values?: TextValues; readonly run: () => void };
 }
 
 /** The message that is shown now, if any; a new one takes the place of the old. */

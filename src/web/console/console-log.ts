@@ -1,5 +1,5 @@
 import type { TextKey } from '../i18n/texts';
-import { adviceFor, type Advice } from './error-advice';
+import { adviceFor, type Advice, type OnTable } from './error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
@@ -57,6 +57,9 @@ export class ConsoleLog {
   private open: OpenEntry | null = null;
   private cut = false;
   private readonly reader = new TerminalReader();
+
+  /** @param table what is plugged in, for errors of a robot that does not answer */
+  constructor(private readonly table: () => OnTable | null = () => null) {}
 
   /** Everything kept, oldest first; a new array after every change. */
   get entries(): readonly ConsoleEntry[] {
@@ -160,7 +163,7 @@ export class ConsoleLog {
     const line = this.traceback.trimEnd().split('\n').at(-1) ?? '';
     if (line.startsWith(TRACEBACK) || line.startsWith(' ')) return;
     this.tone = 'plain';
-    const advice = this.traceback.includes(TYPED) ? adviceOf(line, this.traceback) : null;
+    const advice = this.traceback.includes(TYPED) ? adviceOf(line, this.traceback, this.table()) : null;
     if (advice !== null) this.addTo(entries, { kind: 'error', place: null, advice });
   }
 
@@ -247,9 +250,9 @@ export class ConsoleLog {
 }
 
 /** What is to be read about an exception that was typed at the REPL; an interrupt is no mistake. */
-function adviceOf(line: string, traceback: string): Advice | null {
+function adviceOf(line: string, traceback: string, table: OnTable | null): Advice | null {
   const [, type = '', message = ''] = /^(\w+)(?:: (.*))?$/.exec(line) ?? [];
-  return type === '' || type === 'KeyboardInterrupt' ? null : adviceFor({ type, message, traceback });
+  return type === '' || type === 'KeyboardInterrupt' ? null : adviceFor({ type, message, traceback }, null, table);
 }
 
 function hasRoom(entry: TextEntry): boolean {

@@ -5,7 +5,7 @@ import { de } from '../i18n/de';
 import { en } from '../i18n/en';
 import type { TextKey } from '../i18n/texts';
 import { lastPlace } from './console-log';
-import { adviceFor, type Advice } from './error-advice';
+import { adviceFor, type Advice, type OnTable } from './error-advice';
 
 /** Runs a program with a mistake on our VM and gives what the page says about it. */
 function adviceOf(program: string): Advice {
@@ -198,6 +198,26 @@ describe('advice', () => {
     expect(key('NotImplementedError', '')).toBe('error.NotImplementedError');
   });
 
+  it('explains the values that the robots’ libraries refuse', () => {
+    const says = (type: string, message: string, language: 'de' | 'en' = 'de'): string =>
+      sentence(adviceFor({ type, message }), language);
+    expect(says('ValueError', 'Invalid angle. Must be between 0 and 180')).toBe(
+      'Der Winkel muss zwischen 0 und 180 Grad liegen.',
+    );
+    expect(says('ValueError', 'invalid RGB-LED position. Must be 0,1,2 or 3.')).toBe(
+      'Dieses Farblicht gibt es nicht. Es gibt 0,1,2 und 3.',
+    );
+    expect(says('ValueError', "Unknown Servo. Please use 'S1' or 'S2'.")).toBe(
+      "Diesen Servo-Anschluss gibt es nicht. Es gibt 'S1' und 'S2'.",
+    );
+    expect(says('ValueError', "Unknown Servo. Please use 'P0', 'P1' or 'P2'.", 'en')).toBe(
+      "There is no such servo port. There are 'P0', 'P1' and 'P2'.",
+    );
+    expect(says('RuntimeError', 'percent must be from 0 to 100, not 120')).toBe(
+      'Der Wert muss zwischen 0 und 100 liegen.',
+    );
+  });
+
   it('shortens what does not fit into a sentence', () => {
     const { values } = adviceFor({ type: 'KeyError', message: 'x'.repeat(500) });
     expect(String(values['name'])).toHaveLength(41);
@@ -212,5 +232,40 @@ describe('advice', () => {
 
   it('says the general thing about "invalid syntax" when the line is not known', () => {
     expect(adviceFor({ type: 'SyntaxError', message: 'invalid syntax' }).key).toBe('error.SyntaxError');
+  });
+});
+
+describe('advice for a robot that does not answer', () => {
+  const silent = { type: 'RuntimeError', message: 'Please connect to Maqueen robot and switch it on.' };
+  const anyRobot = { type: 'RuntimeError', message: 'Please connect to a robot and switch it on.' };
+  const noDevice = { type: 'OSError', message: '[Errno 19] ENODEV' };
+  const fault = { key: 'error.otherRobot', values: { meant: 'Maqueen Lite', robot: 'Calli:bot' } } as const;
+  const at = (failure: typeof silent, table: OnTable) => sentence(adviceFor(failure, null, table));
+
+  it('names the robot that is chosen and the one that the program is for', () => {
+    for (const failure of [silent, anyRobot, noDevice])
+      expect(at(failure, { robot: 'Calli:bot', fault })).toBe(
+        'Dieses Programm ist für den Maqueen Lite, gewählt ist der Calli:bot. Wähle den Maqueen Lite unter Gerät.',
+      );
+  });
+
+  it('asks for a robot only where none is chosen', () => {
+    expect(at(silent, { robot: null, fault: null })).toContain('braucht einen Roboter');
+    expect(at(noDevice, { robot: null, fault: null })).toContain('Braucht das Programm einen Roboter?');
+    expect(at(anyRobot, { robot: 'Calli:bot', fault: null })).toContain(
+      'Der Calli:bot antwortet diesem Programm nicht.',
+    );
+  });
+
+  it('speaks of the address and of i2c.scan() where a fitting robot is there', () => {
+    expect(at(noDevice, { robot: 'Calli:bot', fault: null })).toBe(
+      'Unter dieser Adresse antwortet nichts am I2C-Bus. i2c.scan() gibt die Adressen, die antworten.',
+    );
+  });
+
+  it('leaves every other error as it is', () => {
+    expect(adviceFor({ type: 'ZeroDivisionError', message: '' }, null, { robot: 'Calli:bot', fault }).key).toBe(
+      'error.ZeroDivisionError',
+    );
   });
 });

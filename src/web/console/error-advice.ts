@@ -17,6 +17,14 @@ export interface Failure {
   readonly traceback?: string;
 }
 
+/** What is plugged in, as far as an error may come of it. */
+export interface OnTable {
+  /** Name of the robot; `null`: none. */
+  readonly robot: string | null;
+  /** Why it cannot answer, if that is known. */
+  readonly fault: Omit<Advice, 'device'> | null;
+}
+
 /** Exceptions that have one text whatever the device says. */
 const PLAIN = [
   'SyntaxError', 'IndentationError', 'TypeError', 'ValueError', 'ZeroDivisionError', 'IndexError', 'MemoryError', 'OSError',
@@ -31,8 +39,13 @@ const SHOWN_CHARACTERS = 40;
  * What a pupil should read about an exception: first in their words, then in the device's.
  *
  * @param source the pupil's file and the line the exception names. With it, "invalid syntax" can be explained.
+ * @param table what is plugged in. With it, a robot that does not answer can be explained.
  */
-export function adviceFor({ type, message, traceback = '' }: Failure, source: Source | null = null): Advice {
+export function adviceFor(
+  { type, message, traceback = '' }: Failure,
+  source: Source | null = null,
+  table: OnTable | null = null,
+): Advice {
   const device = message === '' ? type : `${type}: ${message}`;
   if (type === 'MemoryError' && traceback.includes('too long for the board'))
     return { key: 'error.tooLong', values: {}, device };
@@ -41,7 +54,17 @@ export function adviceFor({ type, message, traceback = '' }: Failure, source: So
     const found = syntaxAdvice(source);
     if (found !== null) return { ...found, device };
   }
-  return { ...explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message), device };
+  const advice = explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message);
+  return { ...(table === null ? advice : atTable(advice, table)), device };
+}
+
+/** Why no robot or chip answers, seen from what is plugged in. */
+function atTable(advice: Omit<Advice, 'device'>, { robot, fault }: OnTable): Omit<Advice, 'device'> {
+  const isRobot = advice.key === 'error.noRobot';
+  if (!isRobot && advice.key !== 'error.noDevice') return advice;
+  if (fault !== null) return fault;
+  if (robot === null) return isRobot ? advice : { key: 'error.noDeviceBare', values: {} };
+  return isRobot ? { key: 'error.robotSilent', values: { robot } } : advice;
 }
 
 function explained(type: string, message: string): Omit<Advice, 'device'> {

@@ -87,6 +87,9 @@ export const errorTable: readonly ErrorPattern[] = [
   when('ValueError', /^brightness out of bounds/, 'error.brightness'),
   when('ValueError', /^value must be between (-?\d+) and (-?\d+)/, 'error.valueRange', 'least', 'most'),
   when('ValueError', /^value must be 0 or 1/, 'error.valueBit'),
+  when('ValueError', /^Invalid angle\. Must be between (\d+) and (\d+)/, 'error.servoAngle', 'least', 'most'),
+  when('ValueError', /^Unknown Servo\. Please use (.+) or ('\w+')/, 'error.servoName', 'first', 'last'),
+  when('ValueError', /^invalid RGB-LED position\. Must be (.+) or (\d+)/, 'error.rgbPosition', 'first', 'last'),
   when('ValueError', /^value out of range for argument '(.+)'/, 'error.argumentRange', 'name'),
   when('ValueError', /^unknown argument '(.+)'/, 'error.keywordUnknown', 'name'),
   when('ValueError', /^invalid gesture/, 'error.gesture'),
@@ -111,7 +114,8 @@ export const errorTable: readonly ErrorPattern[] = [
   when('OSError', /\b5\b|EIO/, 'error.transfer'),
 
   when('MemoryError', /allocating (\d{5,}) bytes/, 'error.memoryAtOnce', 'bytes'),
-  when('RuntimeError', /^Please connect to Maqueen/, 'error.noRobot'),
+  when('RuntimeError', /^Please connect to (?:Maqueen|a robot)/, 'error.noRobot'),
+  when('RuntimeError', /^percent must be from (\d+) to (\d+)/, 'error.valueRange', 'least', 'most'),
   when('RuntimeError', /recursion|pystack/, 'error.recursion'),
   when('NotImplementedError', /not simulated/, 'error.notSimulated'),
 

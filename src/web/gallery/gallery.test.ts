@@ -9,7 +9,7 @@ import { robotReferences } from '#robots/references';
 import { robotSheets } from '#robots/sheets';
 import { galleryPage } from '../composables/use-gallery';
 import { deviceTexts, REALITIES } from '../panels/device-texts';
-import { addressText, sizeCm } from './facts';
+import { addressesText, addressText, sizeCm } from './facts';
 import { galleryTexts } from './gallery-texts';
 import { libraryTables } from './library-rows';
 import { robotPicture } from './robot-picture';
@@ -50,7 +50,8 @@ describe('every robot in the gallery', () => {
       for (const language of ['de', 'en'] as const)
         for (const table of libraryTables(reference, language)) {
           expect(table.text, table.module).not.toBe('');
-          for (const row of table.rows) expect(row.text, `${language}: ${table.module}.${row.code}`).not.toBe('');
+          for (const row of table.rows)
+            expect(row.text, `${language}: ${table.module}.${row.codes.join()}`).not.toBe('');
         }
   });
 });
@@ -87,7 +88,7 @@ describe('the table of a library', () => {
   it('names things as a program writes them, members behind their dot, and not what the robot lacks', () => {
     const [table] = libraryTables(reference, 'en');
     expect([table!.module, table!.text]).toEqual(['bot', 'Drives.']);
-    expect(table!.rows.map(({ code }) => code)).toEqual([
+    expect(table!.rows.flatMap(({ codes }) => codes)).toEqual([
       'go(speed: int)',
       'near() -> int',
       'motL: Motor',
@@ -95,6 +96,19 @@ describe('the table of a library', () => {
       'Motor.rotate(speed: int)',
     ]);
     expect(table!.rows.at(-1)?.text).toBe('Turns.');
+  });
+
+  it('says once what several names one after the other do, such as the eleven of RobotContext', () => {
+    for (const reference of robotReferences)
+      for (const { module, rows } of libraryTables(reference, 'de')) {
+        const repeated = rows.filter((row, i) => row.text === rows[i - 1]?.text);
+        expect(repeated, module).toEqual([]);
+      }
+    const [lite] = robotReferences
+      .filter(({ robot }) => robot === 'maqueen-lite')
+      .flatMap((it) => libraryTables(it, 'de'));
+    const told = lite?.rows.find(({ codes }) => codes.some((code) => code.includes('RobotContext.')));
+    expect(told?.codes.length).toBeGreaterThanOrEqual(11);
   });
 });
 
@@ -119,6 +133,8 @@ describe('the portrait of a robot', () => {
 describe('addresses', () => {
   it('of the bus are written as in data sheets', () => {
     expect([0x10, 0x5, 0x2a].map(addressText)).toEqual(['0x10', '0x05', '0x2A']);
+    expect(addressesText({ address: 0x22 })).toBe('0x22');
+    expect(addressesText({ address: 0x23, lastAddress: 0x27 })).toBe('0x23 … 0x27');
   });
 
   it('of the gallery’s pages name the robot; others belong to somebody else', () => {

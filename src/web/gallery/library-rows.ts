@@ -10,8 +10,11 @@ export interface LibraryTable {
 }
 
 export interface LibraryRow {
-  /** As it is written in a program: `setSpeed(speed: int)`, `irLeft: IRSensor`, `Motor.rotate(speed: int)`. */
-  readonly code: string;
+  /**
+   * As it is written in a program: `setSpeed(speed: int)`, `irLeft: IRSensor`, `Motor.rotate(speed: int)`. Several where
+   * the same can be written in several ways, and where several names one after the other do the same.
+   */
+  readonly codes: readonly string[];
   readonly text: string;
 }
 
@@ -31,7 +34,11 @@ function rowsOf(module: ReferenceModule, words: Readonly<Record<string, string>>
     for (const [name, entry] of Object.entries(names)) {
       if (entry.absent) continue;
       const text = words[entry.text ?? `${key}.${name}`] ?? '';
-      for (const code of codesOf(prefix + name, entry)) rows.push({ code, text });
+      const codes = codesOf(prefix + name, entry);
+      const last = rows.at(-1);
+      if (last !== undefined && text !== '' && last.text === text)
+        rows[rows.length - 1] = { text, codes: [...last.codes, ...codes] };
+      else rows.push({ codes, text });
       add(entry.members, `${key}.${name}`, `${prefix}${name}.`);
     }
   };
@@ -39,8 +46,8 @@ function rowsOf(module: ReferenceModule, words: Readonly<Record<string, string>>
   return rows;
 }
 
-/** The ways in which a name is written; what gives nothing back does not say so. */
+/** The ways in which a name is written; what gives nothing back does not say so, nor what takes anything what it is called. */
 function codesOf(name: string, { calls, type }: Entry): readonly string[] {
-  if (calls.length > 0) return calls.map((call) => name + call.replace(/ -> None$/, ''));
+  if (calls.length > 0) return calls.map((call) => name + call.replace(/ -> None$/, '').replace('(*arguments)', '(…)'));
   return [type === null ? name : `${name}: ${type}`];
 }

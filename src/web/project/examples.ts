@@ -1,9 +1,13 @@
 import { robotTypes } from '#robots/index';
 import type { RobotExample, RobotType } from '#robots/robot';
 import { robotSheets } from '#robots/sheets';
+import type { Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
 
+import type { Language } from '../i18n/texts';
+import type { Course } from './course';
 import { courses } from './courses';
-import type { Project } from './project';
+import { MAIN, type Project } from './project';
 
 /** A sample program and the robot that it comes with. */
 export interface ExampleOf {
@@ -24,6 +28,29 @@ const brought: ReadonlySet<string> = new Set([
   ...courses.flatMap(({ program }) => Object.values(program)),
   ...examples.flatMap(({ example }) => [example.source.de, example.source.en]),
 ]);
+
+/**
+ * A sample program as something to work on: in the arena it is made for and with what it needs on the robot. An arena
+ * that the pupil built or changed stays as it is.
+ */
+export function withExample(before: Project, { example }: ExampleOf, language: Language): Project {
+  const files = [{ name: MAIN, text: example.source[language] }];
+  const open = courses.find(({ scene }) => isSameArena(scene, before.scene));
+  const course = courses.find(({ id }) => id === example.course) ?? open;
+  if (open === undefined || course === undefined) return { ...before, files };
+  return { files, scene: withOptions(course, example), course: course.id };
+}
+
+/** The course's arena, its robot set up for an example. */
+function withOptions({ scene }: Course, { options }: RobotExample): Scene {
+  return { ...scene, robot: { ...scene.robot, options: { ...scene.robot.options, ...options } } };
+}
+
+/** Nothing differs but what examples themselves change: the options of the robot. */
+function isSameArena(one: Scene, other: Scene): boolean {
+  const text = (scene: Scene): string => serializeScene({ ...scene, robot: { ...scene.robot, options: {} } });
+  return one === other || text(one) === text(other);
+}
 
 /** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
 export function isUntouched(project: Project): boolean {

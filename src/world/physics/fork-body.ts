@@ -1,7 +1,6 @@
 import type { Fork, ForkType } from '../chassis';
 import type { BlockBody, Holder } from './block-body';
 import { isInside } from './convex';
-import type { Polygon } from './convex';
 import type { Body, Fixture } from './planck';
 import { toUnits } from './scale';
 import { Kind, Solid, toWorld } from './solid';
@@ -54,8 +53,8 @@ export class ForkBody implements Fork, Tool, Holder {
     this.place.drop(this);
   };
 
-  outlines(): readonly Polygon[] {
-    return [this.plate.corners()];
+  solids(): readonly Solid[] {
+    return [this.plate];
   }
 
   beforeStep(): void {

@@ -115,8 +115,8 @@ export class GripperBody implements Gripper, Tool, Holder {
     this.place.drop(this);
   };
 
-  outlines(): readonly Polygon[] {
-    return this.parts.map(({ solid }) => solid.corners());
+  solids(): readonly Solid[] {
+    return this.parts.map(({ solid }) => solid);
   }
 
   beforeStep(): void {

@@ -7,8 +7,9 @@ import { BlockBody } from './block-body';
 import { PlanckWorld, PolygonShape, Vec2 } from './planck';
 import type { Body, Contact, Fixture } from './planck';
 import { gapBetween } from './convex';
+import { OVERLAP } from './lodged';
 import { RobotBody } from './robot-body';
-import { toUnits, UNITS_PER_MM } from './scale';
+import { toUnits } from './scale';
 import { CONTACT_FRICTION, Kind, outlineOf } from './solid';
 import { createSurroundings } from './surroundings';
 
@@ -18,12 +19,6 @@ const POSITION_ROUNDS = 4;
 
 /** Thickness of the wall around the arena, in mm; outside it, so nobody sees it. Chosen: thick enough to push anything back in. */
 const EDGE_MM = 200;
-
-/**
- * A raised fork does not push on a block that reaches this far over or under it. Chosen: more than any contact gives way.
- * Such a block was there when the fork went up, or the hand put it there.
- */
-const OVERLAP = 2 * UNITS_PER_MM;
 
 /** Bodies that push each other. All that the rest of the world knows about the physics engine. */
 export interface Physics {
@@ -59,7 +54,10 @@ export function createPhysics(size: WorldSize): Physics {
     robotOf(b.getBody())?.endTouch(b, a);
   });
   world.on('pre-solve', (contact: Contact) => {
-    if (isForkAcross(contact.getFixtureA(), contact.getFixtureB())) contact.setEnabled(false);
+    const a = contact.getFixtureA();
+    const b = contact.getFixtureB();
+    const isLodged = robotOf(a.getBody())?.isLodged(a, b) === true || robotOf(b.getBody())?.isLodged(b, a) === true;
+    if (isLodged || isForkAcross(a, b)) contact.setEnabled(false);
   });
 
   const physics: Physics = {
@@ -86,7 +84,10 @@ export function createPhysics(size: WorldSize): Physics {
   return physics;
 }
 
-/** Whether a block lies across a plate. Jaws have the kind of plates; they never come so close to a block by themselves. */
+/**
+ * Whether a block reaches so far over or under a raised fork that it was there when the fork went up, or that the hand put
+ * it there. Jaws have the kind of plates; they never come so close to a block by themselves.
+ */
 function isForkAcross(a: Fixture, b: Fixture): boolean {
   const kinds = a.getFilterCategoryBits() | b.getFilterCategoryBits();
   if (kinds !== (Kind.tool | Kind.movableBlock)) return false;

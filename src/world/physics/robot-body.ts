@@ -4,6 +4,7 @@ import { STEP_S } from '../step';
 import { DriveJoint } from './drive-joint';
 import { ForkBody } from './fork-body';
 import { GripperBody } from './gripper-body';
+import { Lodged } from './lodged';
 import { PolygonShape, Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
@@ -29,6 +30,9 @@ export class RobotBody implements Chassis {
   private readonly parts = new Set<Solid>();
   private readonly tools = new Set<Tool>();
   private readonly toolPlace: ToolPlace;
+  private readonly lodged: Lodged;
+  /** What was put somewhere since the last step. */
+  private readonly placedAnew = new Set<Solid>();
   private steps = 0;
   private lastX: number;
   private lastY: number;
@@ -43,11 +47,15 @@ export class RobotBody implements Chassis {
   constructor(world: PlanckWorld, floor: Body, around: Surroundings, type: ChassisType, pose: Pose) {
     this.type = type;
     this.body = createBody(world, type, pose);
+    this.lodged = new Lodged(this.body, around);
     this.toolPlace = {
       body: this.body,
       around,
       expectTouch: (fixture) => this.expectTouch(fixture),
-      drop: (tool) => this.tools.delete(tool),
+      drop: (tool) => {
+        this.tools.delete(tool);
+        for (const solid of tool.solids()) this.forget(solid);
+      },
     };
     this.joint = new DriveJoint(floor, this.body, type);
     world.createJoint(this.joint);
@@ -74,6 +82,7 @@ export class RobotBody implements Chassis {
     this.lastY = this.body.getPosition().y;
     this.lastAngle = this.body.getAngle();
     this.blockPlaced();
+    for (const solid of this.solids()) this.placedAnew.add(solid);
   }
 
   setDuty(wheel: WheelSide, duty: number): void {
@@ -119,32 +128,46 @@ export class RobotBody implements Chassis {
   addPart(outlineMm: readonly Vec[]): ChassisPart {
     const solid = new Solid(this.body, outlineMm.map(toUnits));
     this.parts.add(solid);
+    this.lodged.note([solid]);
     return {
-      isTouched: () => solid.isTouched(),
+      isTouched: () => solid.isTouched() || this.lodged.has(solid),
       remove: () => {
         this.parts.delete(solid);
+        this.forget(solid);
         solid.remove();
       },
     };
   }
 
   addGripper(type: GripperType): GripperBody {
-    const gripper = new GripperBody(this.toolPlace, type);
-    this.tools.add(gripper);
-    return gripper;
+    return this.mount(new GripperBody(this.toolPlace, type));
   }
 
   addFork(type: ForkType): ForkBody {
-    const fork = new ForkBody(this.toolPlace, type);
-    this.tools.add(fork);
-    return fork;
+    return this.mount(new ForkBody(this.toolPlace, type));
+  }
+
+  /** Its shape may still change before the next step. */
+  private mount<T extends Tool>(tool: T): T {
+    this.tools.add(tool);
+    for (const solid of tool.solids()) this.placedAnew.add(solid);
+    return tool;
+  }
+
+  private forget(solid: Solid): void {
+    this.placedAnew.delete(solid);
+    this.lodged.drop(solid);
+  }
+
+  private solids(): Solid[] {
+    return [...this.parts, ...[...this.tools].flatMap((tool) => tool.solids())];
   }
 
   /** Outlines of all that was added to the body, as they are now: robot frame, mm. */
   addedOutlinesMm(): Vec[][] {
-    const solids = [...this.parts].map((part) => part.corners());
-    const outlines = solids.concat(...[...this.tools].map((tool) => tool.outlines()));
-    return outlines.map((outline) => outline.map(({ x, y }) => ({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT })));
+    return this.solids().map((solid) =>
+      solid.corners().map(({ x, y }) => ({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT })),
+    );
   }
 
   /** To be called after the hand has moved a block. */
@@ -155,6 +178,14 @@ export class RobotBody implements Chassis {
   beforeStep(): void {
     if (this.joint.isMoving()) this.body.setAwake(true);
     for (const tool of this.tools) tool.beforeStep();
+    if (this.placedAnew.size === 0) return;
+    this.lodged.note(this.placedAnew);
+    this.placedAnew.clear();
+  }
+
+  /** Whether a fixture of this body stands in another's since it was put there, so that the two do not meet. */
+  isLodged(own: Fixture, other: Fixture): boolean {
+    return this.lodged.holds(own, other);
   }
 
   afterStep(): void {
@@ -190,6 +221,7 @@ export class RobotBody implements Chassis {
 
   /** The end of such a touch. */
   endTouch(own: Fixture, other: Fixture): void {
+    this.lodged.forget(own, other);
     if (isWork(own, other)) return;
     const touch = this.touches.get(other);
     if (!touch) return;

@@ -13,7 +13,7 @@ const EVERYTHING = 0xffff;
 /** A convex part of a robot's body that comes and goes without changing the body's mass and inertia. */
 export class Solid {
   private readonly body: Body;
-  private readonly fixture: Fixture;
+  readonly fixture: Fixture;
   private readonly shape: PolygonShape;
   private isThere = true;
 

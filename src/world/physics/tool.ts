@@ -1,5 +1,5 @@
-import type { Polygon } from './convex';
 import type { Body, Fixture } from './planck';
+import type { Solid } from './solid';
 import type { Surroundings } from './surroundings';
 
 /** Something on a robot that acts by itself, beside being solid. */
@@ -8,8 +8,8 @@ export interface Tool {
   beforeStep(): void;
   /** After the hand has moved a block or the robot. */
   blockPlaced(): void;
-  /** Its solid parts now, robot frame, units. */
-  outlines(): readonly Polygon[];
+  /** Its solid parts. */
+  solids(): readonly Solid[];
 }
 
 /** Where a tool is mounted. */

@@ -1,14 +1,13 @@
 # Genau einen halben Meter
-# Die Räder des Calli:bot 2E zählen mit: 450 Pulse sind eine
-# Umdrehung, also 14.3 cm.
+# Die Räder des Calli:bot 2E zählen mit:
+# 450 Pulse sind eine Umdrehung, also 14.3 cm.
 from callibot import *
 
 PULSES_PER_CM = 31.48
 
 
 def pulses():
-    # Register 0x91: vier Bytes für das linke Rad, dann vier für das
-    # rechte
+    # Register 0x91: vier Bytes für das linke Rad, vier für das rechte
     i2c.write(0x22, bytes([0x91]))
     answer = i2c.read(0x22, 9)
     return int.from_bytes(answer[1:5], "little")
@@ -25,4 +24,4 @@ def drive(cm):
 setSpeed(30)
 drive(50)
 delay(500)
-print("Gefahren:", pulses() / PULSES_PER_CM, "cm")
+print("Gefahren: %.1f cm" % (pulses() / PULSES_PER_CM))

@@ -16,4 +16,4 @@ delay(600)
 
 stop()
 setLED(0)
-print("Abstand nach vorn:", getDistance(), "cm")
+print("Abstand nach vorn:", round(getDistance()), "cm")

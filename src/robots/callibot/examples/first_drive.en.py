@@ -16,4 +16,4 @@ delay(600)
 
 stop()
 setLED(0)
-print("Distance ahead:", getDistance(), "cm")
+print("Distance ahead:", round(getDistance()), "cm")

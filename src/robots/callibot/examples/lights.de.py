@@ -7,8 +7,8 @@ from callibot import *
 
 
 def color(light, red, green, blue):
-    # Licht: 1 vorn links, 2 hinten links, 3 hinten rechts, 4 vorn
-    # rechts Rot, Grün, Blau: je 0 bis 16
+    # Licht 1 vorn links, 2 hinten links, 3 hinten rechts, 4 vorn rechts
+    # Rot, Grün, Blau: je 0 bis 16
     i2c.write(0x22, bytes([3, light, red, green, blue]))
 
 

@@ -1,13 +1,13 @@
 # Lights
 # The robot has two red lights in front and four coloured ones below.
-# callibot has no command for the coloured ones: the program sends the
-# bytes itself.
+# callibot has no command for the coloured ones:
+# the program sends the bytes itself.
 from calliope_mini import *
 from callibot import *
 
 
 def color(light, red, green, blue):
-    # light: 1 front left, 2 rear left, 3 rear right, 4 front right
+    # light 1 front left, 2 rear left, 3 rear right, 4 front right
     # red, green, blue: 0 to 16 each
     i2c.write(0x22, bytes([3, light, red, green, blue]))
 

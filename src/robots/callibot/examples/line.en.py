@@ -1,7 +1,7 @@
 # Follow a line
 # Two sensors look at the ground: 1 means light, 0 means dark.
-# Put the robot on a black line, such as the one of the course “Closed
-# line”.
+# Put the robot on a black line, for example in the course
+# “Closed line”.
 from callibot import *
 
 setSpeed(20)

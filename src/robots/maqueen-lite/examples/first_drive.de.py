@@ -10,11 +10,13 @@ for side in range(4):
     forward()
     delay(1200)
     left()
-    delay(298)          # so lange dauert eine Vierteldrehung
+    delay(363)          # so lange dauert eine Vierteldrehung
+    stop()
+    delay(200)
 
 setLED(0)
 fillRGB(0, 60, 0)
 rightArc(0.15)          # ein Kreis mit 15 cm Radius
-delay(7000)
+delay(6250)
 stop()
 clearRGB()

@@ -9,11 +9,13 @@ for side in range(4):
     forward()
     delay(1200)
     left()
-    delay(298)          # that is how long a quarter turn takes
+    delay(363)          # that is how long a quarter turn takes
+    stop()
+    delay(200)
 
 setLED(0)
 fillRGB(0, 60, 0)
 rightArc(0.15)          # a circle with a radius of 15 cm
-delay(7000)
+delay(6250)
 stop()
 clearRGB()

@@ -1,6 +1,6 @@
 # Ring of lights
-# On pin 2 hangs a ring of 24 lights: a rainbow turns while the robot
-# drives in a circle.
+# On pin 2 hangs a ring of 24 lights:
+# a rainbow turns while the robot drives in a circle.
 from mbrobot import *
 from mbled import *
 

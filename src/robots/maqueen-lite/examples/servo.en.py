@@ -1,6 +1,6 @@
 # A servo at port S1
-# Under “Device” you choose what hangs on it.
-# For the claw, 30 is open and 90 is closed.
+# A claw hangs on it: 30 is open, 90 is closed.
+# Under “Device” you choose something else.
 from mbrobot import *
 
 OPEN = 30

@@ -3,7 +3,7 @@
 from mbrobot import *
 
 SIDE = 1500             # Millisekunden für eine Seite
-QUARTER_TURN = 365      # Millisekunden für 90 Grad. Probier andere Zahlen aus!
+QUARTER_TURN = 371      # Millisekunden für 90 Grad. Probier andere Zahlen aus!
 
 setSpeed(50)
 

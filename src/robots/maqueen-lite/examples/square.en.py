@@ -3,7 +3,7 @@
 from mbrobot import *
 
 SIDE = 1500             # milliseconds for one side
-QUARTER_TURN = 365      # milliseconds for 90 degrees. Try other numbers!
+QUARTER_TURN = 371      # milliseconds for 90 degrees. Try other numbers!
 
 setSpeed(50)
 

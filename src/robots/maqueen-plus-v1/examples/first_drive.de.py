@@ -12,7 +12,8 @@ for color in colors:
     forward()
     delay(1200)
     left()
-    delay(400)          # ungefähr eine Vierteldrehung
+    delay(415)          # so lange dauert eine Vierteldrehung
     stop()
+    delay(200)
 
 setLED(LEDState.OFF)

@@ -12,7 +12,8 @@ for color in colors:
     forward()
     delay(1200)
     left()
-    delay(400)          # about a quarter turn
+    delay(415)          # that is how long a quarter turn takes
     stop()
+    delay(200)
 
 setLED(LEDState.OFF)

@@ -1,6 +1,6 @@
 # Follow a line
-# The two sensors in the middle see the line: the robot steers to
-# where it is dark.
+# The two sensors in the middle see the line:
+# the robot steers to where it is dark.
 from mbrobot_plus import *
 
 setSpeed(40)
@@ -15,6 +15,6 @@ while True:
         leftArc(0.1)
     elif not left_light:
         forward()
-    # Where both see light ground, the robot goes on as before: so it
-    # finds the line again.
+    # Where both see light ground, the robot goes on as before:
+    # so it finds the line again.
     delay(10)

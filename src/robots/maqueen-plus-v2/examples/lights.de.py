@@ -1,6 +1,6 @@
 # Lichter und Helligkeit
-# Die Lichter unten zeigen, wie hell der Boden unter dem mittleren
-# Sensor ist.
+# Die Lichter unten zeigen, wie hell der Boden
+# unter dem mittleren Sensor ist.
 from microbit import *
 from mbrobot_plusV2 import *
 

@@ -1,6 +1,6 @@
 # Lights and brightness
-# The lights below show how bright the ground under the middle sensor
-# is.
+# The lights below show how bright the ground is
+# under the middle sensor.
 from microbit import *
 from mbrobot_plusV2 import *
 

@@ -1,6 +1,6 @@
 # Einer Linie folgen
-# Der mittlere Sensor soll auf der schwarzen Linie bleiben: 0 heisst
-# dunkel, 1 heisst hell.
+# Der mittlere Sensor soll auf der schwarzen Linie bleiben:
+# 0 heisst dunkel, 1 heisst hell.
 from mbrobot_plusV2 import *
 
 setSpeed(40)

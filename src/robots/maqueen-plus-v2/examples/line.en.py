@@ -1,6 +1,6 @@
 # Follow a line
-# The middle sensor shall stay on the black line: 0 means dark, 1
-# means light.
+# The middle sensor shall stay on the black line:
+# 0 means dark, 1 means light.
 from mbrobot_plusV2 import *
 
 setSpeed(40)

@@ -1,6 +1,6 @@
 # Ein Servo am Anschluss P1
-# Was daran hängt, wählst du unter «Gerät».
-# Beim Greifer heisst 30 offen und 90 zu.
+# Daran hängt ein Greifer: 30 heisst offen, 90 heisst zu.
+# Etwas anderes wählst du unter «Gerät».
 from mbrobot_plusV2 import *
 
 OPEN = 30

@@ -1,0 +1,49 @@
+import { readFileSync } from 'node:fs';
+import { parseScene } from '../src/scene/parse';
+import type { Point, Scene } from '../src/scene/scene';
+import { robotAt, watchWay } from './arena';
+import { expect, type App } from './app';
+import { attribute, consoleIn, isThere, on, openApp, programIn, type Shown } from './page';
+
+/** The text of a file in `courses/`. */
+const read = (path: string): string => readFileSync(new URL(`../courses/${path}`, import.meta.url), 'utf8');
+
+/** The arena of a ready course. */
+export function sceneOf(folder: string): Scene {
+  const parsed = parseScene(read(`${folder}/scene.json`));
+  if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
+  return parsed.scene;
+}
+
+/** Opens a ready course from the list, as a pupil does, and starts its program at full speed. */
+export async function drive(app: App, folder: string, robot: string): Promise<void> {
+  const { en } = JSON.parse(read(`${folder}/texts.json`)) as { readonly en: { readonly name: string } };
+  await openApp(app, { language: 'en', speed: 'max', cone: false });
+  await app.click('header .course');
+  await expect.poll(() => isThere(app, '.courses')).toBe(true);
+  const place = await app.evaluate((name) => {
+    const items = Array.from(document.querySelectorAll('.courses > *'));
+    return 1 + items.findIndex((item) => item.querySelector('.v-list-item-title')?.textContent === name);
+  }, en.name);
+  expect(place, `${en.name} in the list`).toBeGreaterThan(0);
+  await app.click(`.courses > :nth-child(${String(place)})`);
+  const top = read(`${folder}/main.en.py`).split('\n').slice(0, 8).join('\n'); // the editor has no lines that are out of sight
+  await expect.poll(() => programIn(app)).toContain(top);
+  await expect.poll(() => attribute(app, '.pane-arena .robot .name', 'title')).toBe(robot); // the name itself may be cut off
+  expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);
+  await watchWay(app);
+  await app.click(on('run'));
+}
+
+/** A minute of simulated time at full speed, on a busy machine. */
+export const PATIENCE = { timeout: 60_000 };
+
+/** The program has come to its end, without an error, and the robot is where it is in the course's recording. */
+export async function ends(app: App, folder: string): Promise<void> {
+  await expect.poll(() => consoleIn(app), PATIENCE).toContain('The program has ended.');
+  const [, x = NaN, y = NaN] = (read(`${folder}/expected.csv`).trim().split('\n').at(-1) ?? '').split(',').map(Number);
+  await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeLessThan(12);
+}
+
+/** From a place, in mm. */
+export const distance = ({ xMm, yMm }: Shown, [x, y]: Point): number => Math.hypot(xMm - x, yMm - y);

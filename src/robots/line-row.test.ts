@@ -1,0 +1,50 @@
+import type { Vec } from '#core/geometry';
+import { describe, expect, it } from 'vitest';
+import { mountLineRow } from './line-row';
+
+const PLACES = [
+  { name: 'left', atMm: { x: 40, y: 10 } },
+  { name: 'right', atMm: { x: 40, y: -10 } },
+] as const;
+const MEASURE = { spotRadiusMm: 2.5, black: 100, floor: 230 };
+
+/** A row over a floor that is black where y > 0, half black after `step`. */
+function mount(scale = 1) {
+  const asked: { spot: Vec; radiusMm: number }[] = [];
+  let leftSees = 0;
+  const ground = (spot: Vec, radiusMm: number): number => {
+    asked.push({ spot, radiusMm });
+    return spot.y > 0 ? leftSees : 1;
+  };
+  const row = mountLineRow({ ground, scale }, PLACES, MEASURE);
+  return { row, asked, see: (reflectance: number) => void (leftSees = reflectance) };
+}
+
+describe('a row of line sensors', () => {
+  it('reads 100 on black and 230 on bare floor, each sensor at its own place', () => {
+    const { row } = mount();
+    expect(row.states()).toEqual([
+      { ...PLACES[0], bright: false, reading: 100 },
+      { ...PLACES[1], bright: true, reading: 230 },
+    ]);
+  });
+
+  it('keeps what it saw until it looks again, then reads 165 half-way', () => {
+    const { row, see } = mount();
+    see(0.5);
+    expect(row.reading('left')).toBe(100);
+    row.sample();
+    expect(row.reading('left')).toBe(165);
+    expect(row.isBright('left')).toBe(false);
+    see(0.6);
+    row.sample();
+    expect(row.isBright('left')).toBe(true);
+  });
+
+  it('looks twice as far ahead, at spots twice as wide, on a robot of scale 2', () => {
+    expect(mount(2).asked).toEqual([
+      { spot: { x: 80, y: 20 }, radiusMm: 5 },
+      { spot: { x: 80, y: -20 }, radiusMm: 5 },
+    ]);
+  });
+});

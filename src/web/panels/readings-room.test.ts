@@ -1,0 +1,20 @@
+import { describe, expect, it } from 'vitest';
+
+import { readingsPx } from './readings-room';
+
+const foot = { distance: true, bumper: false };
+
+describe('the room for readings under the arena', () => {
+  it('of 413 px, beside a screen 1440 px wide, is enough for the five numbers of a Plus V2, not for the six of a Plus V1', () => {
+    expect(readingsPx({ ...foot, count: 5, digits: 3 })).toBeLessThan(413);
+    expect(readingsPx({ ...foot, count: 6, digits: 3 })).toBeGreaterThan(413);
+  });
+
+  it('is the same for one digit as for three: the numbers do not come and go as they change', () => {
+    expect(readingsPx({ ...foot, count: 2, digits: 1 })).toBe(readingsPx({ ...foot, count: 2, digits: 3 }));
+  });
+
+  it('counts the bumper of a Calli:bot', () => {
+    expect(readingsPx({ distance: true, bumper: true, count: 2, digits: 3 })).toBeCloseTo(369.8, 5);
+  });
+});

@@ -1,0 +1,18 @@
+/** What stands under the arena. */
+export interface ReadingsParts {
+  /** Number of line sensors, and digits of their longest reading. */
+  readonly count: number;
+  readonly digits: number;
+  /** Whether the robot measures a distance, and whether it carries a bumper. */
+  readonly distance: boolean;
+  readonly bumper: boolean;
+}
+
+/** Widths in CSS px, measured in the page with Liberation Sans (as wide as Arial) of 14 px, with the space around. */
+const WIDTHS = { distance: 123, line: 48, sensor: 24, digit: 7.8, bumper: 104 };
+
+/** How much room the readings need with the numbers of all line sensors, in CSS px. */
+export function readingsPx({ count, digits, distance, bumper }: ReadingsParts): number {
+  const line = count === 0 ? 0 : WIDTHS.line + count * (WIDTHS.sensor + WIDTHS.digit * Math.max(3, digits));
+  return (distance ? WIDTHS.distance : 0) + line + (bumper ? WIDTHS.bumper : 0);
+}
