@@ -23,10 +23,7 @@ export const newRobotBuild: RobotBuild = {
 };
 
 function attach({ board, chassis, ground, scale }: RobotContext): Robot {
-  const duty = { left: 0, right: 0 };
   const drive = (left: number, right: number): void => {
-    duty.left = left;
-    duty.right = right;
     chassis.setDuty(0, left);
     chassis.setDuty(1, right);
   };
@@ -45,7 +42,7 @@ function attach({ board, chassis, ground, scale }: RobotContext): Robot {
     lineSensors: [{ name: 'middle', atMm: LINE_AT, bright: line.isBright() }],
     servos: {},
     attachments: [],
-    duty: { ...duty },
+    duty: { left: chassis.duty(0), right: chassis.duty(1) },
     ultrasonic: null,
     bumper: null,
   });

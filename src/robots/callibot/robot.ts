@@ -125,22 +125,15 @@ function plugIn({ board }: RobotContext, { motors, lights, registers }: Controll
 }
 
 function createDrive({ chassis }: RobotContext) {
-  const duty = { left: 0, right: 0 };
-  const apply = (): void => {
-    chassis.setDuty(0, duty.left);
-    chassis.setDuty(1, duty.right);
+  const drive = (left: number, right: number): void => {
+    chassis.setDuty(0, left);
+    chassis.setDuty(1, right);
   };
   return {
-    set: (left: MotorBytes, right: MotorBytes): void => {
-      duty.left = signedDuty(left.direction, left.power);
-      duty.right = signedDuty(right.direction, right.power);
-      apply();
-    },
-    duty: () => ({ ...duty }),
-    stop: (): void => {
-      duty.left = duty.right = 0;
-      apply();
-    },
+    set: (left: MotorBytes, right: MotorBytes): void =>
+      drive(signedDuty(left.direction, left.power), signedDuty(right.direction, right.power)),
+    duty: () => ({ left: chassis.duty(0), right: chassis.duty(1) }),
+    stop: (): void => drive(0, 0),
   };
 }
 

@@ -44,10 +44,7 @@ function attach(context: RobotContext): Robot {
   const { board, chassis, clock, scale } = context;
   const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
   const servos = attachServoPorts(SERVO_PORTS, context.options, mount);
-  const duty = { left: 0, right: 0 };
   const drive = (left: number, right: number): void => {
-    duty.left = left;
-    duty.right = right;
     chassis.setDuty(0, left);
     chassis.setDuty(1, right);
   };
@@ -84,7 +81,7 @@ function attach(context: RobotContext): Robot {
     ],
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: { ...duty },
+    duty: { left: chassis.duty(0), right: chassis.duty(1) },
     ultrasonic: sonar.state(),
     bumper: null,
   });

@@ -63,10 +63,7 @@ function attach(context: RobotContext): Robot {
   const { board, chassis, clock, options } = context;
   const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale: context.scale };
   const servos = attachServoPorts(SERVO_PORTS, options, mount);
-  const duty = { left: 0, right: 0 };
   const drive = (left: number, right: number): void => {
-    duty.left = left;
-    duty.right = right;
     chassis.setDuty(0, left);
     chassis.setDuty(1, right);
   };
@@ -104,7 +101,7 @@ function attach(context: RobotContext): Robot {
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: { ...duty },
+    duty: { left: chassis.duty(0), right: chassis.duty(1) },
     ultrasonic: sonar.state(),
     bumper: null,
   });
