@@ -54,7 +54,7 @@ test('a claw that is chosen is seen at once, and closes and opens as the program
   await choose(app, 'P1', 'claw');
   await app.press('Escape');
   await gone(app, by('option-P1'));
-  await expect.poll(async () => (await paintAhead(app)).length).toBeGreaterThan(50);
+  await expect.poll(async () => (await paintAhead(app)).length).toBeGreaterThan(20);
 
   /** From the outer edge of one jaw to that of the other, in mm. */
   const width = async (): Promise<number> => {

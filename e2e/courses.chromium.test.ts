@@ -71,12 +71,13 @@ test('the obstacles: the robot finds its way past them', async ({ app }) => {
   await drive(app, 'obstacles', 'Maqueen Lite');
   const blocks: readonly Point[] = sceneOf('obstacles').objects.flatMap((it) => ('at' in it ? [it.at] : []));
   const places: readonly Point[] = [
-    [200, 590],
-    [550, 550],
-    [780, 440],
+    [150, 600],
+    [500, 600],
+    [980, 570],
+    [1250, 370],
   ];
-  await comesBy(app, places, 130, (at) => {
-    for (const block of blocks) expect(distance(at, block)).toBeGreaterThan(80);
+  await comesBy(app, places, 160, (at) => {
+    for (const block of blocks) expect(distance(at, block)).toBeGreaterThan(70);
   });
 });
 

@@ -8,6 +8,9 @@ const gone = (app: App, css: string): Promise<void> => expect.poll(() => isThere
 const isAt = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.activeElement?.matches(selector) === true, css);
 
+/** What the arena calls the robot; shown, a long name may be cut off. */
+const robotName = (app: App): Promise<string | null> => attribute(app, '.pane-arena .robot .name', 'title');
+
 /** Goes on with Tab until the keyboard is at an element. */
 async function tabTo(app: App, css: string): Promise<void> {
   for (let press = 0; press < 60 && !(await isAt(app, css)); press += 1) await app.press('Tab');
@@ -43,7 +46,7 @@ test('the gallery opens by keyboard, a page tells of its robot, Escape leads bac
   await tabTo(app, by('gallery'));
   await app.press('Enter');
   await until(app, by('card-callibot'));
-  expect(await app.text('.gallery h2')).toBe('Robot gallery');
+  await expect.poll(() => app.text('.gallery h2')).toBe('Robot gallery'); // it fades in
   await tabTo(app, `${by('card-callibot')} a`);
   await app.press('Enter');
   await until(app, '.gallery .sheet');
@@ -69,7 +72,7 @@ test('a link leads to a robot’s page; its example opens with the robot and its
   await gone(app, '.gallery');
   await expect.poll(() => programIn(app)).toContain('from callibot import');
   expect(await programIn(app)).toContain('# First drive'); // in the language of the page
-  await expect.poll(() => app.text('.pane-arena .pane-head')).toContain('Calli:bot');
+  await expect.poll(() => robotName(app)).toBe('Calli:bot');
   await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
   expect(await isThere(app, by('misplugged'))).toBe(false);
   await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
@@ -91,7 +94,7 @@ test('a robot and its attachment are chosen by hand; a change ends the run and s
   await openDevice(app);
   await app.click(by('robot-maqueen-plus-v2'));
   await until(app, by('option-P1'));
-  await expect.poll(() => app.text('.pane-arena .pane-head')).toContain('Maqueen Plus V2');
+  await expect.poll(() => robotName(app)).toBe('Maqueen Plus V2');
   await app.press('Escape');
   await gone(app, by('option-P1'));
 
@@ -126,7 +129,7 @@ test('on the wrong board the robot hears nothing: one sentence says what is plug
   await app.click(`.pane-arena ${by('plug-in')}`);
   await gone(app, by('misplugged'));
   await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
-  await expect.poll(() => app.text('.pane-arena .pane-head')).toContain('Calli:bot');
+  await expect.poll(() => robotName(app)).toBe('Calli:bot');
 
   // Where the arena is out of sight, the page says it when the program starts.
   await app.evaluate(

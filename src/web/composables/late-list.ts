@@ -8,17 +8,8 @@ export interface LateList {
 }
 
 export function lateList(load: () => Promise<{ default: Component }>): LateList {
-  // Asked for once: WebKit leaves a menu empty whose file was asked for again while it was on its way.
-  let coming: Promise<{ default: Component }> | null = null;
-  const once = (): Promise<{ default: Component }> => {
-    coming ??= load().catch((problem: unknown) => {
-      coming = null; // without a connection the open menu asks again
-      throw problem;
-    });
-    return coming;
-  };
   const fetch = (): void => {
-    once().catch(() => undefined);
+    load().catch(() => undefined); // without a connection the open menu asks again
   };
-  return { List: defineAsyncComponent(once), soon: { pointerenter: fetch, focus: fetch } };
+  return { List: defineAsyncComponent(load), soon: { pointerenter: fetch, focus: fetch } };
 }
