@@ -73,8 +73,10 @@ export class WebKitSession {
     await this.command('POST', `/element/${element}/value`, { text });
   }
 
+  /** As Playwright reads it; the driver's own reading leaves out what ends in an ellipsis. */
   async text(css: string): Promise<string> {
-    return (await this.command('GET', `/element/${await this.find(css)}/text`)) as string;
+    await this.find(css);
+    return this.evaluate((selector) => document.querySelector<HTMLElement>(selector)?.innerText.trim() ?? '', css);
   }
 
   /** Presses keys together: characters, or WebDriver's code points for named keys. */
