@@ -4,12 +4,9 @@ import { expect, test, type App } from './app';
 import { distance, drive, ends, sceneOf } from './course';
 import { runInNode } from './in-node';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram } from './page';
+import { by, choose, gone, until } from './parts';
 import { parseScene } from '../src/scene/parse';
 import { defaultScene } from '../src/scene/scene';
-
-const by = (id: string): string => `[data-testid="${id}"]`;
-const until = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(true);
-const gone = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(false);
 
 /** Goes to an element as the keyboard would, and presses Enter there. */
 async function enter(app: App, css: string): Promise<void> {
@@ -25,18 +22,6 @@ async function take(app: App, name: string): Promise<void> {
   expect(await isAt(), `${name} under the keyboard`).toBe(true);
   await app.press('Enter');
 }
-
-/** As a hand at a select: the browsers' own lists are no part of the page. */
-const choose = (app: App, option: string, value: string): Promise<void> =>
-  app.evaluate(
-    (wish) => {
-      const select = document.querySelector<HTMLSelectElement>(wish.css);
-      if (select === null) throw new Error(`There is no ${wish.css}.`);
-      select.value = wish.value;
-      select.dispatchEvent(new Event('change', { bubbles: true }));
-    },
-    { css: by(`option-${option}`), value },
-  );
 
 /** What is painted ahead of the robot's body, where a claw is: x ahead of the axle, y to the left, in mm. */
 async function paintAhead(app: App) {

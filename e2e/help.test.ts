@@ -41,3 +41,19 @@ test('the word at the cursor is explained by a key, and Escape closes the card',
   await app.press('Escape');
   await expect.poll(() => seen(app, '.cm-helpCard')).toBeNull();
 });
+
+test('suggestions still on their way do not open over the page once the pupil has left the program', async ({
+  app,
+}) => {
+  await openApp(app);
+  await app.click('.code-editor .cm-scroller');
+  // From the letter on 15 ms, which is shorter than the editor waits for the next one.
+  await app.evaluate(() => {
+    addEventListener('input', () => setTimeout(() => (document.activeElement as HTMLElement).blur(), 15), {
+      once: true,
+    });
+  });
+  await app.type('d');
+  await app.evaluate(() => new Promise((resolve) => setTimeout(resolve, 800)));
+  expect(await labels(app)).toEqual([]);
+});

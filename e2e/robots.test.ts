@@ -1,10 +1,8 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn } from './page';
+import { by, choose, gone, until } from './parts';
 
-const by = (id: string): string => `[data-testid="${id}"]`;
-const until = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(true);
-const gone = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(false);
 const isAt = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => document.activeElement?.matches(selector) === true, css);
 
@@ -22,17 +20,6 @@ async function openDevice(app: App): Promise<void> {
   await until(app, by('robot-auto'));
 }
 
-/** As a hand at a select: the browsers' own lists are no part of the page. */
-const choose = (app: App, option: string, value: string): Promise<void> =>
-  app.evaluate(
-    (wish) => {
-      const select = document.querySelector<HTMLSelectElement>(wish.css);
-      if (select === null) throw new Error(`There is no ${wish.css}.`);
-      select.value = wish.value;
-      select.dispatchEvent(new Event('change', { bubbles: true }));
-    },
-    { css: by(`option-${option}`), value },
-  );
 const chosen = (app: App, option: string): Promise<string | null> =>
   app.evaluate((css) => document.querySelector<HTMLSelectElement>(css)?.value ?? null, by(`option-${option}`));
 

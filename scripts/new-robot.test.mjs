@@ -16,7 +16,8 @@ beforeEach(async () => {
   await mkdir('.cache', { recursive: true });
   place = join(await mkdtemp('.cache/new-robot-'), 'robots');
   await mkdir(place);
-  await cp(join(ROBOTS, 'maqueen-lite'), join(place, 'maqueen-lite'), { recursive: true });
+  for (const shared of ['maqueen-lite', 'robot.ts', 'mounting.ts', 'testing'])
+    await cp(join(ROBOTS, shared), join(place, shared), { recursive: true });
   await renewLists(place, { write: true });
 });
 
@@ -86,8 +87,6 @@ describe('npm run new:robot', () => {
 
   it('makes a folder without a mistake of type: the checker finds only the one put in here', async () => {
     await makeRobot('tank', place);
-    for (const shared of ['robot.ts', 'testing'])
-      await cp(join(ROBOTS, shared), join(place, shared), { recursive: true });
     await writeFile(join(place, 'tank/wrong.ts'), "export const wrong: number = '1';\n");
     expect(await mistakesOfType('tank')).toEqual([expect.stringContaining('tank/wrong.ts(1,14): error TS2322')]);
   });

@@ -8,6 +8,7 @@ import type { Vec } from '#core/geometry';
 import { signedDuty } from '#devices/dc-motor';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
+import { mountMotors } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { CONTROLLER_ADDRESS, createController } from './controller';
 import library from './library/new_robot.py?raw';
@@ -23,18 +24,15 @@ export const newRobotBuild: RobotBuild = {
 };
 
 function attach({ board, chassis, ground, scale }: RobotContext): Robot {
-  const drive = (left: number, right: number): void => {
-    chassis.setDuty(0, left);
-    chassis.setDuty(1, right);
-  };
+  const motors = mountMotors(chassis);
   const controller = createController(([dirL, speedL, dirR, speedR]) =>
-    drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
+    motors.drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
   );
   const led = ledOn(board.wire('P8'));
   const line = attachLineSensor(board.wire('P13'), () =>
     ground({ x: LINE_AT.x * scale, y: LINE_AT.y * scale }, LINE_SPOT_RADIUS_MM * scale),
   );
-  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), line.stop, () => drive(0, 0)];
+  const stops = [board.i2c.attach(CONTROLLER_ADDRESS, controller), line.stop, motors.stop];
 
   const state = (): RobotState => ({
     leds: { left: led.isLit(), right: 0 }, // its only light
@@ -42,7 +40,7 @@ function attach({ board, chassis, ground, scale }: RobotContext): Robot {
     lineSensors: [{ name: 'middle', atMm: LINE_AT, bright: line.isBright() }],
     servos: {},
     attachments: [],
-    duty: { left: chassis.duty(0), right: chassis.duty(1) },
+    duty: motors.duty(),
     ultrasonic: null,
     bumper: null,
   });

@@ -1,7 +1,7 @@
 import { closeSync, existsSync, openSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
-import { chooseHardware, isMisplugged } from '#simulation/hardware';
+import { chooseHardware, isMisplugged, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, type Report } from './report';
@@ -19,7 +19,9 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const unfit = options.strict ? await strictFailure(read, options, terminal) : null;
+  const chosen = chooseHardware({ ...options, ...read });
+  const hardware = 'problem' in chosen ? null : chosen; // a problem the run itself will tell
+  const unfit = options.strict && hardware ? await strictFailure(read, hardware, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, ''));
     return exitCodeOf(unfit.ended);
@@ -29,7 +31,7 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
   const { robot, board, firmware, seed, reality, robotOptions } = options;
-  tellMisplugged(read, options, terminal);
+  if (hardware) tellMisplugged(hardware, terminal);
   const outcome = await supervise(
     {
       setup: { ...read, robot, board, firmware, seed, reality, robotOptions, keepTrace: trace !== null },
@@ -64,9 +66,12 @@ function refuse(problem: string, terminal: Terminal): 2 {
  *
  * @returns what to report in place of a run, or `null` when the program can run
  */
-async function strictFailure(read: RunFiles, options: RunOptions, terminal: Terminal): Promise<Report | null> {
-  const hardware = chooseHardware({ ...options, ...read });
-  if ('problem' in hardware) return null; // the run will say so
+async function strictFailure(
+  read: RunFiles,
+  hardware: Hardware,
+  options: RunOptions,
+  terminal: Terminal,
+): Promise<Report | null> {
   const { strictReport } = await import('./strict');
   const { text, count, first } = strictReport(read.files, hardware.board.name, hardware.firmware, options.lang);
   if (text !== '') terminal.message(text.trimEnd());
@@ -76,12 +81,12 @@ async function strictFailure(read: RunFiles, options: RunOptions, terminal: Term
 }
 
 /** A robot on a board that it does not fit answers to nothing: the program will meet the device's error, and this says why. */
-function tellMisplugged(read: RunFiles, options: RunOptions, terminal: Terminal): void {
-  const hardware = chooseHardware({ ...options, ...read });
-  if ('problem' in hardware || hardware.robot === null || !isMisplugged(hardware)) return;
-  const fitting = findBoard(hardware.robot.board);
+function tellMisplugged(hardware: Hardware, terminal: Terminal): void {
+  const { board, robot } = hardware;
+  if (robot === null || !isMisplugged(hardware)) return;
+  const fitting = findBoard(robot.board);
   terminal.message(
-    `parcours: the ${hardware.robot.name} is made for the ${fitting?.name ?? ''}, but here a ${hardware.board.name} is plugged in: nothing of the robot is connected. Choose --board ${hardware.robot.board}, or another --robot.`,
+    `parcours: the ${robot.name} is made for the ${fitting?.name ?? ''}, but here a ${board.name} is plugged in: nothing of the robot is connected. Choose --board ${robot.board}, or another --robot.`,
   );
 }
 

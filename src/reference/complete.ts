@@ -74,7 +74,7 @@ function importOffers({ reader, before }: Place): Offer[] {
   if (before[0]?.text === 'import') return last?.text === 'as' ? [] : offersOfWords('as');
   if (place < 0) return last?.text === '.' ? [] : offersOfWords('import');
   if (last?.text !== 'import' && last?.text !== ',' && last?.text !== '(')
-    return last?.text === 'as' ? [] : offersOfWords('as');
+    return last?.text === 'as' || last?.text === '*' ? [] : offersOfWords('as'); // a star takes no other name
   const module = before.slice(1, place).map((token) => token.text);
   const names = reader.module(module.join(''))?.names();
   return names === undefined ? [] : offersOf(names, 2);

@@ -37,6 +37,14 @@ function everyEntry(names: Names, path: string): [path: string, entry: Entry][] 
   ]);
 }
 
+describeThing('suggestions in an import', () => {
+  it('give another name to a module and to what comes out of it, but not to the star', () => {
+    expect(offered('import music ¦')).toEqual(['as']);
+    expect(offered('from music import play ¦')).toEqual(['as']);
+    expect(offered('from microbit import *¦')).toEqual([]);
+  });
+});
+
 describeThing('the words of the reference', () => {
   const needed = allTextKeys();
 

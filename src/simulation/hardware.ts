@@ -69,11 +69,9 @@ export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>
  * @param files of the program; a module that is one of them is the pupil's own
  */
 export function robotMeant(files: Readonly<Record<string, string>>, robot: RobotType | null): RobotType | null {
-  const imported = Object.values(files)
-    .flatMap(importedModules)
-    .filter((name) => !(`${name}.py` in files));
-  const isFor = ({ modules }: RobotType): boolean => modules.some((name) => imported.includes(name));
-  return robot !== null && isFor(robot) ? null : (robotTypes.find(isFor) ?? null);
+  const names = Object.values(files).flatMap(importedModules);
+  const imported = new Set(names.filter((name) => !(`${name}.py` in files)));
+  return robot !== null && isFor(robot, imported) ? null : (robotTypes.find((type) => isFor(type, imported)) ?? null);
 }
 
 /** A course made for another robot may name options that this one does not have: they say nothing about it. */
@@ -114,14 +112,18 @@ function boardByImports(imported: ReadonlySet<string>): BoardType | null {
   return boardTypes.find((type) => type.modules.some((name) => imported.has(name))) ?? null;
 }
 
+/** Whether one of the robot's modules is imported. */
+const isFor = ({ modules }: RobotType, imported: ReadonlySet<string>): boolean =>
+  modules.some((name) => imported.has(name));
+
 /**
- * The first robot one of whose modules is imported, or a driver by others under one of its usual names; when none is, the first that carries the board, if that was
- * named, or of all.
+ * The first robot one of whose modules is imported, or a driver by others under one of its usual names; when none is,
+ * the first that carries the board, if that was named, or of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
   const driverNames = new Set(Array.from(imported, (name) => name.toLowerCase().replaceAll('_', '')));
   const byImport =
-    robotTypes.find(({ modules }) => modules.some((name) => imported.has(name))) ??
+    robotTypes.find((type) => isFor(type, imported)) ??
     robotTypes.find((type) => type.driverNames?.some((name) => driverNames.has(name)));
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }

@@ -9,13 +9,13 @@
  *      0x22  the same by registers, and line sensors in mV, encoders, supply voltage, type
  *      0x23 … 0x27  answer, do nothing
  */
-import { attachServoPorts } from '#attachments/servo-ports';
 import type { Vec } from '#core/geometry';
 import { signedDuty } from '#devices/dc-motor';
 import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import { createRegisterMachine } from '#devices/i2c-registers';
 import type { Rgb } from '#devices/ws2812';
 import { mountLineRow, type LinePlace } from '../line-row';
+import { mountMotors, mountServos } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { createBumper } from './bumper';
@@ -27,7 +27,6 @@ import {
   SILENT_ADDRESSES,
   type Controller,
   type Model,
-  type MotorBytes,
   type Side,
 } from './controller';
 import callibotPy from './library/callibot.py?raw';
@@ -58,20 +57,20 @@ export const callibotBuild: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { chassis, options, scale } = context;
+  const { chassis, options } = context;
   const model = modelOf(options['model']);
-  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
-  const servos = attachServoPorts(SERVO_PORTS, options, mount);
+  const servos = mountServos(context, type, SERVO_PORTS);
   const bumper = createBumper(context, fittingOf(context, model));
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...LINE_MV });
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const rgb: Rgb[] = Array.from({ length: COLOR_LIGHTS }, () => [0, 0, 0]);
-  const drive = createDrive(context);
+  const motors = mountMotors(chassis);
 
   const controller = createController(
     {
-      motors: drive.set,
+      motors: (left, right) =>
+        motors.drive(signedDuty(left.direction, left.power), signedDuty(right.direction, right.power)),
       servo: (port, angleDeg) => servos.set(port, angleDeg),
       redLight: (side, isLit) => void (leds[side] = isLit ? 1 : 0),
       colorLight: (index, color) => void (rgb[index] = color),
@@ -84,7 +83,7 @@ function attach(context: RobotContext): Robot {
     },
     model,
   );
-  const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), drive.stop];
+  const stops = [...plugIn(context, controller), servos.stop, () => bumper.stop(), motors.stop];
 
   const state = (): RobotState => ({
     leds: { ...leds },
@@ -92,7 +91,7 @@ function attach(context: RobotContext): Robot {
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: drive.duty(),
+    duty: motors.duty(),
     ultrasonic: sonar.state(),
     bumper: bumper.state(),
   });
@@ -122,19 +121,6 @@ function plugIn({ board }: RobotContext, { motors, lights, registers }: Controll
   if (registers === null) return stops;
   const silent = SILENT_ADDRESSES.map((address) => board.i2c.attach(address, createRegisterMachine([])));
   return [...stops, board.i2c.attach(REGISTERS_ADDRESS, registers), ...silent];
-}
-
-function createDrive({ chassis }: RobotContext) {
-  const drive = (left: number, right: number): void => {
-    chassis.setDuty(0, left);
-    chassis.setDuty(1, right);
-  };
-  return {
-    set: (left: MotorBytes, right: MotorBytes): void =>
-      drive(signedDuty(left.direction, left.power), signedDuty(right.direction, right.power)),
-    duty: () => ({ left: chassis.duty(0), right: chassis.duty(1) }),
-    stop: (): void => drive(0, 0),
-  };
 }
 
 /** Whole millimetres. Nothing in range: no source tells what the robot gives; chosen as an option, the far end or 0. */

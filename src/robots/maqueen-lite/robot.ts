@@ -15,7 +15,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
-import { attachServoPorts } from '#attachments/servo-ports';
+import { mountMotors, mountServos } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
@@ -42,14 +42,11 @@ export const maqueenLiteBuild: RobotBuild = {
 
 function attach(context: RobotContext): Robot {
   const { board, chassis, clock, scale } = context;
-  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
-  const servos = attachServoPorts(SERVO_PORTS, context.options, mount);
-  const drive = (left: number, right: number): void => {
-    chassis.setDuty(0, left);
-    chassis.setDuty(1, right);
-  };
+  const servos = mountServos(context, type, SERVO_PORTS);
+  const motors = mountMotors(chassis);
   const controller = createController({
-    motors: (left, right) => drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
+    motors: (left, right) =>
+      motors.drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
     servo: (port, angleDeg) => servos.set(port, angleDeg),
   });
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
@@ -69,7 +66,7 @@ function attach(context: RobotContext): Robot {
     attachIrReceiver(board.wire('P16')),
     underglow.stop,
     servos.stop,
-    () => drive(0, 0),
+    motors.stop,
   ];
 
   const state = (): RobotState => ({
@@ -81,7 +78,7 @@ function attach(context: RobotContext): Robot {
     ],
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: { left: chassis.duty(0), right: chassis.duty(1) },
+    duty: motors.duty(),
     ultrasonic: sonar.state(),
     bumper: null,
   });

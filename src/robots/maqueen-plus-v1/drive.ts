@@ -30,19 +30,14 @@ export interface Drive {
 export function createDrive(chassis: Chassis, scale: number): Drive {
   const controls = [createSpeedControl(), createSpeedControl()] as const;
   const wanted: [number, number] = [0, 0];
-  const duty: [number, number] = [0, 0];
   const turnRad: [number, number] = [0, 0];
   const lastRad: [number, number] = [chassis.wheelTurnRad(0), chassis.wheelTurnRad(1)];
   let isControlled = false;
 
-  const set = (side: Side, value: number): void => {
-    duty[side] = value;
-    chassis.setDuty(side, value);
-  };
   const setBoth = (left: number, right: number): void => {
     wanted[0] = left;
     wanted[1] = right;
-    for (const side of SIDES) if (!isControlled || wanted[side] === 0) set(side, wanted[side]);
+    for (const side of SIDES) if (!isControlled || wanted[side] === 0) chassis.setDuty(side, wanted[side]);
   };
   return {
     motors: setBoth,
@@ -56,13 +51,14 @@ export function createDrive(chassis: Chassis, scale: number): Drive {
     clearPulses: (side) => {
       turnRad[side] = 0;
     },
-    duty: () => ({ left: duty[0], right: duty[1] }),
+    duty: () => ({ left: chassis.duty(0), right: chassis.duty(1) }),
     step: (passedS) => {
       for (const side of SIDES) {
         const now = chassis.wheelTurnRad(side);
         turnRad[side] += Math.abs(now - lastRad[side]);
         lastRad[side] = now;
-        if (isControlled) set(side, controls[side].next(wanted[side], chassis.wheelSpeedMmPerS(side) / scale, passedS));
+        if (isControlled)
+          chassis.setDuty(side, controls[side].next(wanted[side], chassis.wheelSpeedMmPerS(side) / scale, passedS));
       }
     },
     stop: () => {

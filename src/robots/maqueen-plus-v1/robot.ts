@@ -6,12 +6,12 @@
  *      P1  ultrasonic trigger              line sensors, version
  *      P2  ultrasonic echo
  */
-import { attachServoPorts } from '#attachments/servo-ports';
 import type { Vec } from '#core/geometry';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import type { Rgb } from '#devices/ws2812';
 import { STEP_US } from '#world/world';
 import { mountLineRow, type LinePlace } from '../line-row';
+import { mountServos } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
@@ -48,9 +48,8 @@ export const maqueenPlusV1Build: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, chassis, clock, options, scale } = context;
-  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale };
-  const servos = attachServoPorts(SERVO_PORTS, options, mount);
+  const { board, chassis, clock, scale } = context;
+  const servos = mountServos(context, type, SERVO_PORTS);
   const drive = createDrive(chassis, scale);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
   let lights: readonly [Rgb, Rgb] = [

@@ -7,7 +7,6 @@
  *      P2  servo               P15  four RGB LEDs
  *                              P16  infrared receiver
  */
-import { attachServoPorts } from '#attachments/servo-ports';
 import type { Wire } from '#board/wire';
 import type { Vec } from '#core/geometry';
 import type { Stop } from '#core/stop';
@@ -16,6 +15,7 @@ import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
+import { mountMotors, mountServos } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
@@ -61,18 +61,14 @@ export const maqueenPlusV2Build: RobotBuild = {
 
 function attach(context: RobotContext): Robot {
   const { board, chassis, clock, options } = context;
-  const mount = type.mountMm && { chassis, mountMm: type.mountMm, scale: context.scale };
-  const servos = attachServoPorts(SERVO_PORTS, options, mount);
-  const drive = (left: number, right: number): void => {
-    chassis.setDuty(0, left);
-    chassis.setDuty(1, right);
-  };
+  const servos = mountServos(context, type, SERVO_PORTS);
+  const motors = mountMotors(chassis);
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const brightness = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...brightness });
   const controller = createController(
     {
-      motors: (dirL, speedL, dirR, speedR) => drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
+      motors: (dirL, speedL, dirR, speedR) => motors.drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
       leds: (left, right) => Object.assign(leds, { left, right }),
       isBright: line.isBright,
       brightness: line.reading,
@@ -93,7 +89,7 @@ function attach(context: RobotContext): Robot {
     attachIrReceiver(board.wire('P16')),
     underglow.stop,
     servos.stop,
-    () => drive(0, 0),
+    motors.stop,
   ];
   const state = (): RobotState => ({
     leds: { ...leds },
@@ -101,7 +97,7 @@ function attach(context: RobotContext): Robot {
     lineSensors: line.states(),
     servos: servos.servos(),
     attachments: servos.attachments(),
-    duty: { left: chassis.duty(0), right: chassis.duty(1) },
+    duty: motors.duty(),
     ultrasonic: sonar.state(),
     bumper: null,
   });

@@ -128,8 +128,14 @@ function intoSight(middles: readonly Vec[], width: number, sight: PxBox): Vec {
 }
 
 /** Where the labels and spots are drawn, in px. */
-export function spotsBoxes(view: View, pose: Pose, scale: number, spots: readonly SensorSpot[], row: LabelRow) {
-  const boxes: PxBox[] = spotLabels(view, pose, scale, row, spots).map(({ at, width }) => boxAround(at, width));
+export function spotsBoxes(
+  view: View,
+  pose: Pose,
+  scale: number,
+  spots: readonly SensorSpot[],
+  labels: readonly SpotLabel[],
+): PxBox[] {
+  const boxes = labels.map(({ at, width }) => boxAround(at, width));
   for (const { atMm } of spots)
     boxes.push(boxAround(spotPx(view, pose, scale, atMm), WINDOW_MM * scale * view.pxPerMm + LEAST_WINDOW_PX));
   return boxes;
@@ -147,7 +153,7 @@ export function drawSpots(
   pose: Pose,
   scale: number,
   spots: readonly SensorSpot[],
-  row: LabelRow,
+  labels: readonly SpotLabel[],
   palette: Palette,
 ): void {
   const windowPx = Math.max(LEAST_WINDOW_PX, WINDOW_MM * scale * view.pxPerMm);
@@ -164,7 +170,6 @@ export function drawSpots(
     disc(context, at, spotRadius + 2.2, bright ? palette.pill : '#ffffff');
     disc(context, at, spotRadius, bright ? '#8fd0ff' : '#17191c');
   }
-  const labels = spotLabels(view, pose, scale, row, spots);
   for (const label of labels) drawLeader(context, label, spotRadius + 2.2, palette);
   for (const label of labels) drawLabel(context, label, palette);
 }

@@ -10,7 +10,7 @@ import type { ArenaOptions, ArenaRobot, RobotLook } from './arena-model';
 import { centreBox, drawCentre } from './draw-centre';
 import { attachmentFrontMm } from './draw-attachments';
 import { sightPx } from './draw-floor';
-import { drawSpots, spotsBoxes, type LabelRow } from './draw-spots';
+import { drawSpots, spotLabels, spotsBoxes, type LabelRow } from './draw-spots';
 import { createTrailLayer, drawTail } from './draw-trail';
 import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
@@ -86,6 +86,7 @@ export function createOverlays(): Overlays {
       const hitMm = options.cone ? robot.now.state.ultrasonic?.hitMm : null;
       const hit = hitMm ? toPx(view, hitMm) : null;
       const row: LabelRow = { ...lengthOf(robot), sight: sightPx(view, parts.arena, canvas), hit };
+      const labels = spotLabels(view, pose, robot.scale, row, spots);
       const chains = parts.lights.map(({ form, colors }) => ({
         ...placeOf(form, colors.length, robot),
         colors,
@@ -95,7 +96,7 @@ export function createOverlays(): Overlays {
         boxes: [
           ...(tail.length === 0 ? [] : [unionOf(tail.map((point) => boxAround(point, 4)))]),
           ...(centre === null ? [] : [centreBox(centre, pose, view)]),
-          ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, row)),
+          ...(spots.length === 0 ? [] : spotsBoxes(view, pose, robot.scale, spots, labels)),
           ...chains.map(({ atMm, reachMm }) => boxAround(toPx(view, atMm), reachMm * view.pxPerMm)),
         ],
         under: (context) => drawTail(context, tail, palette),
@@ -104,7 +105,7 @@ export function createOverlays(): Overlays {
             const board = boards.at(form, colors.length, unitMm * view.pxPerMm * parts.ratio);
             drawChain(context, view, pose, atMm, unitMm, board, colors);
           }
-          if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, row, palette);
+          if (spots.length > 0) drawSpots(context, view, pose, robot.scale, spots, labels, palette);
           if (centre !== null) drawCentre(context, view, centre, pose, canvas, palette);
         },
       };

@@ -11,7 +11,7 @@ import {
   type CompletionResult,
 } from '@codemirror/autocomplete';
 import { EditorState, Prec, type Extension } from '@codemirror/state';
-import { keymap, type Command, type EditorView, type Rect } from '@codemirror/view';
+import { EditorView, keymap, type Command, type Rect } from '@codemirror/view';
 
 import { parametersOf } from '#reference/arguments';
 import { complete, type Offer } from '#reference/complete';
@@ -37,9 +37,15 @@ const SIGNS: Readonly<Record<Item['kind'], string>> = {
 
 /** Suggestions while typing: Enter, Tab or a tap takes one, Escape closes, Ctrl+Space asks for them. */
 export function completion(context: () => ReferenceContext, words: Words): Extension {
+  /** Where the pupil asked for suggestions: there everything is offered, elsewhere only what a word has begun with. */
+  let askedAt = -1;
+  const ask: Command = (view) => {
+    askedAt = view.state.selection.main.head;
+    return startCompletion(view);
+  };
   return [
     autocompletion({
-      override: [(at) => suggest(at, context(), words)],
+      override: [(at) => suggest(at, at.explicit && at.pos === askedAt, context(), words)],
       icons: false,
       defaultKeymap: false,
       maxRenderedOptions: 60,
@@ -51,21 +57,34 @@ export function completion(context: () => ReferenceContext, words: Words): Exten
       compareCompletions: (a, b) => ((a.sortText ?? '') < (b.sortText ?? '') ? -1 : 1),
     }),
     EditorState.phrases.of({ Completions: t('help.suggestions') }),
-    Prec.highest(keymap.of(keys)),
+    Prec.highest(
+      keymap.of([{ key: 'Ctrl-Space', run: ask }, { mac: 'Alt-`', run: ask }, { mac: 'Alt-i', run: ask }, ...keys]),
+    ),
+    EditorView.domEventHandlers({ blur: (_event, view) => dropPending(view) }),
   ];
 }
 
-function suggest(at: CompletionContext, context: ReferenceContext, words: Words): CompletionResult | null {
+/** A list asked for by the last letter must not open over the page after the pupil has gone to Run: the library closes open lists only. */
+function dropPending(view: EditorView): void {
+  if (completionStatus(view.state) === 'pending') setTimeout(() => closeCompletion(view));
+}
+
+function suggest(
+  at: CompletionContext,
+  isAsked: boolean,
+  context: ReferenceContext,
+  words: Words,
+): CompletionResult | null {
   const source = at.state.doc.toString();
   const found = complete(source, at.pos, context);
   if (found === null) return null;
   const { from, items } = found;
   const typed = source.slice(from, at.pos);
   const before = source.slice(0, from);
-  if (!at.explicit && typed === '' && !/(\.|\bimport |\bfrom |['"])$/.test(before)) return null;
+  if (!isAsked && typed === '' && !/(\.|\bimport |\bfrom |['"])$/.test(before)) return null;
   // Nothing to suggest to someone who has written the only fitting name.
   const fitting = items.filter(({ item }) => item.label.startsWith(typed));
-  if (!at.explicit && fitting.length === 1 && fitting[0]?.item.label === typed) return null;
+  if (!isAsked && fitting.length === 1 && fitting[0]?.item.label === typed) return null;
   const inImport = /^[ \t]*(import|from)\b[^\n]*$/m.test(before.slice(before.lastIndexOf('\n') + 1));
   return { from, options: items.map((offer, place) => optionOf(offer, place, inImport, words)) };
 }
@@ -161,9 +180,6 @@ export function suggestLate(view: EditorView): void {
 }
 
 const keys = [
-  { key: 'Ctrl-Space', run: startCompletion },
-  { mac: 'Alt-`', run: startCompletion },
-  { mac: 'Alt-i', run: startCompletion },
   { key: 'Escape', run: closeShown },
   { key: 'ArrowDown', run: moveCompletionSelection(true) },
   { key: 'ArrowUp', run: moveCompletionSelection(false) },
