@@ -1,95 +1,40 @@
-import type { Vec } from '#core/geometry';
 import { exactCos, exactSin } from '#core/exact-math';
+import type { Vec } from '#core/geometry';
+import { movedOutline, overlapMm, solidOutline, type Outline } from './outline';
 import type { SceneProblem } from './problem';
-import type { Block, RobotStart, Scene, SceneObject, Wall } from './scene';
-
-/** A convex outline in mm, counter-clockwise or clockwise. */
-export type Outline = readonly Vec[];
-
-/**
- * What every robot covers at least, in its own frame (x forward, y left, origin mid-axle): used where the robot type
- * is not known yet. Chosen: the Maqueen Lite's body without bumper corners, 2 mm smaller all around.
- */
-export const smallestFootprint: readonly Outline[] = [
-  [
-    { x: -20, y: -33 },
-    { x: 40, y: -33 },
-    { x: 40, y: 33 },
-    { x: -20, y: 33 },
-  ],
-];
+import type { RobotStart, Scene, SceneObject } from './scene';
 
 /** Bodies may overlap by so much without being called inside each other: the figures of a scene are whole mm. */
 const TOLERANCE_MM = 1;
 
 /**
- * What is wrong with where the robot starts: outside the arena, or inside a wall or block.
+ * What is wrong with where the robot starts: outside the arena, or inside something solid.
  *
- * @param footprint convex parts of the robot at scale 1, in its own frame
+ * @param footprint convex parts of the robot at scale 1, in its own frame (x forward, y left, origin mid-axle); empty: none
  */
-export function placementProblems(
-  scene: Scene,
-  footprint: readonly Outline[] = smallestFootprint,
-): readonly SceneProblem[] {
-  const parts = footprint.map((part) => placed(part, scene.robot));
+export function placementProblems(scene: Scene, footprint: readonly Outline[]): readonly SceneProblem[] {
+  const parts = robotOutlines(scene.robot, footprint);
   const outside = outsideProblem(scene, parts);
   if (outside) return [outside];
   for (const [index, object] of scene.objects.entries()) {
     const solid = solidOutline(object);
-    if (solid && parts.some((part) => overlap(part, solid) > TOLERANCE_MM))
+    if (solid && parts.some((part) => overlapMm(part, solid) > TOLERANCE_MM))
       return [insideProblem(scene.robot, object, index)];
   }
   return [];
 }
 
-/** The outline of what a robot bumps into, in world mm; `null` for what lies flat on the floor. */
-export function solidOutline(object: SceneObject): Outline | null {
-  switch (object.type) {
-    case 'wall':
-      return wallOutline(object);
-    case 'block':
-    case 'fixed-block':
-      return blockOutline(object);
-    case 'stroke':
-      return null;
-  }
-}
-
-function wallOutline({ from, to, thickness }: Wall): Outline {
-  const dx = to[0] - from[0];
-  const dy = to[1] - from[1];
-  const half = thickness / 2 / lengthOf(dx, dy);
-  const acrossX = -dy * half;
-  const acrossY = dx * half;
-  return [
-    { x: from[0] - acrossX, y: from[1] - acrossY },
-    { x: to[0] - acrossX, y: to[1] - acrossY },
-    { x: to[0] + acrossX, y: to[1] + acrossY },
-    { x: from[0] + acrossX, y: from[1] + acrossY },
-  ];
-}
-
-function blockOutline({ at, size, turn }: Block): Outline {
-  const x = size[0] / 2;
-  const y = size[1] / 2;
-  const corners = [
-    { x: -x, y: -y },
-    { x, y: -y },
-    { x, y },
-    { x: -x, y },
-  ];
-  return moved(corners, { x: at[0], y: at[1] }, (turn * Math.PI) / 4);
-}
-
-function placed(part: Outline, robot: RobotStart): Outline {
-  const scaled = part.map(({ x, y }) => ({ x: x * robot.scale, y: y * robot.scale }));
-  return moved(scaled, { x: robot.at[0], y: robot.at[1] }, (robot.heading * Math.PI) / 180);
-}
-
-function moved(outline: Outline, by: Vec, angleRad: number): Outline {
-  const cos = exactCos(angleRad);
-  const sin = exactSin(angleRad);
-  return outline.map(({ x, y }) => ({ x: by.x + x * cos - y * sin, y: by.y + x * sin + y * cos }));
+/** The parts of a robot as they stand at the start, in world mm. */
+export function robotOutlines(
+  { at, heading, scale }: Pick<RobotStart, 'at' | 'heading' | 'scale'>,
+  footprint: readonly Outline[],
+): readonly Outline[] {
+  const headingRad = (heading * Math.PI) / 180;
+  const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
+  return footprint.map((part) => {
+    const scaled = part.map(({ x, y }) => ({ x: x * scale, y: y * scale }));
+    return movedOutline(scaled, { x: at[0], y: at[1] }, direction);
+  });
 }
 
 function outsideProblem(scene: Scene, parts: readonly Outline[]): SceneProblem | null {
@@ -109,7 +54,7 @@ function outsideProblem(scene: Scene, parts: readonly Outline[]): SceneProblem |
 
 function insideProblem(robot: RobotStart, object: SceneObject, index: number): SceneProblem {
   const [x, y] = robot.at;
-  const kind = object.type === 'wall' ? 'wall' : 'block';
+  const kind = kindInWords(object);
   return {
     code: 'robot-inside',
     path: 'robot.at',
@@ -119,26 +64,7 @@ function insideProblem(robot: RobotStart, object: SceneObject, index: number): S
   };
 }
 
-/** How deep two convex outlines overlap in mm; 0 or less when some line parts them (separating axis theorem). */
-function overlap(a: Outline, b: Outline): number {
-  let depth = Infinity;
-  for (const outline of [a, b]) {
-    for (const [index, corner] of outline.entries()) {
-      const next = outline[(index + 1) % outline.length] ?? corner;
-      const length = lengthOf(next.x - corner.x, next.y - corner.y);
-      if (length === 0) continue;
-      const axis = { x: (corner.y - next.y) / length, y: (next.x - corner.x) / length };
-      const [minA, maxA] = extent(a, axis);
-      const [minB, maxB] = extent(b, axis);
-      depth = Math.min(depth, maxA - minB, maxB - minA);
-    }
-  }
-  return depth;
+function kindInWords({ type }: SceneObject): string {
+  if (type === 'fixed-block') return 'block';
+  return type === 'mover' ? 'moving block' : type;
 }
-
-function extent(outline: Outline, axis: Vec): readonly [number, number] {
-  const along = outline.map(({ x, y }) => x * axis.x + y * axis.y);
-  return [Math.min(...along), Math.max(...along)];
-}
-
-const lengthOf = (x: number, y: number): number => Math.sqrt(x * x + y * y);

@@ -55,6 +55,7 @@ export class Reader {
       return {};
     }
     for (const key of Object.keys(value)) {
+      if (this.isFull) break;
       if (known.includes(key)) continue;
       this.report(
         'unknown-property',
@@ -69,6 +70,7 @@ export class Reader {
     return value as Fields;
   }
 
+  /** A text of at most so many characters. */
   text(value: unknown, path: string, maxCharacters: number, ifMissing?: string): string {
     if (value === undefined && ifMissing !== undefined) return ifMissing;
     if (typeof value !== 'string') {
@@ -106,6 +108,14 @@ export class Reader {
     if (Number.isInteger(number)) return number;
     this.report('not-whole', path, value, `${shown(value)} must be a whole number.`);
     return range.min;
+  }
+
+  /** `true` or `false`. */
+  flag(value: unknown, path: string, ifMissing: boolean): boolean {
+    if (value === undefined) return ifMissing;
+    if (typeof value === 'boolean') return value;
+    this.wrongType(value, path, 'true or false');
+    return ifMissing;
   }
 
   /** A pair of whole numbers. */

@@ -40,12 +40,100 @@ export interface Stroke {
   readonly color: StrokeColor;
 }
 
-/** The colours a stroke may have; each is a CSS colour name as well. */
-export const strokeColors = ['black', 'gray', 'white'] as const;
+/** The colours a stroke may have; each is a CSS colour name as well. What a line sensor sees of them: `reflectance.ts`. */
+export const strokeColors = ['black', 'gray', 'white', 'red', 'yellow', 'green', 'blue'] as const;
 export type StrokeColor = (typeof strokeColors)[number];
 
+/**
+ * A marked field on the floor. It is seen by people and counted by the verdict (`#simulation/verdict`); neither sensors
+ * nor bodies feel it.
+ *
+ * - `target`: where the robot shall come to, or where `blocks` movable blocks shall lie;
+ * - `checkpoint`: to be passed in the order of `number`;
+ * - `forbidden`: not to be touched.
+ */
+export interface Zone {
+  readonly type: 'target' | 'checkpoint' | 'forbidden';
+  readonly id: string;
+  /** Its centre. */
+  readonly at: Point;
+  /** Extent along its own x and y, in mm. */
+  readonly size: Point;
+  /** Rotation in eighths of a full turn, 0 … 7, counter-clockwise. */
+  readonly turn: number;
+  /** The ellipse within `size` instead of the rectangle. */
+  readonly round: boolean;
+  /** Place of a checkpoint in the order, 1 … 99; 0 for other zones. */
+  readonly number: number;
+  /** How many movable blocks a target wants; 0: the robot itself. 0 for other zones. */
+  readonly blocks: number;
+}
+
+/** A solid thing with spikes that stands still: whoever touches it has failed. */
+export interface Spikes {
+  readonly type: 'spikes';
+  readonly id: string;
+  readonly at: Point;
+  readonly size: Point;
+  readonly turn: number;
+}
+
+/** A solid box that goes to and fro between `at` and `to`, whatever stands in its way. */
+export interface Mover {
+  readonly type: 'mover';
+  readonly id: string;
+  /** Its centre at the start of a run. */
+  readonly at: Point;
+  /** Its centre where it turns round. */
+  readonly to: Point;
+  readonly size: Point;
+  readonly turn: number;
+  /** In mm/s. */
+  readonly speed: number;
+  /** Whoever touches it has failed. */
+  readonly spiked: boolean;
+}
+
+/** Words on the floor, for people: no sensor sees them. */
+export interface Label {
+  readonly type: 'label';
+  readonly id: string;
+  /** Middle of the text. */
+  readonly at: Point;
+  /** One line. */
+  readonly text: string;
+  /** Height of its capitals in mm. */
+  readonly height: number;
+  readonly turn: number;
+}
+
 /** Everything that can stand or lie in the arena. */
-export type SceneObject = Wall | Block | Stroke;
+export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label;
+
+/** What a course asks for besides its zones. */
+export interface Task {
+  /** Seconds of simulated time until the task must be done; `null`: no limit. */
+  readonly seconds: number | null;
+  /** Walls, blocks and the arena's edge must not be touched; spikes never may. */
+  readonly noTouch: boolean;
+}
+
+/**
+ * A picture that covers a part of the floor. What the sensors read of it is the grid of `levels`, made once when the
+ * picture is taken in, so that it is the same in every browser; `picture` is only for the eye.
+ */
+export interface Background {
+  /** Lower left corner. */
+  readonly at: Point;
+  /** Extent in mm. */
+  readonly size: Point;
+  /** Columns and rows of the grid. */
+  readonly cells: Point;
+  /** Base64 of the deflated grid: a byte per cell, row by row from the upper left; 0 black … 15 bare floor. */
+  readonly levels: string;
+  /** A `data:image/…` address (PNG, JPEG or WebP), or empty: the grid itself is shown. */
+  readonly picture: string;
+}
 
 /** Where the robot starts, and which one it is. */
 export interface RobotStart {
@@ -69,6 +157,8 @@ export interface Scene {
   /** Id of a board type, or `null`: chosen by what the program imports. */
   readonly board: string | null;
   readonly robot: RobotStart;
+  readonly task: Task;
+  readonly background: Background | null;
   readonly objects: readonly SceneObject[];
 }
 
@@ -76,7 +166,7 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The version this app writes, and the newest it reads. */
-export const SCENE_VERSION = 1;
+export const SCENE_VERSION = 2;
 
 /** What is taken for properties that a file leaves out. */
 export const sceneDefaults = {
@@ -87,11 +177,18 @@ export const sceneDefaults = {
   color: 'black' as StrokeColor,
   scale: 1,
   heading: 0,
+  task: { seconds: null, noTouch: false } as Task,
+  round: false,
+  blocks: 0,
+  speed: 100, // chosen: half as fast as the robots drive
+  spiked: false,
+  labelHeight: 30, // chosen: read on a projector from the last row
 } as const;
 
 /** What a course may hold at most. Chosen: far beyond any lesson, small enough for a school tablet. */
 export const sceneLimits = {
-  textCharacters: 4_000_000,
+  /** More than the longest file that a course within the other limits can become. */
+  textCharacters: 8_000_000,
   nameCharacters: 200,
   descriptionCharacters: 5_000,
   idCharacters: 100,
@@ -106,6 +203,17 @@ export const sceneLimits = {
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },
   options: 50,
+  seconds: { min: 1, max: 3600 },
+  checkpoint: { min: 1, max: 99 },
+  blocks: { min: 0, max: 50 },
+  speedMmS: { min: 5, max: 500 },
+  labelCharacters: 100,
+  labelMm: { min: 5, max: 500 },
+  backgroundMm: { min: 10, max: 20_000 },
+  /** Cells of a background's grid; 1000 × 1000 are 2 m at 2 mm. */
+  cells: 1_000_000,
+  /** Of a background's picture, and of its levels. */
+  pictureCharacters: 1_500_000,
 } as const;
 
 /** The empty course: an arena of 1200 × 900 mm, the robot in its centre heading along +x. */
@@ -116,6 +224,8 @@ export function defaultScene(): Scene {
     size: sceneDefaults.size,
     board: null,
     robot: centreStart(sceneDefaults.size),
+    task: sceneDefaults.task,
+    background: null,
     objects: [],
   };
 }

@@ -1,0 +1,49 @@
+import { zlibSync, deflateSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { packLevels, unpackLevels } from './background';
+import { fromBase64, toBase64 } from './base64';
+
+describe('the levels of a background', () => {
+  const levels = Uint8Array.from({ length: 600 * 450 }, (_, cell) => (cell * 7) % 16);
+
+  it('are the same after packing and unpacking, and are packed at least ten times smaller than they are', () => {
+    const packed = packLevels(levels);
+    expect(packed.length).toBeLessThan(levels.length / 10);
+    expect(unpackLevels({ cells: [600, 450], levels: packed })).toEqual(levels);
+  });
+
+  it('that are not as many as the cells are refused, too few or too many', () => {
+    const packed = packLevels(levels);
+    expect(unpackLevels({ cells: [600, 451], levels: packed })).toBeNull();
+    expect(unpackLevels({ cells: [600, 449], levels: packed })).toBeNull();
+    expect(unpackLevels({ cells: [1, 1], levels: '' })).toBeNull();
+  });
+
+  it('that would become 16 MB are refused', () => {
+    const bomb = toBase64(deflateSync(new Uint8Array(16_000_000), { level: 9 }));
+    expect(bomb.length).toBeLessThan(30_000);
+    expect(unpackLevels({ cells: [1000, 1000], levels: bomb })).toBeNull();
+  });
+
+  it('that are damaged are refused without an exception: cut, no base64, no deflated data, brighter than 15', () => {
+    const packed = packLevels(levels);
+    const damaged = [packed.slice(0, 400), 'A', '====', '!!!!', '////', toBase64(zlibSync(levels))];
+    for (const text of damaged) expect(unpackLevels({ cells: [600, 450], levels: text })).toBeNull();
+    expect(unpackLevels({ cells: [2, 1], levels: packLevels(new Uint8Array([3, 16])) })).toBeNull();
+  });
+});
+
+describe('base64', () => {
+  it('is what Node makes of all lengths up to 300 bytes', () => {
+    for (let length = 0; length <= 300; length++) {
+      const bytes = Uint8Array.from({ length }, (_, index) => (index * 89 + length * 41) % 256);
+      const text = Buffer.from(bytes).toString('base64');
+      expect(toBase64(bytes)).toBe(text);
+      expect(fromBase64(text)).toEqual(bytes);
+    }
+  });
+
+  it('with a foreign sign, a wrong length or an early end is none', () => {
+    for (const text of ['AAA', 'AA-A', 'A=AA', 'AA=A', '=AAA', 'AAAA=', 'ÄAAA']) expect(fromBase64(text)).toBeNull();
+  });
+});

@@ -1,0 +1,102 @@
+import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
+
+/** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
+export type SceneEdit =
+  /** Puts objects on top of the others; their ids must be free. */
+  | { readonly type: 'add'; readonly objects: readonly SceneObject[] }
+  | { readonly type: 'remove'; readonly ids: readonly string[] }
+  /** Puts other objects in the place of some, which keeps the order of painting: a changed object, or the pieces of a stroke. */
+  | { readonly type: 'replace'; readonly changes: readonly Replacement[] }
+  | { readonly type: 'robot'; readonly robot: Partial<RobotStart> }
+  /** What belongs to the course as a whole. */
+  | { readonly type: 'course'; readonly changes: CourseChanges }
+  /** Removes all objects; the background, the robot and the task stay. */
+  | { readonly type: 'clear' }
+  /** Several in one step. */
+  | { readonly type: 'all'; readonly edits: readonly SceneEdit[] };
+
+/** An object and what becomes of it: nothing, one or several objects. */
+export interface Replacement {
+  readonly id: string;
+  readonly by: readonly SceneObject[];
+}
+
+/** Name, size and what else is said of a course. */
+export interface CourseChanges {
+  readonly name?: string;
+  readonly description?: string;
+  readonly size?: Point;
+  readonly task?: Task;
+  readonly background?: Background | null;
+}
+
+/**
+ * The course after an edit. What the edit does not change stays the same object, so that a picture can tell what changed;
+ * an edit that changes nothing gives the same scene back.
+ */
+export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
+  switch (edit.type) {
+    case 'add':
+      return edit.objects.length === 0 ? scene : { ...scene, objects: [...scene.objects, ...edit.objects] };
+    case 'remove': {
+      const gone = new Set(edit.ids);
+      return withObjects(
+        scene,
+        scene.objects.filter(({ id }) => !gone.has(id)),
+      );
+    }
+    case 'replace':
+      return withObjects(scene, replaced(scene.objects, edit.changes));
+    case 'robot':
+      return isSame(scene.robot, { ...scene.robot, ...edit.robot })
+        ? scene
+        : { ...scene, robot: { ...scene.robot, ...edit.robot } };
+    case 'course': {
+      const changed = { ...scene, ...edit.changes };
+      return courseParts.every((part) => isSame(scene[part], changed[part])) ? scene : changed;
+    }
+    case 'clear':
+      return withObjects(scene, []);
+    case 'all':
+      return edit.edits.reduce(applyEdit, scene);
+    default:
+      return edit satisfies never;
+  }
+}
+
+const courseParts = ['name', 'description', 'size', 'task', 'background'] as const;
+
+function replaced(objects: readonly SceneObject[], changes: readonly Replacement[]): readonly SceneObject[] {
+  const by = new Map(changes.map((change) => [change.id, change.by]));
+  return objects.flatMap((object) => {
+    const successors = by.get(object.id);
+    return successors?.map((successor) => (isSame(object, successor) ? object : successor)) ?? [object];
+  });
+}
+
+const withObjects = (scene: Scene, objects: readonly SceneObject[]): Scene =>
+  objects.length === scene.objects.length && objects.every((object, index) => object === scene.objects[index])
+    ? scene
+    : { ...scene, objects };
+
+/** Whether two pieces of plain data say the same. */
+function isSame(a: unknown, b: unknown): boolean {
+  if (a === b) return true;
+  if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
+  if (Array.isArray(a) && Array.isArray(b))
+    return a.length === b.length && a.every((value, index) => isSame(value, b[index]));
+  const values = new Map(Object.entries(a));
+  const others = Object.entries(b);
+  return (
+    values.size === others.length && others.every(([key, value]) => values.has(key) && isSame(values.get(key), value))
+  );
+}
+
+/** An id that no object has: `wall-1`, `wall-2`, … The same scene always gives the same. `taken`: further ids to avoid. */
+export function freeId(scene: Scene, prefix: string, taken: readonly string[] = []): string {
+  const ids = new Set([...scene.objects.map(({ id }) => id), ...taken]);
+  for (let number = 1; ; number += 1) {
+    const id = `${prefix}-${String(number)}`;
+    if (!ids.has(id)) return id;
+  }
+}

@@ -1,0 +1,40 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { parseScene } from './parse';
+import { findProblems } from './rules';
+import { sceneDefaults, SCENE_VERSION, strokeColors } from './scene';
+
+const page = readFileSync(new URL('./FORMAT.md', import.meta.url), 'utf8');
+
+describe('the description of the course file', () => {
+  const example = /```json\n([\s\S]*?)```/.exec(page)?.[1] ?? '';
+
+  it('has an example of the newest version that is read and has nothing wrong with it', () => {
+    const parsed = parseScene(example);
+    if (!('scene' in parsed)) throw new Error(parsed.problem);
+    expect(example).toContain(`"version": ${SCENE_VERSION},`);
+    expect(findProblems(parsed.scene, [])).toEqual([]);
+  });
+
+  it('shows and explains every kind of object', () => {
+    const parsed = parseScene('{"format":"parcours-scene","version":2,"objects":[{"id":"x","type":"?"}]}');
+    const known = 'problems' in parsed ? String(parsed.problems[0]?.params['known']).split(', ') : [];
+    expect(known).toHaveLength(10);
+    for (const type of known) {
+      expect(example).toContain(`"type": "${type}"`);
+      expect(page).toMatch(new RegExp(`^\\| \`${type}\` +\\|`, 'm'));
+    }
+  });
+
+  it('names the defaults and the colours that are in the code', () => {
+    const rows = new Map(
+      [...page.matchAll(/^\| `([\w.]+)`[^|]*\| ([^|]*) \|$/gm)].map(([, name, means]) => [name, means]),
+    );
+    expect(rows.get('size')?.trim()).toBe(sceneDefaults.size.join(' × '));
+    expect(rows.get('thickness')?.trim()).toBe(String(sceneDefaults.thickness));
+    expect(rows.get('width')?.trim()).toBe(`${sceneDefaults.width}, ${sceneDefaults.color}`);
+    expect(rows.get('speed')?.trim()).toBe(`${sceneDefaults.speed} mm/s, ${sceneDefaults.spiked}`);
+    expect(rows.get('height')?.trim()).toBe(String(sceneDefaults.labelHeight));
+    expect(page).toContain(`Colours: ${strokeColors.join(', ')}`);
+  });
+});

@@ -1,0 +1,112 @@
+import { readFileSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+import { parseScene } from './parse';
+import { SCENE_VERSION, type Scene } from './scene';
+import { serializeScene } from './serialize';
+
+const kept = (version: number): string => readFileSync(new URL(`./kept/v${version}.json`, import.meta.url), 'utf8');
+
+function sceneOf(text: string): Scene {
+  const parsed = parseScene(text);
+  if (!('scene' in parsed)) throw new Error(parsed.problem);
+  return parsed.scene;
+}
+
+const version1: Scene = {
+  name: 'Alles der ersten Fassung',
+  description: 'Wände, Klötze und Linien.\nZwei Zeilen.',
+  size: [1400, 1000],
+  board: 'calliope-mini-3',
+  robot: { type: 'callibot', at: [300, 500], heading: -90, scale: 1.5, options: { S1: 'claw' } },
+  task: { seconds: null, noTouch: false },
+  background: null,
+  objects: [
+    { id: 'w1', type: 'wall', from: [900, 200], to: [900, 700], thickness: 10 },
+    { id: 'w2', type: 'wall', from: [-50, 0], to: [200, 250], thickness: 12 },
+    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], turn: 0 },
+    { id: 'b2', type: 'block', at: [700, 300], size: [40, 60], turn: 1 },
+    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], turn: 7 },
+    {
+      ...{ id: 's1', type: 'stroke', width: 20, color: 'black' },
+      points: [
+        [100, 100],
+        [400, 100],
+        [400, 300],
+      ],
+    },
+    { id: 's2', type: 'stroke', points: [[500, 900]], width: 30, color: 'gray' },
+    {
+      ...{ id: 's3', type: 'stroke', width: 15, color: 'white' },
+      points: [
+        [100, 100],
+        [150, 120],
+      ],
+    },
+  ],
+};
+
+const short: readonly [readonly [number, number], readonly [number, number]] = [
+  [1, 2],
+  [3, 4],
+];
+
+const version2: Scene = {
+  name: 'Alles der zweiten Fassung',
+  description: 'Dazu Felder, Stacheln, Wanderblöcke, Schrift, Farben, Aufgabe und Hintergrund.',
+  size: [1400, 1000],
+  board: 'microbit-v2',
+  robot: { type: 'maqueen-plus-v2', at: [300, 500], heading: 12.5, scale: 0.5, options: { model: '2E' } },
+  task: { seconds: 62.5, noTouch: true },
+  background: {
+    at: [-10, 20],
+    size: [400, 300],
+    cells: [4, 3],
+    levels: 'Y2BkYmZhZWPn4OTjBwA=',
+    picture: 'data:image/png;base64,iVBORw0KGgo=',
+  },
+  objects: [
+    { id: 'w1', type: 'wall', from: [900, 200], to: [900, 700], thickness: 20 },
+    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], turn: 3 },
+    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], turn: 0 },
+    {
+      ...{ id: 's1', type: 'stroke', width: 25, color: 'red' },
+      points: [
+        [100, 100],
+        [400, 100],
+        [400, 300],
+      ],
+    },
+    { id: 's2', type: 'stroke', points: [[500, 900]], width: 20, color: 'blue' },
+    { id: 's3', type: 'stroke', points: short, width: 20, color: 'yellow' },
+    { id: 's4', type: 'stroke', points: short, width: 20, color: 'green' },
+    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], turn: 1, round: true, number: 0, blocks: 0 },
+    { id: 't2', type: 'target', at: [1000, 200], size: [200, 200], turn: 0, round: false, number: 0, blocks: 1 },
+    { id: 'c1', type: 'checkpoint', at: [300, 200], size: [150, 150], turn: 0, round: false, number: 1, blocks: 0 },
+    { id: 'c2', type: 'checkpoint', at: [600, 200], size: [150, 100], turn: 2, round: true, number: 99, blocks: 0 },
+    { id: 'x1', type: 'forbidden', at: [100, 800], size: [150, 150], turn: 0, round: true, number: 0, blocks: 0 },
+    { id: 'p1', type: 'spikes', at: [700, 700], size: [60, 40], turn: 5 },
+    { id: 'm1', type: 'mover', at: [500, 500], size: [60, 60], turn: 0, to: [800, 500], speed: 100, spiked: false },
+    { id: 'm2', type: 'mover', at: [500, 600], size: [60, 60], turn: 1, to: [500, 900], speed: 250, spiked: true },
+    { id: 'l1', type: 'label', at: [300, 50], text: 'Start ▸ «hier» 🤖', height: 30, turn: 0 },
+    { id: 'l2', type: 'label', at: [300, 950], text: 'Ziel', height: 60, turn: 2 },
+  ],
+};
+
+describe('a course file of an older version', () => {
+  it.each([
+    [1, version1],
+    [2, version2],
+  ])('version %d is read with everything in it', (version, scene) => {
+    expect(sceneOf(kept(version))).toEqual(scene);
+  });
+
+  it('is kept for every version there ever was', () => {
+    for (let version = 1; version <= SCENE_VERSION; version++) expect(kept(version)).toContain(`"version": ${version}`);
+  });
+
+  it('is written in the newest version, letter by letter as it was if it was that', () => {
+    expect(serializeScene(sceneOf(kept(1)))).toContain('"version": 2');
+    expect(sceneOf(serializeScene(sceneOf(kept(1))))).toEqual(version1);
+    expect(serializeScene(sceneOf(kept(SCENE_VERSION)))).toBe(kept(SCENE_VERSION));
+  });
+});

@@ -1,0 +1,24 @@
+import type { Fields } from './reader';
+import { SCENE_VERSION } from './scene';
+
+/**
+ * What makes a file of version n one of version n + 1; the first is for version 1. A step sees unchecked data: it moves
+ * and renames what it finds and leaves judging to the reader.
+ */
+const steps: readonly ((file: Fields) => Fields)[] = [
+  // 1 → 2: zones, spikes, movers, labels, colours, task and background are new; what there was means the same.
+  (file) => file,
+];
+
+/** The oldest version that is still read. */
+export const OLDEST_VERSION = 1;
+
+/**
+ * A file of an older version as one of the newest.
+ *
+ * @param version the file's own, from `OLDEST_VERSION` to `SCENE_VERSION`
+ */
+export function migrated(file: Fields, version: number): Fields {
+  const newest = steps.slice(version - OLDEST_VERSION).reduce((older, step) => step(older), file);
+  return version === SCENE_VERSION ? file : { ...newest, version: SCENE_VERSION };
+}

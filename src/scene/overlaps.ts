@@ -1,0 +1,106 @@
+import { boundsOfOutline, overlapMm, solidOutline, type Bounds, type Outline } from './outline';
+import type { Block, Point, SceneObject } from './scene';
+
+/** Bodies may overlap by so much: the figures of a course are whole mm, and turned corners are not. */
+const TOLERANCE_MM = 1;
+
+/** Pairs of bodies that are measured at most. Chosen: a few 10 ms; who needs more has hundreds of things in one heap. */
+const MOST_PAIRS = 50_000;
+
+interface Solid {
+  readonly object: SceneObject;
+  readonly outline: Outline;
+  readonly bounds: Bounds;
+}
+
+/** A movable block and what it stands inside. */
+export interface Stuck {
+  readonly block: Block;
+  readonly other: SceneObject;
+}
+
+/** Movable blocks that stand inside something solid, each once: their run would begin with a jolt. */
+export function stuckBlocks(objects: readonly SceneObject[]): readonly Stuck[] {
+  const solids = solidsOf(objects);
+  const stuck = new Map<Block, SceneObject>();
+  let pairs = 0;
+  for (const [index, one] of solids.entries()) {
+    for (let next = index + 1; next < solids.length && pairs < MOST_PAIRS; next++) {
+      const other = solids[next];
+      if (!other || other.bounds.minX > one.bounds.maxX) break;
+      const pair = movableFirst(one, other);
+      if (!pair || stuck.has(pair.block) || !sharesHeight(one.bounds, other.bounds)) continue;
+      pairs++;
+      if (overlapMm(one.outline, other.outline) > TOLERANCE_MM) stuck.set(pair.block, pair.other);
+    }
+  }
+  return [...stuck].map(([block, other]) => ({ block, other }));
+}
+
+/** Everything solid, from left to right. */
+function solidsOf(objects: readonly SceneObject[]): readonly Solid[] {
+  const solids = objects.flatMap((object): Solid[] => {
+    const outline = solidOutline(object);
+    return outline ? [{ object, outline, bounds: boundsOfOutline(outline) }] : [];
+  });
+  return solids.sort((one, other) => one.bounds.minX - other.bounds.minX);
+}
+
+/**
+ * Pairs of bodies inside each other that a run begins with at most. Chosen: 63 blocks at one place; the physics looks at
+ * every pair in every step, and 300 blocks at one place (45,000 pairs) take seconds a step and hundreds of MB.
+ */
+export const MOST_STUCK_PAIRS = 2000;
+
+/** Whether movable blocks stand inside each other or inside other things at more places than a run can sort out. */
+export function isHeap(objects: readonly SceneObject[]): boolean {
+  const solids = solidsOf(objects);
+  let [measured, overlapping] = [0, 0];
+  for (const [index, one] of solids.entries()) {
+    for (let next = index + 1; next < solids.length && measured < MOST_PAIRS; next++) {
+      const other = solids[next];
+      if (!other || other.bounds.minX > one.bounds.maxX) break;
+      if (!movableFirst(one, other) || !sharesHeight(one.bounds, other.bounds)) continue;
+      measured++;
+      if (overlapMm(one.outline, other.outline) > TOLERANCE_MM) overlapping++;
+      if (overlapping > MOST_STUCK_PAIRS) return true;
+    }
+  }
+  return false;
+}
+
+function movableFirst({ object: one }: Solid, { object: other }: Solid): Stuck | null {
+  if (one.type === 'block') return { block: one, other };
+  return other.type === 'block' ? { block: other, other: one } : null;
+}
+
+const sharesHeight = (one: Bounds, other: Bounds): boolean => one.minY <= other.maxY && other.minY <= one.maxY;
+
+/** Groups of objects that are the same in every figure but their id, so that only the topmost is ever seen. */
+export function copies(objects: readonly SceneObject[]): readonly (readonly SceneObject[])[] {
+  const groups = new Map<string, SceneObject[]>();
+  for (const object of objects) {
+    const look = lookOf(object);
+    const group = groups.get(look);
+    if (group) group.push(object);
+    else groups.set(look, [object]);
+  }
+  return [...groups.values()].filter((group) => group.length > 1);
+}
+
+/** Everything of an object but its id, as text. Of a line's points only a sum: there may be tens of thousands. */
+function lookOf(object: SceneObject): string {
+  const parts = { ...object, id: '', ...(object.type === 'stroke' ? { points: checksum(object.points) } : {}) };
+  return JSON.stringify(Object.entries(parts).sort(([one], [other]) => (one < other ? -1 : 1)));
+}
+
+/** FNV-1a with 32 bits, twice: once from either end of each point. */
+function checksum(points: readonly Point[]): string {
+  let one = 0x811c9dc5;
+  let other = 0x811c9dc5;
+  for (const [x, y] of points) {
+    one = Math.imul(Math.imul(one ^ x, 0x01000193) ^ y, 0x01000193);
+    other = Math.imul(Math.imul(other ^ y, 0x01000193) ^ x, 0x01000193);
+  }
+  return `${points.length}/${one}/${other}`;
+}

@@ -1,0 +1,112 @@
+import type { CourseChanges } from './edit';
+import type { Fields, Reader } from './reader';
+import { sceneDefaults, sceneLimits, type Background, type RobotStart, type Task } from './scene';
+
+/** The names of what `readCourseChanges` reads. */
+export const courseKeys = ['name', 'description', 'size', 'task', 'background'] as const;
+
+/** Reads what is said of a course as a whole; what is left out stays left out. */
+export function readCourseChanges(fields: Fields, path: string, reader: Reader): CourseChanges {
+  const { nameCharacters, descriptionCharacters, sizeMm } = sceneLimits;
+  return {
+    ...given(fields, 'name', (value) => reader.text(value, `${path}name`, nameCharacters)),
+    ...given(fields, 'description', (value) => reader.text(value, `${path}description`, descriptionCharacters)),
+    ...given(fields, 'size', (value) => reader.point(value, `${path}size`, sizeMm)),
+    ...given(fields, 'task', (value) => readTask(value, `${path}task`, reader)),
+    ...given(fields, 'background', (value) => readBackground(value, `${path}background`, reader)),
+  };
+}
+
+/** Reads what is said of the robot's start; what is left out stays left out. */
+export function readRobotChanges(value: unknown, path: string, reader: Reader): Partial<RobotStart> {
+  const fields = reader.fields(value, path, ['type', 'at', 'heading', 'scale', 'options']);
+  return {
+    ...given(fields, 'type', (type) => readTypeId(type, `${path}.type`, reader)),
+    ...given(fields, 'at', (at) => reader.point(at, `${path}.at`, sceneLimits.placeMm)),
+    ...given(fields, 'heading', (heading) => reader.number(heading, `${path}.heading`, sceneLimits.headingDeg)),
+    ...given(fields, 'scale', (scale) => reader.number(scale, `${path}.scale`, sceneLimits.scale)),
+    ...given(fields, 'options', (options) => readOptions(options, `${path}.options`, reader)),
+  };
+}
+
+/** The id of a board or robot type; `null` or left out: chosen by the program. */
+export function readTypeId(value: unknown, path: string, reader: Reader): string | null {
+  return value === undefined || value === null ? null : reader.text(value, path, sceneLimits.idCharacters);
+}
+
+const given = <const K extends string, T>(
+  fields: Fields,
+  key: K,
+  read: (value: unknown) => T,
+): Partial<Record<K, T>> | Record<K, T> =>
+  fields[key] === undefined ? {} : ({ [key]: read(fields[key]) } as Record<K, T>);
+
+function readOptions(value: unknown, path: string, reader: Reader): RobotStart['options'] {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    reader.wrongType(value, path, 'an object { "option": "choice" }');
+    return {};
+  }
+  const { options, idCharacters } = sceneLimits;
+  const ids = reader.list(Object.keys(value), path, { min: 0, max: options }) as readonly string[];
+  const choices = new Map<string, string>();
+  for (const id of ids) {
+    const place = `${path}.${id.slice(0, 40)}`;
+    reader.text(id, place, idCharacters);
+    if (id === '__proto__') reader.report('unknown-value', place, id, '"__proto__" cannot be an id.');
+    choices.set(id, reader.text((value as Fields)[id], place, idCharacters));
+  }
+  return Object.fromEntries(choices);
+}
+
+function readTask(value: unknown, path: string, reader: Reader): Task {
+  const { seconds, noTouch } = reader.fields(value, path, ['seconds', 'noTouch']);
+  const standard = sceneDefaults.task;
+  return {
+    seconds:
+      seconds === undefined || seconds === null
+        ? standard.seconds
+        : reader.number(seconds, `${path}.seconds`, sceneLimits.seconds),
+    noTouch: reader.flag(noTouch, `${path}.noTouch`, standard.noTouch),
+  };
+}
+
+/** Looks at the shape only: whether the levels can be inflated shows when they are (`background.ts`). */
+function readBackground(value: unknown, path: string, reader: Reader): Background | null {
+  if (value === null) return null;
+  const fields = reader.fields(value, path, ['at', 'size', 'cells', 'levels', 'picture']);
+  const { placeMm, backgroundMm, cells: maxCells } = sceneLimits;
+  const cells = reader.point(fields.cells, `${path}.cells`, { min: 1, max: maxCells });
+  const count = cells[0] * cells[1];
+  if (count > maxCells)
+    reader.report('too-many', `${path}.cells`, cells, `${count} cells; there may be 1 … ${maxCells}.`, {
+      count,
+      min: 1,
+      max: maxCells,
+    });
+  return {
+    at: reader.point(fields.at, `${path}.at`, placeMm),
+    size: reader.point(fields.size, `${path}.size`, backgroundMm),
+    cells,
+    levels: readBase64(fields.levels, `${path}.levels`, /^/, reader),
+    picture:
+      fields.picture === undefined || fields.picture === ''
+        ? ''
+        : readBase64(fields.picture, `${path}.picture`, PICTURE, reader),
+  };
+}
+
+/** How the address of a picture begins; what follows is base64. */
+const PICTURE = /^data:image\/(?:png|jpeg|webp);base64,/;
+
+/** A text of base64 after a beginning. Looks for what must not be there, one pass without going back. */
+function readBase64(value: unknown, path: string, beginning: RegExp, reader: Reader): string {
+  const text = reader.text(value, path, sceneLimits.pictureCharacters);
+  if (typeof value !== 'string' || (text === '' && value !== '')) return '';
+  const start = beginning.exec(text)?.[0].length;
+  const content = text.slice(start);
+  const isBase64 = content !== '' && content.length % 4 === 0 && !/[^A-Za-z0-9+/=]|=[^=]|===/.test(content);
+  if (start !== undefined && isBase64) return text;
+  const wanted = beginning === PICTURE ? 'data:image/png, jpeg or webp in base64' : 'base64';
+  reader.report('damaged', path, text, `is damaged: it must be ${wanted}.`, { wanted });
+  return '';
+}

@@ -1,0 +1,112 @@
+import type { Rng } from '#core/rng';
+import { freeId, type SceneEdit } from '../edit';
+import { strokeColors, type Point, type Scene, type SceneObject } from '../scene';
+import { inPercent, oneOf, wholeFrom } from './fuzz';
+
+const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
+const size = (rng: Rng): Point => [wholeFrom(rng, 5, 300), wholeFrom(rng, 5, 300)];
+const turn = (rng: Rng): number => wholeFrom(rng, 0, 7);
+
+/** An object of any kind with random figures, as a course may have it. */
+export function randomObject(rng: Rng, id: string): SceneObject {
+  const box = { id, at: point(rng), size: size(rng), turn: turn(rng) };
+  const zone = { ...box, round: inPercent(rng, 50), number: 0, blocks: 0 };
+  const from = point(rng);
+  const makers: readonly (() => SceneObject)[] = [
+    () => ({
+      type: 'wall',
+      id,
+      from,
+      to: [from[0] + 10, from[1] - wholeFrom(rng, 0, 99)],
+      thickness: wholeFrom(rng, 2, 500),
+    }),
+    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...box }),
+    () => ({
+      ...{ type: 'stroke', id, width: wholeFrom(rng, 1, 500), color: oneOf(rng, strokeColors) },
+      points: Array.from({ length: wholeFrom(rng, 1, 30) }, () => point(rng)),
+    }),
+    () => ({ ...zone, type: 'target', blocks: wholeFrom(rng, 0, 50) }),
+    () => ({ ...zone, type: 'checkpoint', number: wholeFrom(rng, 1, 99) }),
+    () => ({ ...zone, type: 'forbidden' }),
+    () => ({ ...box, type: 'mover', to: point(rng), speed: wholeFrom(rng, 5, 500), spiked: inPercent(rng, 50) }),
+    () => ({
+      ...{ type: 'label', id, at: point(rng), height: wholeFrom(rng, 5, 500), turn: turn(rng) },
+      text: oneOf(rng, ['Start', 'Ziel ▸', '"', '\\', '🤖', '\ud800', '</script>']),
+    }),
+  ];
+  return oneOf(rng, makers)();
+}
+
+/** An edit that suits a course: what the tools, the lists and the dialogs may do to it. */
+export function randomEdit(rng: Rng, scene: Scene, depth = 0): SceneEdit {
+  const ids = scene.objects.map(({ id }) => id);
+  const some = ids.filter(() => inPercent(rng, 20));
+  switch (rng.u32() % (depth < 2 ? 8 : 7)) {
+    case 0:
+    case 1:
+      return { type: 'add', objects: newObjects(rng, scene, wholeFrom(rng, 0, 3)) };
+    case 2:
+      return { type: 'remove', ids: some };
+    case 3:
+    case 4:
+      return { type: 'replace', changes: replacements(rng, scene, some) };
+    case 5:
+      return randomRobotEdit(rng);
+    case 6:
+      return inPercent(rng, 10) ? { type: 'clear' } : randomCourseEdit(rng);
+    default:
+      return { type: 'all', edits: [randomRobotEdit(rng), randomEdit(rng, scene, depth + 1), randomCourseEdit(rng)] };
+  }
+}
+
+function newObjects(rng: Rng, scene: Scene, count: number, taken: string[] = []): readonly SceneObject[] {
+  return Array.from({ length: count }, () => {
+    const id = freeId(scene, oneOf(rng, ['wall', 'x', 'é', 'toString']), taken);
+    taken.push(id);
+    return randomObject(rng, id);
+  });
+}
+
+/** Each of the objects stays equal, is changed, becomes pieces or goes. */
+function replacements(
+  rng: Rng,
+  scene: Scene,
+  ids: readonly string[],
+): Extract<SceneEdit, { type: 'replace' }>['changes'] {
+  const taken: string[] = [];
+  return ids.map((id) => {
+    const own = scene.objects.filter((object) => object.id === id);
+    const ways: readonly (() => readonly SceneObject[])[] = [
+      () => structuredClone(own),
+      () => [randomObject(rng, id)],
+      () => [...own, ...newObjects(rng, scene, 2, taken)],
+      () => [],
+    ];
+    return { id, by: oneOf(rng, ways)() };
+  });
+}
+
+function randomRobotEdit(rng: Rng): SceneEdit {
+  const { robot }: Extract<SceneEdit, { type: 'robot' }> = oneOf(rng, [
+    { type: 'robot', robot: { at: point(rng) } },
+    { type: 'robot', robot: { heading: wholeFrom(rng, -3600, 3600) / 10 } },
+    { type: 'robot', robot: { scale: oneOf(rng, [0.5, 1, 1.1, 3]), type: oneOf(rng, [null, 'callibot']) } },
+    { type: 'robot', robot: { options: { S1: oneOf(rng, ['claw', 'none']) } } },
+    { type: 'robot', robot: {} },
+  ]);
+  return { type: 'robot', robot };
+}
+
+function randomCourseEdit(rng: Rng): SceneEdit {
+  const { changes }: Extract<SceneEdit, { type: 'course' }> = oneOf(rng, [
+    { type: 'course', changes: { name: oneOf(rng, ['', 'Slalom', '«é»\n"']) } },
+    { type: 'course', changes: { size: [wholeFrom(rng, 200, 10_000), wholeFrom(rng, 200, 10_000)] } },
+    { type: 'course', changes: { task: { seconds: oneOf(rng, [null, 1, 62.5]), noTouch: inPercent(rng, 50) } } },
+    {
+      type: 'course',
+      changes: { background: { at: point(rng), size: [400, 300], cells: [4, 3], levels: 'AAAA', picture: '' } },
+    },
+    { type: 'course', changes: { background: null, description: 'x' } },
+  ]);
+  return { type: 'course', changes };
+}
