@@ -1,0 +1,131 @@
+import type { Vec } from '#core/geometry';
+import type { SceneEdit } from '#scene/edit';
+import type { Bounds, Outline } from '#scene/outline';
+import { sceneLimits, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { changing, combined, startingAt } from './edits';
+import { middleBetween, toPoint, toVec, turnedAbout, within, wrappedDeg } from './plane';
+import { placeInside } from './robot-place';
+import { selectedObjects } from './selection';
+import { boundsAll, boundsAround } from './shape';
+import type { Selection } from './tool';
+import { middleOf, movedBy, turnedObject, turnsInEighths } from './transform';
+
+/** So much of what is moved stays in the arena, so that it can be taken hold of again. Chosen: a fingertip's width. */
+const STAYS_MM = 10;
+
+/**
+ * Moves what is selected. Objects keep their arrangement and stay at least partly inside the arena; the robot stays
+ * wholly inside. `null` when nothing moves.
+ */
+export function moved(
+  scene: Scene,
+  selection: Selection,
+  by: Vec,
+  footprint: readonly Outline[] = [],
+): SceneEdit | null {
+  const objects = selectedObjects(scene, selection);
+  const around = boundsAll(objects.map(boundsAround));
+  const [dx, dy] = around ? stepInside(around, by, scene.size) : [0, 0];
+  return combined([
+    dx === 0 && dy === 0 ? null : changing(objects.map((object) => movedBy(object, dx, dy))),
+    selection.robot ? robotMoved(scene, by, footprint) : null,
+  ]);
+}
+
+/** Moves what is selected by whole mm, as the arrow keys do. */
+export const nudged = (
+  scene: Scene,
+  selection: Selection,
+  dx: number,
+  dy: number,
+  footprint: readonly Outline[] = [],
+): SceneEdit | null => moved(scene, selection, { x: dx, y: dy }, footprint);
+
+/** The step in whole mm nearest to the wanted one that leaves a part of a rectangle in the arena. */
+export function stepInside({ minX, minY, maxX, maxY }: Bounds, by: Vec, [width, height]: Point): Point {
+  return [stepAlong(minX, maxX, by.x, width), stepAlong(minY, maxY, by.y, height)];
+}
+
+function stepAlong(min: number, max: number, step: number, length: number): number {
+  const stays = Math.min(STAYS_MM, max - min);
+  // What is outside already may come back by less than it takes to get in.
+  const least = Math.max(Math.min(0, Math.ceil(stays - max)), Math.ceil(sceneLimits.placeMm.min - min));
+  const most = Math.min(Math.max(0, Math.floor(length - stays - min)), Math.floor(sceneLimits.placeMm.max - max));
+  if (least > most) return 0;
+  return Math.round(within(step, { min: least, max: most })) + 0;
+}
+
+function robotMoved(scene: Scene, by: Vec, footprint: readonly Outline[]): SceneEdit | null {
+  const { robot, size } = scene;
+  const at = toPoint({ x: robot.at[0] + by.x, y: robot.at[1] + by.y });
+  return startingAt(scene, { at: placeInside({ ...robot, at }, size, footprint) });
+}
+
+/** The middle that a selection turns about: of one thing its own, of several the middle of their middles. */
+export function middleOfSelection(scene: Scene, selection: Selection): Vec | null {
+  const middles = selectedObjects(scene, selection).map(middleOf);
+  if (selection.robot) middles.push(toVec(scene.robot.at));
+  const [first] = middles;
+  if (first === undefined) return null;
+  if (middles.length === 1) return first;
+  if (middles.length === 2) return middleBetween(first, middles[1] ?? first);
+  const sum = middles.reduce((one, other) => ({ x: one.x + other.x, y: one.y + other.y }));
+  return { x: sum.x / middles.length, y: sum.y / middles.length };
+}
+
+/** Turns what is selected counter-clockwise about its middle; what knows only eighths takes the nearest. */
+export function turnedBy(
+  scene: Scene,
+  selection: Selection,
+  angleDeg: number,
+  footprint: readonly Outline[] = [],
+): SceneEdit | null {
+  const middle = middleOfSelection(scene, selection);
+  if (!middle || wrappedDeg(angleDeg) === 0) return null;
+  const objects = selectedObjects(scene, selection);
+  const isOne = objects.length + (selection.robot ? 1 : 0) === 1;
+  // About a whole place quarter turns of several things lose nothing.
+  const pivot = isOne ? middle : toVec(toPoint(middle));
+  const changed = objects.map((object) => withinLimits(turnedObject(object, pivot, angleDeg), object));
+  return combined([
+    changing(changed.filter((object, index) => !isSame(object, objects[index]))),
+    selection.robot ? robotTurned(scene, pivot, angleDeg, footprint) : null,
+  ]);
+}
+
+/** Turns what is selected by eighths of a full turn, counter-clockwise. */
+export const turned = (
+  scene: Scene,
+  selection: Selection,
+  eighths: number,
+  footprint: readonly Outline[] = [],
+): SceneEdit | null => turnedBy(scene, selection, eighths * 45, footprint);
+
+/** Whether a selection can only be turned in eighths because something in it can. */
+export const selectionTurnsInEighths = (scene: Scene, selection: Selection): boolean =>
+  selectedObjects(scene, selection).some(turnsInEighths);
+
+function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: readonly Outline[]): SceneEdit | null {
+  const { robot, size } = scene;
+  const at = toPoint(turnedAbout(toVec(robot.at), pivot, angleDeg));
+  const heading = wrappedDeg(robot.heading + angleDeg);
+  return startingAt(scene, { at: placeInside({ ...robot, at, heading }, size, footprint), heading });
+}
+
+/** At the very end of what a course may hold a turn could press ends together: then the object stays as it was. */
+function withinLimits(object: SceneObject, before: SceneObject): SceneObject {
+  if (object.type !== 'wall') return object;
+  return object.from[0] === object.to[0] && object.from[1] === object.to[1] ? before : object;
+}
+
+/** Whether rounding to whole mm left a line where it was; what has a turn was turned. */
+function isSame(one: SceneObject, other: SceneObject | undefined): boolean {
+  if (one === other) return true;
+  if (one.type === 'wall' && other?.type === 'wall')
+    return isSamePlace(one.from, other.from) && isSamePlace(one.to, other.to);
+  if (one.type === 'stroke' && other?.type === 'stroke')
+    return one.points.every((point, index) => isSamePlace(point, other.points[index]));
+  return false;
+}
+
+const isSamePlace = (one: Point, other: Point | undefined): boolean => one[0] === other?.[0] && one[1] === other[1];

@@ -1,0 +1,65 @@
+import type { SceneEdit } from '#scene/edit';
+import type { Scene, SceneObject } from '#scene/scene';
+import { stepInside } from './arrange';
+import { adding } from './edits';
+import { freeIds } from './ids';
+import { selectedObjects } from './selection';
+import { boundsAll, boundsAround } from './shape';
+import type { Selection } from './tool';
+import { movedBy } from './transform';
+import { nextCheckpoint } from './zone-tool';
+
+/** What was copied: plain data that can be pasted into any course. */
+export interface Clip {
+  readonly objects: readonly SceneObject[];
+}
+
+/** Objects put into a course, and the selection of just these. */
+export interface Pasted {
+  readonly edit: SceneEdit;
+  readonly selection: Selection;
+}
+
+/** How far a copy lies from its original, in mm. Chosen: two lines of the grid, so that both can be seen and grabbed. */
+export const COPY_OFFSET_MM = 20;
+
+/** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
+export function copied(scene: Scene, selection: Selection): Clip | null {
+  const objects = selectedObjects(scene, selection);
+  return objects.length === 0 ? null : { objects };
+}
+
+/**
+ * Puts what was copied into a course: to the right and downwards of where it was, with ids of its own and checkpoints
+ * with the next numbers.
+ *
+ * @param offsetMm how far; more for each time that the same is pasted
+ * @returns `null` when it does not fit into the course any more
+ */
+export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_MM): Pasted | null {
+  const around = boundsAll(clip.objects.map(boundsAround));
+  if (!around) return null;
+  const [dx, dy] = stepInside(around, { x: offsetMm, y: -offsetMm }, scene.size);
+  const freeId = freeIds(scene);
+  const numbers: number[] = [];
+  const objects: SceneObject[] = [];
+  for (const object of clip.objects) {
+    const copy: SceneObject = { ...movedBy(object, dx, dy), id: freeId(object.type) };
+    if (copy.type !== 'checkpoint') {
+      objects.push(copy);
+      continue;
+    }
+    const number = nextCheckpoint(scene, numbers);
+    if (number === null) return null;
+    numbers.push(number);
+    objects.push({ ...copy, number });
+  }
+  const edit = adding(scene, objects);
+  return edit && { edit, selection: { ids: objects.map(({ id }) => id), robot: false } };
+}
+
+/** Copies what is selected and pastes it in one step. */
+export function duplicated(scene: Scene, selection: Selection, offsetMm?: number): Pasted | null {
+  const clip = copied(scene, selection);
+  return clip && pasted(scene, clip, offsetMm);
+}

@@ -1,0 +1,58 @@
+import { describe, expect, it } from 'vitest';
+import { editProblem } from '#scene/check-edit';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { Background, Scene } from '#scene/scene';
+import { backgroundPlaced, cleared, described, named, withBackground, withSize, withTask } from './course-edits';
+import { block, course, footprint } from './testing/desk';
+
+function done(scene: Scene, edit: SceneEdit | null): Scene {
+  if (!edit) throw new Error('nothing to do');
+  expect(editProblem(scene, edit)).toBeNull();
+  return applyEdit(scene, edit);
+}
+
+const background: Background = { at: [0, 0], size: [400, 300], cells: [4, 3], levels: 'AAAA', picture: '' };
+
+describe('the course as a whole', () => {
+  it('gets a name of at most 200 characters and a description', () => {
+    expect(done(course(), named(course(), '  Slalom ')).name).toBe('Slalom');
+    expect(done(course(), named(course(), 'x'.repeat(300))).name).toHaveLength(200);
+    expect(done(course(), described(course(), 'Fahr\num die Kurve.')).description).toBe('Fahr\num die Kurve.');
+    expect(named(course(), '')).toBeNull();
+  });
+
+  it('gets another size from 200 mm to 10 m; the robot is brought inside, in the same step', () => {
+    const small = done(course(), withSize(course(), [500, 400], footprint));
+    expect(small.size).toEqual([500, 400]);
+    expect(small.robot.at).toEqual([440, 370]);
+    expect(done(course(), withSize(course(), [5, 99_999], footprint)).size).toEqual([200, 10_000]);
+    expect(withSize(course(), [1200, 900])).toBeNull();
+  });
+
+  it('gets a time limit in whole seconds, or none', () => {
+    const limited = done(course(), withTask(course(), { seconds: 59.7 }));
+    expect(limited.task).toEqual({ seconds: 60, noTouch: false });
+    expect(done(limited, withTask(limited, { seconds: null, noTouch: true })).task).toEqual({
+      seconds: null,
+      noTouch: true,
+    });
+    expect(withTask(limited, { seconds: 60 })).toBeNull();
+  });
+
+  it('gets a picture that can be placed and sized, and never lost outside', () => {
+    const scene = done(course(), withBackground(course(), background));
+    expect(done(scene, backgroundPlaced(scene, [100, 50], [800, 600])).background).toEqual({
+      ...background,
+      at: [100, 50],
+      size: [800, 600],
+    });
+    expect(done(scene, backgroundPlaced(scene, [9000, -9000], [400, 300])).background?.at).toEqual([1199, -299]);
+    expect(backgroundPlaced(scene, [0, 0], [400, 300])).toBeNull();
+    expect(done(scene, withBackground(scene, null)).background).toBeNull();
+  });
+
+  it('is cleared of objects', () => {
+    expect(done(course(block('b', [1, 1])), cleared(course(block('b', [1, 1])))).objects).toEqual([]);
+    expect(cleared(course())).toBeNull();
+  });
+});

@@ -1,0 +1,67 @@
+import type { SceneEdit } from '#scene/edit';
+import type { Outline } from '#scene/outline';
+import { sceneLimits, type Background, type Point, type Scene, type Task } from '#scene/scene';
+import { combined, startingAt } from './edits';
+import { within } from './plane';
+import { placeInside } from './robot-place';
+
+/** Gives the course a name; spaces around it are dropped. `null` when it is called so already. */
+export function named(scene: Scene, name: string): SceneEdit | null {
+  const short = name.trim().slice(0, sceneLimits.nameCharacters);
+  return short === scene.name ? null : { type: 'course', changes: { name: short } };
+}
+
+/** Says what the course is about or what is to be done. `null` when it says so already. */
+export function described(scene: Scene, description: string): SceneEdit | null {
+  const short = description.slice(0, sceneLimits.descriptionCharacters);
+  return short === scene.description ? null : { type: 'course', changes: { description: short } };
+}
+
+/**
+ * Gives the arena another size in mm. Its lower left corner and all objects stay where they are, the robot is brought
+ * inside. `null` when it has that size already.
+ */
+export function withSize(scene: Scene, size: Point, footprint: readonly Outline[] = []): SceneEdit | null {
+  const side = (mm: number): number => Math.round(within(mm, sceneLimits.sizeMm));
+  const next: Point = [side(size[0]), side(size[1])];
+  if (next[0] === scene.size[0] && next[1] === scene.size[1]) return null;
+  return combined([
+    { type: 'course', changes: { size: next } },
+    startingAt(scene, { at: placeInside(scene.robot, next, footprint) }),
+  ]);
+}
+
+/** Changes the task: its time limit in whole seconds or `null`, and whether nothing may be touched. */
+export function withTask(scene: Scene, part: Partial<Task>): SceneEdit | null {
+  const wanted = { ...scene.task, ...part };
+  const seconds = wanted.seconds === null ? null : Math.round(within(wanted.seconds, sceneLimits.seconds));
+  if (seconds === scene.task.seconds && wanted.noTouch === scene.task.noTouch) return null;
+  return { type: 'course', changes: { task: { seconds, noTouch: wanted.noTouch } } };
+}
+
+/** Lays a picture on the floor, or takes it away (`null`). */
+export const withBackground = (scene: Scene, background: Background | null): SceneEdit | null =>
+  background === scene.background ? null : { type: 'course', changes: { background } };
+
+/**
+ * Moves the picture on the floor or gives it another size, in whole mm; what the sensors read of it goes along. A part
+ * of it stays in the arena.
+ */
+export function backgroundPlaced(scene: Scene, at: Point, size: Point): SceneEdit | null {
+  const { background } = scene;
+  if (!background) return null;
+  const side = (mm: number): number => Math.round(within(mm, sceneLimits.backgroundMm));
+  const next: Point = [side(size[0]), side(size[1])];
+  const coordinate = (mm: number, extent: number, length: number): number =>
+    Math.round(within(mm, { min: 1 - extent, max: length - 1 })) + 0;
+  const place: Point = [coordinate(at[0], next[0], scene.size[0]), coordinate(at[1], next[1], scene.size[1])];
+  const isSame =
+    place[0] === background.at[0] &&
+    place[1] === background.at[1] &&
+    next[0] === background.size[0] &&
+    next[1] === background.size[1];
+  return isSame ? null : { type: 'course', changes: { background: { ...background, at: place, size: next } } };
+}
+
+/** Takes all objects away; `null` when there are none. */
+export const cleared = (scene: Scene): SceneEdit | null => (scene.objects.length === 0 ? null : { type: 'clear' });

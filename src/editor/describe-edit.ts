@@ -1,0 +1,245 @@
+import type { Vec } from '#core/geometry';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
+import { directionDeg, distanceMm, minus, toVec, wrappedDeg } from './plane';
+import { distanceTo } from './shape';
+import { middleOf, movedBy } from './transform';
+
+/** What kind of objects something happened to; `several`: of different kinds. */
+export type Kind = SceneObject['type'] | 'several';
+
+/** What an edit does, as data from which the page makes a sentence. Lengths in mm, angles in degrees. */
+export type EditDescription =
+  | { readonly type: 'nothing' }
+  | { readonly type: 'drew'; readonly lengthMm: number; readonly widthMm: number; readonly color: StrokeColor }
+  /** `at`: the middle of the only one. */
+  | { readonly type: 'added'; readonly kind: Kind; readonly count: number; readonly at: Point | null }
+  | { readonly type: 'removed'; readonly kind: Kind; readonly count: number }
+  /** All objects are gone at once. */
+  | { readonly type: 'cleared'; readonly count: number }
+  /** Strokes were cut or shortened, some perhaps altogether; `lengthMm`: how much of them is gone. */
+  | { readonly type: 'erased'; readonly count: number; readonly lengthMm: number }
+  /** `at`: where the middle of the only one is now. */
+  | {
+      readonly type: 'moved';
+      readonly kind: Kind;
+      readonly count: number;
+      readonly byMm: Point;
+      readonly at: Point | null;
+    }
+  /** Counter-clockwise. */
+  | { readonly type: 'turned'; readonly kind: Kind; readonly count: number; readonly byDeg: number | null }
+  | { readonly type: 'sized'; readonly kind: Kind; readonly size: Point }
+  | { readonly type: 'changed'; readonly kind: Kind; readonly count: number }
+  /** The robot's start. */
+  | {
+      readonly type: 'robot';
+      readonly at: Point | null;
+      readonly headingDeg: number | null;
+      readonly scale: number | null;
+    }
+  /** What of the course as a whole. */
+  | { readonly type: 'course'; readonly what: readonly ('name' | 'description' | 'size' | 'task' | 'background')[] }
+  /** Things of different sorts at once. */
+  | { readonly type: 'several' };
+
+/** What an edit does to a course. */
+export const describeEdit = (scene: Scene, edit: SceneEdit): EditDescription =>
+  describeChange(scene, applyEdit(scene, edit), edit);
+
+/** What differs between two states of a course; `edit`: what led from one to the other, or `null` where nobody knows. */
+export function describeChange(before: Scene, after: Scene, edit: SceneEdit | null = null): EditDescription {
+  const parts = [objectsChange(before, after, edit), robotChange(before, after), courseChange(before, after)].filter(
+    (part) => part.type !== 'nothing',
+  );
+  // Name and task may go along: they tell of what is gone.
+  const cleared = parts.find(({ type }) => type === 'cleared');
+  if (cleared) return cleared;
+  return parts.length > 1 ? { type: 'several' } : (parts[0] ?? { type: 'nothing' });
+}
+
+function robotChange({ robot: before }: Scene, { robot: after }: Scene): EditDescription {
+  if (before === after || isSame(before, after)) return { type: 'nothing' };
+  return {
+    type: 'robot',
+    at: isSame(before.at, after.at) ? null : after.at,
+    headingDeg: before.heading === after.heading ? null : after.heading,
+    scale: before.scale === after.scale ? null : after.scale,
+  };
+}
+
+function courseChange(before: Scene, after: Scene): EditDescription {
+  const what = (['name', 'description', 'size', 'task', 'background'] as const).filter(
+    (key) => before[key] !== after[key] && (key === 'background' || !isSame(before[key], after[key])),
+  );
+  return what.length === 0 ? { type: 'nothing' } : { type: 'course', what };
+}
+
+const isSame = (one: unknown, other: unknown): boolean =>
+  one === other || JSON.stringify(one) === JSON.stringify(other);
+
+interface Changes {
+  readonly added: readonly SceneObject[];
+  readonly removed: readonly SceneObject[];
+  /** Before and after. */
+  readonly changed: readonly (readonly [SceneObject, SceneObject])[];
+}
+
+/** Only clearing is said to clear; without knowing, several that are gone with nothing left were cleared. */
+function isClearing(edit: SceneEdit | null, count: number): boolean {
+  if (edit === null) return count > 1;
+  return edit.type === 'clear' || (edit.type === 'all' && edit.edits.some((part) => isClearing(part, count)));
+}
+
+function objectsChange(before: Scene, after: Scene, edit: SceneEdit | null): EditDescription {
+  if (before.objects === after.objects) return { type: 'nothing' };
+  const changes = changesBetween(before, after);
+  const { added, removed, changed } = changes;
+  if (added.length + removed.length + changed.length === 0) return { type: 'nothing' };
+  if (removed.length > 0 && after.objects.length === 0 && isClearing(edit, removed.length))
+    return { type: 'cleared', count: removed.length };
+  if (changed.length === 0 && removed.length === 0) return addedChange(added);
+  if (changed.length === 0 && added.length === 0)
+    return { type: 'removed', kind: kindOf(removed), count: removed.length };
+  const erased = erasedChange(changes);
+  if (erased) return erased;
+  if (removed.length === 0 && added.length === 0) return alteredChange(changed);
+  // Walls of a maze that grow together or are parted.
+  const all = [...added, ...removed, ...changed.map(([, now]) => now)];
+  return { type: 'changed', kind: kindOf(all), count: all.length };
+}
+
+function changesBetween(before: Scene, after: Scene): Changes {
+  const old = new Map(before.objects.map((object) => [object.id, object]));
+  const now = new Set(after.objects.map(({ id }) => id));
+  const added: SceneObject[] = [];
+  const changed: (readonly [SceneObject, SceneObject])[] = [];
+  for (const object of after.objects) {
+    const was = old.get(object.id);
+    if (!was) added.push(object);
+    else if (!isSame(was, object)) changed.push([was, object]);
+  }
+  return { added, removed: before.objects.filter(({ id }) => !now.has(id)), changed };
+}
+
+function kindOf(objects: readonly SceneObject[]): Kind {
+  const kinds = new Set(objects.map(({ type }) => type));
+  const [kind] = kinds;
+  return kinds.size === 1 && kind ? kind : 'several';
+}
+
+function addedChange(added: readonly SceneObject[]): EditDescription {
+  const [first] = added;
+  if (added.length === 1 && first?.type === 'stroke')
+    return { type: 'drew', lengthMm: lengthMm(first), widthMm: first.width, color: first.color };
+  return { type: 'added', kind: kindOf(added), count: added.length, at: middleOfOnly(added) };
+}
+
+function middleOfOnly(objects: readonly SceneObject[]): Point | null {
+  const [first] = objects;
+  if (!first || objects.length > 1) return null;
+  const { x, y } = middleOf(first);
+  return [Math.round(x) + 0, Math.round(y) + 0];
+}
+
+const lengthMm = (object: SceneObject): number =>
+  object.type === 'stroke'
+    ? Math.round(
+        object.points.reduce(
+          (sum, point, index) => sum + distanceMm(toVec(object.points[index - 1] ?? point), toVec(point)),
+          0,
+        ),
+      )
+    : 0;
+
+/** Strokes that became shorter or several. */
+function erasedChange({ added, removed, changed }: Changes): EditDescription | null {
+  const all = [...added, ...removed, ...changed.map(([was]) => was)];
+  if (all.some(({ type }) => type !== 'stroke')) return null;
+  const sum = (objects: readonly SceneObject[]): number => objects.reduce((mm, object) => mm + lengthMm(object), 0);
+  const before = sum([...removed, ...changed.map(([was]) => was)]);
+  const after = sum([...added, ...changed.map(([, now]) => now)]);
+  const isCut = added.length + removed.length > 0 || after < before - 1;
+  if (!isCut || changed.some(([was, now]) => lengthMm(now) > lengthMm(was) + 1)) return null;
+  if (changed.some(([was, now]) => !endsOn(now, was))) return null;
+  return { type: 'erased', count: removed.length + changed.length, lengthMm: Math.max(0, before - after) };
+}
+
+/** Whether a line ends on the ink of another: then it is a piece of it. */
+function endsOn(piece: SceneObject, whole: SceneObject): boolean {
+  if (piece.type !== 'stroke') return false;
+  const ends = [piece.points[0], piece.points[piece.points.length - 1]];
+  return ends.every((end) => end !== undefined && distanceTo(whole, toVec(end), 0) !== null);
+}
+
+/** Objects that are still there but not as they were. */
+function alteredChange(changed: Changes['changed']): EditDescription {
+  const now = changed.map(([, object]) => object);
+  const kind = kindOf(now);
+  const count = now.length;
+  const byMm = commonStep(changed);
+  if (byMm) return { type: 'moved', kind, count, byMm, at: middleOfOnly(now) };
+  if (changed.every(isTurned)) return { type: 'turned', kind, count, byDeg: commonTurn(changed) };
+  const [first] = now;
+  if (
+    count === 1 &&
+    first &&
+    'size' in first &&
+    changed.every(([was]) => 'size' in was && !isSame(was.size, first.size))
+  )
+    return { type: 'sized', kind, size: first.size };
+  return { type: 'changed', kind, count };
+}
+
+/** The step by which all were moved, if they were moved and nothing else. */
+function commonStep(changed: Changes['changed']): Point | null {
+  const [first] = changed;
+  if (!first) return null;
+  const [was, now] = [placeOf(first[0]), placeOf(first[1])];
+  const [dx, dy] = [now[0] - was[0], now[1] - was[1]];
+  return changed.every(([one, other]) => isSame(movedBy(one, dx, dy), other)) ? [dx, dy] : null;
+}
+
+function placeOf(object: SceneObject): Point {
+  if (object.type === 'wall') return object.from;
+  return object.type === 'stroke' ? (object.points[0] ?? [0, 0]) : object.at;
+}
+
+/** Rounding to whole mm changes lengths by less than this. */
+const ROUNDING_MM = 2;
+
+function isTurned([was, now]: readonly [SceneObject, SceneObject]): boolean {
+  if ('turn' in was && 'turn' in now)
+    return was.turn !== now.turn && (!('size' in was) || !('size' in now) || isSame(was.size, now.size));
+  const [one, other] = [extentOf(was), extentOf(now)];
+  return (
+    one !== null &&
+    other !== null &&
+    directionDeg(ORIGIN, one) !== directionDeg(ORIGIN, other) &&
+    Math.abs(distanceMm(ORIGIN, one) - distanceMm(ORIGIN, other)) <= ROUNDING_MM &&
+    Math.abs(lengthMm(was) - lengthMm(now)) <= ROUNDING_MM + lengthMm(was) / 50
+  );
+}
+
+const ORIGIN: Vec = { x: 0, y: 0 };
+
+/** From one end of a line to the other. */
+function extentOf(object: SceneObject): Vec | null {
+  if (object.type === 'wall') return minus(toVec(object.to), toVec(object.from));
+  if (object.type !== 'stroke') return null;
+  const [first] = object.points;
+  const last = object.points[object.points.length - 1];
+  return first && last ? minus(toVec(last), toVec(first)) : null;
+}
+
+/** The angle by which all were turned, in whole degrees, or `null` when it is not the same. */
+function commonTurn(changed: Changes['changed']): number | null {
+  const angles = changed.map(([was, now]) => {
+    if ('turn' in was && 'turn' in now) return wrappedDeg((now.turn - was.turn) * 45);
+    const [one, other] = [extentOf(was), extentOf(now)];
+    return one && other ? Math.round(wrappedDeg(directionDeg(ORIGIN, other) - directionDeg(ORIGIN, one))) : 0;
+  });
+  const [first] = angles;
+  // A short line turned in whole mm may miss the angle by a few degrees.
+  return first !== undefined && angles.every((angle) => Math.abs(wrappedDeg(angle - first)) <= 3) ? first : null;
+}

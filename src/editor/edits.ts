@@ -1,0 +1,76 @@
+import type { Replacement, SceneEdit } from '#scene/edit';
+import { sceneLimits, type Point, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
+
+/** Several edits as one, the shortest way to say it; `null` for none. */
+export function combined(edits: readonly (SceneEdit | null)[]): SceneEdit | null {
+  const real = edits.filter((edit) => edit !== null);
+  const [only] = real;
+  if (only === undefined) return null;
+  return real.length === 1 ? only : { type: 'all', edits: real };
+}
+
+/** Puts objects in, unless the course is full or there are none. */
+export function adding(scene: Scene, objects: readonly SceneObject[]): SceneEdit | null {
+  const room = roomIn(scene);
+  if (objects.length === 0 || objects.length > room.objects || pointsOf(objects) > room.points) return null;
+  return { type: 'add', objects };
+}
+
+/**
+ * Puts one object in, unless the very same lies at the same place already: whoever taps twice by mistake would get two
+ * blocks in one another, and see one.
+ */
+export function addingOnce(scene: Scene, object: Box): SceneEdit | null {
+  const isThere = scene.objects.some(
+    (other) =>
+      other.type === object.type &&
+      isSamePoint(other.at, object.at) &&
+      isSamePoint(other.size, object.size) &&
+      other.turn === object.turn,
+  );
+  return isThere ? null : adding(scene, [object]);
+}
+
+type Box = Extract<SceneObject, { size: unknown }>;
+
+const isSamePoint = (one: Point, other: Point): boolean => one[0] === other[0] && one[1] === other[1];
+
+/** Takes objects away; `null` for none. */
+export const removing = (ids: readonly string[]): SceneEdit | null =>
+  ids.length === 0 ? null : { type: 'remove', ids };
+
+/** Puts changed objects in the place of those with the same id; `null` when there are none. */
+export const changing = (objects: readonly SceneObject[]): SceneEdit | null =>
+  replacing(objects.map((object) => ({ id: object.id, by: [object] })));
+
+/** Replaces objects; `null` when there is nothing to replace. */
+export const replacing = (changes: readonly Replacement[]): SceneEdit | null =>
+  changes.length === 0 ? null : { type: 'replace', changes };
+
+/** Changes the robot's start; `null` when it is as it was. */
+export function startingAt(
+  scene: Scene,
+  robot: Partial<Pick<RobotStart, 'at' | 'heading' | 'scale'>>,
+): SceneEdit | null {
+  const { at, heading, scale } = scene.robot;
+  const isSame =
+    (robot.at === undefined || (robot.at[0] === at[0] && robot.at[1] === at[1])) &&
+    (robot.heading === undefined || robot.heading === heading) &&
+    (robot.scale === undefined || robot.scale === scale);
+  return isSame ? null : { type: 'robot', robot };
+}
+
+/** How many more objects and points of strokes a course may hold. */
+export function roomIn(scene: Scene): { readonly objects: number; readonly points: number } {
+  return {
+    objects: Math.max(0, sceneLimits.objects - scene.objects.length),
+    points: Math.max(0, sceneLimits.points - pointsOf(scene.objects)),
+  };
+}
+
+/** How many points the strokes among some objects have together. */
+export function pointsOf(objects: readonly SceneObject[]): number {
+  let points = 0;
+  for (const object of objects) if (object.type === 'stroke') points += object.points.length;
+  return points;
+}

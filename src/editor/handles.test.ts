@@ -1,0 +1,61 @@
+import { describe, expect, it } from 'vitest';
+import { handleAt, handlesOf } from './handles';
+import { block, course, footprint, mover, stroke, wall } from './testing/desk';
+import type { Selection } from './tool';
+
+const scene = course(
+  wall('w', [100, 100], [400, 100]),
+  block('b', [300, 300], 2),
+  mover('m', [700, 700], [900, 700]),
+  stroke('line', [100, 500], [400, 500]),
+  stroke('drawn', [100, 600], [200, 700], [300, 600]),
+  stroke('dot', [50, 50]),
+);
+const of = (ids: readonly string[], robot = false): Selection => ({ ids, robot });
+const kinds = (selection: Selection): readonly string[] =>
+  handlesOf(scene, selection, footprint, 10).map(({ kind, id }) => `${kind} ${String(id)}`);
+
+describe('handles', () => {
+  it('are the ends and a knob of a wall', () => {
+    expect(handlesOf(scene, of(['w']), footprint, 10)).toEqual([
+      { kind: 'from', at: { x: 100, y: 100 }, id: 'w' },
+      { kind: 'to', at: { x: 400, y: 100 }, id: 'w' },
+      { kind: 'rotate', at: { x: 250, y: 125 }, id: 'w' },
+    ]);
+  });
+
+  it('turn with a block: its own upper right corner, and a knob above it', () => {
+    expect(handlesOf(scene, of(['b']), footprint, 10)).toEqual([
+      { kind: 'size', at: { x: 275, y: 325 }, id: 'b' },
+      { kind: 'rotate', at: { x: 255, y: 300 }, id: 'b' },
+    ]);
+  });
+
+  it('are also the turning point of a mover and the ends of a straight line', () => {
+    expect(kinds(of(['m']))).toEqual(['size m', 'rotate m', 'to m']);
+    expect(kinds(of(['line']))).toEqual(['from line', 'to line', 'rotate line']);
+    expect(kinds(of(['drawn']))).toEqual(['rotate drawn']);
+    expect(kinds(of(['dot']))).toEqual([]);
+  });
+
+  it('stand before the robot, if there is one', () => {
+    expect(handlesOf(scene, of([], true), footprint, 10)).toEqual([
+      { kind: 'rotate', at: { x: 680, y: 450 }, id: null },
+    ]);
+    expect(handlesOf(scene, of([], true), [], 10)).toEqual([]);
+  });
+
+  it('are one knob above several', () => {
+    expect(handlesOf(scene, of(['w', 'b']), footprint, 10)).toEqual([
+      { kind: 'rotate', at: { x: 250, y: 345 }, id: 'w' },
+    ]);
+    expect(kinds(of(['b'], true))).toEqual(['rotate b']);
+    expect(kinds(of([]))).toEqual([]);
+  });
+
+  it('are taken hold of within reach, the nearest first', () => {
+    expect(handleAt(scene, of(['w']), footprint, { x: 405, y: 108 }, 10)?.kind).toBe('to');
+    expect(handleAt(scene, of(['w']), footprint, { x: 420, y: 108 }, 10)).toBeNull();
+    expect(handleAt(scene, of(['w']), footprint, { x: 250, y: 118 }, 10)?.kind).toBe('rotate');
+  });
+});

@@ -1,0 +1,65 @@
+import { sceneDefaults, sceneLimits, type Point } from '#scene/scene';
+import type { ToolOptions } from './tool';
+
+/** What the tools are set to before anything is chosen. */
+export const usualToolOptions: ToolOptions = {
+  penWidth: sceneDefaults.width,
+  penColor: sceneDefaults.color,
+  penShape: 'free',
+  eraser: 'parts',
+  eraserWidth: 30, // chosen: takes a line of 20 mm in one go
+  block: 'block',
+  blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it
+  moverSpeed: sceneDefaults.speed,
+  moverSpiked: sceneDefaults.spiked,
+  wallThickness: sceneDefaults.thickness,
+  wallSnaps: true,
+  mazeCell: 150, // chosen: all robots turn round in it, and the usual arena is 8 × 6 such cells
+  zone: 'target',
+  zoneRound: sceneDefaults.round,
+  zoneBlocks: sceneDefaults.blocks,
+  labelText: '',
+  labelHeight: sceneDefaults.labelHeight,
+};
+
+/** Bounds of a number beside a tool, and the step of its − and + buttons. */
+export interface OptionRange {
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+}
+
+/** What may be set, in mm, mm/s or a count. Upper bounds are those of a course (`sceneLimits`) or chosen to fit an arena. */
+export const toolOptionRanges = {
+  penWidth: { ...sceneLimits.widthMm, step: 1 },
+  eraserWidth: { min: 5, max: 300, step: 5 },
+  blockSide: { ...sceneLimits.blockMm, step: 5 },
+  moverSpeed: { ...sceneLimits.speedMmS, step: 5 },
+  wallThickness: { ...sceneLimits.thicknessMm, step: 1 },
+  mazeCell: { min: 50, max: 1000, step: 10 },
+  zoneBlocks: { ...sceneLimits.blocks, step: 1 },
+  labelHeight: { ...sceneLimits.labelMm, step: 5 },
+} as const satisfies Record<string, OptionRange>;
+
+/** Widths of the pen that have a button of their own, in mm: narrow, usual and wide tape. */
+export const penWidths: readonly number[] = [15, 20, 30];
+
+/** Widths of the eraser that have a button of their own, in mm. */
+export const eraserWidths: readonly number[] = [15, 30, 60];
+
+/** Sizes of blocks that have a button of their own, in mm. */
+export const blockSizes: readonly Point[] = [
+  [30, 30],
+  [50, 50],
+  [100, 50],
+];
+
+/** Sides of a maze's cells that have a button of their own, in mm. */
+export const mazeCells: readonly number[] = [100, 150, 200, 300];
+
+/** Sizes of zones that are put by a tap, in mm. Chosen: a robot fits in with room to spare. */
+export const zoneSizes = {
+  target: [200, 200],
+  checkpoint: [150, 150],
+  forbidden: [200, 200],
+} as const satisfies Record<ToolOptions['zone'], Point>;

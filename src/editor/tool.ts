@@ -1,0 +1,106 @@
+import type { Vec } from '#core/geometry';
+import type { SceneEdit } from '#scene/edit';
+import type { Point, Scene, StrokeColor, Zone } from '#scene/scene';
+
+/** The tools of the palette. The hand is not among them: it reaches into the run, never into the course. */
+export type ToolId =
+  'select' | 'rotate' | 'pen' | 'eraser' | 'block' | 'wall' | 'maze' | 'zone' | 'label' | 'start' | 'ruler';
+
+/** A gesture so far: a pointer that went down, or the crosshair of the keyboard. */
+export interface Drag {
+  /** World mm, not rounded; at least one. The first is where it began. */
+  readonly path: readonly Vec[];
+  /** No snapping, fine steps (the Shift key, or the switch beside the tool). */
+  readonly free: boolean;
+  /** Adds to the selection instead of making a new one (Ctrl or ⌘). */
+  readonly adds: boolean;
+  /** How near counts as on a thing, in mm: larger for a finger than for a mouse, and when zoomed out. */
+  readonly reachMm: number;
+}
+
+/** What is selected: objects of the course by id, and whether the robot's start is. */
+export interface Selection {
+  readonly ids: readonly string[];
+  readonly robot: boolean;
+}
+
+export const nothingSelected: Selection = { ids: [], robot: false };
+
+/** What is set beside the tools. One record for all tools: a tool reads what is its own. */
+export interface ToolOptions {
+  readonly penWidth: number;
+  readonly penColor: StrokeColor;
+  /** `free`: as drawn; `straight`: from start to end, snapped to 45°; `curve`: smoothed. */
+  readonly penShape: 'free' | 'straight' | 'curve';
+  /** `parts`: cuts strokes where it passes; `objects`: takes whole objects away. */
+  readonly eraser: 'parts' | 'objects';
+  readonly eraserWidth: number;
+  readonly block: 'block' | 'fixed-block' | 'spikes' | 'mover';
+  readonly blockSize: Point;
+  readonly moverSpeed: number;
+  readonly moverSpiked: boolean;
+  readonly wallThickness: number;
+  /** Walls snap to 45° and to ends of other walls. */
+  readonly wallSnaps: boolean;
+  /** Side of a cell of the maze's grid in mm. */
+  readonly mazeCell: number;
+  readonly zone: Zone['type'];
+  readonly zoneRound: boolean;
+  /** Blocks that a new target wants; 0: the robot. */
+  readonly zoneBlocks: number;
+  readonly labelText: string;
+  readonly labelHeight: number;
+}
+
+/** What a tool works on. */
+export interface ToolContext {
+  /** The course as it was when the drag began. */
+  readonly scene: Scene;
+  readonly selection: Selection;
+  readonly options: ToolOptions;
+  /** Convex parts of the robot at scale 1 in its own frame, mm; empty: no robot. */
+  readonly footprint: readonly (readonly Vec[])[];
+}
+
+/** Something to see while a tool is used that is no object of the course. World mm. */
+export type Mark =
+  /** The frame that catches objects. */
+  | { readonly type: 'frame'; readonly from: Vec; readonly to: Vec }
+  /** The ruler's line; the page writes length, angle, x and y beside it. */
+  | { readonly type: 'measure'; readonly from: Vec; readonly to: Vec }
+  /** Where an end has snapped to. */
+  | { readonly type: 'snap'; readonly at: Vec }
+  /** What the eraser covers. */
+  | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }
+  /** The grid on whose edges a maze is built, and the edge that a tap would change. */
+  | { readonly type: 'grid'; readonly cellMm: number; readonly edge: readonly [Vec, Vec] | null };
+
+/** A point of what is selected that can be taken hold of. */
+export interface Handle {
+  readonly kind: 'rotate' | 'from' | 'to' | 'size';
+  /** World mm. */
+  readonly at: Vec;
+  /** The object, or `null` for the robot. */
+  readonly id: string | null;
+}
+
+/**
+ * One tool: a function from a drag to one edit. A tap is a drag with one place. Tools keep nothing: the same drag in the
+ * same context gives the same edit.
+ */
+export interface Tool {
+  readonly id: ToolId;
+  /** CSS cursor over the floor. */
+  readonly cursor: string;
+  /** What the drag amounts to so far, or `null` for nothing (yet). Asked again on every move, and its result shown; the last answer is the edit. */
+  edit(drag: Drag, context: ToolContext): SceneEdit | null;
+  /**
+   * Tools that draw freely: the ink that is shown along the path while it is drawn, which may have many thousand points.
+   * `edit` is then asked only at the end. `null`: `edit` shows it.
+   */
+  ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
+  /** What is to be seen besides; `drag` is a single place while the pointer only hovers. */
+  marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
+  /** What is selected after the drag is over; left out: as before. `after` is the course with the edit applied. */
+  select?(drag: Drag, context: ToolContext, after: Scene): Selection;
+}
