@@ -1,0 +1,238 @@
+import { findJsonError } from '#scene/json-position';
+import { parseSceneValue } from '#scene/parse';
+import { shown } from '#scene/problem';
+import { Reader, type Fields } from '#scene/reader';
+import { serializeScene } from '#scene/serialize';
+
+import type { ProjectProblem } from './problem';
+import {
+  defaultProjectSettings,
+  FILE_BYTES,
+  MAIN,
+  nameProblem,
+  projectLimits,
+  utf8Bytes,
+  type Project,
+  type ProjectSettings,
+  type SourceFile,
+} from './project';
+
+/** What a project file calls itself. */
+export const PROJECT_FORMAT = 'parcours-project';
+
+/** The version this app writes, and the newest it reads. Its course has a version of its own (`#scene/scene`). */
+export const PROJECT_VERSION = 1;
+
+/** What brings a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
+const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {};
+
+/** A project, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
+export type ParsedProject =
+  { readonly project: Project } | { readonly problem: string; readonly problems: readonly ProjectProblem[] };
+
+/**
+ * A project as its file: readable JSON in a fixed order, ending in a newline. Reading it back gives an equal project, and
+ * the same project always gives the same text.
+ */
+export function projectToText({ files, scene, course, settings }: Project): string {
+  const lines = [
+    `"format": ${JSON.stringify(PROJECT_FORMAT)}`,
+    `"version": ${String(PROJECT_VERSION)}`,
+    ...(course === null ? [] : [`"course": ${JSON.stringify(course)}`]),
+    ...(settings === undefined ? [] : [`"settings": ${JSON.stringify(settings)}`]),
+    `"files": [\n    ${files.map(({ name, text }) => JSON.stringify({ name, text })).join(',\n    ')}\n  ]`,
+    // Texts in JSON hold no line ends of their own: all there are belong to the layout.
+    `"scene": ${serializeScene(scene).trimEnd().replaceAll('\n', '\n  ')}`,
+  ];
+  return `{\n  ${lines.join(',\n  ')}\n}\n`;
+}
+
+/** Reads a project file. Never throws; a file with a problem loads nothing. */
+export function parseProject(text: string): ParsedProject {
+  const { textCharacters } = projectLimits;
+  if (text.length > textCharacters) {
+    const params = { length: text.length, max: textCharacters };
+    const message = `The project file has ${String(text.length)} characters; the limit is ${String(textCharacters)}. Is it the right file?`;
+    return failed([{ code: 'too-long', path: '', value: '', params, message }]);
+  }
+  const json = text.startsWith('\ufeff') ? text.slice(1) : text;
+  let value: unknown;
+  try {
+    value = JSON.parse(json);
+  } catch {
+    const { line, column } = findJsonError(json) ?? { line: 1, column: 1 };
+    const near = json.split('\n', line)[line - 1]?.slice(column - 1, column + 19) ?? '';
+    const message = `The project file is not JSON: line ${String(line)}, column ${String(column)}${near === '' ? ', where it ends' : `, at ${JSON.stringify(near)}`}.`;
+    return failed([{ code: 'not-json', path: '', value: '', params: { line, column, near }, message }]);
+  }
+  return parseProjectValue(value);
+}
+
+/** Reads a project that is already a JavaScript value, for instance out of a message. Never throws. */
+export function parseProjectValue(value: unknown): ParsedProject {
+  const current = currentVersion(value);
+  return 'problem' in current ? failed([current.problem]) : readProject(current.fields);
+}
+
+/** What a JSON value says that it is, if anything. */
+export const formatOf = (value: unknown): unknown => (isFields(value) ? value['format'] : undefined);
+
+/** Whether a JSON value says that it is a project file, of whatever version. */
+export const isProjectFile = (value: unknown): value is Fields => formatOf(value) === PROJECT_FORMAT;
+
+const isFields = (value: unknown): value is Fields =>
+  typeof value === 'object' && value !== null && !Array.isArray(value);
+
+function failed(problems: readonly ProjectProblem[]): ParsedProject {
+  const more = problems.length - 1;
+  const first = problems[0]?.message ?? '';
+  return { problem: more > 0 ? `${first} (and ${String(more)} more)` : first, problems };
+}
+
+/** Format and version come first: a newer file must not be judged by older rules. */
+function currentVersion(value: unknown): { readonly fields: Fields } | { readonly problem: ProjectProblem } {
+  if (!isProjectFile(value)) {
+    const message = `This is not a project file: "format" must be "${PROJECT_FORMAT}".`;
+    return { problem: { code: 'not-a-project', path: 'format', value: shown(formatOf(value)), params: {}, message } };
+  }
+  let fields = value;
+  const version = fields['version'];
+  if (typeof version !== 'number' || !Number.isInteger(version) || version < 1 || version > PROJECT_VERSION)
+    return { problem: versionProblem(version) };
+  for (let step = version; step < PROJECT_VERSION; step += 1) fields = migrations[step]?.(fields) ?? fields;
+  return { fields };
+}
+
+function versionProblem(version: unknown): ProjectProblem {
+  const known = PROJECT_VERSION;
+  const isNewer = typeof version === 'number' && Number.isInteger(version) && version > known;
+  const params = { version: typeof version === 'number' ? version : shown(version).slice(0, 20), known };
+  const message = isNewer
+    ? `Project version ${String(version)} is newer than this app (${String(known)}). Reload the page to update.`
+    : `Project version ${String(params.version)} is unknown; this app reads version ${String(known)}.`;
+  return {
+    code: isNewer ? 'newer-version' : 'unknown-version',
+    path: 'version',
+    value: shown(version),
+    params,
+    message,
+  };
+}
+
+function readProject(value: Fields): ParsedProject {
+  const reader = new Reader();
+  const { course, settings, files, scene } = reader.fields(value, '', [
+    'format',
+    'version',
+    'course',
+    'settings',
+    'files',
+    'scene',
+  ]);
+  const id = course === undefined || course === null ? null : reader.text(course, 'course', projectLimits.idCharacters);
+  const chosen = settings === undefined ? undefined : readSettings(settings, reader);
+  const { files: read, problems } = readFiles(files, reader);
+  const parsed = parseSceneValue(scene);
+  const wrong: readonly ProjectProblem[] = [
+    ...reader.problems,
+    ...problems,
+    ...('problems' in parsed ? parsed.problems.map(inScene) : []),
+  ];
+  if (wrong.length > 0 || !('scene' in parsed)) return failed(wrong);
+  const project: Project = { files: read, scene: parsed.scene, course: id };
+  return { project: chosen === undefined ? project : { ...project, settings: chosen } };
+}
+
+function inScene(problem: ProjectProblem): ProjectProblem {
+  const path = problem.path === '' ? 'scene' : `scene.${problem.path}`;
+  return { ...problem, path, message: `scene: ${problem.message}` };
+}
+
+function readSettings(value: unknown, reader: Reader): ProjectSettings {
+  const usual = defaultProjectSettings;
+  const fields = reader.fields(value, 'settings', Object.keys(usual));
+  const id = (key: 'device' | 'firmware' | 'robot'): string =>
+    reader.text(fields[key], `settings.${key}`, projectLimits.idCharacters, usual[key]);
+  return {
+    device: id('device'),
+    firmware: id('firmware'),
+    robot: id('robot'),
+    robotOptions: readRobotOptions(fields['robotOptions'], reader),
+    reality: reader.number(fields['reality'], 'settings.reality', projectLimits.reality, usual.reality),
+    seed: reader.whole(fields['seed'], 'settings.seed', projectLimits.seed, usual.seed),
+    arenaSenses: reader.flag(fields['arenaSenses'], 'settings.arenaSenses', usual.arenaSenses),
+  };
+}
+
+function readRobotOptions(value: unknown, reader: Reader): ProjectSettings['robotOptions'] {
+  const path = 'settings.robotOptions';
+  const robots = readEntries(value, path, reader);
+  return Object.fromEntries(
+    robots.map(([robot, options]) => {
+      const place = `${path}.${robot.slice(0, 40)}`;
+      const own = readEntries(options, place, reader).map(([option, choice]): [string, string] => {
+        return [option, reader.text(choice, `${place}.${option.slice(0, 40)}`, projectLimits.idCharacters)];
+      });
+      return [robot, Object.fromEntries(own)];
+    }),
+  );
+}
+
+function readEntries(value: unknown, path: string, reader: Reader): readonly (readonly [string, unknown])[] {
+  if (value === undefined) return [];
+  if (!isFields(value)) {
+    reader.wrongType(value, path, 'an object { … }');
+    return [];
+  }
+  const entries = Object.entries(value);
+  for (const [key] of entries) {
+    reader.text(key, path, projectLimits.idCharacters);
+    if (key === '__proto__') reader.report('unknown-value', path, key, '"__proto__" cannot be an id.');
+  }
+  return reader.list(entries, path, { min: 0, max: projectLimits.options }) as typeof entries;
+}
+
+/** The files, and what is wrong with their names and sizes. */
+function readFiles(value: unknown, reader: Reader): { files: readonly SourceFile[]; problems: ProjectProblem[] } {
+  const entries = reader.list(value, 'files', { min: 1, max: projectLimits.files });
+  const files: SourceFile[] = [];
+  const problems: ProjectProblem[] = [];
+  for (const [index, entry] of entries.entries()) {
+    const path = `files[${String(index)}]`;
+    const fields = reader.fields(entry, path, ['name', 'text']);
+    const name = reader.text(fields['name'], `${path}.name`, projectLimits.textCharacters);
+    const text = reader.text(fields['text'], `${path}.text`, projectLimits.textCharacters);
+    if (typeof fields['name'] === 'string' && typeof fields['text'] === 'string')
+      problems.push(...fileProblems({ name, text }, files, path));
+    files.push({ name, text });
+  }
+  return { files, problems };
+}
+
+/** What is wrong with a file that comes after `before`. */
+function fileProblems(file: SourceFile, before: readonly SourceFile[], path: string): ProjectProblem[] {
+  const { name, text } = file;
+  const wrong = nameProblem(name, before);
+  const bytes = utf8Bytes(text);
+  const problems: ProjectProblem[] = [];
+  if (wrong !== null) {
+    const message = `${path}.name: ${shown(name)} cannot be the name of a file: ${NAME_RULES[wrong]}`;
+    problems.push({ code: 'file-name', path: `${path}.name`, value: shown(name), params: { rule: wrong }, message });
+  } else if (before.length === 0 && name !== MAIN) {
+    const message = `${path}.name: the first file must be ${MAIN}, not ${shown(name)}.`;
+    problems.push({ code: 'no-main', path: `${path}.name`, value: shown(name), params: {}, message });
+  }
+  if (bytes > FILE_BYTES) {
+    const message = `${path}.text: ${String(bytes)} bytes are too many; the limit is ${String(FILE_BYTES)}.`;
+    const params = { length: bytes, max: FILE_BYTES };
+    problems.push({ code: 'file-too-large', path: `${path}.text`, value: '', params, message });
+  }
+  return problems;
+}
+
+const NAME_RULES = {
+  nameEmpty: 'it is empty.',
+  nameTaken: 'another file has it.',
+  nameCharacters: 'it may have letters, digits, "_", "-" and "." only.',
+  nameLong: 'it is too long.',
+} as const;

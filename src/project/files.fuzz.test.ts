@@ -1,0 +1,50 @@
+import { describe, expect, it } from 'vitest';
+
+import { createRng } from '#core/rng';
+import { sceneLimits } from '#scene/scene';
+
+import { parseProject, projectToText } from './file';
+import { openJson } from './opened';
+import { projectLimits, type Project } from './project';
+import { mutatedText, mutatedValue } from './testing/mutate';
+import { fullProject } from './testing/projects';
+
+/** How many files are tried: `npm run fuzz` tries a million. */
+const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
+/** Against an endless loop only. */
+const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+
+const level = { canvas: { width: 800, height: 600 }, walls: [{ x: 9, y: 9, w: 90, h: 10 }], marks: [{ x: 5, y: 5, radius: 3 }, { x: 9, y: 5, radius: 3 }] }; // prettier-ignore
+
+function expectWithinLimits({ files, scene }: Project): void {
+  expect(files.length).toBeLessThanOrEqual(projectLimits.files);
+  expect(files[0]?.name).toBe('main.py');
+  expect(scene.objects.length).toBeLessThanOrEqual(sceneLimits.objects);
+}
+
+describe('randomly changed project files and levels', () => {
+  it(
+    `open as something valid or give a message, never an exception (${String(RUNS)} files)`,
+    () => {
+      const text = projectToText(fullProject());
+      const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks]];
+      const counts = { project: 0, scene: 0, problem: 0 };
+      for (let seed = 1; seed <= RUNS; seed += 1) {
+        const rng = createRng(seed);
+        const value = values[seed % 3 === 0 ? 1 + (seed % 2) : 0];
+        const file = rng.unit() < 0.3 ? mutatedText(text, rng) : JSON.stringify(mutatedValue(value, rng));
+        const opened = openJson(file);
+        counts[opened.kind] += 1;
+        if (opened.kind === 'problem') expect(opened.problem, `seed ${String(seed)}`).not.toBe('');
+        if (opened.kind !== 'project') continue;
+        expectWithinLimits(opened.project);
+        expect(parseProject(projectToText(opened.project)), `seed ${String(seed)}`).toEqual({
+          project: opened.project,
+        });
+      }
+      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(RUNS / 100);
+      expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
+    },
+    TIME_LIMIT_MS,
+  );
+});

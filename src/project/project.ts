@@ -1,0 +1,114 @@
+import type { Scene } from '#scene/scene';
+
+/** A file of the pupil. */
+export interface SourceFile {
+  readonly name: string;
+  readonly text: string;
+}
+
+/** What a pupil works on: files, a course and what they run on. Immutable; every change makes a new one. */
+export interface Project {
+  /** main.py first, the others in the order of their tabs. */
+  readonly files: readonly SourceFile[];
+  readonly scene: Scene;
+  /** Id of the ready course it started from, or `null`. */
+  readonly course: string | null;
+  /** What it runs on; left out: as whoever opens it has chosen. */
+  readonly settings?: ProjectSettings;
+}
+
+/** The settings that travel with a project, because a run depends on them. Language, theme and panes stay with the person. */
+export interface ProjectSettings {
+  /** Id of the microcomputer, or `auto`. */
+  readonly device: string;
+  /** Id of its firmware; empty: the board's usual one. */
+  readonly firmware: string;
+  /** Id of a robot type, `none` for the bare board, or `auto`. */
+  readonly robot: string;
+  /** What was changed about robots: id of the robot → id of the option → id of the choice. */
+  readonly robotOptions: Readonly<Record<string, Readonly<Record<string, string>>>>;
+  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  readonly reality: number;
+  /** Which of the used robots it is, 1 … 9999. */
+  readonly seed: number;
+  /** Whether the board on the robot feels the arena. */
+  readonly arenaSenses: boolean;
+}
+
+/** Settings of a project that says nothing about them. */
+export const defaultProjectSettings: ProjectSettings = {
+  device: 'auto',
+  firmware: '',
+  robot: 'auto',
+  robotOptions: {},
+  reality: 0,
+  seed: 1,
+  arenaSenses: false,
+};
+
+/** The program's file: always there, never renamed. */
+export const MAIN = 'main.py';
+
+/** Longest file name of the board's file system. */
+export const NAME_CHARACTERS = 120;
+
+/** Largest file that can be loaded, in bytes: far more than the board's file system holds, so that the device's own error shows. */
+export const FILE_BYTES = 256 * 1024;
+
+/** What a project may hold at most, besides what its scene may. Chosen: far beyond any lesson. */
+export const projectLimits = {
+  /** Of the whole file. */
+  textCharacters: 12_000_000,
+  files: 20,
+  idCharacters: 100,
+  /** Robots with changed options, and options of one robot. */
+  options: 50,
+  reality: { min: 0, max: 1 },
+  seed: { min: 1, max: 9999 },
+} as const;
+
+/** What is wrong with a name for a file, or `null`. `own` is the name the file has now. */
+export function nameProblem(
+  name: string,
+  files: readonly SourceFile[],
+  own?: string,
+): 'nameEmpty' | 'nameTaken' | 'nameCharacters' | 'nameLong' | null {
+  if (name === '') return 'nameEmpty';
+  if (name.length > NAME_CHARACTERS) return 'nameLong';
+  if (!/^[\p{L}\p{N}_][\p{L}\p{N}_.-]*$/u.test(name)) return 'nameCharacters';
+  if (name !== own && files.some((file) => file.name === name)) return 'nameTaken';
+  return null;
+}
+
+/** A name as meant: without spaces around it, ending in `.py` where no ending is given. */
+export function completeName(typed: string): string {
+  const name = typed.trim();
+  return name === '' || name.includes('.') ? name : `${name}.py`;
+}
+
+/** A name like `name` that no file has yet: `drive.py`, `drive2.py`, `drive3.py`, … */
+export function freeName(name: string, files: readonly SourceFile[]): string {
+  const [, stem = name, ending = ''] = /^(.*?)(\.[^.]*)?$/.exec(name) ?? [];
+  for (let number = 2; ; number += 1) {
+    const candidate = `${stem}${String(number)}${ending}`;
+    if (!files.some((file) => file.name === candidate)) return candidate;
+  }
+}
+
+/** The files as a run takes them. */
+export function filesByName(files: readonly SourceFile[]): Readonly<Record<string, string>> {
+  return Object.fromEntries(files.map((file) => [file.name, file.text]));
+}
+
+/** How many bytes a text has in UTF-8; half a surrogate pair counts as the three bytes of its replacement. */
+export function utf8Bytes(text: string): number {
+  let bytes = text.length;
+  for (let index = 0; index < text.length; index += 1) {
+    const unit = text.charCodeAt(index);
+    if (unit < 0x80) continue;
+    const isPair = unit >= 0xd800 && unit < 0xdc00 && (text.charCodeAt(index + 1) & 0xfc00) === 0xdc00;
+    bytes += unit < 0x800 ? 1 : 2; // a pair has two units and four bytes
+    if (isPair) index += 1;
+  }
+  return bytes;
+}

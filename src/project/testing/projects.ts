@@ -1,0 +1,185 @@
+/** Projects that tests pack, mutate and read again. */
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Vec } from '#core/geometry';
+import { createRng, type Rng } from '#core/rng';
+import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { simplified } from '#scene/simplify';
+
+import { defaultProjectSettings, type Project } from '../project';
+
+const TURN = 2 * Math.PI;
+const PEN_POINTS = 5_000;
+
+/** 5,000 points of a pen as a hand draws a closed track: three loops of about 13.4 m in all, jitter ±0.6 mm. */
+export function penTrack(seed = 1): readonly Vec[] {
+  const rng = createRng(seed);
+  return Array.from({ length: PEN_POINTS }, (_, index): Vec => {
+    const angle = (index / PEN_POINTS) * 3 * TURN;
+    const radius = 1 + 0.18 * exactSin(2.3 * angle) + 0.07 * exactCos(5.1 * angle);
+    const shake = (): number => (rng.unit() - 0.5) * 1.2;
+    return {
+      x: 1000 + 760 * radius * exactCos(angle) + shake(),
+      y: 750 + 560 * radius * exactSin(angle) + shake(),
+    };
+  });
+}
+
+/** 5,000 points of a pen that scribbles: a walk of 15 m in steps of 3 mm that turns at random and stays in the arena. */
+export function penScribble(seed = 1): readonly Vec[] {
+  const rng = createRng(seed);
+  let [x, y, heading, bend] = [1000, 750, 0, 0];
+  return Array.from({ length: PEN_POINTS }, (): Vec => {
+    bend = 0.9 * bend + (rng.unit() - 0.5) * 0.1;
+    heading += bend;
+    x += 3 * exactCos(heading);
+    y += 3 * exactSin(heading);
+    if (x < 60 || x > 1940 || y < 60 || y > 1440) heading += 0.4;
+    return { x, y };
+  });
+}
+
+/** Forty things of all kinds that are no strokes, as a course would have them. */
+export function fortyObjects(seed = 1): readonly SceneObject[] {
+  const rng = createRng(seed).fork('objects');
+  return Array.from({ length: 40 }, (_, index) => anObject(rng, index));
+}
+
+function anObject(rng: Rng, index: number): SceneObject {
+  const pick = (max: number): number => Math.floor(rng.unit() * max);
+  const number = Math.floor(index / 8) + 1;
+  const at: Point = [10 * pick(200), 10 * pick(150)];
+  const box = { at, size: [50, 50] as Point, turn: pick(8) };
+  const zone = { ...box, size: [200, 200] as Point, turn: 0, round: index % 2 === 0, blocks: 0, number: 0 };
+  switch (index % 8) {
+    case 0:
+    case 1:
+    case 2:
+      return {
+        type: 'wall',
+        id: `wall-${String(3 * number - 2 + (index % 8))}`,
+        from: at,
+        to: [at[0], at[1] + 10 * (1 + pick(60))],
+        thickness: 10,
+      };
+    case 3:
+      return { type: 'block', id: `block-${String(number)}`, ...box };
+    case 4:
+      return { type: 'fixed-block', id: `fixed-block-${String(number)}`, ...box };
+    case 5:
+      return { type: 'checkpoint', id: `checkpoint-${String(number)}`, ...zone, number };
+    case 6:
+      return { type: 'target', id: `target-${String(number)}`, ...zone, blocks: pick(3) };
+    default:
+      return { type: 'spikes', id: `spikes-${String(number)}`, ...box };
+  }
+}
+
+/** A program of forty lines as a pupil writes it. */
+export const FORTY_LINES = `# Linienfolger mit Ultraschall
+from microbit import *
+from mbrobot import *
+
+TEMPO = 35
+ABSTAND = 15
+runden = 0
+
+def linie_folgen():
+    links = irLeft.read_digital()
+    rechts = irRight.read_digital()
+    if links == 0 and rechts == 0:
+        forward()
+    elif links == 0:
+        leftArc(0.1)
+    elif rechts == 0:
+        rightArc(0.1)
+    else:
+        suchen()
+
+def suchen():
+    # Die Linie ist weg: langsam drehen, bis sie wieder da ist
+    left()
+    while irLeft.read_digital() == 1 and irRight.read_digital() == 1:
+        delay(10)
+    forward()
+
+def ausweichen():
+    global runden
+    runden = runden + 1
+    stop()
+    display.show(runden)
+    backward()
+    delay(400)
+    right()
+    delay(550)
+    forward()
+
+setSpeed(TEMPO)
+display.show(Image.HAPPY)
+while True:
+    if getDistance() < ABSTAND:
+        ausweichen()
+    linie_folgen()
+    delay(20)
+`;
+
+/** What the issue gives a link room for: a pen track, forty objects and a program of forty lines. */
+export function largeProject(pen: readonly Vec[], seed = 1): Project {
+  const stroke: SceneObject = { type: 'stroke', id: 'stroke-1', points: simplified(pen), width: 20, color: 'black' };
+  const scene: Scene = {
+    ...defaultScene(),
+    name: 'Meine Strecke',
+    size: [2000, 1500],
+    objects: [stroke, ...fortyObjects(seed)],
+  };
+  return { files: [{ name: 'main.py', text: FORTY_LINES }], scene, course: null, settings: defaultProjectSettings };
+}
+
+/** A project with one of everything: all types of objects, all options, several files, a background. */
+export function fullProject(): Project {
+  const box = { at: [300, 400], size: [60, 45], turn: 3 } as const;
+  const zone = { ...box, round: true, blocks: 0, number: 0 };
+  const objects: readonly SceneObject[] = [
+    { type: 'wall', id: 'a1', from: [-20, 35], to: [700, 35], thickness: 12 },
+    { type: 'block', id: 'block-7', ...box },
+    { type: 'fixed-block', id: 'block-2', ...box, turn: 0 },
+    { type: 'stroke', id: 'Linie', points: [[0, 0], [10, -5], [10, 40], [-400, 41], [-400, 41]], width: 15, color: 'blue' }, // prettier-ignore
+    { type: 'stroke', id: 'stroke-007', points: [[33, 44]], width: 30, color: 'white' },
+    { type: 'target', id: 'target-1', ...zone, blocks: 2 },
+    { type: 'checkpoint', id: 'checkpoint-99', ...zone, round: false, number: 99 },
+    { type: 'forbidden', id: 'ä', ...zone },
+    { type: 'spikes', id: 's', ...box },
+    { type: 'mover', id: 'm1', ...box, to: [900, 400], speed: 120, spiked: true },
+    { type: 'label', id: 'l', at: [600, 800], text: 'Grüezi 👋', height: 40, turn: 6 },
+  ];
+  const scene: Scene = {
+    name: 'Alles «drin»',
+    description: 'Zwei\nZeilen',
+    size: [1234, 5678],
+    board: 'calliope-mini-3',
+    robot: { type: 'callibot', at: [617, 99], heading: 12.345, scale: 1.1, options: { sonar: 'left', lamp: 'none' } },
+    task: { seconds: 90, noTouch: true },
+    background: {
+      at: [-10, 20],
+      size: [1000, 700],
+      cells: [2, 2],
+      levels: 'Y2RgAAA=',
+      picture: 'data:image/png;base64,iVBORw0KGgo=',
+    },
+    objects,
+  };
+  const settings = {
+    device: 'calliope-mini-2',
+    firmware: 'v2.1.2',
+    robot: 'callibot',
+    robotOptions: { callibot: { sonar: 'right' }, 'maqueen-lite': { echo: 'real', lamp: 'on' } },
+    reality: 0.37,
+    seed: 4711,
+    arenaSenses: true,
+  };
+  const files = [
+    { name: 'main.py', text: 'import fahren\n\nprint("Grüezi 👋 \u0000 \ud800")\n' },
+    { name: 'fahren.py', text: '' },
+    { name: 'daten.txt', text: '1;2;3\r\n' },
+  ];
+  return { files, scene, course: null, settings };
+}
