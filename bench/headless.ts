@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { Simulation } from '#simulation/simulation';
+import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
 
 /** Everything is measured so often, and the best counts: other work on the machine only ever makes a run slower. */
@@ -32,6 +33,11 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   ),
   speed('headless, line follower polling without a pause', { atLeast: 10, of: 'real time' }, () =>
     bestFactor(FOLLOWER, closedLine(), 20),
+  ),
+  speed(
+    `headless, line follower with delay(10), ${FULL.objects} objects, ${FULL.points.toLocaleString('en')} stroke points`,
+    { atLeast: 100, of: 'real time' },
+    () => bestFactor(`${FOLLOWER}    delay(10)\n`, fullCourse(closedLine()), 60),
   ),
   speed('headless, CPU-bound loop (while i<n: i+=1)', { atLeast: 15, of: 'the real board' }, () =>
     bestFactor(COUNTER, defaultScene(), 20),

@@ -29,6 +29,7 @@ describe('parcours run', { timeout: 30_000 }, () => {
         'realTimeFactor',
         'robot',
         'display',
+        'verdict',
         'console',
         'heapFree',
         'traceHash',
@@ -51,6 +52,19 @@ describe('parcours run', { timeout: 30_000 }, () => {
     expect([readFileSync(program, 'utf8'), readFileSync(earlier, 'utf8')]).toEqual(['print(1)\n', 'kept']);
     expect(parcours('run', program, '--trace', earlier).code).toBe(0);
     expect(readFileSync(earlier, 'utf8')).toMatch(/^t_ms,/);
+  });
+
+  it('tells whether the task of the course is done, to people in a line, to programs as "verdict"', () => {
+    const program = file('task.py', 'from mbrobot import *\nforward()\ndelay(3000)\nstop()\n');
+    const target = { id: 't', type: 'target', at: [800, 450], size: [100, 100] };
+    const course = file('task.json', scene({ version: 2, objects: [target] }));
+    const { code, err } = parcours('run', program, '--scene', course);
+    expect(code).toBe(0);
+    expect(err).toMatch(/^Task: passed after \d\.\d s\.\n$/);
+    const { out, err: nothing } = parcours('run', program, '--scene', course, '--json');
+    expect(nothing).toBe('');
+    expect(lastLine(out).verdict).toMatchObject({ state: 'passed', targets: { reached: 1, of: 1 } });
+    expect(parcours('run', program, '--scene', course, '--quiet').err).toBe('');
   });
 
   it('gives the same trace hash twice, and another one for another program', () => {
@@ -160,7 +174,7 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     [
       'a newer course',
       [hello, '--scene', file('b.json', scene({ version: 7 }))],
-      /Scene version 7 is newer than this app \(1\)/,
+      /Scene version 7 is newer than this app \(2\)/,
     ],
     [
       'a wall of length 0',
@@ -169,8 +183,8 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     ],
     [
       'a robot inside a wall',
-      [hello, '--scene', file('d.json', scene({ robot: { at: [50, 5] }, objects: [wall] }))],
-      /robot\.at: at \[50, 5\]/,
+      [hello, '--scene', file('d.json', scene({ objects: [{ ...wall, from: [600, 400], to: [600, 500] }] }))],
+      /d\.json: robot\.at: at \[600, 450\] the robot stands inside the wall "w" \(objects\[0\]\)/,
     ],
     [
       'an unknown robot in the course',
@@ -182,12 +196,22 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
       [hello, '--scene', file('x.json', scene({ board: 'x' }))],
       /x\.json: board: Unknown board "x"\. Known boards: microbit-v2/,
     ],
-    ['10 MB of course', [hello, '--scene', file('e.json', ' '.repeat(10_000_000))], /e\.json: .*the limit is 4000000/],
+    ['10 MB of course', [hello, '--scene', file('e.json', ' '.repeat(10_000_000))], /e\.json: .*the limit is 8000000/],
     ['inputs that are not JSON', [hello, '--input', file('f.json', 'x')], /f\.json: is not JSON/],
     [
       'an input of an unknown sensor',
       [hello, '--input', file('g.json', '[{"at":"1s","sensor":"smell","value":1}]')],
       /g\.json: \[0\]: There is no sensor "smell"/,
+    ],
+    [
+      'an edit that is none',
+      [hello, '--input', file('h.json', '[{"at":"1s","edit":{"type":"add","objects":[{"type":"tree"}]}}]')],
+      /h\.json: \[0\]\.edit\.objects\[0\]\.type: "tree" is unknown\. Known: wall, /,
+    ],
+    [
+      'an edit of what is not there',
+      [hello, '--input', file('i.json', '[{"at":"1s","edit":{"type":"remove","ids":["w"]}}]')],
+      /i\.json: \[0\]: edit\.ids\[0\]: there is no object "w"/,
     ],
     [
       'a trace in no folder',

@@ -32,19 +32,22 @@ How long, and what happens
   --for TIME          run for exactly this long, for example 500ms, 20s or 2min; the world
                       goes on when the program ends (default: until the program ends,
                       at most 10 minutes of simulated time)
-  --input FILE.json   buttons, sensors, typed text and the hand, each at its time:
+  --input FILE.json   buttons, sensors, typed text, the hand and changes of the course, each
+                      at its time:
                       [ { "at": "1s", "button": "a", "down": true },
                         { "at": "2s", "serial": "hello\\r\\n" },
                         { "at": "3s", "sensor": "lightLevel", "value": 10 },
                         { "at": "4s", "radio": "go" },
-                        { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } } ]
+                        { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } },
+                        { "at": "6s", "edit": { "type": "remove", "ids": ["stroke-1"] } } ]
                       what is typed after the program's end goes to the REPL
   --seed NUMBER       where chance begins (default 1): random numbers repeat with it
   --reality NUMBER    from 0, the ideal robot (default), to 1, one like the used robots of a
                       school: unequal motors, weak battery, trembling sensors; from the seed
 
 What you get
-  --json              at the end one line with everything about the run, for other programs
+  --json              at the end one line with everything about the run, for other programs;
+                      "verdict" tells whether the task of the course is passed
   --strict            refuses to run what the real board would not understand, and says why
   --lang NAME         the language in which --strict explains: en (default) or de
   --log FILE.csv      the board's data log, for a spreadsheet

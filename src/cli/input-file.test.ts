@@ -14,7 +14,8 @@ describe('an input file', () => {
       {"at":"7s","interrupt":true},
       {"at":"8s","radio":"go"},
       {"at":"9s","radio":[1,2,255]},
-      {"at":"10s","arenaSenses":true}
+      {"at":"10s","arenaSenses":true},
+      {"at":"11s","edit":{"type":"add","objects":[{"type":"block","id":"b2","at":[10,20],"size":[50,50]}]}}
     ]`;
     expect(parseInputs(text)).toEqual({
       inputs: [
@@ -29,6 +30,13 @@ describe('an input file', () => {
         { timeUs: 8_000_000, action: { type: 'radio', text: 'go' } },
         { timeUs: 9_000_000, action: { type: 'radio', bytes: [1, 2, 255] } },
         { timeUs: 10_000_000, action: { type: 'arena-senses', on: true } },
+        {
+          timeUs: 11_000_000,
+          action: {
+            type: 'edit',
+            edit: { type: 'add', objects: [{ type: 'block', id: 'b2', at: [10, 20], size: [50, 50], turn: 0 }] },
+          },
+        },
       ],
     });
   });
@@ -54,6 +62,9 @@ describe('an input file', () => {
     ['[{"at":"5s","radio":5}]', /^\[0\]\.radio: must be a text in quotes or a list of bytes, not 5/],
     ['[{"at":"5s","radio":[1,256]}]', /^\[0\]\.radio\[1\]: must be a whole number from 0 to 255, not 256/],
     ['[{"at":"5s","arenaSenses":1}]', /^\[0\]\.arenaSenses: must be true or false, not 1/],
+    ['[{"at":"5s","edit":5}]', /^\[0\]\.edit: must be an object/],
+    ['[{"at":"5s","edit":{"type":"explode"}}]', /^\[0\]\.edit\.type: /],
+    ['[{"at":"5s","edit":{"type":"remove","ids":[7]}}]', /^\[0\]\.edit\.ids\[0\]: must be a text in quotes, not 7/],
   ])('is refused when it is %s', (text, message) => {
     const parsed = parseInputs(text);
     expect('problem' in parsed ? parsed.problem : 'no problem').toMatch(message);

@@ -1,3 +1,4 @@
+import { parseEdit } from '#scene/check-edit';
 import type { InputAction, InputEvent, PlacedPose } from '#simulation/input';
 import { parseDuration } from './duration';
 
@@ -80,6 +81,7 @@ const readers: Readonly<Record<string, { readonly fields: readonly string[]; rea
   interrupt: { fields: [], read: readInterrupt },
   radio: { fields: [], read: readRadio },
   arenaSenses: { fields: [], read: readArenaSenses },
+  edit: { fields: [], read: readEdit },
 };
 
 function readButton(entry: Fields): InputAction | Bad {
@@ -159,6 +161,16 @@ function readArenaSenses({ arenaSenses }: Fields): InputAction | Bad {
   return typeof arenaSenses === 'boolean'
     ? { type: 'arena-senses', on: arenaSenses }
     : wrong('arenaSenses', 'true or false', arenaSenses);
+}
+
+/** Whether it suits the course as it is then shows when the run is made. */
+function readEdit({ edit }: Fields): InputAction | Bad {
+  const parsed = parseEdit(edit);
+  if ('edit' in parsed) return { type: 'edit', edit: parsed.edit };
+  const [first] = parsed.problems;
+  const path = first?.path ?? '';
+  const problem = parsed.problem.slice(path === '' ? 0 : path.length + 2); // "path: what"
+  return { field: path === '' ? 'edit' : `edit.${path}`, problem };
 }
 
 const wrong = (field: string, wanted: string, found: unknown): Bad => ({

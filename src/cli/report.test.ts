@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { exitCodeOf, jsonLine, rounded, wrappedDeg, type Report } from './report';
+import type { Verdict } from '#simulation/verdict';
+import { exitCodeOf, jsonLine, rounded, verdictLine, wrappedDeg, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceHeader, traceLine } from './trace-csv';
 
@@ -11,6 +12,7 @@ const report: Report = {
   realTimeFactor: 0.5,
   robot: null,
   display: '00000:00000:00000:00000:00000',
+  verdict: null,
   heapFree: 1,
   traceHash: 'ab',
   radio: [],
@@ -30,6 +32,7 @@ describe('the report', () => {
         'realTimeFactor',
         'robot',
         'display',
+        'verdict',
         'console',
         'heapFree',
         'traceHash',
@@ -54,6 +57,44 @@ describe('the report', () => {
 
   it('knows no negative zero', () => {
     expect(Object.is(rounded(-0.0001), 0)).toBe(true);
+  });
+});
+
+describe('the line about the task', () => {
+  const open: Verdict = {
+    state: 'open',
+    atMs: null,
+    reason: null,
+    by: null,
+    checkpoints: { passed: 1, of: 3 },
+    targets: { reached: 0, of: 1 },
+    blocks: { delivered: 0, of: 0 },
+    touches: 0,
+  };
+  const failed = { ...open, state: 'failed', atMs: 4200 } as const;
+
+  it.each([
+    [{ ...open, state: 'passed', atMs: 12_400 } as const, 'Task: passed after 12.4 s.'],
+    [open, 'Task: not done (1 of 3 checkpoints, 0 of 1 target).'],
+    [
+      { ...failed, reason: 'time' } as const,
+      'Task: failed after 4.2 s: the time was over (1 of 3 checkpoints, 0 of 1 target).',
+    ],
+    [
+      { ...failed, reason: 'spikes', by: 'spikes-1' } as const,
+      'Task: failed after 4.2 s: the robot touched the spikes "spikes-1".',
+    ],
+    [{ ...failed, reason: 'touched' } as const, 'Task: failed after 4.2 s: the robot touched the edge of the arena.'],
+    [
+      { ...failed, reason: 'forbidden', by: 'no' } as const,
+      'Task: failed after 4.2 s: the robot came into the forbidden zone "no".',
+    ],
+  ])('says how it came out', (verdict, line) => {
+    expect(verdictLine(verdict)).toBe(line);
+  });
+
+  it('is left out where there is no task', () => {
+    expect(verdictLine(null)).toBeNull();
   });
 });
 

@@ -1,5 +1,5 @@
 import { textBytesOf } from '#board/radio-text';
-import type { RadioPacket, Simulation, Snapshot } from '#simulation/simulation';
+import type { RadioPacket, Simulation, Snapshot, Verdict } from '#simulation/simulation';
 
 /** How a run ended, as a word for programs. */
 export type EndedWord = 'finished' | 'time-limit' | 'exception' | 'panic' | 'stopped' | 'stuck';
@@ -43,6 +43,8 @@ export interface Report {
   readonly robot: ReportedRobot | null;
   /** Digits 0 … 9 per LED, rows parted by colons. */
   readonly display: string;
+  /** How well the course's task is done, or `null` where it sets none. */
+  readonly verdict: Verdict | null;
   readonly heapFree: number;
   readonly traceHash: string;
   /** What was sent by radio, oldest first; the first 10,000 packets. */
@@ -64,6 +66,7 @@ export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[]
     realTimeFactor: wallMs > 0 ? rounded(simulatedMs / wallMs) : 0,
     robot: snapshot.robot && reportedRobot(snapshot.robot),
     display: displayText(snapshot.display),
+    verdict: snapshot.verdict,
     heapFree: simulation.heapFree(),
     traceHash: simulation.traceHash,
     radio: sent,
@@ -126,3 +129,51 @@ export const rounded = (value: number): number => Math.round(value * 1000) / 100
 
 const displayText = (pixels: readonly number[]): string =>
   [0, 5, 10, 15, 20].map((row) => pixels.slice(row, row + 5).join('')).join(':');
+
+/** What became of the course's task, as a line for people; `null` where it sets none. */
+export function verdictLine(verdict: Verdict | null): string | null {
+  if (verdict === null) return null;
+  const { state, atMs } = verdict;
+  const seconds = `${((atMs ?? 0) / 1000).toFixed(1)} s`;
+  switch (state) {
+    case 'passed':
+      return `Task: passed after ${seconds}.`;
+    case 'failed':
+      return `Task: failed after ${seconds}: ${failureInWords(verdict)}.`;
+    case 'open':
+      return `Task: not done${progressInWords(verdict)}.`;
+    default:
+      return state satisfies never;
+  }
+}
+
+function failureInWords(verdict: Verdict): string {
+  const { reason, by } = verdict;
+  switch (reason) {
+    case 'time':
+      return `the time was over${progressInWords(verdict)}`;
+    case 'forbidden':
+      return `the robot came into the forbidden zone "${by ?? ''}"`;
+    case 'spikes':
+      return `the robot touched the spikes "${by ?? ''}"`;
+    case 'touched':
+      return by === null ? 'the robot touched the edge of the arena' : `the robot touched "${by}"`;
+    case null:
+      return 'without a reason'; // nothing fails so
+    default:
+      return reason satisfies never;
+  }
+}
+
+/** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing where there is nothing to come to. */
+function progressInWords({ checkpoints, targets, blocks }: Verdict): string {
+  const parts = [
+    counted(checkpoints.passed, checkpoints.of, 'checkpoint'),
+    counted(targets.reached, targets.of, 'target'),
+    counted(blocks.delivered, blocks.of, 'block'),
+  ].filter((part) => part !== null);
+  return parts.length > 0 ? ` (${parts.join(', ')})` : '';
+}
+
+const counted = (done: number, of: number, what: string): string | null =>
+  of === 0 ? null : `${done} of ${of} ${what}${of === 1 ? '' : 's'}`;

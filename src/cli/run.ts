@@ -4,7 +4,7 @@ import { findBoard } from '#board/boards/index';
 import { chooseHardware, isMisplugged, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
-import { exitCodeOf, jsonLine, type Report } from './report';
+import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
 
@@ -51,6 +51,7 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
       return 1;
     case 'ran':
       tellEnd(outcome.report, options, terminal);
+      if (!options.json && !options.quiet) tellVerdict(outcome.report, terminal);
       if (options.json) terminal.line(jsonLine(outcome.report, outcome.console));
       return exitCodeOf(outcome.report.ended);
   }
@@ -93,7 +94,7 @@ function tellMisplugged(hardware: Hardware, terminal: Terminal): void {
 /** Says which file a problem of the whole set-up stands in. */
 function placed(problem: string, options: RunOptions): string {
   if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
-  if (/^(robot\.|board:)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
+  if (/^(robot\.|board:|background\.)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
   return problem;
 }
 
@@ -111,6 +112,12 @@ function openResult(option: string, path: string | null, options: RunOptions): O
     const isFolderMissing = !existsSync(dirname(resolve(path)));
     return { problem: `${option}: ${path}: ${isFolderMissing ? 'its folder does not exist.' : reasonOf(error)}` };
   }
+}
+
+/** What became of the course's task. */
+function tellVerdict({ verdict }: Report, terminal: Terminal): void {
+  const line = verdictLine(verdict);
+  if (line !== null) terminal.message(line);
 }
 
 /** What the program's own output does not say. */

@@ -40,6 +40,7 @@ export const nothingYet: Report = {
   realTimeFactor: 0,
   robot: null,
   display: '00000:00000:00000:00000:00000',
+  verdict: null,
   heapFree: 0,
   traceHash: '',
   radio: [],

@@ -12,6 +12,8 @@ interface Golden {
   readonly forMs: number;
   readonly seed: number;
   readonly traceHash: string;
+  /** Simulated ms until its task is passed; `null` for courses without a task. */
+  readonly passedMs: number | null;
 }
 
 const read = (path: string): string => readFileSync(`courses/${path}`, 'utf8');
@@ -22,7 +24,16 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-async function replay({ folder, program, forMs, seed }: Golden): Promise<Simulation> {
+const replays = new Map<Golden, Promise<Simulation>>();
+
+/** A run as recorded; each is driven once for all tests that look at it. */
+function replay(golden: Golden): Promise<Simulation> {
+  const driven = replays.get(golden) ?? drive(golden);
+  replays.set(golden, driven);
+  return driven;
+}
+
+async function drive({ folder, program, forMs, seed }: Omit<Golden, 'traceHash' | 'passedMs'>): Promise<Simulation> {
   const parsed = parseScene(read(`${folder}/scene.json`));
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   const files = { 'main.py': read(`${folder}/${program}`) };
@@ -54,16 +65,41 @@ describe('a recorded run', () => {
   });
 });
 
+/** Courses whose arena asks for nothing. */
+const WITHOUT_TASK = ['empty'];
+
 describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${folder}/texts.json`)))(
   'the course %s',
+  { timeout: 60_000 },
   (folder) => {
+    const golden = runs.find((run) => run.folder === folder);
+    const start = `${folder}/start.en.py`;
+
     it('is driven as a golden test', () => {
-      expect(runs.map((run) => run.folder)).toContain(folder);
+      expect(golden?.folder).toBe(folder);
     });
 
-    it('has the same program in German and English, but for comments and words', () => {
-      expect(bareProgram(read(`${folder}/main.de.py`))).toBe(bareProgram(read(`${folder}/main.en.py`)));
+    it('is passed by its solution, when it was recorded to be', async () => {
+      if (golden === undefined) throw new Error(`courses/golden.json has no ${folder}.`);
+      const { verdict } = await replay(golden);
+      expect(verdict?.state ?? null).toBe(WITHOUT_TASK.includes(folder) ? null : 'passed');
+      expect(verdict?.atMs ?? null).toBe(golden.passedMs);
     });
+
+    it('has the same programs in German and English, but for comments and words', () => {
+      for (const name of existsSync(`courses/${start}`) ? ['main', 'start'] : ['main'])
+        expect(bareProgram(read(`${folder}/${name}.de.py`))).toBe(bareProgram(read(`${folder}/${name}.en.py`)));
+    });
+
+    it.runIf(existsSync(`courses/${start}`))(
+      'begins with a program that runs without an error and leaves the task to the pupil',
+      async () => {
+        const simulation = await drive({ folder, program: 'start.en.py', forMs: 20_000, seed: 1 });
+        expect(simulation.ended?.exception ?? null).toBeNull();
+        expect(simulation.trace.at(-1)).not.toEqual(simulation.trace[0]); // something happens at once
+        expect(simulation.verdict?.state).not.toBe('passed');
+      },
+    );
   },
 );
 

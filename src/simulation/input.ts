@@ -1,3 +1,5 @@
+import type { SceneEdit } from '#scene/edit';
+
 /** A pose as people write it: degrees counter-clockwise from +x. */
 export interface PlacedPose {
   readonly xMm: number;
@@ -23,6 +25,8 @@ export type InputAction =
   | { readonly type: 'radio'; readonly bytes: readonly number[] }
   /** Whether the board on the robot feels the arena (compass, accelerometer, light) or what is set by hand. */
   | { readonly type: 'arena-senses'; readonly on: boolean }
+  /** The course is changed while it is driven; what of it shows at once and what only in the next run: `at-once.ts`. */
+  | { readonly type: 'edit'; readonly edit: SceneEdit }
   /** KeyboardInterrupt in the program. */
   | { readonly type: 'interrupt' };
 

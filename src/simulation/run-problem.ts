@@ -1,7 +1,12 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
+import { unpackLevels } from '#scene/background';
+import { editProblem } from '#scene/check-edit';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import { isHeap, MOST_STUCK_PAIRS } from '#scene/overlaps';
 import { placementProblems } from '#scene/placement';
-import type { Scene } from '#scene/scene';
+import type { Background, Scene } from '#scene/scene';
+import { movableIds } from './at-once';
 import { chooseHardware, type Hardware } from './hardware';
 import type { InputAction, PlacedPose } from './input';
 import type { RunSetup } from './run-setup';
@@ -23,30 +28,48 @@ function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): st
     return `Reality ${String(setup.reality)} is not within 0 (ideal) … 1 (like a used school robot).`;
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
-  const inputs = setup.inputs ?? [];
-  const check =
-    inputs.length > 0
-      ? createInputCheck(new Board(board, new Clock(), firmware), setup.scene, robot !== null)
-      : () => null;
-  for (const [index, { timeUs, action }] of inputs.entries()) {
-    const problem = timeUs >= 0 ? check(action) : `${timeUs} µs lies before the start.`;
+  if (isHeap(setup.scene.objects)) return HEAP;
+  const movers = setup.scene.objects.filter(({ type }) => type === 'mover').length;
+  if (movers > MOST_MOVERS)
+    return `objects: ${movers} moving obstacles are too many for a run; the limit is ${MOST_MOVERS}. Remove some.`;
+  const { background } = setup.scene;
+  if (background !== null && isDamaged(background)) return DAMAGED;
+  return inputsProblem(setup, new Board(board, new Clock(), firmware), robot !== null);
+}
+
+/** A problem of the log that is replayed, with the place of its entry. Each entry is held against the course as it is then. */
+function inputsProblem({ scene, inputs = [] }: RunSetup, rehearsal: Board, hasRobot: boolean): string | null {
+  const check = createInputCheck(rehearsal, scene, hasRobot);
+  const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
+  let course = scene;
+  let movable = movableIds(new Set(), scene, scene);
+  for (const [index, { timeUs, action }] of inOrder) {
+    const problem = timeUs >= 0 ? check(action, course, movable) : `${timeUs} µs lies before the start.`;
     if (problem !== null) return `[${index}]: ${problem}`;
+    if (action.type !== 'edit') continue;
+    course = applyEdit(course, action.edit);
+    movable = movableIds(movable, scene, course);
   }
   return null;
 }
 
 /**
- * Makes a check for what is done to a run from outside: a message that names thing and value, or `null`.
+ * Tells what is wrong with something that is done to a run from outside, in words that name thing and value.
+ *
+ * @param course as it is when that is done
+ * @param movable ids of the run's movable blocks then
+ * @returns `null` when it can be done
+ */
+export type InputCheck = (action: InputAction, course: Scene, movable: ReadonlySet<string>) => string | null;
+
+/**
+ * Makes the check of a run.
  *
  * @param rehearsal a board of the run's type, beside the run: what a sensor takes is found by setting it there
+ * @param began the course that the run begins with
  */
-export function createInputCheck(
-  rehearsal: Board,
-  scene: Scene,
-  hasRobot: boolean,
-): (action: InputAction) => string | null {
-  const blocks = new Set(scene.objects.filter((object) => object.type === 'block').map((object) => object.id));
-  return (action) => {
+export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boolean): InputCheck {
+  return (action, course, movable) => {
     switch (action.type) {
       case 'button':
       case 'serial':
@@ -60,13 +83,32 @@ export function createInputCheck(
       case 'sensor':
         return sensorProblem(rehearsal, action.id, action.value);
       case 'place':
-        return hasRobot ? poseProblem(action.pose, scene) : 'There is no robot that could be placed.';
+        return hasRobot ? poseProblem(action.pose, began) : 'There is no robot that could be placed.';
       case 'place-block':
-        return blocks.has(action.id) ? poseProblem(action.pose, scene) : blockProblem(action.id, blocks);
+        return movable.has(action.id) ? poseProblem(action.pose, began) : blockProblem(action.id, movable);
+      case 'edit':
+        return editInWords(course, action.edit);
       default:
         return action satisfies never;
     }
   };
+}
+
+/** Chosen: each looks out for all it might push. A hundred are far beyond any lesson; two thousand take a second for a step. */
+const MOST_MOVERS = 100;
+
+const HEAP = `objects: blocks stand inside each other or inside other things at more than ${MOST_STUCK_PAIRS} places. Move them apart, or remove some.`;
+
+const DAMAGED = 'background.levels: the picture on the floor is damaged. Take it in anew, or remove it.';
+
+const isDamaged = (background: Background): boolean => unpackLevels(background) === null;
+
+/** A damaged picture would show only when its levels are unpacked, in the midst of the run. */
+function editInWords(course: Scene, edit: SceneEdit): string | null {
+  const problem = editProblem(course, edit);
+  if (problem !== null) return `edit${problem.path === '' ? ': ' : '.'}${problem.message}`;
+  const { background } = applyEdit(course, edit);
+  return background !== null && background !== course.background && isDamaged(background) ? `edit: ${DAMAGED}` : null;
 }
 
 const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0 && value <= 255;

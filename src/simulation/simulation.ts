@@ -2,21 +2,27 @@ import { Board } from '#board/board';
 import { packetOfText } from '#board/radio-text';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
+import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
-import { STEP_US, type BlockHandle, type World } from '#world/world';
-import { buildWorld } from './build-world';
+import { STEP_US, type World } from '#world/world';
+import { movableIds } from './at-once';
+import { CourseWorld } from './course-world';
 import type { Hardware } from './hardware';
 import type { InputAction, InputEvent, PlacedPose } from './input';
+import { Judge } from './judge';
 import { mountRobot, type Mounted } from './mount-robot';
 import type { RunOutlets } from './outlets';
 import { robotLibraries } from './robot-libraries';
-import { checkRun, createInputCheck } from './run-problem';
+import { checkRun, createInputCheck, type InputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
+import { scaledBody } from './scaled-body';
 import type { RobotSnapshot, Snapshot } from './snapshot';
 import { boardSnapshot } from './take-snapshot';
 import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
+import { spikedIds } from './task-brief';
+import type { Verdict } from './verdict';
 import { createWayTeller } from './way';
 
 export type { InputAction, InputEvent, PlacedPose } from './input';
@@ -24,6 +30,7 @@ export type { RadioPacket, RunOutlets, TimedLogEvent } from './outlets';
 export type { RunSetup } from './run-setup';
 export type { RobotSnapshot, Snapshot } from './snapshot';
 export type { TraceRow } from './trace';
+export type { Verdict } from './verdict';
 
 /** How and when the program ended. */
 export interface Ended extends VmEnd {
@@ -38,9 +45,10 @@ export interface Ended extends VmEnd {
 export class Simulation {
   private readonly clock = new Clock();
   private readonly board: Board;
+  private readonly courseWorld: CourseWorld;
   private readonly world: World;
-  private readonly blocks: ReadonlyMap<string, BlockHandle>;
   private readonly mounted: Mounted | null;
+  private readonly judge: Judge | null;
   private readonly lights: LedChains;
   private readonly tellWay: () => void;
   private readonly vm: Vm;
@@ -49,7 +57,9 @@ export class Simulation {
   private readonly log: InputEvent[] = [];
   /** Actions that wait for their step, in order of time. */
   private readonly waiting: InputEvent[];
-  private readonly check: (action: InputAction) => string | null;
+  private readonly check: InputCheck;
+  /** What the course has become by now. */
+  private course: Scene;
   private output: string[] = [];
   private end: Ended | null = null;
   private isFresh = true;
@@ -74,9 +84,9 @@ export class Simulation {
     hardware: Hardware,
     outlets: RunOutlets,
   ) {
-    const built = buildWorld(setup.scene);
-    this.world = built.world;
-    this.blocks = built.blocks;
+    this.course = setup.scene;
+    this.courseWorld = new CourseWorld(setup.scene);
+    this.world = this.courseWorld.world;
     // The step is registered before all that has its rhythm (the robot's sensors): then the world moves first.
     this.clock.every(STEP_US, () => this.step());
     this.board = new Board(hardware.board, this.clock, hardware.firmware);
@@ -89,6 +99,7 @@ export class Simulation {
       seed: setup.seed,
       reality: setup.reality,
     });
+    this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);
     this.tellWay = this.mounted && outlets.way ? createWayTeller(this.mounted.chassis, outlets.way) : () => undefined;
     this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
     this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
@@ -147,6 +158,11 @@ export class Simulation {
     return this.setup.scene;
   }
 
+  /** How well the task is done, or `null` where the course sets none, and without a robot. */
+  get verdict(): Verdict | null {
+    return this.judge?.verdict() ?? null;
+  }
+
   /** Free bytes on the program's heap now, or when it ended. */
   heapFree(): number {
     return this.vm.heapFree();
@@ -170,12 +186,12 @@ export class Simulation {
   /**
    * Does something from outside. It takes effect at the next step of the world, is stamped with that time and logged.
    *
-   * @throws RangeError for a sensor, pad or block that is not there and a value out of range; nothing is done then
+   * @throws RangeError for a sensor, pad, block or object that is not there and a value out of range; nothing is done then
    */
   input(action: InputAction): void {
-    const problem = this.check(action);
-    if (problem !== null) throw new RangeError(problem);
     const timeUs = this.nowUs;
+    const problem = this.problemOf(action, timeUs);
+    if (problem !== null) throw new RangeError(problem);
     const place = this.waiting.findIndex((event) => event.timeUs > timeUs);
     this.waiting.splice(place < 0 ? this.waiting.length : place, 0, { timeUs, action });
   }
@@ -193,7 +209,9 @@ export class Simulation {
       running: this.end === null ? 'program' : 'world',
       repl: this.vm.isInRepl,
       robot: this.robotSnapshot(),
-      blocks: Object.fromEntries(Array.from(this.blocks, ([id, block]) => [id, block.pose()])),
+      blocks: this.courseWorld.blockPoses(),
+      movers: this.courseWorld.moverPoses(),
+      verdict: this.verdict,
       lights: this.lights.chains(),
       arenaSenses: this.mounted?.senses.isOn ?? false,
     };
@@ -231,6 +249,7 @@ export class Simulation {
   private begin(): void {
     this.isFresh = false;
     this.takeInputs();
+    this.judge?.step(this.nowUs);
     this.addTraceRow();
     this.tellWay();
   }
@@ -239,6 +258,7 @@ export class Simulation {
     this.takeInputs();
     this.world.step();
     this.mounted?.step();
+    this.judge?.step(this.nowUs);
     this.tellWay();
     if (this.nowUs % TRACE_PERIOD_US === 0) this.addTraceRow();
   }
@@ -246,9 +266,35 @@ export class Simulation {
   private takeInputs(): void {
     for (let next = this.waiting[0]; next && next.timeUs <= this.nowUs; next = this.waiting[0]) {
       this.waiting.shift();
+      // An edit made while a log is replayed may have taken away what a later entry of the log is about.
+      if (this.isMoot(next.action)) continue;
       this.log.push({ timeUs: this.nowUs, action: next.action });
       this.act(next.action);
     }
+  }
+
+  /** What is wrong with an action that shall take effect after those that wait for the same step. */
+  private problemOf(action: InputAction, timeUs: number): string | null {
+    let course = this.course;
+    let movable = this.courseWorld.movableIds();
+    for (const waiting of this.waiting) {
+      if (waiting.timeUs > timeUs) break;
+      if (waiting.action.type !== 'edit') continue;
+      course = applyEdit(course, waiting.action.edit);
+      movable = movableIds(movable, this.scene, course);
+    }
+    return this.check(action, course, movable);
+  }
+
+  private isMoot(action: InputAction): boolean {
+    if (action.type !== 'edit' && action.type !== 'place-block') return false;
+    return this.check(action, this.course, this.courseWorld.movableIds()) !== null;
+  }
+
+  private edit(edit: SceneEdit): void {
+    this.course = applyEdit(this.course, edit);
+    this.courseWorld.take(this.course);
+    this.judge?.take(this.course);
   }
 
   private act(action: InputAction): void {
@@ -264,7 +310,9 @@ export class Simulation {
       case 'place':
         return this.mounted?.chassis.place(poseOf(action.pose));
       case 'place-block':
-        return this.blocks.get(action.id)?.place(poseOf(action.pose));
+        return this.courseWorld.block(action.id)?.place(poseOf(action.pose));
+      case 'edit':
+        return this.edit(action.edit);
       case 'radio':
         return this.board.radio.receive(packetOf(action));
       case 'arena-senses':
@@ -312,6 +360,15 @@ export class Simulation {
       turnedRad: chassis.turnedRad(),
     };
   }
+}
+
+function judgeOf(course: Scene, { type, chassis }: Mounted, world: CourseWorld): Judge {
+  return new Judge(course, {
+    chassis,
+    body: scaledBody(type.body, course.robot.scale).outlineMm,
+    block: (id) => world.block(id),
+    spiked: spikedIds(course),
+  });
 }
 
 const radOf = (degrees: number): number => (degrees * Math.PI) / 180;

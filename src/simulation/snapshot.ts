@@ -1,5 +1,6 @@
 import type { Pose } from '#core/geometry';
 import type { RobotState } from '#robots/robot';
+import type { Verdict } from './verdict';
 
 /** The board at one moment. */
 export interface BoardSnapshot {
@@ -40,6 +41,10 @@ export interface Snapshot extends BoardSnapshot {
   readonly robot: RobotSnapshot | null;
   /** Where the movable blocks are, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
+  /** Where the moving obstacles are, by object id. */
+  readonly movers: Readonly<Record<string, Pose>>;
+  /** How well the task is done, or `null` where the course sets none. */
+  readonly verdict: Verdict | null;
   /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
   readonly lights: readonly LightChain[];
   /** Whether the board feels the arena: see the action `arena-senses`. */

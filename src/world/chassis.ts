@@ -59,6 +59,11 @@ export interface Chassis {
    * or with what it holds. Jaws and forks that touch blocks which can be moved do their work; that is not counted.
    */
   collisions(): number;
+  /**
+   * Ids of all that touches it now, counted as in `collisions`, in the order in which each did so first; `null` stands for
+   * the arena's edge, other robots and things without an id.
+   */
+  touching(): readonly (string | null)[];
   /** From the robot frame to the world, mm. */
   toWorld(point: Vec): Vec;
   /**

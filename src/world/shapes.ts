@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { Stop } from '#core/stop';
 
 /** Size of the arena in mm; a solid wall runs around its edge. */
 export interface WorldSize {
@@ -6,15 +7,21 @@ export interface WorldSize {
   readonly heightMm: number;
 }
 
+/** Something solid that `Chassis.touching` can name. */
+interface Named {
+  /** What it is called, usually the id of the course's object. */
+  readonly id?: string;
+}
+
 /** A straight wall: a box along the line from one point to the other, as long as that line. */
-export interface WallShape {
+export interface WallShape extends Named {
   readonly fromMm: Vec;
   readonly toMm: Vec;
   readonly thicknessMm: number;
 }
 
 /** A rectangular block, movable or fixed. */
-export interface BlockShape {
+export interface BlockShape extends Named {
   /** Its middle. */
   readonly atMm: Vec;
   /** Length along its own x and y. */
@@ -38,6 +45,24 @@ export interface BlockHandle {
   liftMm(): number;
 }
 
+/** A box that goes to and fro at a steady speed, whatever stands in its way. */
+export interface MoverShape extends Named {
+  /** Its middle at the start. */
+  readonly atMm: Vec;
+  /** Its middle where it turns round. */
+  readonly toMm: Vec;
+  /** Length along its own x and y. */
+  readonly sizeMm: Vec;
+  readonly angleRad: number;
+  readonly speedMmPerS: number;
+}
+
+/** A moving obstacle in the world. */
+export interface MoverHandle {
+  /** Its middle and its angle: a function of the time, and of nothing else. */
+  pose(): Pose;
+}
+
 /** A line drawn on the floor with a round pen. */
 export interface StrokeShape {
   /** A single point makes a dot. */
@@ -45,6 +70,25 @@ export interface StrokeShape {
   readonly widthMm: number;
   /** 0 black … 1 like the bare floor. */
   readonly reflectance: number;
+}
+
+/** A stroke on the floor. */
+export interface StrokeHandle {
+  /** Changes its place in the order of painting: strokes on a higher layer cover those below. At first, that of `addStroke`. */
+  setLayer(layer: number): void;
+  readonly remove: Stop;
+}
+
+/** A picture on the floor as the sensors see it: a grid of reflectances, painted under all strokes. */
+export interface FloorGrid {
+  /** Lower left corner. */
+  readonly atMm: Vec;
+  /** Extent. */
+  readonly sizeMm: Vec;
+  readonly columns: number;
+  readonly rows: number;
+  /** A reflectance per cell, 0 black … 1 bare floor, row by row from the upper left. */
+  readonly reflectances: Float32Array;
 }
 
 /** Corners of a wall in world mm, counter-clockwise. Throws RangeError when it has no length or no thickness. */

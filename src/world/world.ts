@@ -1,12 +1,23 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { Chassis, ChassisType } from './chassis';
-import { createGround } from './ground/strokes';
+import { createGround } from './ground/ground';
+import type { BlockBody } from './physics/block-body';
 import { createPhysics } from './physics/physics';
 import type { RobotBody } from './physics/robot-body';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
 import { wallCorners } from './shapes';
-import type { BlockHandle, BlockShape, StrokeShape, WallShape, WorldSize } from './shapes';
+import type {
+  BlockHandle,
+  BlockShape,
+  FloorGrid,
+  MoverHandle,
+  MoverShape,
+  StrokeHandle,
+  StrokeShape,
+  WallShape,
+  WorldSize,
+} from './shapes';
 
 export type {
   Chassis,
@@ -21,7 +32,17 @@ export type {
 } from './chassis';
 export type { DriveLaw } from './drive-law';
 export type { Cone, ConeHit } from './probes/distance-cone';
-export type { BlockHandle, BlockShape, StrokeShape, WallShape, WorldSize } from './shapes';
+export type {
+  BlockHandle,
+  BlockShape,
+  FloorGrid,
+  MoverHandle,
+  MoverShape,
+  StrokeHandle,
+  StrokeShape,
+  WallShape,
+  WorldSize,
+} from './shapes';
 export { STEP_US } from './step';
 
 /** The arena: floor, walls, blocks and robots, moving in steps of `STEP_US`. World frame: mm, x right, y up, origin lower left. */
@@ -30,15 +51,21 @@ export interface World {
   addWall(wall: WallShape): void;
   /** Throws RangeError when a side is not above 0. */
   addBlock(block: BlockShape): BlockHandle;
-  /** Draws on the floor; later strokes cover earlier ones. */
-  addStroke(stroke: StrokeShape): void;
+  /** Takes a block out, also from a robot that holds it. */
+  removeBlock(block: BlockHandle): void;
+  /** Throws RangeError when a side or the speed is not above 0. */
+  addMover(mover: MoverShape): MoverHandle;
+  /** Draws on the floor, on top of what is there. */
+  addStroke(stroke: StrokeShape): StrokeHandle;
+  /** Lays a picture under the strokes, or takes it away. Throws RangeError when its levels do not fit its cells. */
+  setFloor(grid: FloorGrid | null): void;
   addChassis(type: ChassisType, pose: Pose): Chassis;
   /** Moves everything on by `STEP_US`. */
   step(): void;
   /** Reflectance seen by a round spot on the floor, 0 (black) … 1 (bare floor); with its middle outside the arena 0. */
   reflectanceAt(spot: Vec, radiusMm: number): number;
   /**
-   * What a distance sensor faces: the nearest point of walls, blocks and robots inside its cone.
+   * What a distance sensor faces: the nearest point of walls, blocks, movers and robots inside its cone.
    *
    * @param from place of the sensor; inside an obstacle the distance is 0
    * @param except the robot that carries the sensor
@@ -56,43 +83,55 @@ const EDGE_MM = 1;
 export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const ground = createGround();
-  const obstacles: { readonly obstacle: Obstacle; readonly chassis: Chassis | null }[] = [];
-  const robots: RobotBody[] = [];
-  const add = (obstacle: Obstacle, chassis: Chassis | null = null): number => obstacles.push({ obstacle, chassis });
-  for (const wall of edges(size)) add(stillObstacle(wallCorners(wall)));
+  const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall)));
+  const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacle: Obstacle }>();
+  const robots: { readonly body: RobotBody; readonly parts: readonly Obstacle[] }[] = [];
+
+  function* obstacles(except: Chassis | undefined): Iterable<Obstacle> {
+    yield* things;
+    for (const { obstacle } of blocks.values()) yield obstacle;
+    for (const { body, parts } of robots) {
+      if (body === except) continue;
+      yield* parts;
+      yield* addedTo(body);
+    }
+  }
 
   return {
     addWall(wall) {
       const corners = wallCorners(wall);
-      physics.addFixture(corners);
-      add(stillObstacle(corners));
+      physics.addFixture(corners, wall.id);
+      things.push(stillObstacle(corners));
     },
     addBlock(block) {
       const body = physics.addBlock(block);
-      add(movingObstacle(body.cornersMm, () => body.pose()));
+      blocks.set(body, { body, obstacle: movingObstacle(body.cornersMm, () => body.pose()) });
       return body;
     },
+    removeBlock(block) {
+      const found = blocks.get(block);
+      if (!found) return;
+      blocks.delete(block);
+      physics.removeBlock(found.body);
+    },
+    addMover(shape) {
+      const mover = physics.addMover(shape);
+      things.push(movingObstacle(mover.cornersMm, () => mover.pose()));
+      return mover;
+    },
     addStroke: (stroke) => ground.addStroke(stroke),
+    setFloor: (grid) => ground.setFloor(grid),
     addChassis(type, pose) {
-      const chassis = physics.addRobot(type, pose);
-      robots.push(chassis);
-      for (const part of type.outlineMm)
-        add(
-          movingObstacle(part, () => chassis.pose()),
-          chassis,
-        );
-      return chassis;
+      const body = physics.addRobot(type, pose);
+      robots.push({ body, parts: type.outlineMm.map((part) => movingObstacle(part, () => body.pose())) });
+      return body;
     },
     step: () => physics.step(),
     reflectanceAt({ x, y }, radiusMm) {
       if (!(x >= 0 && x <= size.widthMm && y >= 0 && y <= size.heightMm)) return 0;
       return ground.reflectanceAt(x, y, radiusMm);
     },
-    distanceCone(from, headingRad, cone, except) {
-      const others = obstacles.filter(({ chassis }) => chassis === null || chassis !== except);
-      const added = robots.filter((robot) => robot !== except).flatMap(addedTo);
-      return nearestInCone(from, headingRad, cone, [...others.map(({ obstacle }) => obstacle), ...added]);
-    },
+    distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
   };
 }
 

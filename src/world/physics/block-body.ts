@@ -75,6 +75,7 @@ export class BlockBody implements BlockHandle {
       density: BLOCK_G_PER_MM2 * MM_PER_UNIT * MM_PER_UNIT,
       friction: BLOCK_CONTACT_FRICTION,
       filterCategoryBits: block.fixed ? Kind.other : Kind.movableBlock,
+      userData: block.id,
     });
     this.drag = BLOCK_FRICTION * this.body.getMass() * GRAVITY;
     this.joint = block.fixed ? null : new FloorJoint(floor, this.body, this.meanRadius);
@@ -125,6 +126,12 @@ export class BlockBody implements BlockHandle {
   /** Moves it a little without giving it a speed: what pushes slowly. */
   shove(to: Place): void {
     moveBody(this.body, to.x, to.y, to.angle);
+  }
+
+  /** Takes it out of the world, also from a robot that holds it. It must not be used any more. */
+  remove(): void {
+    this.release();
+    this.body.getWorld().destroyBody(this.body);
   }
 
   /** Becomes a part of the robot's body; the robot's mass stays as it was. Does nothing to a block that cannot be taken. */

@@ -1,13 +1,14 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { ChassisType } from '../chassis';
 import { rectangleCorners } from '../shapes';
-import type { BlockShape, WorldSize } from '../shapes';
+import type { BlockShape, MoverShape, WorldSize } from '../shapes';
 import { STEP_S } from '../step';
 import { BlockBody } from './block-body';
 import { PlanckWorld, PolygonShape, Vec2 } from './planck';
 import type { Body, Contact, Fixture } from './planck';
 import { gapBetween } from './convex';
 import { OVERLAP } from './lodged';
+import { MoverBody } from './mover-body';
 import { RobotBody } from './robot-body';
 import { toUnits } from './scale';
 import { CONTACT_FRICTION, Kind, outlineOf } from './solid';
@@ -23,8 +24,11 @@ const EDGE_MM = 200;
 /** Bodies that push each other. All that the rest of the world knows about the physics engine. */
 export interface Physics {
   /** Adds something solid that never moves: a convex outline, counter-clockwise, world mm. */
-  addFixture(cornersMm: readonly Vec[]): void;
+  addFixture(cornersMm: readonly Vec[], id?: string): void;
   addBlock(block: BlockShape): BlockBody;
+  /** Takes a block out of the world. */
+  removeBlock(block: BlockBody): void;
+  addMover(mover: MoverShape): MoverBody;
   addRobot(type: ChassisType, pose: Pose): RobotBody;
   /** Moves all bodies on by one step of the world. */
   step(): void;
@@ -38,8 +42,53 @@ export function createPhysics(size: WorldSize): Physics {
   const walls = world.createBody();
   const robots: RobotBody[] = [];
   const blocks = new Map<Body, BlockBody>();
+  const movers: MoverBody[] = [];
   const around = createSurroundings(world, blocks);
 
+  listen(world, robots, movers);
+
+  const physics: Physics = {
+    addFixture(cornersMm, id) {
+      walls.createFixture({
+        shape: new PolygonShape(cornersMm.map(toUnits)),
+        friction: CONTACT_FRICTION,
+        userData: id,
+      });
+    },
+    addBlock(shape) {
+      const block = new BlockBody(world, floor, shape, () => robots.forEach((robot) => robot.blockPlaced()));
+      blocks.set(block.body, block);
+      return block;
+    },
+    removeBlock(block) {
+      blocks.delete(block.body);
+      block.remove();
+      for (const robot of robots) robot.forgetThing(block.fixture);
+    },
+    addMover(shape) {
+      const mover = new MoverBody(world, shape);
+      movers.push(mover);
+      return mover;
+    },
+    addRobot(type, pose) {
+      const robot = new RobotBody(world, floor, around, type, pose);
+      robots.push(robot);
+      return robot;
+    },
+    step() {
+      for (const mover of movers) mover.beforeStep();
+      for (const robot of robots) robot.beforeStep();
+      world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
+      for (const mover of movers) mover.afterStep();
+      for (const robot of robots) robot.afterStep();
+    },
+  };
+  for (const corners of edgeWalls(size)) physics.addFixture(corners);
+  return physics;
+}
+
+/** Tells robots what they touch, and lets pass what must not meet. */
+function listen(world: PlanckWorld, robots: readonly RobotBody[], movers: readonly MoverBody[]): void {
   const robotOf = (body: Body): RobotBody | undefined => robots.find((robot) => robot.owns(body));
   world.on('begin-contact', (contact: Contact) => {
     const a = contact.getFixtureA();
@@ -57,31 +106,8 @@ export function createPhysics(size: WorldSize): Physics {
     const a = contact.getFixtureA();
     const b = contact.getFixtureB();
     const isLodged = robotOf(a.getBody())?.isLodged(a, b) === true || robotOf(b.getBody())?.isLodged(b, a) === true;
-    if (isLodged || isForkAcross(a, b)) contact.setEnabled(false);
+    if (isLodged || isForkAcross(a, b) || isPassedOver(movers, a, b)) contact.setEnabled(false);
   });
-
-  const physics: Physics = {
-    addFixture(cornersMm) {
-      walls.createFixture({ shape: new PolygonShape(cornersMm.map(toUnits)), friction: CONTACT_FRICTION });
-    },
-    addBlock(shape) {
-      const block = new BlockBody(world, floor, shape, () => robots.forEach((robot) => robot.blockPlaced()));
-      blocks.set(block.body, block);
-      return block;
-    },
-    addRobot(type, pose) {
-      const robot = new RobotBody(world, floor, around, type, pose);
-      robots.push(robot);
-      return robot;
-    },
-    step() {
-      for (const robot of robots) robot.beforeStep();
-      world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
-      for (const robot of robots) robot.afterStep();
-    },
-  };
-  for (const corners of edgeWalls(size)) physics.addFixture(corners);
-  return physics;
 }
 
 /**
@@ -92,6 +118,15 @@ function isForkAcross(a: Fixture, b: Fixture): boolean {
   const kinds = a.getFilterCategoryBits() | b.getFilterCategoryBits();
   if (kinds !== (Kind.tool | Kind.movableBlock)) return false;
   return gapBetween(outlineOf(a), outlineOf(b)).gap < -OVERLAP;
+}
+
+/** Whether one of the two is a moving obstacle that passes over the other. */
+function isPassedOver(movers: readonly MoverBody[], a: Fixture, b: Fixture): boolean {
+  return movers.some(
+    (mover) =>
+      (mover.body === a.getBody() && mover.isPassingOver(a, b)) ||
+      (mover.body === b.getBody() && mover.isPassingOver(b, a)),
+  );
 }
 
 /** The four walls around the arena: right, top, left, bottom. */

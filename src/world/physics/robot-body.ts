@@ -120,6 +120,15 @@ export class RobotBody implements Chassis {
     return this.collisionCount;
   }
 
+  touching(): (string | null)[] {
+    const ids: (string | null)[] = [];
+    for (const [fixture, { parts }] of this.touches) {
+      const id = fixture.getUserData();
+      if (parts > 0) ids.push(typeof id === 'string' ? id : null);
+    }
+    return ids;
+  }
+
   toWorld(point: Vec): Vec {
     const { x, y } = this.body.getWorldPoint(toUnits(point));
     return { x: x * MM_PER_UNIT, y: y * MM_PER_UNIT };
@@ -227,6 +236,11 @@ export class RobotBody implements Chassis {
     if (!touch) return;
     touch.parts--;
     touch.lastStep = this.steps;
+  }
+
+  /** Something has been taken out of the world. */
+  forgetThing(other: Fixture): void {
+    this.touches.delete(other);
   }
 
   private expectTouch(other: Fixture): void {

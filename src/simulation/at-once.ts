@@ -1,0 +1,87 @@
+import type { Block, Mover, Scene, SceneObject, Spikes, Wall } from '#scene/scene';
+
+/** What a run keeps from its start on: it is solid, and the robot may just be driving against it. */
+export type LastingObject = Wall | Spikes | Mover | (Block & { readonly type: 'fixed-block' });
+
+/** Whether an object of a course changes in a run only with the next start; everything else does at once. */
+export function isLasting(object: SceneObject): object is LastingObject {
+  switch (object.type) {
+    case 'wall':
+    case 'fixed-block':
+    case 'spikes':
+    case 'mover':
+      return true;
+    case 'block':
+    case 'stroke':
+    case 'target':
+    case 'checkpoint':
+    case 'forbidden':
+    case 'label':
+      return false;
+    default:
+      return object satisfies never;
+  }
+}
+
+/**
+ * Ids of the movable blocks that a run has after its course was changed. A block that was put into the course is there at
+ * once, unless it lies outside of the run's arena, or the run has something lasting of its id, which it was changed from.
+ * A block that was made into something lasting stays movable until the next start.
+ *
+ * @param before those it had; empty before the start
+ * @param began the course that the run began with
+ */
+export function movableIds(before: ReadonlySet<string>, began: Scene, course: Scene): ReadonlySet<string> {
+  if (course === began) return new Set(began.objects.filter(({ type }) => type === 'block').map(({ id }) => id));
+  const lastingIds = new Set(began.objects.filter(isLasting).map(({ id }) => id));
+  const [width, height] = began.size;
+  const ids = new Set<string>();
+  for (const object of course.objects) {
+    const { id } = object;
+    if (before.has(id) && (object.type === 'block' || isLasting(object))) ids.add(id);
+    if (object.type !== 'block' || lastingIds.has(id)) continue;
+    const [x, y] = object.at;
+    if (x >= 0 && x <= width && y >= 0 && y <= height) ids.add(id);
+  }
+  return ids;
+}
+
+/** What of a course is not yet in a run. */
+export interface Pending {
+  /** Objects of the course that the run does not have. */
+  readonly coming: readonly SceneObject[];
+  /** Objects of the run that the course no longer has, or has otherwise. */
+  readonly going: readonly SceneObject[];
+  /** The robot starts elsewhere, or is another one. */
+  readonly robot: boolean;
+  /** The arena or the board is another one. */
+  readonly arena: boolean;
+}
+
+/**
+ * What waits for the next start.
+ *
+ * @param began the course that the run began with
+ * @param course what it has become since
+ */
+export function pendingChanges(began: Scene, course: Scene): Pending {
+  const lasting = new Map(began.objects.filter(isLasting).map((object) => [object.id, object]));
+  const movable = movableIds(new Set(), began, course);
+  const coming = course.objects.filter((object) => {
+    if (object.type === 'block') return !movable.has(object.id);
+    if (!isLasting(object)) return false;
+    const old = lasting.get(object.id);
+    if (old === undefined || !isEqual(old, object)) return true;
+    lasting.delete(object.id);
+    return false;
+  });
+  return {
+    coming,
+    going: [...lasting.values()],
+    robot: !isEqual(began.robot, course.robot),
+    arena: !isEqual(began.size, course.size) || began.board !== course.board,
+  };
+}
+
+/** Whether two pieces of plain data say the same; their properties have to come in the same order. */
+export const isEqual = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);

@@ -1,0 +1,84 @@
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Pose } from '#core/geometry';
+import { movedOutline, zoneHolds, type Outline } from '#scene/outline';
+import type { Zone } from '#scene/scene';
+import type { BlockHandle } from '#world/world';
+import type { TaskBrief } from './task-brief';
+
+/** Counts the blocks that lie in targets. */
+export interface Deliveries {
+  /** How many are delivered now: no more in each target than it wants, and each block once. */
+  count(): number;
+}
+
+/** A movable block, and how it was when it was last looked at. */
+interface Watched {
+  readonly block: BlockHandle;
+  readonly corners: Outline;
+  pose: Pose | null;
+  held: boolean;
+  /** The targets in which it lies. */
+  targets: readonly Zone[];
+}
+
+/** @param block finds a movable block of the run by its id */
+export function createDeliveries(
+  { blocks, blockTargets }: TaskBrief,
+  block: (id: string) => BlockHandle | undefined,
+): Deliveries {
+  const watched = blocks.flatMap(({ id, size }): Watched[] => {
+    const found = block(id);
+    return found ? [{ block: found, corners: cornersOf(size), pose: null, held: false, targets: [] }] : [];
+  });
+  let delivered = 0;
+  return {
+    count() {
+      let hasChanged = false;
+      for (const one of watched) {
+        const pose = one.block.pose();
+        const held = one.block.isHeld();
+        if (held === one.held && one.pose !== null && isSame(pose, one.pose)) continue;
+        one.pose = pose;
+        one.held = held;
+        const targets = held ? [] : blockTargets.filter((target) => liesIn(target, pose, one.corners));
+        // Nearly all that moves does so outside of all targets.
+        if (targets.length === 0 && one.targets.length === 0) continue;
+        one.targets = targets;
+        hasChanged = true;
+      }
+      if (hasChanged) delivered = countIn(blockTargets, watched);
+      return delivered;
+    },
+  };
+}
+
+function countIn(targets: readonly Zone[], watched: readonly Watched[]): number {
+  const counted = new Set<Watched>();
+  for (const target of targets) {
+    let room = target.blocks;
+    for (const one of watched) {
+      if (room === 0) break;
+      if (counted.has(one) || !one.targets.includes(target)) continue;
+      counted.add(one);
+      room--;
+    }
+  }
+  return counted.size;
+}
+
+function liesIn(target: Zone, { xMm: x, yMm: y, headingRad }: Pose, corners: Outline): boolean {
+  if (!zoneHolds(target, { x, y })) return false;
+  const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
+  return movedOutline(corners, { x, y }, direction).every((corner) => zoneHolds(target, corner));
+}
+
+const cornersOf = ([width, height]: readonly [number, number]): Outline => [
+  { x: -width / 2, y: -height / 2 },
+  { x: width / 2, y: -height / 2 },
+  { x: width / 2, y: height / 2 },
+  { x: -width / 2, y: height / 2 },
+];
+
+/** Whether two poses are the same to the last bit. */
+export const isSame = (a: Pose, b: Pose): boolean =>
+  a.xMm === b.xMm && a.yMm === b.yMm && a.headingRad === b.headingRad;

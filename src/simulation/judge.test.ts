@@ -1,0 +1,302 @@
+import { describe, expect, it } from 'vitest';
+import type { Point, Scene, SceneObject, Task, Zone } from '#scene/scene';
+import { defaultScene } from '#scene/scene';
+import { createRig, testChassis } from '#world/testing/rig';
+import { STEP_S, STEP_US } from '#world/step';
+import { CourseWorld } from './course-world';
+import { Judge } from './judge';
+import { spikedIds } from './task-brief';
+
+const zone = (type: Zone['type'], id: string, at: Point, more: Partial<Zone> = {}): Zone => ({
+  ...{ type, id, at, size: [100, 100], turn: 0, round: false, number: 0, blocks: 0 },
+  ...more,
+});
+const checkpoint = (number: number, at: Point, more: Partial<Zone> = {}): Zone =>
+  zone('checkpoint', `c${String(number)}`, at, { number, ...more });
+const block = (id: string, at: Point): SceneObject => ({ type: 'block', id, at, size: [50, 50], turn: 0 });
+const courseOf = (objects: readonly SceneObject[], task: Partial<Task> = {}): Scene => ({
+  ...defaultScene(),
+  size: [2000, 1000],
+  task: { seconds: null, noTouch: false, ...task },
+  objects,
+});
+
+/** A robot at (300 | 500) that looks along x, 81 mm long and 80 mm wide, and its judge. */
+function start(objects: readonly SceneObject[], task: Partial<Task> = {}) {
+  const course = courseOf(objects, task);
+  const arena = new CourseWorld(course);
+  const type = testChassis();
+  const robot = arena.world.addChassis(type, { xMm: 300, yMm: 500, headingRad: 0 });
+  const judge = new Judge(course, {
+    chassis: robot,
+    body: type.outlineMm,
+    block: (id) => arena.block(id),
+    spiked: spikedIds(course),
+  });
+  let timeUs = 0;
+  judge.step(timeUs);
+  return {
+    robot,
+    arena,
+    judge,
+    verdict: () => judge.verdict(),
+    /** About 300 mm/s at 0.5. */
+    drive: (seconds: number, left = 0.5, right = left): void => {
+      robot.setDuty(0, left);
+      robot.setDuty(1, right);
+      for (let step = 0; step < Math.round(seconds / STEP_S); step++) {
+        arena.world.step();
+        timeUs += STEP_US;
+        judge.step(timeUs);
+      }
+    },
+    /** Without wheels: the judge only sees where it is. */
+    put: (xMm: number, yMm: number, headingRad = 0): void => {
+      robot.place({ xMm, yMm, headingRad });
+      arena.world.step();
+      timeUs += STEP_US;
+      judge.step(timeUs);
+    },
+  };
+}
+
+describe('a course without a task', () => {
+  it('has no verdict, whatever is touched', () => {
+    const { drive, verdict } = start([block('b', [600, 500])]);
+    drive(3);
+    expect(verdict()).toBeNull();
+  });
+});
+
+describe('a target', () => {
+  it('is reached when the middle of the axle is inside: 400 mm on, after about 1.4 s', () => {
+    const { drive, verdict, robot } = start([zone('target', 't', [750, 500])]);
+    drive(0.5);
+    expect(verdict()).toMatchObject({ state: 'open', atMs: null, targets: { reached: 0, of: 1 } });
+    drive(4);
+    const decided = verdict();
+    expect(decided).toMatchObject({ state: 'passed', reason: null, targets: { reached: 1, of: 1 } });
+    expect(decided?.atMs).toBeGreaterThan(1350);
+    expect(decided?.atMs).toBeLessThan(1550);
+    expect(robot.pose().xMm).toBeGreaterThan(750);
+  });
+
+  it('that is round does not reach into its corners', () => {
+    const { put, verdict } = start([zone('target', 't', [1000, 500], { round: true })]);
+    put(1045, 545);
+    expect(verdict()?.state).toBe('open');
+    put(1045, 505);
+    expect(verdict()?.state).toBe('passed');
+  });
+
+  it('counts only after all checkpoints', () => {
+    const { put, verdict } = start([zone('target', 't', [1000, 500]), checkpoint(1, [1500, 500])]);
+    put(1000, 500);
+    expect(verdict()).toMatchObject({ state: 'open', targets: { reached: 0, of: 1 } });
+    put(1500, 500);
+    expect(verdict()).toMatchObject({ state: 'open', checkpoints: { passed: 1, of: 1 } });
+    put(1000, 500);
+    expect(verdict()).toMatchObject({ state: 'passed', targets: { reached: 1, of: 1 } });
+  });
+
+  it('several of them may be reached in any order', () => {
+    const { put, verdict } = start([zone('target', 'a', [1000, 500]), zone('target', 'b', [1500, 500])]);
+    put(1500, 500);
+    put(700, 500);
+    expect(verdict()).toMatchObject({ state: 'open', targets: { reached: 1, of: 2 } });
+    put(1000, 500);
+    expect(verdict()?.state).toBe('passed');
+  });
+});
+
+describe('checkpoints', () => {
+  const three = [checkpoint(2, [900, 500]), checkpoint(1, [600, 500]), checkpoint(3, [1200, 500])];
+
+  it('are passed in the order of their numbers', () => {
+    const { drive, verdict } = start(three);
+    drive(9);
+    expect(verdict()).toMatchObject({ state: 'passed', checkpoints: { passed: 3, of: 3 } });
+  });
+
+  it('do not count out of order: 2 before 1 is none', () => {
+    const { put, verdict } = start(three);
+    put(900, 500);
+    expect(verdict()).toMatchObject({ state: 'open', checkpoints: { passed: 0, of: 3 } });
+    put(600, 500);
+    put(1200, 500);
+    expect(verdict()).toMatchObject({ checkpoints: { passed: 1, of: 3 } });
+    put(900, 500);
+    put(1200, 500);
+    expect(verdict()?.state).toBe('passed');
+  });
+
+  it('of one number may be passed in any order, and a gap between numbers does no harm', () => {
+    const twice = [checkpoint(1, [600, 500]), checkpoint(1, [900, 500], { id: 'other' }), checkpoint(7, [1200, 500])];
+    const { put, verdict } = start(twice);
+    put(900, 500);
+    put(1200, 500);
+    expect(verdict()).toMatchObject({ checkpoints: { passed: 1, of: 3 } });
+    put(600, 500);
+    put(1200, 500);
+    expect(verdict()?.state).toBe('passed');
+  });
+
+  it('that lie over each other are passed at once', () => {
+    const { put, verdict } = start([checkpoint(1, [900, 500]), checkpoint(2, [900, 500])]);
+    put(900, 500);
+    expect(verdict()?.state).toBe('passed');
+  });
+});
+
+describe('blocks', () => {
+  const target = zone('target', 't', [900, 500], { size: [200, 200], blocks: 2 });
+
+  it('are delivered while all their corners are inside, and must be at the same time', () => {
+    const { arena, drive, verdict } = start([target, block('a', [600, 800]), block('b', [700, 800])]);
+    const place = (id: string, xMm: number, headingRad = 0) => arena.block(id)?.place({ xMm, yMm: 500, headingRad });
+    place('a', 974); // 1 mm inside
+    drive(0.004, 0);
+    expect(verdict()).toMatchObject({ state: 'open', blocks: { delivered: 1, of: 2 } });
+    place('a', 974, Math.PI / 4); // its corner sticks out
+    drive(0.004, 0);
+    expect(verdict()?.blocks).toEqual({ delivered: 0, of: 2 });
+    place('b', 870);
+    drive(0.004, 0);
+    expect(verdict()).toMatchObject({ state: 'open', blocks: { delivered: 1, of: 2 } });
+    place('a', 940);
+    drive(0.004, 0);
+    expect(verdict()).toMatchObject({ state: 'passed', blocks: { delivered: 2, of: 2 } });
+  });
+
+  it('count once each, and no more of them than a target wants', () => {
+    const one = { ...target, blocks: 1 };
+    const blocks = [block('a', [860, 500]), block('b', [930, 500])];
+    const { verdict } = start([one, { ...one, id: 'u' }, { ...one, id: 'v' }, ...blocks]);
+    expect(verdict()).toMatchObject({ state: 'open', blocks: { delivered: 2, of: 3 } });
+  });
+
+  it('that the robot pushes there pass the task', () => {
+    const { drive, verdict } = start([{ ...target, blocks: 1 }, block('a', [500, 500])], { noTouch: true });
+    drive(6);
+    expect(verdict()).toMatchObject({ state: 'passed', touches: 1 });
+  });
+});
+
+describe('a forbidden zone', () => {
+  it('must not be covered by any part of the body: the nose is enough', () => {
+    const { put, verdict } = start([zone('forbidden', 'no', [800, 500])]);
+    put(690, 500); // the nose ends at 749
+    expect(verdict()?.state).toBe('open');
+    put(692, 500);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'forbidden', by: 'no' });
+  });
+
+  it('that the robot surrounds is covered, too', () => {
+    const { put, verdict } = start([zone('forbidden', 'no', [800, 500], { size: [10, 10], round: true })]);
+    put(780, 500);
+    expect(verdict()?.state).toBe('failed');
+  });
+});
+
+describe('spikes', () => {
+  const spikes: SceneObject = { type: 'spikes', id: 's', at: [800, 500], size: [60, 60], turn: 0 };
+
+  it('stop the robot, and the task is failed', () => {
+    const { drive, verdict, robot } = start([spikes, zone('target', 't', [1500, 500])]);
+    drive(6);
+    expect(robot.pose().xMm).toBeLessThan(800 - 30 - 58);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'spikes', by: 's', touches: 1 });
+  });
+
+  it('on a moving obstacle hurt who stands still', () => {
+    const mover: SceneObject = {
+      ...{ type: 'mover', id: 'm', at: [600, 500], to: [300, 500], size: [60, 60], turn: 0, speed: 100 },
+      spiked: true,
+    };
+    const spiked = start([mover]);
+    spiked.drive(3, 0);
+    expect(spiked.verdict()).toMatchObject({ state: 'failed', reason: 'spikes', by: 'm' });
+    const blunt = start([{ ...mover, spiked: false }]);
+    blunt.drive(3, 0);
+    expect(blunt.verdict()).toBeNull();
+    expect(blunt.robot.collisions()).toBe(1);
+  });
+});
+
+describe('a task without touching', () => {
+  it('is failed by a wall, which is named', () => {
+    const wall: SceneObject = { type: 'wall', id: 'w', from: [800, 300], to: [800, 700], thickness: 10 };
+    const { drive, verdict } = start([wall], { noTouch: true });
+    drive(6);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'touched', by: 'w', touches: 1 });
+  });
+
+  it('is failed by the edge of the arena, which has no name', () => {
+    const { drive, verdict } = start([], { noTouch: true });
+    drive(4, -0.5);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'touched', by: null });
+  });
+
+  it('is failed by a block where no blocks are to be delivered', () => {
+    const { drive, verdict } = start([block('b', [600, 500])], { noTouch: true });
+    drive(4);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'touched', by: 'b' });
+  });
+});
+
+describe('a time limit', () => {
+  it('fails the task at its end, to the millisecond', () => {
+    const { drive, verdict } = start([zone('target', 't', [1500, 500])], { seconds: 2 });
+    drive(1.996, 0);
+    expect(verdict()?.state).toBe('open');
+    drive(0.004, 0);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'time', atMs: 2000 });
+  });
+
+  it('is passed by holding out where there is nothing to come to', () => {
+    const { drive, verdict } = start([], { seconds: 2, noTouch: true });
+    drive(2, 0);
+    expect(verdict()).toMatchObject({ state: 'passed', atMs: 2000 });
+  });
+});
+
+describe('a verdict', () => {
+  it('is final: what happens later changes nothing of it', () => {
+    const { put, drive, verdict } = start([zone('target', 't', [1000, 500]), zone('forbidden', 'no', [1500, 500])]);
+    put(1000, 500);
+    const passed = verdict();
+    put(1500, 500);
+    drive(5, -0.5);
+    expect(verdict()).toEqual(passed);
+  });
+
+  it('keeps what was reached when the course is changed, and asks for what is new', () => {
+    const first = [checkpoint(1, [600, 500]), checkpoint(2, [1200, 500])];
+    const { put, verdict, judge } = start(first);
+    put(600, 500);
+    judge.take(courseOf([...first, checkpoint(3, [1500, 500])]));
+    expect(verdict()?.checkpoints).toEqual({ passed: 1, of: 3 });
+    judge.take(courseOf([checkpoint(1, [600, 500]), checkpoint(2, [800, 500])]));
+    put(800, 500);
+    expect(verdict()?.state).toBe('passed');
+  });
+
+  it('comes when a task is set while the robot drives; touches before it do not count', () => {
+    const { drive, verdict, judge, robot } = start([]);
+    drive(1, -0.5);
+    drive(3, -0.5);
+    expect(robot.collisions()).toBe(1);
+    judge.take(courseOf([], { noTouch: true }));
+    drive(1, 0.5);
+    expect(verdict()?.state).toBe('open');
+    drive(4, -0.5);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'touched' });
+  });
+});
+
+describe('the test robot', () => {
+  it('reaches 59 mm ahead of its axle, on which the figures above rest', () => {
+    const { robot } = createRig();
+    expect(robot.toWorld({ x: 59, y: 0 }).x - robot.pose().xMm).toBeCloseTo(59, 9);
+  });
+});

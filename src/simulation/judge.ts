@@ -1,0 +1,176 @@
+import { exactCos, exactSin } from '#core/exact-math';
+import type { Pose } from '#core/geometry';
+import { lengthOf, movedOutline, zoneHolds, zoneOverlaps, type Outline } from '#scene/outline';
+import type { Scene, Zone } from '#scene/scene';
+import type { Chassis } from '#world/chassis';
+import type { BlockHandle } from '#world/world';
+import { createDeliveries, isSame, type Deliveries } from './deliveries';
+import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
+import type { Verdict } from './verdict';
+
+/** What the judge watches. */
+export interface Watched {
+  readonly chassis: Pick<Chassis, 'pose' | 'collisions' | 'touching'>;
+  /** Convex parts of the robot's body at its size, robot frame, mm. */
+  readonly body: readonly Outline[];
+  /** The movable block of this id, or `undefined` where none is in the run. */
+  readonly block: (id: string) => BlockHandle | undefined;
+  /** Ids of the obstacles in the run that must never be touched: spikes, and movers with spikes. */
+  readonly spiked: ReadonlySet<string>;
+}
+
+/** Why a task is failed. */
+type Failure = Pick<Verdict, 'reason' | 'by'>;
+
+/**
+ * Decides whether the task of a course is done.
+ *
+ * - The robot has come to a zone when the middle of its axle is inside. Checkpoints count in the order of their numbers
+ *   (those of one number in any order), targets for the robot only after all checkpoints.
+ * - A block is delivered while all its corners are in a target that wants blocks and no robot holds it.
+ * - *Passed*: all checkpoints, all targets, and all blocks at the same time. A task with nothing of these but a time limit
+ *   is passed when the time is over: holding out was the task. With neither it stays open.
+ * - *Failed*: a part of the robot's body is over a forbidden zone; it touches spikes; with `noTouch` it touches anything
+ *   solid (but blocks, where blocks are to be delivered); the time is over. What fails in the same step as what passes wins.
+ */
+export class Judge {
+  private brief: TaskBrief;
+  private deliveries: Deliveries;
+  /** Ids of the zones that the robot has come to. */
+  private readonly reached = new Set<string>();
+  private delivered = 0;
+  private touches = 0;
+  private lastPose: Pose | null = null;
+  private final: Verdict | null = null;
+  private forbidden: readonly Forbidden[];
+
+  constructor(
+    course: Scene,
+    private readonly watched: Watched,
+  ) {
+    this.brief = briefOf(course);
+    this.forbidden = forbiddenIn(this.brief, watched.body);
+    this.deliveries = createDeliveries(this.brief, watched.block);
+  }
+
+  /** The course is another one from now on. What was reached stays reached, and what is decided stays decided. */
+  take(course: Scene): void {
+    if (!this.isAsked()) this.touches = this.watched.chassis.collisions();
+    this.brief = briefOf(course);
+    this.forbidden = forbiddenIn(this.brief, this.watched.body);
+    this.deliveries = createDeliveries(this.brief, this.watched.block);
+    this.lastPose = null;
+  }
+
+  /** How things stand, or `null` where the course sets no task. */
+  verdict(): Verdict | null {
+    return this.final ?? (this.isAsked() ? this.openVerdict() : null);
+  }
+
+  /** To be called before the first step of the world and after each, at simulated time `timeUs`. */
+  step(timeUs: number): void {
+    if (this.final !== null || !this.isAsked()) return;
+    const { brief } = this;
+    const pose = this.watched.chassis.pose();
+    const hasMoved = this.lastPose === null || !isSame(pose, this.lastPose);
+    this.lastPose = pose;
+    if (hasMoved) this.reach(pose);
+    if (brief.blockTargets.length > 0) this.delivered = this.deliveries.count();
+    const failure = this.newTouch() ?? (hasMoved ? this.overForbidden(pose) : null);
+    const { seconds } = brief.task;
+    const isLate = seconds !== null && timeUs >= seconds * 1_000_000;
+    if (failure !== null) this.decide('failed', timeUs, failure);
+    else if (hasGoal(brief)) {
+      if (this.isDone()) this.decide('passed', timeUs);
+      else if (isLate) this.decide('failed', timeUs, { reason: 'time', by: null });
+    } else if (isLate) this.decide('passed', timeUs);
+  }
+
+  private isAsked(): boolean {
+    return this.watched.spiked.size > 0 || isTask(this.brief);
+  }
+
+  private openVerdict(): Verdict {
+    const { checkpoints, robotTargets, blocksWanted } = this.brief;
+    return {
+      state: 'open',
+      atMs: null,
+      reason: null,
+      by: null,
+      checkpoints: { passed: this.countReached(checkpoints), of: checkpoints.length },
+      targets: { reached: this.countReached(robotTargets), of: robotTargets.length },
+      blocks: { delivered: this.delivered, of: blocksWanted },
+      touches: this.watched.chassis.collisions(),
+    };
+  }
+
+  private decide(state: 'passed' | 'failed', timeUs: number, failure: Failure = { reason: null, by: null }): void {
+    this.final = { ...this.openVerdict(), ...failure, state, atMs: timeUs / 1000 };
+  }
+
+  private isDone(): boolean {
+    const { checkpoints, robotTargets, blocksWanted } = this.brief;
+    const isReached = ({ id }: Zone): boolean => this.reached.has(id);
+    return checkpoints.every(isReached) && robotTargets.every(isReached) && this.delivered === blocksWanted;
+  }
+
+  private countReached(zones: readonly Zone[]): number {
+    return zones.reduce((sum, { id }) => (this.reached.has(id) ? sum + 1 : sum), 0);
+  }
+
+  private reach(pose: Pose): void {
+    const at = { x: pose.xMm, y: pose.yMm };
+    /** The number of the checkpoint that is next. */
+    let next = Infinity;
+    for (const zone of this.brief.checkpoints) {
+      if (this.reached.has(zone.id)) continue;
+      if (zone.number > next) return;
+      if (zoneHolds(zone, at)) this.reached.add(zone.id);
+      else next = zone.number;
+    }
+    if (next !== Infinity) return;
+    for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.reached.add(zone.id);
+  }
+
+  /** What is touched is looked at only when a touch has begun. */
+  private newTouch(): Failure | null {
+    const { chassis, spiked } = this.watched;
+    const touches = chassis.collisions();
+    if (touches === this.touches) return null;
+    this.touches = touches;
+    const touching = chassis.touching();
+    const spikes = touching.find((id) => id !== null && spiked.has(id));
+    if (spikes !== undefined) return { reason: 'spikes', by: spikes };
+    if (!this.brief.task.noTouch) return null;
+    const by = touching.filter((id) => !this.brief.blocks.some((block) => block.id === id)).at(-1);
+    return by === undefined ? null : { reason: 'touched', by };
+  }
+
+  private overForbidden(pose: Pose): Failure | null {
+    const { xMm: x, yMm: y, headingRad } = pose;
+    let parts: readonly Outline[] | null = null;
+    for (const { zone, atX, atY, reachSquared } of this.forbidden) {
+      if ((x - atX) * (x - atX) + (y - atY) * (y - atY) > reachSquared) continue;
+      const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
+      parts ??= this.watched.body.map((part) => movedOutline(part, { x, y }, direction));
+      if (parts.some((part) => zoneOverlaps(zone, part))) return { reason: 'forbidden', by: zone.id };
+    }
+    return null;
+  }
+}
+
+/** A forbidden zone, and how near the robot must be to it that it can be over it. */
+interface Forbidden {
+  readonly zone: Zone;
+  readonly atX: number;
+  readonly atY: number;
+  readonly reachSquared: number;
+}
+
+function forbiddenIn({ forbidden }: TaskBrief, body: readonly Outline[]): readonly Forbidden[] {
+  const bodyReach = Math.max(0, ...body.flat().map(({ x, y }) => lengthOf(x, y)));
+  return forbidden.map((zone) => {
+    const reach = bodyReach + lengthOf(zone.size[0], zone.size[1]) / 2;
+    return { zone, atX: zone.at[0], atY: zone.at[1], reachSquared: reach * reach };
+  });
+}

@@ -1,0 +1,54 @@
+import type { Block, Scene, Task, Zone } from '#scene/scene';
+
+/** What of a course matters to the judge. */
+export interface TaskBrief {
+  readonly task: Task;
+  /** In the order of their numbers; those of one number in the order of the course. */
+  readonly checkpoints: readonly Zone[];
+  /** Targets that the robot has to come to. */
+  readonly robotTargets: readonly Zone[];
+  /** Targets that want blocks. */
+  readonly blockTargets: readonly Zone[];
+  readonly forbidden: readonly Zone[];
+  /** Ids and sizes of the movable blocks, in the order of the course; none where no target wants any. */
+  readonly blocks: readonly { readonly id: string; readonly size: readonly [number, number] }[];
+  /** How many blocks are wanted in all targets together. */
+  readonly blocksWanted: number;
+}
+
+/** Reads out of a course what the judge has to know. */
+export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): TaskBrief {
+  const checkpoints: Zone[] = [];
+  const targets: Zone[] = [];
+  const forbidden: Zone[] = [];
+  for (const object of objects) {
+    if (object.type === 'checkpoint') checkpoints.push(object);
+    else if (object.type === 'target') targets.push(object);
+    else if (object.type === 'forbidden') forbidden.push(object);
+  }
+  const blockTargets = targets.filter(({ blocks }) => blocks > 0);
+  const movable = blockTargets.length > 0 ? objects.filter((object): object is Block => object.type === 'block') : [];
+  return {
+    task,
+    checkpoints: checkpoints.sort((a, b) => a.number - b.number),
+    robotTargets: targets.filter(({ blocks }) => blocks === 0),
+    blockTargets,
+    forbidden,
+    blocks: movable.map(({ id, size }) => ({ id, size })),
+    blocksWanted: blockTargets.reduce((sum, { blocks }) => sum + blocks, 0),
+  };
+}
+
+/** Whether there is something to come to or to deliver. */
+export const hasGoal = ({ checkpoints, robotTargets, blockTargets }: TaskBrief): boolean =>
+  checkpoints.length + robotTargets.length + blockTargets.length > 0;
+
+/** Whether there is anything to judge, apart from spikes. */
+export const isTask = (brief: TaskBrief): boolean =>
+  hasGoal(brief) || brief.forbidden.length > 0 || brief.task.noTouch || brief.task.seconds !== null;
+
+/** Ids of the obstacles that must never be touched: spikes, and movers with spikes. */
+export function spikedIds({ objects }: Pick<Scene, 'objects'>): ReadonlySet<string> {
+  const spiked = objects.filter((object) => object.type === 'spikes' || (object.type === 'mover' && object.spiked));
+  return new Set(spiked.map(({ id }) => id));
+}

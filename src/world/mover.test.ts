@@ -1,0 +1,152 @@
+import { describe, expect, it } from 'vitest';
+import { createRig, hashOf, testChassis } from './testing/rig';
+import { STEP_S } from './step';
+import { createWorld } from './world';
+import type { MoverHandle, World } from './world';
+
+const box = (from: readonly [number, number], to: readonly [number, number], speedMmPerS: number, id = 'mover') => ({
+  id,
+  atMm: { x: from[0], y: from[1] },
+  toMm: { x: to[0], y: to[1] },
+  sizeMm: { x: 60, y: 60 },
+  angleRad: 0,
+  speedMmPerS,
+});
+
+const wait = (world: World, seconds: number): void => {
+  for (let step = 0; step < Math.round(seconds / STEP_S); step++) world.step();
+};
+
+const xOf = (mover: MoverHandle): number => mover.pose().xMm;
+
+describe('a moving obstacle', () => {
+  it('goes to and fro at its speed: 300 mm at 100 mm/s take 3 s there and 3 s back', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(box([200, 200], [500, 200], 100));
+    expect(mover.pose()).toEqual({ xMm: 200, yMm: 200, headingRad: 0 });
+    wait(world, 1);
+    expect(xOf(mover)).toBe(300);
+    wait(world, 2);
+    expect(xOf(mover)).toBe(500);
+    wait(world, 2);
+    expect(xOf(mover)).toBe(300);
+    wait(world, 3);
+    expect(xOf(mover)).toBeCloseTo(400, 9);
+  });
+
+  it('is where it has to be to the last bit after 10 minutes', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(box([200, 200], [500, 200], 100));
+    wait(world, 600);
+    expect(xOf(mover)).toBe(200);
+  });
+
+  it('stands still when it has nowhere to go', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(box([200, 200], [200, 200], 100));
+    wait(world, 1);
+    expect(mover.pose()).toEqual({ xMm: 200, yMm: 200, headingRad: 0 });
+  });
+
+  it('pushes a block ahead of itself and leaves it behind on the way back', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    world.addMover(box([200, 200], [500, 200], 200));
+    const block = world.addBlock({ atMm: { x: 300, y: 200 }, sizeMm: { x: 50, y: 50 }, angleRad: 0, fixed: false });
+    wait(world, 1.5);
+    expect(block.pose().xMm).toBeGreaterThan(554.5);
+    expect(block.pose().xMm).toBeLessThan(556);
+    wait(world, 0.2); // it slides on a little, by its friction on the floor
+    const left = block.pose();
+    wait(world, 1.2);
+    expect(block.pose()).toEqual(left);
+  });
+
+  it('pushes a robot that stands with its motors braked, sideways too, and is not stopped by it', () => {
+    const { world, robot } = createRig({ xMm: 1000, yMm: 1000, headingRad: 0 });
+    const mover = world.addMover(box([1020, 800], [1020, 1100], 100));
+    wait(world, 3);
+    expect(mover.pose().yMm).toBe(1100);
+    expect(robot.pose().yMm).toBeGreaterThan(1000 + 60);
+    expect(robot.collisions()).toBe(1);
+    expect(robot.touching()).toEqual(['mover']);
+  });
+
+  it('is touched by a robot that drives against it', () => {
+    const { world, robot, drive } = createRig({ xMm: 1000, yMm: 1000, headingRad: 0 });
+    world.addMover(box([1300, 1000], [1600, 1000], 20));
+    drive(100, 100, 3);
+    expect(robot.touching()).toEqual(['mover']);
+  });
+
+  it('is seen by a distance sensor where it is now', () => {
+    const { world, robot } = createRig({ xMm: 1000, yMm: 1000, headingRad: 0 });
+    world.addMover(box([1500, 1000], [1800, 1000], 100));
+    const beam = { openingRad: 0.1, rangeMm: 3000 };
+    const distance = (): number => world.distanceCone({ x: 1060, y: 1000 }, 0, beam, robot).distanceMm;
+    expect(distance()).toBeCloseTo(1470 - 1060, 9);
+    wait(world, 2);
+    expect(distance()).toBeCloseTo(1670 - 1060, 9);
+  });
+
+  it('refuses sides and speeds that are not above 0', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    expect(() => world.addMover(box([1, 1], [9, 9], 0))).toThrow(/0 mm\/s/);
+    expect(() => world.addMover({ ...box([1, 1], [9, 9], 5), sizeMm: { x: 0, y: 5 } })).toThrow(/0 × 5/);
+  });
+});
+
+/** What is jammed stays in an arena of 600 × 400 mm, and never flies: the greatest way in one step in mm. */
+function jam(speedMmPerS: number, thing: 'block' | 'robot', wallAtMm?: number) {
+  const world = createWorld({ widthMm: 600, heightMm: 400 });
+  const mover = world.addMover(box([100, 200], [590, 200], speedMmPerS));
+  if (wallAtMm !== undefined)
+    world.addWall({ fromMm: { x: wallAtMm, y: 0 }, toMm: { x: wallAtMm, y: 400 }, thicknessMm: 10 });
+  const body =
+    thing === 'robot'
+      ? world.addChassis(testChassis(), { xMm: 250, yMm: 200, headingRad: 0.1 })
+      : world.addBlock({ atMm: { x: 250, y: 205 }, sizeMm: { x: 50, y: 50 }, angleRad: 0.1, fixed: false });
+  const poses = [body.pose()];
+  let farthest = 0;
+  for (let step = 0; step < 15_000; step++) {
+    world.step();
+    const [before, now] = [poses[poses.length - 1] ?? body.pose(), body.pose()];
+    farthest = Math.max(farthest, Math.hypot(now.xMm - before.xMm, now.yMm - before.yMm));
+    poses.push(now);
+  }
+  return { poses, farthest, mover };
+}
+
+describe('what is jammed between a moving obstacle and a wall', () => {
+  const cases = ([20, 100, 500] as const).flatMap((speed) =>
+    (['block', 'robot'] as const).flatMap((thing) => [undefined, 450].map((wall) => ({ speed, thing, wall }))),
+  );
+  it.each(cases)('neither flies nor leaves: $thing at $speed mm/s, wall at $wall', ({ speed, thing, wall }) => {
+    const { poses, farthest, mover } = jam(speed, thing, wall);
+    for (const { xMm, yMm } of poses) {
+      expect(xMm).toBeGreaterThan(0);
+      expect(xMm).toBeLessThan(wall ?? 600);
+      expect(Math.min(yMm, 400 - yMm)).toBeGreaterThan(0);
+    }
+    expect(farthest).toBeLessThan(8);
+    expect(mover.pose().xMm).toBeGreaterThanOrEqual(100);
+  });
+
+  it('comes out the same to the last bit again', () => {
+    const numbers = (): number[] =>
+      jam(500, 'block', 450).poses.flatMap(({ xMm, yMm, headingRad }) => [xMm, yMm, headingRad]);
+    expect(hashOf(numbers())).toBe(hashOf(numbers()));
+  });
+
+  it('is free again once the obstacle has gone: the robot drives away', () => {
+    const { world, robot, drive } = createRig({ xMm: 250, yMm: 200, headingRad: 0 }, testChassis(), {
+      widthMm: 600,
+      heightMm: 400,
+    });
+    world.addMover(box([100, 200], [580, 200], 200));
+    drive(0, 0, 4.8);
+    const before = robot.pose().xMm;
+    expect(before).toBeGreaterThan(500);
+    drive(-120, -120, 1);
+    expect(robot.pose().xMm).toBeLessThan(before - 100);
+  });
+});
