@@ -1,4 +1,5 @@
-import { createVuetify, type ThemeDefinition } from 'vuetify';
+import { ref, shallowRef } from 'vue';
+import { createVuetify, type LocaleInstance, type ThemeDefinition } from 'vuetify';
 import { VSvgIcon } from 'vuetify/components/VIcon';
 
 /** Vuetify's own colours, taken from the same palette as `styles/tokens.css`. */
@@ -27,8 +28,22 @@ const dark: ThemeDefinition = {
   },
 };
 
+/** None of what our templates use has words or numbers of its own: those come from `src/web/i18n`. */
+const locale: LocaleInstance = {
+  name: 'none',
+  messages: ref({}),
+  current: shallowRef('de'),
+  fallback: shallowRef('de'),
+  decimalSeparator: shallowRef('.'),
+  numericGroupSeparator: shallowRef('’'),
+  t: (key) => key,
+  n: (value) => String(value),
+  provide: () => locale,
+};
+
 /** The app's Vuetify: only what its templates use is bundled. Icons come as paths; none of Vuetify's own is ever shown. */
 export const vuetify = createVuetify({
+  locale: { adapter: locale },
   theme: { defaultTheme: 'light', themes: { light, dark } },
   icons: { defaultSet: 'mdi', aliases: {}, sets: { mdi: { component: VSvgIcon } } },
   defaults: {

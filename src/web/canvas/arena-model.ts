@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { Verdict } from '#simulation/verdict';
 import type { LightForm } from '../lights/light-wish';
 
 /**
@@ -13,6 +14,10 @@ export interface ArenaSnapshot {
   readonly robot: ArenaRobot | null;
   /** Where the movable blocks are now, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
+  /** Where the moving obstacles are now, by object id; left out: where they start. */
+  readonly movers?: Readonly<Record<string, Pose>>;
+  /** How well the robot does what the course asks for; `null` or left out: it asks for nothing. */
+  readonly verdict?: Verdict | null;
   /** Chains of colour lights by the name of their pin's wire; red, green, blue 0 … 255 each. */
   readonly lights: readonly { readonly pin: string; readonly colors: readonly (readonly [number, number, number])[] }[];
 }

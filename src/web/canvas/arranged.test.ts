@@ -1,13 +1,10 @@
 import { describe, expect, it } from 'vitest';
-import type { Scene } from '#scene/scene';
+import { defaultScene, type Scene } from '#scene/scene';
 import { arranged, bumperAtStart, lieStill, summaryOf } from './arranged';
 
 describe('the arena before and during a run', () => {
   const scene: Scene = {
-    name: '',
-    description: '',
-    size: [1200, 900],
-    board: null,
+    ...defaultScene(),
     robot: { type: null, at: [600, 450], heading: 270, scale: 1, options: {} },
     objects: [
       { type: 'block', id: 'b', at: [100, 100], size: [50, 50], turn: 2 },

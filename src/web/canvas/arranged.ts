@@ -26,31 +26,50 @@ export function bumperAtStart(options: OptionValues): ArenaRobotState['bumper'] 
  * @param carried what the robot carries before a run
  */
 export function arranged(scene: Scene, snapshot: ArenaSnapshot | null, carried: Carried = NOTHING): Arranged {
-  const blocks = scene.objects
-    .filter((object): object is Block => object.type === 'block')
-    .map((block) => {
-      const placed = placedBlock(block);
-      const pose = snapshot?.blocks[block.id];
-      return pose === undefined ? placed : { ...placed, pose };
-    });
+  const placed = blocksOf(scene.objects);
+  const blocks =
+    snapshot === null
+      ? placed
+      : placed.map((block) => {
+          const pose = snapshot.blocks[block.id];
+          return pose === undefined ? block : { ...block, pose };
+        });
   return { robot: snapshot === null ? robotAtStart(scene, carried) : snapshot.robot, blocks };
+}
+
+const known = new WeakMap<Scene['objects'], readonly PlacedBlock[]>();
+
+/** The blocks that can be pushed, where they start. A course is looked through once, not for every picture of a run. */
+function blocksOf(objects: Scene['objects']): readonly PlacedBlock[] {
+  const found =
+    known.get(objects) ?? objects.filter((object): object is Block => object.type === 'block').map(placedBlock);
+  known.set(objects, found);
+  return found;
 }
 
 /** Whether all blocks lie where they lay. */
 export function lieStill(before: readonly PlacedBlock[], now: readonly PlacedBlock[]): boolean {
   return (
-    before.length === now.length &&
-    now.every(({ id, pose, sizeMm }, i) => {
-      const other = before[i];
-      return (
-        other?.id === id &&
-        other.sizeMm.x === sizeMm.x &&
-        other.sizeMm.y === sizeMm.y &&
-        other.pose.xMm === pose.xMm &&
-        other.pose.yMm === pose.yMm &&
-        other.pose.headingRad === pose.headingRad
-      );
-    })
+    before === now ||
+    (before.length === now.length &&
+      now.every((block, i) => {
+        const other = before[i];
+        return other !== undefined && liesStill(other, block);
+      }))
+  );
+}
+
+/** Whether a block lies where it lay. */
+export function liesStill(before: PlacedBlock, now: PlacedBlock): boolean {
+  if (before === now) return true;
+  const { id, pose, sizeMm } = now;
+  return (
+    before.id === id &&
+    before.sizeMm.x === sizeMm.x &&
+    before.sizeMm.y === sizeMm.y &&
+    before.pose.xMm === pose.xMm &&
+    before.pose.yMm === pose.yMm &&
+    before.pose.headingRad === pose.headingRad
   );
 }
 

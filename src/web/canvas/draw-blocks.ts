@@ -72,14 +72,15 @@ export function drawFixedBlock(
   });
 }
 
-/** Paints in the block's own frame, in mm, y down; its shadow first. */
-function inFrameOf(
+/** Paints in the block's own frame, in mm, y down; its shadow first: a filled path, by default around the block. */
+export function inFrameOf(
   context: CanvasRenderingContext2D,
   view: View,
   block: PlacedBlock,
   held: boolean,
   radius: number,
   paint: () => void,
+  shade: () => void = () => roundRect(context, block.sizeMm.x, block.sizeMm.y, radius),
 ): void {
   const at = toPx(view, { x: block.pose.xMm, y: block.pose.yMm });
   const lift = (held ? 3 : 1) * Math.min(3, Math.max(1, 2.4 * view.pxPerMm));
@@ -92,14 +93,15 @@ function inFrameOf(
     if (layer === 'block') paint();
     else {
       context.fillStyle = 'rgba(0, 0, 0, 0.2)';
-      roundRect(context, block.sizeMm.x, block.sizeMm.y, radius);
+      shade();
       context.fill();
     }
     context.restore();
   }
 }
 
-function roundRect(context: CanvasRenderingContext2D, width: number, height: number, radius: number): void {
+/** Begins a path around a rectangle about the origin. */
+export function roundRect(context: CanvasRenderingContext2D, width: number, height: number, radius: number): void {
   context.beginPath();
   context.roundRect(-width / 2, -height / 2, width, height, radius);
 }
@@ -118,7 +120,13 @@ function drawStripes(context: CanvasRenderingContext2D, width: number, height: n
 }
 
 /** An icon of 24 units in the middle, so many mm wide; nothing when it would be a mere dot. */
-function drawIcon(context: CanvasRenderingContext2D, icon: Path2D, sizeMm: number, color: string, view: View): void {
+export function drawIcon(
+  context: CanvasRenderingContext2D,
+  icon: Path2D,
+  sizeMm: number,
+  color: string,
+  view: View,
+): void {
   if (sizeMm * view.pxPerMm < 7) return;
   context.save();
   context.scale(sizeMm / 24, sizeMm / 24);

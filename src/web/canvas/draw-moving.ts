@@ -51,7 +51,8 @@ export interface MovingParts {
 export function movingScene(parts: MovingParts, view: View): MovingScene {
   const { hand, painting, scale } = parts;
   const blocks = parts.now.blocks.map((block) => {
-    return { ...block, pose: hand.poseOf({ kind: 'block', id: block.id }, block.pose) };
+    const pose = hand.poseOf({ kind: 'block', id: block.id }, block.pose);
+    return pose === block.pose ? block : { ...block, pose };
   });
   const actual = painting === null ? null : parts.now.robot;
   const robot = actual === null ? null : { ...actual, pose: hand.poseOf({ kind: 'robot' }, actual.pose) };
@@ -79,19 +80,14 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
   };
 }
 
-/** Draws the blocks that nobody holds. Drawn again only when one of them has moved. */
+/** Draws blocks that nobody holds. Drawn again only when one of them has moved. */
 export function drawBlocks(
   context: CanvasRenderingContext2D,
   view: View,
-  canvas: CanvasSize,
-  scene: MovingScene,
+  blocks: readonly PlacedBlock[],
   palette: Palette,
 ): void {
-  context.save();
-  clipTo(context, sightPx(view, scene.arena, canvas));
-  for (const block of scene.blocks)
-    if (block.id !== scene.heldBlock) drawMovableBlock(context, view, block, false, palette);
-  context.restore();
+  for (const block of blocks) drawMovableBlock(context, view, block, false, palette);
 }
 
 /**
@@ -160,7 +156,8 @@ export function movingBox(scene: MovingScene, view: View): PxBox {
   return unionOf(boxes);
 }
 
-function clipTo(context: CanvasRenderingContext2D, box: PxBox): void {
+/** Lets nothing be drawn outside of a box until the next `restore`. */
+export function clipTo(context: CanvasRenderingContext2D, box: PxBox): void {
   context.beginPath();
   context.rect(box.left, box.top, box.width, box.height);
   context.clip();

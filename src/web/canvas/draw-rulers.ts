@@ -27,6 +27,41 @@ export function rulerTicks(lengthMm: number, pxPerMm: number): readonly Tick[] {
   return ticks;
 }
 
+/** A number beside a ruler: `at` is the middle of its place along the ruler, in px. */
+export interface RulerLabel {
+  readonly text: string;
+  readonly at: number;
+}
+
+/** Room that stays free between two numbers, in px. */
+const GAP_PX = 6;
+
+/**
+ * The numbers of a ruler that are to be seen between `from` and `to` (px along it), in the order of the ticks. The last
+ * one carries the unit. Numbers are pushed in from the ends rather than cut off, and what would then touch is left out.
+ */
+export function rulerLabels(
+  ticks: readonly Tick[],
+  place: (mm: number) => number,
+  range: { readonly from: number; readonly to: number },
+  measure: (text: string) => number,
+): readonly RulerLabel[] {
+  const inSight = ticks.filter(({ mm, label }) => label !== null && place(mm) >= range.from && place(mm) <= range.to);
+  const labels: RulerLabel[] = [];
+  let taken = { from: Infinity, to: -Infinity };
+  // The last one first: it carries the unit, so it is the one that stays.
+  for (const { mm, label } of [...inSight].reverse()) {
+    const text = labels.length === 0 ? `${label ?? ''} cm` : (label ?? '');
+    const half = measure(text) / 2;
+    const at = Math.min(range.to - half, Math.max(range.from + half, place(mm)));
+    const isFree = at + half + GAP_PX <= taken.from || at - half - GAP_PX >= taken.to;
+    if (labels.length > 0 && !isFree) continue;
+    taken = { from: Math.min(taken.from, at - half), to: Math.max(taken.to, at + half) };
+    labels.unshift({ text, at });
+  }
+  return labels;
+}
+
 /**
  * Draws the rulers in cm below and to the left of the floor. Where the floor's edge is out of sight, they stay at the
  * edge of the canvas.
@@ -50,27 +85,59 @@ export function drawRulers(
   context.strokeStyle = palette.rulerTick;
   context.lineWidth = 1.25;
   context.beginPath();
-  context.textAlign = 'center';
-  context.textBaseline = 'alphabetic';
-  const across = rulerTicks(arena[0], view.pxPerMm);
-  const lastLabel = across.findLast((tick) => tick.label !== null);
-  for (const tick of across) {
-    const x = floor.left + tick.mm * view.pxPerMm;
+  drawAcross(context, view, arena, canvas, { left, bottom });
+  drawUp(context, view, arena, { left, bottom });
+  context.stroke();
+}
+
+/** Where the rulers lie, in px: the one below under `bottom`, the one beside left of `left`. */
+interface RulerCorner {
+  readonly left: number;
+  readonly bottom: number;
+}
+
+function drawAcross(
+  context: CanvasRenderingContext2D,
+  view: View,
+  arena: ArenaSize,
+  canvas: CanvasSize,
+  { left, bottom }: RulerCorner,
+): void {
+  const ticks = rulerTicks(arena[0], view.pxPerMm);
+  const place = (mm: number): number => view.leftPx + mm * view.pxPerMm;
+  for (const { mm, label } of ticks) {
+    const x = place(mm);
     if (x < left - 1 || x > canvas.widthPx) continue;
     context.moveTo(x, bottom + 2);
-    context.lineTo(x, bottom + (tick.label === null ? 6 : 9));
-    if (tick.label === null) continue;
-    const unit = tick === lastLabel ? ' cm' : '';
-    const half = context.measureText(tick.label + unit).width / 2;
-    context.fillText(tick.label + unit, Math.min(x, canvas.widthPx - half - 3), bottom + 22);
+    context.lineTo(x, bottom + (label === null ? 6 : 9));
   }
-  context.textAlign = 'right';
-  for (const tick of rulerTicks(arena[1], view.pxPerMm)) {
-    const y = view.bottomPx - tick.mm * view.pxPerMm;
+  context.textAlign = 'center';
+  context.textBaseline = 'alphabetic';
+  // A number may stand out to the left of the floor, as the 0 does.
+  const range = { from: Math.max(3, left - 12), to: canvas.widthPx - 3 };
+  for (const { text, at } of rulerLabels(ticks, place, range, (text) => context.measureText(text).width))
+    context.fillText(text, at, bottom + 22);
+}
+
+function drawUp(context: CanvasRenderingContext2D, view: View, arena: ArenaSize, { left, bottom }: RulerCorner): void {
+  const ticks = rulerTicks(arena[1], view.pxPerMm).map((tick) => (tick.mm === 0 ? { ...tick, label: null } : tick));
+  const texts = ticks.flatMap(({ label }) => label ?? []);
+  const longest = Math.max(0, ...texts.map((text) => context.measureText(text).width));
+  const isUpright = longest > left - 13; // no room across: the numbers run along the ruler
+  context.textAlign = isUpright ? 'center' : 'right';
+  for (const { mm, label } of ticks) {
+    const y = view.bottomPx - mm * view.pxPerMm;
     if (y > bottom + 1 || y < 0) continue;
     context.moveTo(left - 2, y);
-    context.lineTo(left - (tick.label === null ? 6 : 9), y);
-    if (tick.label !== null && tick.mm > 0) context.fillText(tick.label, left - 12, Math.max(10, y + 4));
+    context.lineTo(left - (label === null ? 6 : 9), y);
+    if (label === null) continue;
+    if (!isUpright) context.fillText(label, left - 12, Math.max(10, y + 4));
+    else {
+      context.save();
+      context.translate(left - 12, Math.max(context.measureText(label).width / 2 + 2, y));
+      context.rotate(-Math.PI / 2);
+      context.fillText(label, 0, 0);
+      context.restore();
+    }
   }
-  context.stroke();
 }

@@ -1,4 +1,4 @@
-import type { Wall } from '#scene/scene';
+import type { Point, Wall } from '#scene/scene';
 import type { Palette } from './palette';
 import { toPx, type View } from './view-transform';
 
@@ -8,12 +8,38 @@ const COURSE_MM = 5;
 /** A brick is so many times longer than high. */
 const BRICK = 3.4;
 
-/** Draws all walls: first their shadows, so that none falls on a neighbour, then the bricks. */
+/** A place where ends of walls meet. */
+export interface WallJoint {
+  readonly at: Point;
+  /** Of the thinnest wall there, mm. */
+  readonly thickness: number;
+}
+
+/** The places where ends of walls meet: a disc there closes the notch that their straight ends leave. */
+export function wallJoints(walls: readonly Wall[]): readonly WallJoint[] {
+  const ends = new Map<string, { at: Point; thickness: number; count: number }>();
+  for (const { from, to, thickness } of walls)
+    for (const at of [from, to]) {
+      const key = at.join();
+      const there = ends.get(key) ?? { at, thickness, count: 0 };
+      there.count += 1;
+      there.thickness = Math.min(there.thickness, thickness);
+      ends.set(key, there);
+    }
+  return [...ends.values()].filter(({ count }) => count > 1);
+}
+
+/**
+ * Draws walls: first their shadows, so that none falls on a neighbour, then the bricks.
+ *
+ * @param all the walls that these may meet
+ */
 export function drawWalls(
   context: CanvasRenderingContext2D,
   view: View,
   walls: readonly Wall[],
   palette: Palette,
+  all: readonly Wall[] = walls,
 ): void {
   const lift = Math.min(3, Math.max(1, 2.4 * view.pxPerMm));
   context.fillStyle = 'rgba(0, 0, 0, 0.2)';
@@ -22,8 +48,21 @@ export function drawWalls(
       context.fillRect(0, -wall.thickness / 2, length, wall.thickness);
     });
   }
+  drawJoints(context, view, all, palette);
   for (const wall of walls)
     inFrameOf(context, view, wall, { x: 0, y: 0 }, (length) => drawBricks(context, view, wall, length, palette));
+}
+
+function drawJoints(context: CanvasRenderingContext2D, view: View, walls: readonly Wall[], palette: Palette): void {
+  context.fillStyle = palette.wall;
+  context.beginPath();
+  for (const { at, thickness } of wallJoints(walls)) {
+    const { x, y } = toPx(view, { x: at[0], y: at[1] });
+    const radius = (thickness / 2) * view.pxPerMm;
+    context.moveTo(x + radius, y);
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+  }
+  context.fill();
 }
 
 /** Calls `paint` with the wall's length in mm, in a frame in mm that starts at its one end and runs along it. */

@@ -1,5 +1,14 @@
 import { describe, expect, it } from 'vitest';
-import { keepInside, normalAngle, nudgedPose, placedPose, twistedHeading, wheelTurnedHeading } from './hand-gesture';
+import {
+  gripBody,
+  keepInside,
+  normalAngle,
+  nudgedPose,
+  placedPose,
+  pulledPose,
+  twistedHeading,
+  wheelTurnedHeading,
+} from './hand-gesture';
 
 const pose = { xMm: 100, yMm: 100, headingRad: 0 };
 
@@ -34,5 +43,36 @@ describe('a gesture', () => {
 
   it('counts angles from -π to π', () => {
     expect(normalAngle(3 * Math.PI + 0.1)).toBeCloseTo(-Math.PI + 0.1);
+  });
+});
+
+describe('a thing that is pulled', () => {
+  /** Pulls a thing at 100 | 100 that is held there and led to these places; returns where it is then. */
+  function pulled(heldAt: { x: number; y: number }, ...places: { x: number; y: number }[]) {
+    let now = { pose, grip: gripBody(pose, heldAt, 30) };
+    for (const place of places) if (now.grip.kind === 'move') now = pulledPose(now.grip, now.pose, place);
+    const { xMm, yMm, headingRad } = now.pose;
+    return [xMm, yMm, (headingRad * 180) / Math.PI].map((value) => Math.round(value) + 0);
+  }
+
+  it('keeps its heading when it is pulled straight ahead, and when it is pushed back', () => {
+    expect(pulled({ x: 140, y: 100 }, { x: 340, y: 100 })).toEqual([300, 100, 0]);
+    expect(pulled({ x: 140, y: 100 }, { x: 130, y: 100 })).toEqual([90, 100, 0]);
+  });
+
+  it('turns into the direction of the drag like a trailer', () => {
+    expect(pulled({ x: 140, y: 100 }, { x: 140, y: 400 })).toEqual([140, 360, 90]);
+    expect(pulled({ x: 60, y: 100 }, { x: 60, y: 400 })).toEqual([60, 360, -90]); // held by its tail
+  });
+
+  it('turns with its front ahead when it is held in its middle', () => {
+    expect(pulled({ x: 100, y: 100 }, { x: 100, y: 400 })).toEqual([100, 400, 90]);
+  });
+
+  it('goes the same way in one jump as in many small steps, within 2°', () => {
+    const steps = Array.from({ length: 50 }, (_, i) => ({ x: 140 + i, y: 100 + i }));
+    const [, , fine = 0] = pulled({ x: 140, y: 100 }, ...steps);
+    const [, , jump = 0] = pulled({ x: 140, y: 100 }, { x: 189, y: 149 });
+    expect(Math.abs(fine - jump)).toBeLessThanOrEqual(2);
   });
 });

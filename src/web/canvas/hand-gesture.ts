@@ -4,8 +4,11 @@ import type { ArenaSize } from './view-transform';
 
 /** How the hand holds a thing. */
 export type Grip =
-  /** By its body: the pointer keeps its place on it. `offsetMm` leads from the pointer to the thing's origin. */
-  | { readonly kind: 'move'; readonly offsetMm: Vec }
+  /**
+   * By its body: the pointer keeps its place on it. `offsetMm` leads from the pointer to the thing's origin; `pointMm` is
+   * where the pointer is.
+   */
+  | { readonly kind: 'move'; readonly offsetMm: Vec; readonly pointMm: Vec; readonly armMm: number }
   /** By the ring: the thing looks to the pointer. `offsetRad` is what its heading was off at the start. */
   | { readonly kind: 'turn'; readonly offsetRad: number };
 
@@ -15,9 +18,13 @@ const NUDGE_MM = { coarse: 10, fine: 1 };
 /** One key press turns it so far: rad, and with Shift. */
 const NUDGE_RAD = { coarse: Math.PI / 12, fine: Math.PI / 180 };
 
-/** Takes hold of a thing by its body. */
-export function gripBody(pose: Pose, pointMm: Vec): Grip {
-  return { kind: 'move', offsetMm: { x: pose.xMm - pointMm.x, y: pose.yMm - pointMm.y } };
+/**
+ * Takes hold of a thing by its body.
+ *
+ * @param armMm how far behind the pointer the thing trails at least, see `pulledPose`
+ */
+export function gripBody(pose: Pose, pointMm: Vec, armMm = 0): Grip {
+  return { kind: 'move', offsetMm: { x: pose.xMm - pointMm.x, y: pose.yMm - pointMm.y }, pointMm, armMm };
 }
 
 /** Takes hold of the ring around a thing. */
@@ -35,6 +42,55 @@ export function heldPose(grip: Grip, pose: Pose, pointMm: Vec): Pose {
     default:
       return grip satisfies never;
   }
+}
+
+/** Nearer to its middle than this, in mm, a thing is taken hold of as if by its front. */
+const MIDDLE_MM = 4;
+
+/** The longest step that is pulled at once, in parts of the arm: a jump of the pointer must not turn a thing over. */
+const STEP = 0.25;
+
+/** What a thing that is pulled has come to. */
+export interface Pulled {
+  readonly pose: Pose;
+  readonly grip: Grip;
+}
+
+/**
+ * The pose of a thing whose body is pulled to another place: it follows like a trailer (its middle runs on a tractrix),
+ * so it turns into the direction of the drag. A thing held near its middle trails behind by the grip's arm, straight
+ * behind its front.
+ */
+export function pulledPose(grip: Extract<Grip, { kind: 'move' }>, pose: Pose, toMm: Vec): Pulled {
+  const held = { x: -grip.offsetMm.x, y: -grip.offsetMm.y };
+  const reach = Math.hypot(held.x, held.y);
+  const armMm = Math.max(reach, grip.armMm);
+  const startRad = reach < MIDDLE_MM ? pose.headingRad : Math.atan2(held.y, held.x);
+  const turnRad = normalAngle(trailedRad(startRad, armMm, grip.pointMm, toMm) - startRad);
+  const [cos, sin] = [Math.cos(turnRad), Math.sin(turnRad)];
+  const offsetMm = {
+    x: grip.offsetMm.x * cos - grip.offsetMm.y * sin,
+    y: grip.offsetMm.x * sin + grip.offsetMm.y * cos,
+  };
+  return {
+    pose: { xMm: toMm.x + offsetMm.x, yMm: toMm.y + offsetMm.y, headingRad: pose.headingRad + turnRad },
+    grip: { ...grip, offsetMm, pointMm: toMm },
+  };
+}
+
+/** The direction of an arm that trails behind a place going straight from one point to another. */
+function trailedRad(startRad: number, armMm: number, from: Vec, to: Vec): number {
+  const way = { x: to.x - from.x, y: to.y - from.y };
+  const length = Math.hypot(way.x, way.y);
+  if (armMm <= 0 || length === 0) return startRad;
+  const steps = Math.min(400, Math.ceil(length / (armMm * STEP)));
+  let rad = startRad;
+  for (let i = 0; i < steps; i += 1)
+    rad = Math.atan2(
+      armMm * Math.sin(rad) + way.y / steps,
+      armMm * Math.cos(rad) + way.x / steps, // from the trailing end to where the pointer is now
+    );
+  return rad;
 }
 
 /** The heading after a twist of two fingers that were at `from` and are at `to` (world mm each). */

@@ -43,13 +43,21 @@ function handOverArena() {
 }
 
 describe('the hand', () => {
-  it('picks up the robot at the first touch and carries it 100 mm to the right, grabbed where it was touched', () => {
+  it('picks up the robot at the first touch and carries it 100 mm to the right, held where it was touched', () => {
     const { hand, placed, down } = handOverArena();
     down(px(520, 410));
-    hand.pointerMove(1, px(620, 410));
+    hand.pointerMove(1, px(620, 410), true); // with Shift it keeps its heading
     hand.tick();
     expect(placed).toEqual(['robot 600 400 0°']);
     expect(hand.held).toEqual({ thing: { kind: 'robot' }, turning: false });
+  });
+
+  it('turns the robot into the direction of the drag, held where it was touched', () => {
+    const { hand, placed, down } = handOverArena();
+    down(px(530, 400));
+    for (let mm = 10; mm <= 200; mm += 10) hand.pointerMove(1, px(530, 400 + mm));
+    hand.tick();
+    expect(placed).toEqual(['robot 530 570 90°']); // its middle trails 30 mm behind the hand
   });
 
   it('tells a pose once a frame, and only when something has changed', () => {
@@ -121,7 +129,7 @@ describe('the hand', () => {
   it('drags a block and leaves the robot alone', () => {
     const { hand, placed, down } = handOverArena();
     down(px(210, 190));
-    hand.pointerMove(1, px(260, 190));
+    hand.pointerMove(1, px(260, 190), true);
     hand.pointerUp(1);
     expect(placed).toEqual(['b 250 200 0°']);
     expect(hand.held).toBeNull();
@@ -130,7 +138,7 @@ describe('the hand', () => {
   it('puts back what it holds at Escape', () => {
     const { hand, placed, down } = handOverArena();
     down(px(500, 400));
-    hand.pointerMove(1, px(600, 500));
+    hand.pointerMove(1, px(600, 500), true);
     hand.tick();
     expect(hand.keyDown('Escape', false)).toBe(true);
     expect(placed).toEqual(['robot 600 500 0°', 'robot 500 400 0°']);

@@ -5,17 +5,15 @@ import {
   gripRing,
   heldPose,
   keepInside,
-  normalAngle,
   nudgedPose,
+  pulledPose,
   twistedHeading,
   wheelTurnedHeading,
   type Grip,
 } from './hand-gesture';
+import { isNear, isSameThing, toVec, type HeldThing } from './held-thing';
 import { robotRadiusMm, targetAt, type RobotShape, type Target } from './hit-test';
 import { toMm, toPx, type ArenaSize, type View } from './view-transform';
-
-/** What can be in the hand. */
-export type HeldThing = { readonly kind: 'robot' } | { readonly kind: 'block'; readonly id: string };
 
 /** What the hand sees and does. */
 export interface HandPorts {
@@ -108,9 +106,9 @@ export class Hand {
 
   /** Where to show the thing: in the hand, where it was just put down, or else where the run says. */
   poseOf(thing: HeldThing, pose: Pose): Pose {
-    if (this.#hold !== null && isSame(this.#hold.thing, thing)) return this.#hold.pose;
+    if (this.#hold !== null && isSameThing(this.#hold.thing, thing)) return this.#hold.pose;
     const put = this.#putDown;
-    if (put === null || !isSame(put.thing, thing)) return pose;
+    if (put === null || !isSameThing(put.thing, thing)) return pose;
     const settling = this.#ports.nowMs() - put.atMs < SETTLE_MS && put.before !== null && isNear(put.before, pose);
     if (pose === put.before || settling) return put.pose;
     this.#putDown = null;
@@ -132,15 +130,19 @@ export class Hand {
     this.#ports.changed();
   }
 
-  /** A pointer moves, pressed or not. */
-  pointerMove(id: number, at: Vec): void {
+  /**
+   * A pointer moves, pressed or not. What it holds turns into the direction of the drag.
+   *
+   * @param keepsHeading it only moves (the Shift key)
+   */
+  pointerMove(id: number, at: Vec, keepsHeading = false): void {
     const before = this.#pointers.get(id);
     if (before === undefined) {
       this.#hoverAt(at);
       return;
     }
     this.#pointers.set(id, at);
-    if (this.#hold !== null) this.#follow(this.#hold, id);
+    if (this.#hold !== null) this.#follow(this.#hold, id, keepsHeading);
     else this.#movePicture(id, before, at);
   }
 
@@ -152,8 +154,7 @@ export class Hand {
     if (hold.pointer === id) this.#letGo();
     else if (hold.twist?.pointer === id) {
       hold.twist = null;
-      const anchor = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
-      if (anchor !== undefined) hold.grip = gripBody(hold.pose, toMm(this.#ports.view(), anchor));
+      this.#regrip(hold, true);
     }
   }
 
@@ -161,6 +162,17 @@ export class Hand {
   pointerLeave(): void {
     this.#hover = { kind: 'floor' };
     this.#hoverRing = false;
+    this.#ports.changed();
+  }
+
+  /** Lets go of everything and points at nothing: a tool takes over. */
+  release(): void {
+    this.#letGo();
+    this.#pointers.clear();
+    this.#hover = { kind: 'floor' };
+    this.#hoverRing = false;
+    this.#selected = false;
+    this.#focused = false;
     this.#ports.changed();
   }
 
@@ -254,7 +266,7 @@ export class Hand {
     if (source === null) return;
     const pose = this.poseOf(thing, source);
     const point = toMm(this.#ports.view(), press.at);
-    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point);
+    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point, this.#armMm(thing));
     this.#hold = { thing, pointer: press.id, startPose: pose, grip, pose, twist: null, moved: false };
   }
 
@@ -270,10 +282,16 @@ export class Hand {
     return [toMm(this.#ports.view(), a), toMm(this.#ports.view(), b)];
   }
 
-  #follow(hold: Hold, id: number): void {
+  #follow(hold: Hold, id: number, keepsHeading: boolean): void {
     const anchor = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
     if (anchor === undefined || (id !== hold.pointer && id !== hold.twist?.pointer)) return;
-    let pose = heldPose(hold.grip, hold.pose, toMm(this.#ports.view(), anchor));
+    const point = toMm(this.#ports.view(), anchor);
+    let pose = heldPose(hold.grip, hold.pose, point);
+    if (hold.grip.kind === 'move' && hold.twist === null && !keepsHeading) {
+      const pulled = pulledPose(hold.grip, hold.pose, point);
+      pose = pulled.pose;
+      hold.grip = pulled.grip;
+    } else if (hold.grip.kind === 'move') hold.grip = { ...hold.grip, pointMm: point };
     if (hold.twist !== null) {
       const now = this.#twoFingers(hold, hold.twist.pointer);
       if (now !== null) pose = { ...pose, headingRad: twistedHeading(hold.twist.headingRad, hold.twist.from, now) };
@@ -340,11 +358,18 @@ export class Hand {
     this.#ports.changed();
   }
 
-  /** After a key has moved what a pointer holds: the pointer keeps holding it where it is now. */
-  #regrip(hold: Hold): void {
+  /** After something else has moved what a pointer holds: the pointer keeps holding it where it is now. */
+  #regrip(hold: Hold, byBody = hold.grip.kind === 'move'): void {
     const anchor = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
-    if (anchor !== undefined && hold.grip.kind === 'move')
-      hold.grip = gripBody(hold.pose, toMm(this.#ports.view(), anchor));
+    if (anchor === undefined || !byBody) return;
+    hold.grip = gripBody(hold.pose, toMm(this.#ports.view(), anchor), this.#armMm(hold.thing));
+  }
+
+  /** How far behind the pointer a thing trails at least, in mm: about half of it. */
+  #armMm(thing: HeldThing): number {
+    const robot = this.#ports.robot();
+    if (thing.kind === 'robot') return robot === null ? 0 : 0.5 * robotRadiusMm(robot);
+    return 1.4 * this.#blockMargin(thing);
   }
 
   #inside(thing: HeldThing, pose: Pose): Pose {
@@ -369,18 +394,4 @@ export class Hand {
 export function ringRadiusPx(view: View, robot: Omit<RobotShape, 'pose'>): number {
   const radiusMm = Math.max(robotRadiusMm(robot), (robot.frontMm ?? 0) * robot.scale);
   return Math.max(radiusMm * view.pxPerMm + 20, 48);
-}
-
-function toVec(pose: Pose): Vec {
-  return { x: pose.xMm, y: pose.yMm };
-}
-
-function isSame(a: HeldThing, b: HeldThing): boolean {
-  return a.kind === 'robot' ? b.kind === 'robot' : b.kind === 'block' && a.id === b.id;
-}
-
-/** Whether two poses differ by less than can be seen: 0.3 mm and 0.3°. */
-function isNear(a: Pose, b: Pose): boolean {
-  const apart = Math.hypot(a.xMm - b.xMm, a.yMm - b.yMm);
-  return apart < 0.3 && Math.abs(normalAngle(a.headingRad - b.headingRad)) < 0.005;
 }

@@ -6,7 +6,13 @@ const canvas = { widthPx: 700, heightPx: 500 };
 describe('the window of the moving things', () => {
   it('is 128 px wide around something of 100 px', () => {
     const content = boxAround({ x: 300, y: 200 }, 50);
-    expect(movingWindow(content, canvas, 1, null)).toEqual({ left: 250, top: 150, width: 128, height: 128 });
+    expect(movingWindow(content, canvas, 1, null)).toEqual({ left: 236, top: 136, width: 128, height: 128 });
+  });
+
+  it('stays where it is while the robot drives 10 px in it, and follows it after 20 px', () => {
+    const before = movingWindow(boxAround({ x: 300, y: 200 }, 50), canvas, 1, null);
+    expect(movingWindow(boxAround({ x: 310, y: 200 }, 50), canvas, 1, before)).toEqual(before);
+    expect(movingWindow(boxAround({ x: 320, y: 200 }, 50), canvas, 1, before)).toEqual({ ...before, left: 256 });
   });
 
   it('stays on the canvas at its lower right corner', () => {

@@ -36,7 +36,8 @@ const STEP_PX = 64;
  * A browser without a graphics card puts together anew all that a changed canvas covers; a window of a quarter of the
  * arena makes that four times cheaper.
  *
- * It grows when it must, and shrinks only when it has become twice as large as it must be.
+ * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is as long as
+ * all fits in: a canvas that is moved has the browser sort all its layers anew.
  */
 export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, before: PxBox | null): PxBox {
   const left = Math.max(0, content.left);
@@ -46,9 +47,14 @@ export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, 
   const width = windowSide(right - left, canvas.widthPx, before?.width ?? 0);
   const height = windowSide(bottom - top, canvas.heightPx, before?.height ?? 0);
   const whole = (px: number): number => Math.floor(px * ratio) / ratio;
+  const place = (from: number, to: number, side: number, canvasSide: number, last: number | undefined): number => {
+    const mayStay = last !== undefined && last <= from && to <= last + side && last + side <= canvasSide;
+    // In the middle, so that it can stay wherever its content goes.
+    return mayStay ? last : whole(Math.max(0, Math.min(from - (side - Math.max(0, to - from)) / 2, canvasSide - side)));
+  };
   return {
-    left: whole(Math.max(0, Math.min(left, canvas.widthPx - width))),
-    top: whole(Math.max(0, Math.min(top, canvas.heightPx - height))),
+    left: place(left, right, width, canvas.widthPx, before?.left),
+    top: place(top, bottom, height, canvas.heightPx, before?.top),
     width,
     height,
   };

@@ -1,3 +1,5 @@
+import type { StrokeColor } from '#scene/scene';
+
 /** The colours of the arena; names follow the tokens of the page, so both stay one look. */
 export interface Palette {
   /** Around the arena. */
@@ -10,8 +12,8 @@ export interface Palette {
   readonly gridStrong: string;
   readonly rulerText: string;
   readonly rulerTick: string;
-  readonly strokes: Readonly<Record<'black' | 'gray' | 'white', string>>;
-  /** Around white strokes, which a light floor would swallow. */
+  readonly strokes: Readonly<Record<StrokeColor, string>>;
+  /** Around white and yellow strokes, which a light floor would swallow. */
   readonly strokeEdge: string;
   readonly movable: string;
   readonly movableLight: string;
@@ -22,6 +24,23 @@ export interface Palette {
   readonly wall: string;
   readonly wallLight: string;
   readonly wallInk: string;
+  /** A target, its ground and what is written on it. */
+  readonly target: string;
+  readonly targetFill: string;
+  readonly checkpoint: string;
+  readonly checkpointFill: string;
+  readonly forbidden: string;
+  readonly forbiddenFill: string;
+  /** Ground of a zone's sign. */
+  readonly signGround: string;
+  /** A reached checkpoint or target. */
+  readonly reached: string;
+  readonly spikes: string;
+  readonly spikesInk: string;
+  readonly mover: string;
+  readonly moverLight: string;
+  readonly moverInk: string;
+  readonly label: string;
   readonly trace: string;
   readonly traceCasing: string;
   readonly cone: string;
@@ -44,7 +63,15 @@ export const lightPalette: Palette = {
   gridStrong: '#D5D2CA',
   rulerText: '#48515C',
   rulerTick: '#5C6671',
-  strokes: { black: '#17191C', gray: '#8B8F94', white: '#FFFFFF' },
+  strokes: {
+    black: '#17191C',
+    gray: '#8B8F94',
+    white: '#FFFFFF',
+    red: '#D3313B',
+    yellow: '#F7CE1B',
+    green: '#2C8A4F',
+    blue: '#2460C4',
+  },
   strokeEdge: '#C9C5BC',
   movable: '#A9DEC5',
   movableLight: '#BCE8D3',
@@ -55,6 +82,20 @@ export const lightPalette: Palette = {
   wall: '#4B5563',
   wallLight: '#5A6575',
   wallInk: '#8993A1',
+  target: '#2563B8',
+  targetFill: 'rgba(37, 99, 184, 0.11)',
+  checkpoint: '#0B6E7C',
+  checkpointFill: 'rgba(11, 110, 124, 0.1)',
+  forbidden: '#B3282D',
+  forbiddenFill: 'rgba(179, 40, 45, 0.1)',
+  signGround: '#FFFFFF',
+  reached: '#1B7A3A',
+  spikes: '#23272E',
+  spikesInk: '#FFC83D',
+  mover: '#F4C430',
+  moverLight: '#FAD766',
+  moverInk: '#4A3200',
+  label: '#2A3038',
   trace: '#1E66D0',
   traceCasing: '#FFFFFF',
   cone: '#E06A00',
@@ -76,7 +117,15 @@ export const darkPalette: Palette = {
   gridStrong: '#B3B8BF',
   rulerText: '#BAC2CD',
   rulerTick: '#9CA6B3',
-  strokes: { black: '#131518', gray: '#75797E', white: '#F4F5F6' },
+  strokes: {
+    black: '#131518',
+    gray: '#75797E',
+    white: '#F4F5F6',
+    red: '#BC2730',
+    yellow: '#E3BA10',
+    green: '#237541',
+    blue: '#1C4FA6',
+  },
   strokeEdge: '#AEB3BA',
   movable: '#8CCBAF',
   movableLight: '#9DD6BD',
@@ -87,6 +136,20 @@ export const darkPalette: Palette = {
   wall: '#3C4653',
   wallLight: '#4A5564',
   wallInk: '#8590A0',
+  target: '#1B4F99',
+  targetFill: 'rgba(37, 99, 184, 0.17)',
+  checkpoint: '#085662',
+  checkpointFill: 'rgba(11, 110, 124, 0.16)',
+  forbidden: '#9A1F24',
+  forbiddenFill: 'rgba(179, 40, 45, 0.15)',
+  signGround: '#F4F5F6',
+  reached: '#14612D',
+  spikes: '#1B1F25',
+  spikesInk: '#F5BE35',
+  mover: '#DDB02A',
+  moverLight: '#E8C252',
+  moverInk: '#3D2A00',
+  label: '#1F252C',
   trace: '#1554B5',
   traceCasing: '#FFFFFF',
   cone: '#C25400',

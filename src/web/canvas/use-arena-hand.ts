@@ -1,10 +1,12 @@
 import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 import type { Pose, Vec } from '#core/geometry';
 import type { PlacedBlock } from './arena-model';
-import { Hand, type HeldThing } from './hand';
+import { Hand } from './hand';
+import type { HeldThing } from './held-thing';
 import type { RobotShape } from './hit-test';
 import type { ArenaView } from './use-arena-view';
 import type { ArenaSize } from './view-transform';
+import { wheelGesture, wheelPx } from './wheel-gesture';
 
 /** What the hand works on. */
 export interface HandPlace {
@@ -20,6 +22,8 @@ export interface HandPlace {
 export interface ArenaHand {
   readonly hand: Hand;
   readonly cursor: Readonly<ShallowRef<string>>;
+  /** Zooms by a key. Returns whether it was one of these. */
+  readonly zoomKey: (key: string) => boolean;
   readonly on: {
     pointerdown(event: PointerEvent): void;
     pointermove(event: PointerEvent): void;
@@ -29,7 +33,7 @@ export interface ArenaHand {
     pointerleave(): void;
     wheel(event: WheelEvent): void;
     keydown(event: KeyboardEvent): void;
-    keyup(): void;
+    keyup(event: KeyboardEvent): void;
     focus(event: FocusEvent): void;
     blur(): void;
   };
@@ -66,6 +70,7 @@ export function useArenaHand(where: HandPlace): ArenaHand {
   return {
     hand,
     cursor,
+    zoomKey: (key) => zoomKey(key, picture),
     on: {
       ...pointerHandlers(hand),
       wheel: (event) => onWheel(event, hand, picture),
@@ -96,7 +101,7 @@ function pointerHandlers(
       const touch = event.pointerType === 'touch';
       hand.pointerDown({ id: event.pointerId, at: placeOf(event), touch, pansOnly: event.button === 1 });
     },
-    pointermove: (event) => hand.pointerMove(event.pointerId, placeOf(event)),
+    pointermove: (event) => hand.pointerMove(event.pointerId, placeOf(event), event.shiftKey),
     pointerup: up,
     pointercancel: up,
     lostpointercapture: up,
@@ -104,25 +109,16 @@ function pointerHandlers(
   };
 }
 
-/** Px of the wheel per doubling of the zoom; a notch of 100 px then zooms by 1.26. */
-const WHEEL_DOUBLING_PX = 300;
-
+/** The wheel turns what the hand holds; else it zooms and moves the picture. */
 function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
-  const toPx = event.deltaMode === 0 ? 1 : 33; // a line, as Firefox counts it
-  if (event.ctrlKey || event.metaKey) {
-    event.preventDefault();
-    const strength = Math.abs(event.deltaY) < 40 ? 3 : 1; // pinching a trackpad comes as a wheel with small steps
-    picture.zoomBy(2 ** ((-event.deltaY * toPx * strength) / WHEEL_DOUBLING_PX), placeOf(event));
-    return;
-  }
-  if (hand.held !== null) {
-    event.preventDefault();
-    hand.wheel(event.deltaY * toPx);
-    return;
-  }
-  if (picture.percent.value < 101) return;
   event.preventDefault();
-  picture.panBy({ x: -event.deltaX * toPx, y: -event.deltaY * toPx });
+  if (hand.held !== null) {
+    hand.wheel(wheelPx(event.deltaY, event.deltaMode));
+    return;
+  }
+  const gesture = wheelGesture(event);
+  if (gesture.type === 'zoom') picture.zoomBy(gesture.factor, placeOf(event));
+  else picture.panBy(gesture.byPx);
 }
 
 function zoomKey(key: string, picture: ArenaView): boolean {

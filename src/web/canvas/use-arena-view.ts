@@ -3,8 +3,11 @@ import type { Vec } from '#core/geometry';
 import {
   backingRatio,
   fitView,
+  followView,
   panView,
+  placeView,
   resizeView,
+  toPx,
   zoomPercent,
   zoomView,
   type ArenaSize,
@@ -22,12 +25,33 @@ export interface ArenaView {
   readonly percent: ComputedRef<number>;
   /** Zooms around a place in CSS px, by default the middle. */
   zoomBy(factor: number, aroundPx?: Vec): void;
+  /** Moves the picture by hand. */
   panBy(byPx: Vec): void;
   fit(): void;
+  /** Brings a place (world mm) into sight and lets it flash. */
+  showPlace(atMm: Vec): void;
+  /**
+   * Goes on towards a place (world mm) that shall stay in the middle third.
+   *
+   * @param elapsedMs since the last step
+   * @returns whether the picture moved
+   */
+  follow(atMm: Vec, elapsedMs: number): boolean;
 }
 
-/** Follows the size and the pixel ratio of an element; the arena stays fitted until it is zoomed. */
-export function useArenaView(host: Readonly<ShallowRef<HTMLElement | null>>, arena: () => ArenaSize): ArenaView {
+/** So long it takes to make up two thirds of the way to what is followed, in ms. Chosen by eye: it glides, and does not lag. */
+const FOLLOW_MS = 140;
+
+/**
+ * Follows the size and the pixel ratio of an element; the arena stays fitted until it is zoomed.
+ *
+ * @param panned called when the picture was moved by hand
+ */
+export function useArenaView(
+  host: Readonly<ShallowRef<HTMLElement | null>>,
+  arena: () => ArenaSize,
+  panned: () => void = () => undefined,
+): ArenaView {
   const canvas = shallowRef<CanvasSize>({ widthPx: 600, heightPx: 450 });
   const view = shallowRef(fitView(arena(), canvas.value));
   const pixelRatio = useDevicePixelRatio();
@@ -49,20 +73,44 @@ export function useArenaView(host: Readonly<ShallowRef<HTMLElement | null>>, are
     else view.value = resizeView(view.value, arena(), before, size);
   });
   watch(() => arena().join(), fit);
+  const ratio = computed(() => backingRatio(canvas.value, pixelRatio.value));
   return {
     view,
     canvas,
-    ratio: computed(() => backingRatio(canvas.value, pixelRatio.value)),
+    ratio,
     percent: computed(() => zoomPercent(view.value, arena(), canvas.value)),
     zoomBy(factor, aroundPx) {
       const middle = { x: canvas.value.widthPx / 2, y: canvas.value.heightPx / 2 };
       change(zoomView(view.value, factor, aroundPx ?? middle, arena(), canvas.value));
     },
     panBy(byPx) {
-      if (!fitted) view.value = panView(view.value, byPx, arena(), canvas.value);
+      if (fitted) return;
+      view.value = panView(view.value, byPx, arena(), canvas.value);
+      panned();
     },
     fit,
+    showPlace(atMm) {
+      const shown = placeView(view.value, atMm, arena(), canvas.value);
+      if (shown !== view.value) change(shown);
+      if (host.value !== null) flash(host.value, () => toPx(view.value, atMm), view);
+    },
+    follow(atMm, elapsedMs) {
+      if (fitted) return false;
+      const share = 1 - Math.exp(-elapsedMs / FOLLOW_MS);
+      const moved = followView(view.value, atMm, arena(), canvas.value, share, ratio.value);
+      if (moved === view.value) return false;
+      view.value = moved;
+      return true;
+    },
   };
+}
+
+/** The pointing ring comes when it is first wanted. */
+function flash(host: HTMLElement, place: () => Vec, view: ShallowRef<View>): void {
+  import('./flash-place').then(
+    ({ flashAt }) => flashAt(host, place, view),
+    () => undefined, // without a connection the place is in sight all the same
+  );
 }
 
 function useElementSize(host: Readonly<ShallowRef<HTMLElement | null>>, resized: (size: CanvasSize) => void): void {

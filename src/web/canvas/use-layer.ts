@@ -9,7 +9,7 @@ export interface Layer {
   readonly ratio: () => number;
   /** What part of the arena's place on the page the canvas covers; asked before each painting. */
   readonly place: () => PxBox;
-  /** Paints in CSS px of the arena's place; the canvas is empty before. */
+  /** Paints in CSS px of the arena's place; the canvas is empty before, and its state is put back afterwards. */
   readonly paint: (context: CanvasRenderingContext2D) => void;
 }
 
@@ -28,7 +28,9 @@ export function useLayer(layer: Layer): () => void {
     putOn(canvas, place, ratio);
     context.setTransform(ratio, 0, 0, ratio, -place.left * ratio, -place.top * ratio);
     context.clearRect(place.left, place.top, place.width, place.height);
+    context.save();
     layer.paint(context);
+    context.restore();
   };
   const gate = createFrameGate(
     paint,

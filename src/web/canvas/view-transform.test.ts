@@ -2,7 +2,9 @@ import { describe, expect, it } from 'vitest';
 import {
   backingRatio,
   fitView,
+  followView,
   panView,
+  placeView,
   resizeView,
   toMm,
   toPx,
@@ -74,5 +76,64 @@ describe('the view of the arena', () => {
   it('draws at the ratio 2 of the screen, but with no more than 5 million pixels', () => {
     expect(backingRatio({ widthPx: 700, heightPx: 500 }, 2)).toBe(2);
     expect(backingRatio({ widthPx: 2000, heightPx: 1250 }, 3)).toBeCloseTo(Math.SQRT2, 6);
+  });
+});
+
+describe('a place that is to be seen', () => {
+  const zoomed = zoomView(fitView(arena, canvas), 4, { x: 42, y: 618 }, arena, canvas); // at the lower left corner
+
+  it('comes into the middle when it is out of sight, at the same zoom', () => {
+    const shown = placeView(zoomed, { x: 600, y: 450 }, arena, canvas);
+    expect(toPx(shown, { x: 600, y: 450 })).toEqual({ x: 434, y: 327 });
+    expect(shown.pxPerMm).toBe(zoomed.pxPerMm);
+  });
+
+  it('leaves the picture as it is when it shows already', () => {
+    const fit = fitView(arena, canvas);
+    expect(placeView(fit, { x: 600, y: 450 }, arena, canvas)).toBe(fit);
+  });
+
+  it('shows outside of the arena too, zoomed out', () => {
+    const shown = placeView(zoomed, { x: -200, y: 450 }, arena, canvas);
+    const px = toPx(shown, { x: -200, y: 450 });
+    expect(px.x).toBeGreaterThan(0);
+    expect(zoomPercent(shown, arena, canvas)).toBeCloseTo(50, 6);
+  });
+});
+
+describe('following the robot', () => {
+  const zoomed = zoomView(fitView(arena, canvas), 4, { x: 434, y: 327 }, arena, canvas);
+
+  it('leaves the picture in peace as long as the robot is in the middle third', () => {
+    const at = toMm(zoomed, { x: 300, y: 400 });
+    expect(followView(zoomed, at, arena, canvas, 1, 1)).toBe(zoomed);
+  });
+
+  it('brings a robot at the right edge back to the end of the middle third', () => {
+    const at = toMm(zoomed, { x: 800, y: 327 });
+    const view = followView(zoomed, at, arena, canvas, 1, 1);
+    expect(toPx(view, at).x).toBeCloseTo((868 * 2) / 3, 0);
+    expect(toPx(view, at).y).toBe(327);
+  });
+
+  it('goes by whole pixels of the screen, a share of the way at a time, and comes to rest', () => {
+    const at = toMm(zoomed, { x: 800, y: 327 });
+    let view = zoomed;
+    let steps = 0;
+    for (; steps < 200; steps += 1) {
+      const next = followView(view, at, arena, canvas, 0.11, 2);
+      if (next === view) break;
+      expect(Math.abs((next.leftPx - view.leftPx) * 2) % 1).toBeCloseTo(0, 9);
+      view = next;
+    }
+    expect(steps).toBeGreaterThan(10);
+    expect(steps).toBeLessThan(100);
+    expect(Math.abs(toPx(view, at).x - (868 * 2) / 3)).toBeLessThan(5);
+  });
+
+  it('does not leave the arena behind a robot in its corner', () => {
+    let view = zoomed;
+    for (let i = 0; i < 100; i += 1) view = followView(view, { x: 0, y: 0 }, arena, canvas, 1, 1);
+    expect(view.leftPx).toBe(42);
   });
 });

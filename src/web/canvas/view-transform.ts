@@ -91,6 +91,52 @@ export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, aft
   return keepInSight(moved, arena, after);
 }
 
+/**
+ * The view in which a place is to be seen: the same when it shows already, else with the place in its middle; zoomed out
+ * for a place outside of the arena.
+ */
+export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasSize): View {
+  const px = toPx(view, at);
+  const margin = marginsPx(canvas);
+  const [rimX, rimY] = [canvas.widthPx / 10, canvas.heightPx / 10]; // chosen: at the very edge it is overlooked
+  const shows =
+    px.x >= margin.left + rimX &&
+    px.x <= canvas.widthPx - margin.right - rimX &&
+    px.y >= margin.top + rimY &&
+    px.y <= canvas.heightPx - margin.bottom - rimY;
+  if (shows) return view;
+  const isOutside = at.x < 0 || at.y < 0 || at.x > arena[0] || at.y > arena[1];
+  const pxPerMm = isOutside ? zoomLimits(arena, canvas).min : view.pxPerMm;
+  const leftPx = canvas.widthPx / 2 - at.x * pxPerMm;
+  return keepInSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
+}
+
+/**
+ * The view moved towards showing a place in its middle third. Within the third it stays as it is: the picture rests while
+ * the robot turns on the spot.
+ *
+ * @param share how much of the missing way to go, 0 … 1
+ * @param ratio canvas pixels per CSS px: the picture moves by whole pixels, or its fine lines would shimmer
+ */
+export function followView(
+  view: View,
+  at: Vec,
+  arena: ArenaSize,
+  canvas: CanvasSize,
+  share: number,
+  ratio: number,
+): View {
+  const px = toPx(view, at);
+  const step = (place: number, length: number): number => {
+    const beyond = place - Math.min((length * 2) / 3, Math.max(length / 3, place));
+    return -Math.round(beyond * share * ratio) / ratio;
+  };
+  const by = { x: step(px.x, canvas.widthPx), y: step(px.y, canvas.heightPx) };
+  if (by.x === 0 && by.y === 0) return view;
+  const moved = panView(view, by, arena, canvas);
+  return moved.leftPx === view.leftPx && moved.bottomPx === view.bottomPx ? view : moved;
+}
+
 /** Centres what is smaller than the canvas and lets nothing empty be scrolled in beside what is larger. */
 function keepInSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);

@@ -1,10 +1,10 @@
 import { computed, watch, type ComputedRef } from 'vue';
 
+import { filesByName } from '#project/project';
 import type { Hardware } from '#simulation/hardware';
 import type { App } from '../composables/use-app';
 import { AUTO_DEVICE, deviceName } from '../project/devices';
 import { isAsFound } from '../project/first-course';
-import { filesByName } from '../project/project';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
 /** What the marks of each file are about: the microcomputer that is chosen now, and its firmware. */

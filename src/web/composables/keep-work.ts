@@ -1,6 +1,7 @@
 import { watch } from 'vue';
 
 import { workFromText, workToText, type Work } from '../project/history';
+import type { LargeWork } from '../project/large-work';
 import { createTabStorage, renameTab, tabName, type TabStorage, type TextStore } from '../project/tab-storage';
 import type { WorkModel } from './use-work';
 
@@ -16,7 +17,7 @@ export async function openTabStorage(): Promise<TabStorage> {
     const storage = createTabStorage(session, local, newTabName);
     const own = tabName(session);
     if (own !== null && own !== name) void holdsName(own);
-    return storage;
+    return await withPieces(storage);
   } catch {
     return { load: () => null, save: () => true };
   }
@@ -28,19 +29,54 @@ export function storedWork(storage: TabStorage): Work | null {
   return text === null ? null : workFromText(text);
 }
 
+/** What is longer (characters) than any program and its course has a picture as floor: its large parts are stored apart. */
+const LARGE = 100_000;
+/** Stands in work whose large parts lie apart (`pieces.ts`). */
+const APART = '"parcours.piece":';
+
+/** The storage whose work is whole, wherever its parts lie. */
+async function withPieces(storage: TabStorage): Promise<TabStorage> {
+  const text = storage.load();
+  if (text?.includes(APART) !== true) return storage;
+  // Where that part of the app does not come, the work opens all the same, with a bare floor.
+  const late = await import('../project/large-work').catch(() => null);
+  const whole = (await late?.wholeWork(text, Date.now())) ?? text.replace(/\{"parcours\.piece":"[\w-]+"\}/g, 'null');
+  return { load: () => whole, save: (changed) => storage.save(changed) };
+}
+
 /** Saves the work shortly after every change, and at once when the page is left. */
 export function keepWork(model: WorkModel, storage: TabStorage, onFull: () => void): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let large: LargeWork | null = null;
   function save(): void {
     if (timer === undefined) return;
     clearTimeout(timer);
     timer = undefined;
-    if (!storage.save(workToText(model.work.value))) onFull();
+    const work = model.work.value;
+    const text = large?.textOf(work) ?? workToText(work);
+    const isSaved = storage.save(text);
+    if (text.length < LARGE && isSaved) return;
+    // Until its large parts are apart they stay with the work, so that a crash meanwhile costs nothing.
+    void setApart(work).then((isSmaller) => {
+      if (isSmaller) saveSoon();
+      else if (!isSaved) onFull();
+    });
   }
-  watch(model.work, () => {
+  /** Stores the large parts of the work elsewhere. Returns whether there were any that were not there yet. */
+  async function setApart(work: Work): Promise<boolean> {
+    try {
+      const { LargeWork } = await import('../project/large-work');
+      large ??= new LargeWork();
+      return await large.setApart(work, Date.now());
+    } catch {
+      return false;
+    }
+  }
+  function saveSoon(): void {
     clearTimeout(timer);
     timer = setTimeout(save, SAVE_AFTER_MS);
-  });
+  }
+  watch(model.work, saveSoon);
   addEventListener('pagehide', save);
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') save();

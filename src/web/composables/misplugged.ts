@@ -1,11 +1,11 @@
 import { findBoard } from '#board/boards/index';
+import { filesByName, type Project } from '#project/project';
 import { isMisplugged, robotMeant } from '#simulation/hardware';
 
 import type { OnTable } from '../console/error-advice';
 import type { TextValues } from '../i18n/texts';
 import { deviceName } from '../project/devices';
 import { hardwareOf, settingsFor } from '../project/hardware';
-import { filesByName, type Project } from '../project/project';
 import type { Settings } from '../project/settings';
 import type { Notice } from './use-notices';
 
@@ -18,7 +18,7 @@ export function mispluggedNotice(
   project: Project,
   now: Settings,
   change: (wish: Partial<Settings>) => void,
-): Required<Notice> | null {
+): Required<Omit<Notice, 'holds'>> | null {
   const fault = faultOf(project, now);
   if (fault === null) return null;
   const { kind, values, robot } = fault;

@@ -1,30 +1,32 @@
-import { computed, inject, provide, shallowRef, watch, type InjectionKey } from 'vue';
+import { computed, inject, provide, shallowRef, watch, type InjectionKey, type ShallowRef } from 'vue';
 
+import { filesByName, MAIN, type SourceFile } from '#project/project';
 import type { InputEvent, PlacedPose } from '#simulation/input';
-import { defaultScene } from '#scene/scene';
+import { defaultScene, type Scene } from '#scene/scene';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import { lastPlace, type ErrorPlace } from '../console/console-log';
-import { adviceFor } from '../console/error-advice';
+import { explain, fetchAdvice } from '../console/explain';
+import { movesBodies } from '../course-editor/waiting';
 import { t, type Language } from '../i18n';
 import { projectOf } from '../project/course';
 import { boardWish } from '../project/devices';
 import { fetchNameOf, firstCourse } from '../project/first-course';
 import { deviceSettings, hardwareOf, seedOf } from '../project/hardware';
-import { filesByName, MAIN, type SourceFile } from '../project/project';
 import type { Work } from '../project/history';
 import type { TabStorage } from '../project/tab-storage';
 import { SoundPlayer } from '../sound/sound-player';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
-import { failureNotice } from './failure-notice';
 import { mispluggedNotice, tableOf } from './misplugged';
 import { ConsoleModel } from './use-console';
+import { useCourseEditor, type CourseEditorModel } from './use-course-editor';
 import { DataLogModel } from './use-data-log';
 import { useDialogs, type DialogsModel } from './use-dialogs';
 import { useGallery, type GalleryModel } from './use-gallery';
 import { useLayout, type LayoutModel } from './use-layout';
+import { useLiveEdits } from './use-live-edits';
 import { useNotices, type NoticesModel } from './use-notices';
 import { RadioModel } from './use-radio';
 import { RunModel } from './use-run';
@@ -48,9 +50,13 @@ export interface App {
   readonly layout: LayoutModel;
   readonly hand: Hand;
   readonly jump: Jump;
+  readonly editor: CourseEditorModel;
 }
 
-/** Where the hand put the robot before a run; a reset puts it back. */
+/** How long after the start of the first run the page fetches what explains errors, in ms. */
+const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
+
+/** Where the hand put robot and blocks before a run; a reset puts them back. */
 export type Hand = ReturnType<typeof useHand>;
 
 /** A wish to show a line of a file, and the line that is marked as wrong. */
@@ -76,7 +82,9 @@ export function provideApp(storage: TabStorage): App {
   const hand = useHand();
   const layout = useLayout(settings);
   const dataLog = new DataLogModel();
-  const parts: RunParts = { settings, work, console, jump, hand, notices, layout, dataLog, sound: new SoundPlayer() };
+  const runStart = shallowRef<Scene | null>(null);
+  const sound = new SoundPlayer();
+  const parts: RunParts = { settings, work, console, jump, hand, notices, layout, dataLog, sound, runStart };
   const { run, sensors, radio } = createRun(parts);
   run.setSpeed(settings.current.value.speed);
   watch(
@@ -89,12 +97,8 @@ export function provideApp(storage: TabStorage): App {
     (id) => void fetchNameOf(id).catch(() => undefined),
     { immediate: true },
   );
-  // Another course is another start: the run and the hand belong to the old one.
-  watch(work.scene, () => {
-    hand.reset();
-    void run.reset();
-  });
-  // So is another device.
+  const editor = createEditor(parts, run);
+  // Another device is another start.
   watch(
     () => deviceKey(settings),
     () => void run.reset(),
@@ -103,9 +107,36 @@ export function provideApp(storage: TabStorage): App {
     () => settings.current.value.arenaSenses,
     (on) => run.input({ type: 'arena-senses', on }),
   );
-  const app: App = { ...parts, run, sensors, radio, dialogs: useDialogs(), gallery: useGallery() };
+  const app: App = { ...parts, run, sensors, radio, editor, dialogs: useDialogs(), gallery: useGallery() };
   provide(KEY, app);
   return app;
+}
+
+/** The course editor beside the run. */
+function createEditor({ settings, work, hand, layout, runStart }: RunParts, run: RunModel): CourseEditorModel {
+  // Another course is another start: the run and the hand belong to the old one. Editing it is none.
+  watch(
+    work.openings,
+    () => {
+      hand.reset();
+      void run.reset();
+    },
+    { flush: 'sync' },
+  );
+  useLiveEdits(run, work, runStart);
+  return useCourseEditor({
+    work,
+    settings,
+    kind: layout.kind,
+    runStart,
+    isActive: run.isActive,
+    onEdit: (before, after) => {
+      hand.letGo(before, after);
+      // The last picture of a stopped run would hide what was changed.
+      const isOver = !run.isActive.value && run.snapshot.value !== null;
+      if (isOver && movesBodies(before, after)) void run.reset();
+    },
+  });
 }
 
 function firstWork(language: Language): Work {
@@ -128,10 +159,25 @@ const deviceKey = ({ current }: SettingsModel): string => JSON.stringify(deviceS
 
 function useHand() {
   const pose = shallowRef<PlacedPose | null>(null);
+  /** By the object's id. */
+  const blocks = shallowRef<Readonly<Record<string, PlacedPose>>>({});
   return {
     pose,
+    blocks,
     reset: (): void => {
       pose.value = null;
+      blocks.value = {};
+    },
+    /** What was changed in the course is where the course says. */
+    letGo: (before: Scene, after: Scene): void => {
+      if (before.robot !== after.robot) pose.value = null;
+      const ids = Object.keys(blocks.value);
+      if (ids.length === 0) return;
+      const objectIn = (scene: Scene, id: string) => scene.objects.find((object) => object.id === id);
+      const kept = ids.filter((id) => objectIn(before, id) === objectIn(after, id));
+      if (kept.length < ids.length) {
+        blocks.value = Object.fromEntries(Object.entries(blocks.value).filter(([id]) => kept.includes(id)));
+      }
     },
   };
 }
@@ -149,7 +195,10 @@ function useJump(work: WorkModel) {
   };
 }
 
-type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs' | 'gallery'>;
+type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs' | 'gallery' | 'editor'> & {
+  /** The course that the run was given. */
+  readonly runStart: ShallowRef<Scene | null>;
+};
 
 /** The run, and what reaches into it. */
 function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
@@ -157,17 +206,22 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
   const run: RunModel = new RunModel({
     createWorker: () => new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' }),
     firmware: compileFirmware,
-    setup: () => setupOf(parts, sensors.startInputs()),
+    setup: () => {
+      const setup = setupOf(parts, sensors.startInputs());
+      parts.runStart.value = setup.scene;
+      return setup;
+    },
     onStart: () => {
       runs += 1;
       parts.jump.wrong.value = null;
       showStart(parts);
       parts.console.startRun(runs);
+      if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
       parts.dataLog.clear();
       radio.clear();
     },
     onOutput: (text) => parts.console.write(text),
-    onEnded: (ended) => showEnd(parts, ended, isDriving(run)),
+    onEnded: (ended) => showEnd(parts, ended, run),
     onRestarted: () => {
       parts.jump.wrong.value = null;
       parts.notices.close();
@@ -177,7 +231,8 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
       parts.dataLog.take(events.log);
       parts.sound.take(events.sound);
     },
-    onFailed: (message) => parts.notices.show(failureNotice(message, hardwareNow(parts), parts.work.scene.value)),
+    onFailed: (message) => void showFailure(parts, message),
+    onRefused: (message) => parts.notices.show({ kind: 'info', key: 'notice.refused', values: { message } }),
     onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
     onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
   });
@@ -203,6 +258,10 @@ function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent
     if (placed !== null) inputs.push({ timeUs: 0, action: { type: 'place', pose: placed } });
     if (arenaSenses) inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });
   }
+  const pushable = new Set(work.scene.value.objects.filter(({ type }) => type === 'block').map(({ id }) => id));
+  for (const [id, pose] of Object.entries(hand.blocks.value)) {
+    if (pushable.has(id)) inputs.push({ timeUs: 0, action: { type: 'place-block', id, pose } });
+  }
   return {
     scene: work.scene.value,
     files: filesByName(work.files.value),
@@ -226,10 +285,23 @@ function showStart({ settings, work, layout, notices }: RunParts): void {
   else notices.show(notice);
 }
 
+/** What measures a course is fetched only when a run could not begin. */
+async function showFailure(parts: RunParts, message: string): Promise<void> {
+  const { work, notices } = parts;
+  const [hardware, scene] = [hardwareNow(parts), work.scene.value];
+  try {
+    const { failureNotice } = await import('./failure-notice');
+    notices.show(failureNotice(message, hardware, scene));
+  } catch {
+    notices.show({ kind: 'error', key: 'notice.failed', values: { message } });
+  }
+}
+
 /** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
-function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
+function showEnd(parts: RunParts, ended: Ended, run: RunModel): void {
   const { work, console, jump, layout, notices } = parts;
   const { exception, kind } = ended;
+  const drives = isDriving(run);
   if (kind === 'stopped') {
     console.quieten(); // the pupil wanted it: nothing is wrong
     console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted');
@@ -246,13 +318,16 @@ function showEnd(parts: RunParts, ended: Ended, drives: boolean): void {
   const files = work.files.value;
   const place = placeIn(exception.traceback, files);
   jump.wrong.value = place;
-  console.addError(place, adviceFor(exception, sourceAt(place, files), tableNow(parts)));
+  console.addError(place, { failure: exception, source: sourceAt(place, files), table: tableNow(parts) });
   if (drives) console.addNote('console.motorsOn');
   // A phone shows one pane: an error must not stay hidden behind a tab.
   if (layout.kind.value !== 'phone' || layout.tab.value === 'console') return;
   const show = (): void => void (layout.tab.value = 'console');
-  const text = errorText(ended, parts);
-  if (text !== null) notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
+  void fetchAdvice().then(() => {
+    const text = errorText(ended, parts);
+    if (text !== null && run.ended.value === ended)
+      notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
+  });
 }
 
 /** Whether the motors turn: they go on when the program is over, as on the real robot. */
@@ -271,7 +346,7 @@ function errorText({ exception }: Ended, app: Pick<App, 'work' | 'settings'>) {
   if (exception === null) return null;
   const files = app.work.files.value;
   const place = placeIn(exception.traceback, files);
-  const advice = adviceFor(exception, sourceAt(place, files), tableNow(app));
+  const advice = explain({ failure: exception, source: sourceAt(place, files), table: tableNow(app) });
   const message = t(advice.key, advice.values);
   return place === null
     ? { key: 'state.announceError' as const, values: { message } }

@@ -1,3 +1,4 @@
+import type * as SaveWork from '../share/save-work';
 import { THEMES } from '../project/settings';
 import { useApp, type App } from './use-app';
 import { loadBeside, loadFiles, replaceFile, saveFile } from './use-file-transfer';
@@ -29,16 +30,25 @@ export function useCommandsOf(app: App) {
   function load(): void {
     const picker = document.createElement('input');
     picker.type = 'file';
-    picker.accept = '.py,text/x-python';
+    picker.accept = '.py,.json,text/x-python,application/json';
     picker.multiple = true;
     picker.addEventListener('change', () => take(picker.files ?? []));
     picker.click();
   }
 
+  /** Saving other files than programs comes late. */
+  function late(act: (saving: typeof SaveWork) => void): void {
+    import('../share/save-work').then(act).catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+  }
+
   return {
     take,
     load,
-    save: (): void => saveFile(app, app.work.open.value),
+    /** Everything as one file. */
+    save: (): void => late(({ saveProject }) => saveProject(app)),
+    saveScene: (): void => late(({ saveScene }) => saveScene(app)),
+    /** The file that is shown. */
+    saveProgram: (): void => saveFile(app, app.work.open.value),
     /** Sound on or off, and in words what that means. */
     switchSound: (): void => {
       const muted = !app.settings.current.value.muted;

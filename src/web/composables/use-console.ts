@@ -1,7 +1,7 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from '../console/console-log';
-import type { Advice, OnTable } from '../console/error-advice';
+import type { ErrorReport, OnTable } from '../console/error-advice';
 import type { TextKey } from '../i18n/texts';
 
 /** How often new output is shown, in ms. Not by animation frames: those stop in a tab that is not seen. */
@@ -43,9 +43,9 @@ export class ConsoleModel {
     this.show();
   }
 
-  addError(place: ErrorPlace | null, advice: Advice): void {
+  addError(place: ErrorPlace | null, report: ErrorReport): void {
     this.show();
-    this.log.add({ kind: 'error', place, advice });
+    this.log.add({ kind: 'error', place, report });
     this.isNew.value = true;
     this.show();
   }

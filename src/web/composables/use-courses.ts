@@ -1,21 +1,23 @@
+import { filesByName, MAIN, type Project } from '#project/project';
 import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
 import type { Language } from '../i18n/texts';
 import { isBoardProgram, type BoardProgram } from '../project/board-programs';
 import { projectOf, type Course } from '../project/course';
 import { AUTO_DEVICE, boardWish } from '../project/devices';
-import { isUntouched, withExample, type ExampleOf } from '../project/examples';
+import { isReadyArena, isUntouched, withExample, type ExampleOf } from '../project/examples';
 import { courseName } from '../project/first-course';
-import type { Previous } from '../project/history';
-import { filesByName, MAIN, type Project } from '../project/project';
 import type { App } from './use-app';
 import { useDevice } from './use-device';
-import { workName } from './use-file-transfer';
+import { useOpenings } from './use-openings';
 
 /** Opening courses and coming back to earlier work; neither ever loses what was open. */
 export function useCourses(app: App) {
-  const { open, restore } = openings(app);
+  const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
+  /** What it runs on is chosen apart: the settings of the work before are not brought along. */
+  const open = ({ files, scene, course }: Project, name: string): void =>
+    openings.open({ files, scene, course }, name, isOurs(app.work.work.value.project));
 
   /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
   function openExample(entry: ExampleOf): void {
@@ -41,14 +43,13 @@ export function useCourses(app: App) {
     device.setUpForCourse();
   }
   function openScene(course: Course): void {
-    device.allowRobot();
-    app.work.setScene(course.scene, course.id);
-    device.setUpForCourse();
+    const isReady = isReadyArena(app.work.scene.value);
+    openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
   }
 
   /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
   function openCourse(course: Course): void {
-    if (isOurs(app.work.work.value.project)) {
+    if (isOurProgram(app.work.work.value.project)) {
       openWhole(course);
       return;
     }
@@ -65,7 +66,7 @@ export function useCourses(app: App) {
     });
   }
 
-  return { openCourse, openExample, openBoardProgram, restore };
+  return { openCourse, openExample, openBoardProgram, restore: openings.restore };
 }
 
 /** The robot that a course and its program are made for. */
@@ -74,42 +75,15 @@ function robotOf({ scene, files }: Project) {
   return 'problem' in hardware ? null : hardware.robot;
 }
 
-/** Puts a project in the place of the present one, and brings it back. */
-function openings(app: App) {
-  const { work, notices } = app;
-
-  /** Opens a project. What the pupil wrote before is put aside and can be had back. */
-  function open(project: Project, name: string): void {
-    const keep = !isOurs(work.work.value.project);
-    work.openProject(project, keep ? workName(app) : null);
-    const kept = work.work.value.previous[0];
-    if (keep && kept !== undefined) {
-      notices.show({
-        kind: 'ok',
-        key: 'course.keptWork',
-        values: { name },
-        action: { key: 'course.restore', run: () => restore(kept) },
-      });
-    } else {
-      notices.show({ kind: 'ok', key: 'course.opened', values: { name } });
-    }
-  }
-
-  /** Brings earlier work back; what is open now takes its place among the earlier ones. */
-  function restore(entry: Previous): void {
-    work.restore(entry, workName(app));
-    notices.show({ kind: 'ok', key: 'course.restored' });
-  }
-
-  return { open, restore };
-}
-
 /** The arena that is open, with this program. */
 const withProgram = ({ work }: App, source: string): Project => ({
   ...work.work.value.project,
   files: [{ name: MAIN, text: source }],
 });
 
-/** Nothing of the pupil's own is in it. */
-const isOurs = (project: Project): boolean =>
+/** Nothing of the pupil's own is in it: not in the files, not in the arena. */
+export const isOurs = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
+
+/** Nothing of the pupil's own is in the files. */
+const isOurProgram = (project: Project): boolean =>
   isUntouched(project) || (project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));

@@ -43,7 +43,7 @@ export interface DeviceModel {
   /** Takes the next one, after the last the first. */
   readonly nextSeed: () => void;
   /** What is wrong when robot and board or robot and program do not fit, and a way out; else `null`. */
-  readonly misplugged: ComputedRef<Required<Notice> | null>;
+  readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
 }
 
 type Parts = Pick<App, 'work' | 'settings' | 'run' | 'notices'>;

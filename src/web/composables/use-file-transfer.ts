@@ -1,6 +1,9 @@
-import { courseName } from '../project/first-course';
-import { FILE_BYTES, freeName, MAIN, nameProblem, type SourceFile } from '../project/project';
+import { FILE_BYTES, freeName, MAIN, nameProblem, type SourceFile } from '#project/project';
+
+import { stampSettings } from './stamp-settings';
 import type { App } from './use-app';
+import { useOpenings } from './use-openings';
+import { workName } from './work-name';
 
 /** A loaded file whose name is taken: the pupil says what is to become of it. */
 export interface Conflict {
@@ -28,6 +31,10 @@ export function saveText({ notices }: Pick<App, 'notices'>, name: string, text: 
 /** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
 export async function loadFiles(app: App, files: Iterable<File>, ask: (conflict: Conflict) => void): Promise<void> {
   for (const loaded of files) {
+    if (!loaded.name.toLowerCase().endsWith('.py')) {
+      await loadOther(app, loaded);
+      continue;
+    }
     const file = await readFile(app, loaded);
     if (file === null) continue;
     const own = app.work.find(file.name);
@@ -42,9 +49,16 @@ export async function loadFiles(app: App, files: Iterable<File>, ask: (conflict:
   }
 }
 
+/** Projects and courses, and what is nothing of ours. */
+async function loadOther(app: App, loaded: File): Promise<void> {
+  const share = await import('../share/open-json').catch(() => null);
+  if (share === null) app.notices.show({ kind: 'error', key: 'notice.firmware' });
+  else await share.openJsonFile(app, loaded);
+}
+
 async function readFile({ notices }: Pick<App, 'notices'>, loaded: File): Promise<SourceFile | null> {
   const file = loaded.name;
-  if (!file.toLowerCase().endsWith('.py') || nameProblem(file, []) !== null) {
+  if (nameProblem(file, []) !== null) {
     notices.show({ kind: 'error', key: 'files.notPython', values: { file } });
     return null;
   }
@@ -62,16 +76,13 @@ async function readFile({ notices }: Pick<App, 'notices'>, loaded: File): Promis
   }
 }
 
-/** What the present work is called where it is put aside. */
-export function workName({ work }: Pick<App, 'work'>): string {
-  const { scene, course } = work.work.value.project;
-  return courseName(scene, course);
-}
-
-/** Lets a loaded file take the place of the one with its name; the whole work is put aside first. */
+/** Lets a loaded file take the place of the one with its name; the whole work is put aside first, and can be had back. */
 export function replaceFile(app: App, file: SourceFile): void {
+  stampSettings(app);
   app.work.replace(file, workName(app));
-  app.notices.show({ kind: 'ok', key: 'files.replaced', values: { file: file.name } });
+  const kept = app.work.work.value.previous[0];
+  const action = kept && ({ key: 'course.restore', run: () => useOpenings(app).restore(kept) } as const);
+  app.notices.show({ kind: 'ok', key: 'files.replaced', values: { file: file.name }, ...(action && { action }) });
 }
 
 /** Takes a loaded file in under a name that is free. */

@@ -1,26 +1,43 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What the gallery of robots shows. */
-export type GalleryPage = { readonly kind: 'all' } | { readonly kind: 'robot'; readonly robot: string };
+/** What a gallery shows: all robots or one, all courses or one. */
+export type GalleryPage =
+  | { readonly kind: 'all' }
+  | { readonly kind: 'robot'; readonly robot: string }
+  | { readonly kind: 'courses' }
+  | { readonly kind: 'course'; readonly course: string };
 
 /**
- * Whether the gallery is open, and where. Its pages have addresses (`#robots`, `#robots/callibot`): teachers can hand
- * them on, and the browser's back button leads back.
+ * Which gallery is open, and where: that of the robots or that of the courses. Their pages have addresses (`#robots`,
+ * `#robots/callibot`, `#courses`, `#courses/slalom`): teachers can hand them on, and the browser's back button leads back.
  */
 export interface GalleryModel {
   /** `null`: closed. */
   readonly page: Readonly<ShallowRef<GalleryPage | null>>;
+  /** Opens the page of a robot, or all robots. */
   open(robot?: string): void;
+  /** Opens the page of a course, or all courses. */
+  openCourses(course?: string): void;
+  /** The page of a course becomes that of another: the back button leads past it. */
+  replaceCourse(course: string): void;
   close(): void;
 }
 
-const NAME = 'robots';
+const ROBOTS = 'robots';
+const COURSES = 'courses';
+/** Under this name the browser's history keeps how many pages were opened. */
+const DEPTH = 'galleryPages';
 
-/** What a page's address asks for: the part behind `#`. */
+/** What a page's address asks for: the part behind `#`. A course is known by what people write from memory, too. */
 export function galleryPage(hash: string): GalleryPage | null {
-  const [name, robot, ...more] = hash.replace(/^#/, '').split('/');
-  if (name !== NAME || more.length > 0) return null;
-  return robot === undefined || robot === '' ? { kind: 'all' } : { kind: 'robot', robot };
+  const [name, id = '', ...more] = hash
+    .replace(/^#/, '')
+    .replace(/^courses?[=/]/, 'courses/')
+    .split('/');
+  if (more.length > 0) return null;
+  if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
+  if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
+  return null;
 }
 
 export function useGallery(): GalleryModel {
@@ -30,10 +47,16 @@ export function useGallery(): GalleryModel {
   };
   addEventListener('popstate', follow);
   onScopeDispose(() => removeEventListener('popstate', follow));
+  function go(gallery: string, id: string | undefined): void {
+    history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${gallery}` : `#${gallery}/${id}`);
+    follow();
+  }
   return {
     page,
-    open(robot) {
-      history.pushState({ [NAME]: depth() + 1 }, '', robot === undefined ? `#${NAME}` : `#${NAME}/${robot}`);
+    open: (robot) => go(ROBOTS, robot),
+    openCourses: (course) => go(COURSES, course),
+    replaceCourse(course) {
+      history.replaceState({ [DEPTH]: depth() }, '', `#${COURSES}/${course}`);
       follow();
     },
     close() {
@@ -46,9 +69,9 @@ export function useGallery(): GalleryModel {
   };
 }
 
-/** How many pages of the gallery were opened since the app itself was in sight. */
+/** How many pages of a gallery were opened since the app itself was in sight. */
 function depth(): number {
   const state = history.state as Readonly<Record<string, unknown>> | null;
-  const value = state?.[NAME];
+  const value = state?.[DEPTH];
   return typeof value === 'number' ? value : 0;
 }

@@ -42,10 +42,15 @@ export function useKeys({ run, settings }: Pick<App, 'run' | 'settings'>, action
   });
 }
 
-function command(event: KeyboardEvent, actions: KeyActions): void {
+/** What is looked at of a key that is pressed together with Ctrl or ⌘. */
+export type CommandKey = Pick<KeyboardEvent, 'key' | 'altKey' | 'shiftKey' | 'repeat' | 'preventDefault'>;
+
+/** Does what a key means together with Ctrl or ⌘; the others stay the browser's. */
+export function command(event: CommandKey, actions: Pick<KeyActions, 'run' | 'save'>): void {
   if (event.altKey || event.shiftKey || event.repeat) return;
-  if (event.key === 'Enter') actions.run();
-  else if (event.key === 's') actions.save();
+  const key = event.key.toLowerCase(); // with Caps Lock it is an S
+  if (key === 'enter') actions.run();
+  else if (key === 's') actions.save();
   else return;
   event.preventDefault();
 }

@@ -12,6 +12,8 @@ export interface Hint {
   readonly xPx: number;
   /** Lower edge of the control, in px from the top. */
   readonly yPx: number;
+  /** Beside a column of tools the hint stands at its right, this many px from the left; `null`: above or below. */
+  readonly besidePx: number | null;
 }
 
 /** How long a hint stays after the finger has left, in ms. */
@@ -84,7 +86,13 @@ class LongPress {
     if (this.control === null) return;
     clearTimeout(this.timer);
     const box = this.control.getBoundingClientRect();
-    this.hint.value = { text: this.control.title, xPx: box.left + box.width / 2, yPx: box.bottom };
+    const column = this.control.closest('[role="toolbar"][aria-orientation="vertical"]');
+    this.hint.value = {
+      text: this.control.title,
+      xPx: box.left + box.width / 2,
+      yPx: box.bottom,
+      besidePx: column?.getBoundingClientRect().right ?? null,
+    };
     this.swallowsClick = true;
   }
 }

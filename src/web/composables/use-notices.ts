@@ -1,4 +1,4 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { TextKey, TextValues } from '../i18n/texts';
 
@@ -9,6 +9,8 @@ export interface Notice {
   readonly values?: TextValues;
   /** One thing to do about it. */
   readonly action?: { readonly key: TextKey; readonly values?: TextValues; readonly run: () => void };
+  /** Whether it is still true and what it offers can be done; it is followed, and the message goes when it is not. */
+  readonly holds?: () => boolean;
 }
 
 /** The message that is shown now, if any; a new one takes the place of the old. */
@@ -20,13 +22,22 @@ export interface NoticesModel {
 
 export function useNotices(): NoticesModel {
   const current = shallowRef<Notice | null>(null);
+  const close = (): void => {
+    current.value = null;
+  };
+  // At once: nobody must get to press what would do something else by now.
+  watch(
+    () => current.value?.holds?.() ?? true,
+    (holds) => {
+      if (!holds) close();
+    },
+    { flush: 'sync' },
+  );
   return {
     current,
     show: (notice) => {
       current.value = notice;
     },
-    close: () => {
-      current.value = null;
-    },
+    close,
   };
 }

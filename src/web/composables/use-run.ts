@@ -30,6 +30,8 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   /** The VM could not be loaded: no connection, most likely. */
   onUnavailable(): void;
   onFailed(message: string): void;
+  /** The run did not take an input; it goes on without it. */
+  onRefused(message: string): void;
   onKilled(): void;
 }
 
@@ -178,6 +180,9 @@ export class RunModel {
         break;
       case 'stopped':
         this.end('stopped');
+        break;
+      case 'refused':
+        this.host.onRefused(message.message);
         break;
       case 'failed':
         this.end('failed');

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 
+import type { Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import type { Project } from '../project/project';
 import { WorkModel } from './use-work';
 
 const project = (text: string): Project => ({

@@ -1,22 +1,38 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
+import { freeName, MAIN, type Project, type SourceFile } from '#project/project';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import { advanced, historyOf, redone, undone, type History } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
 import { putAside, type Previous, type Work } from '../project/history';
-import { freeName, MAIN, type Project, type SourceFile } from '../project/project';
 
-/** The pupil's work: files, the one that is shown, the course, and what was put aside. All changes go through here. */
+/**
+ * The pupil's work: files, the one that is shown, the course with the way it came about, and what was put aside. All
+ * changes go through here.
+ */
 export class WorkModel {
   readonly work: ShallowRef<Work>;
   readonly files: ComputedRef<readonly SourceFile[]>;
   readonly scene: ComputedRef<Scene>;
   readonly open: ComputedRef<SourceFile>;
+  /** Counts the courses that were opened: each is another start, with nothing to take back. */
+  readonly openings: ShallowRef<number> = shallowRef(0);
+  readonly canUndo: ComputedRef<boolean>;
+  readonly canRedo: ComputedRef<boolean>;
+  private readonly history: ShallowRef<History>;
+  /** What was opened: a course that is called otherwise, or asks for something else, is no ready course any more. */
+  private origin: Project;
 
   constructor(
     work: Work,
     private readonly nowMs: () => number,
   ) {
     this.work = shallowRef(work);
+    this.history = shallowRef(historyOf(work.project.scene));
+    this.origin = work.project;
+    this.canUndo = computed(() => this.history.value.past.length > 0);
+    this.canRedo = computed(() => this.history.value.future.length > 0);
     this.files = computed(() => this.work.value.project.files);
     this.scene = computed(() => this.work.value.project.scene);
     this.open = computed(() => this.find(this.work.value.open) ?? { name: MAIN, text: '' });
@@ -72,15 +88,29 @@ export class WorkModel {
     this.show(file.name);
   }
 
-  /** Only the course changes; the files stay. */
-  setScene(scene: Scene, course: string | null): void {
-    this.work.value = { ...this.work.value, project: { ...this.work.value.project, scene, course } };
+  /** Changes the course; one step that can be taken back. Returns whether anything changed. */
+  edit(edit: SceneEdit): boolean {
+    return this.step(advanced(this.history.value, applyEdit(this.scene.value, edit)));
+  }
+
+  /** Takes the last change of the course back. Returns whether there was one. */
+  undo(): boolean {
+    return this.step(undone(this.history.value));
+  }
+
+  /** Does again what was taken back last. Returns whether there was something. */
+  redo(): boolean {
+    return this.step(redone(this.history.value));
+  }
+
+  /** Opens another course, the files stay; the work so far is put aside when `nameOfOld` is given. */
+  setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
+    this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);
   }
 
   /** Opens another project; the work so far is put aside when `nameOfOld` is given. */
   openProject(project: Project, nameOfOld: string | null): void {
-    if (nameOfOld !== null) this.keep(nameOfOld);
-    this.work.value = { ...this.work.value, project, open: MAIN };
+    this.put(project, MAIN, nameOfOld);
   }
 
   /** Brings a piece of earlier work back and puts the present one in its place. */
@@ -88,6 +118,29 @@ export class WorkModel {
     const rest = this.work.value.previous.filter((other) => other !== entry);
     this.work.value = { ...this.work.value, previous: rest };
     this.openProject(entry.project, nameOfOld);
+  }
+
+  private put(project: Project, open: string, nameOfOld: string | null): void {
+    if (nameOfOld !== null) this.keep(nameOfOld);
+    // Another program in the same course takes nothing from its history.
+    if (this.history.value.present !== project.scene) {
+      this.history.value = historyOf(project.scene);
+      this.origin = project;
+      // Told first: a run of the old course must be over before it hears of the new one.
+      this.openings.value += 1;
+    }
+    this.work.value = { ...this.work.value, project, open };
+  }
+
+  private step(history: History): boolean {
+    const { present } = history;
+    if (present === this.scene.value) return false;
+    this.history.value = history;
+    const { course, scene } = this.origin;
+    const isCalledSo = present.name === scene.name && present.description === scene.description;
+    const project = { ...this.work.value.project, scene: present, course: isCalledSo ? course : null };
+    this.work.value = { ...this.work.value, project };
+    return true;
   }
 
   private keep(name: string): void {

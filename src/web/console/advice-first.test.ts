@@ -2,7 +2,6 @@ import { describe, expect, it } from 'vitest';
 
 import { adviceFirst } from './advice-first';
 import { ConsoleLog } from './console-log';
-import { adviceFor } from './error-advice';
 
 describe('the explanation first', () => {
   it('puts the card before the traceback, and leaves what the program printed where it is', () => {
@@ -15,7 +14,7 @@ describe('the explanation first', () => {
     log.add({
       kind: 'error',
       place: { file: 'main.py', line: 1 },
-      advice: adviceFor({ type: 'NameError', message: '' }),
+      report: { failure: { type: 'NameError', message: '' }, source: null, table: null },
     });
     log.add({ kind: 'note', key: 'console.motorsOn' });
     const said = adviceFirst(log.entries).map((entry) => (entry.kind === 'text' ? entry.tone : entry.kind));

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { CONSOLE_LIMITS, ConsoleLog, lastPlace, withPlaces } from './console-log';
+import { adviceFor } from './error-advice';
 
 const TRACEBACK =
   'Traceback (most recent call last):\r\n  File "main.py", line 7, in <module>\r\n  File "drive.py", line 3, in go\r\nNameError: name \'x\' isn\'t defined\r\n';
@@ -156,7 +157,7 @@ describe('an error that is typed at the REPL', () => {
   const say = (text: string): string[] => {
     const log = new ConsoleLog();
     for (const line of text.split(/(?<=\n)/)) log.write(line);
-    return log.entries.map((entry) => (entry.kind === 'error' ? entry.advice.key : entry.kind));
+    return log.entries.map((entry) => (entry.kind === 'error' ? adviceFor(entry.report.failure).key : entry.kind));
   };
   const typed = (last: string): string =>
     `>>> x\r\nTraceback (most recent call last):\r\n  File "<stdin>", line 1, in <module>\r\n${last}\r\n>>> `;

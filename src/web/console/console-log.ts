@@ -1,5 +1,5 @@
 import type { TextKey } from '../i18n/texts';
-import { adviceFor, type Advice, type OnTable } from './error-advice';
+import type { ErrorReport, Failure, OnTable } from './error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */
@@ -16,7 +16,7 @@ export type ConsoleEntry =
       readonly lines: number;
     }
   | { readonly id: number; readonly kind: 'note'; readonly key: TextKey }
-  | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
+  | { readonly id: number; readonly kind: 'error'; readonly place: ErrorPlace | null; readonly report: ErrorReport };
 
 /** Where an error happened: a file of the pupil and its line, counted from 1. */
 export interface ErrorPlace {
@@ -34,7 +34,7 @@ const TYPED = 'File "<stdin>"';
 type NewEntry =
   | { readonly kind: 'run'; readonly number: number }
   | { readonly kind: 'note'; readonly key: TextKey }
-  | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly advice: Advice };
+  | { readonly kind: 'error'; readonly place: ErrorPlace | null; readonly report: ErrorReport };
 /** A text entry while `write` adds to it; afterwards it never changes. */
 type OpenEntry = { -readonly [K in keyof TextEntry]: TextEntry[K] };
 type TextEntry = Extract<ConsoleEntry, { kind: 'text' }>;
@@ -163,8 +163,9 @@ export class ConsoleLog {
     const line = this.traceback.trimEnd().split('\n').at(-1) ?? '';
     if (line.startsWith(TRACEBACK) || line.startsWith(' ')) return;
     this.tone = 'plain';
-    const advice = this.traceback.includes(TYPED) ? adviceOf(line, this.traceback, this.table()) : null;
-    if (advice !== null) this.addTo(entries, { kind: 'error', place: null, advice });
+    const failure = this.traceback.includes(TYPED) ? failureOf(line, this.traceback) : null;
+    if (failure !== null)
+      this.addTo(entries, { kind: 'error', place: null, report: { failure, source: null, table: this.table() } });
   }
 
   /** Writes over what stands right of the cursor, as far as that goes; returns how much of `part` is done. */
@@ -249,10 +250,10 @@ export class ConsoleLog {
   }
 }
 
-/** What is to be read about an exception that was typed at the REPL; an interrupt is no mistake. */
-function adviceOf(line: string, traceback: string, table: OnTable | null): Advice | null {
+/** The exception that was typed at the REPL; an interrupt is no mistake. */
+function failureOf(line: string, traceback: string): Failure | null {
   const [, type = '', message = ''] = /^(\w+)(?:: (.*))?$/.exec(line) ?? [];
-  return type === '' || type === 'KeyboardInterrupt' ? null : adviceFor({ type, message, traceback }, null, table);
+  return type === '' || type === 'KeyboardInterrupt' ? null : { type, message, traceback };
 }
 
 function hasRoom(entry: TextEntry): boolean {

@@ -3,6 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { play } from '#vm/library/testing/play';
 import { de } from '../i18n/de';
 import { en } from '../i18n/en';
+import { errorDe } from '../i18n/error-de';
+import { errorEn } from '../i18n/error-en';
 import type { TextKey } from '../i18n/texts';
 import { lastPlace } from './console-log';
 import { adviceFor, type Advice, type OnTable } from './error-advice';
@@ -16,12 +18,12 @@ function adviceOf(program: string): Advice {
   return adviceFor(exception, { text: program, line });
 }
 
-const catalogues = { de, en };
+const catalogues = { de: { ...de.error, ...errorDe }, en: { ...en.error, ...errorEn } };
 
 /** The sentence that the page shows. */
 function sentence({ key, values }: Advice, language: 'de' | 'en' = 'de'): string {
-  const name = key.slice('error.'.length) as keyof typeof de.error;
-  const text: string = catalogues[language].error[name];
+  const name = key.slice('error.'.length) as keyof typeof catalogues.de;
+  const text: string = catalogues[language][name];
   return text.replace(/\{(\w+)\}/g, (_whole, value: string) => String(values[value] ?? `{${value}}`));
 }
 

@@ -25,6 +25,14 @@ export interface OnTable {
   readonly fault: Omit<Advice, 'device'> | null;
 }
 
+/** All that an explanation is made of. */
+export interface ErrorReport {
+  readonly failure: Failure;
+  /** The pupil's file and the line that the exception names. */
+  readonly source: Source | null;
+  readonly table: OnTable | null;
+}
+
 /** Exceptions that have one text whatever the device says. */
 const PLAIN = [
   'SyntaxError', 'IndentationError', 'TypeError', 'ValueError', 'ZeroDivisionError', 'IndexError', 'MemoryError', 'OSError',

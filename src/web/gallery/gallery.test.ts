@@ -141,6 +141,11 @@ describe('addresses', () => {
     expect(galleryPage('#robots')).toEqual({ kind: 'all' });
     expect(galleryPage('#robots/')).toEqual({ kind: 'all' });
     expect(galleryPage('#robots/callibot')).toEqual({ kind: 'robot', robot: 'callibot' });
-    for (const hash of ['', '#', '#course', '#robotsx', '#robots/a/b']) expect(galleryPage(hash)).toBeNull();
+    expect(galleryPage('#courses')).toEqual({ kind: 'courses' });
+    expect(galleryPage('#courses/slalom')).toEqual({ kind: 'course', course: 'slalom' });
+    for (const hash of ['#course=slalom', '#course/slalom', '#courses=slalom'])
+      expect(galleryPage(hash), hash).toEqual({ kind: 'course', course: 'slalom' });
+    for (const hash of ['', '#', '#course', '#robotsx', '#robots/a/b', '#courses/a/b'])
+      expect(galleryPage(hash)).toBeNull();
   });
 });

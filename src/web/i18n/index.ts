@@ -1,6 +1,6 @@
 import { createI18n, type I18n, type MessageContext, type MessageFunction } from 'vue-i18n';
 
-import { LANGUAGES, type Language, type Texts, type Translate } from './texts';
+import { LANGUAGES, type ErrorTexts, type Language, type Texts, type Translate } from './texts';
 
 export { LANGUAGES, type Language, type TextKey, type Texts, type TextValues, type Translate } from './texts';
 
@@ -15,6 +15,15 @@ const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
   de: async () => (await import('./de')).de,
   en: async () => (await import('./en')).en,
 };
+
+/** What goes wrong in programs, by language. */
+const errorCatalogues: Readonly<Record<Language, () => Promise<ErrorTexts>>> = {
+  de: async () => (await import('./error-de')).errorDe,
+  en: async () => (await import('./error-en')).errorEn,
+};
+/** Once errors are to be explained, every language comes with its texts for them. */
+let explainsErrors = false;
+const errorsIn = new Set<Language>();
 
 /** The app's vue-i18n instance; without texts until a language is chosen. */
 export const i18n: I18n<Catalogues, Record<string, never>, Record<string, never>, Language, false> = createI18n<
@@ -35,8 +44,22 @@ export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
 
 /** Fetches the texts of a language, once. Rejects without a connection. */
 export async function loadTexts(language: Language): Promise<void> {
-  if (i18n.global.availableLocales.includes(language)) return;
-  i18n.global.setLocaleMessage(language, messagesOf(await catalogues[language]()));
+  if (!i18n.global.availableLocales.includes(language))
+    i18n.global.setLocaleMessage(language, messagesOf(await catalogues[language]()));
+  if (explainsErrors) await addErrors(language);
+}
+
+/** Fetches the texts for what goes wrong in a program, once, in this and every later language. Rejects without a connection. */
+export async function loadErrorTexts(): Promise<void> {
+  explainsErrors = true;
+  await loadTexts(shownLanguage());
+}
+
+async function addErrors(language: Language): Promise<void> {
+  if (errorsIn.has(language)) return;
+  const error = messagesOf(await errorCatalogues[language]());
+  i18n.global.mergeLocaleMessage(language, { error });
+  errorsIn.add(language);
 }
 
 /** All that our texts need of vue-i18n's own language is places for values in braces; its compiler is not bundled. */

@@ -1,25 +1,41 @@
+import { MAIN, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
 import { LANGUAGES, type Language } from '../i18n/texts';
-import { MAIN, type Project } from './project';
 
-/** A ready course: an arena and a program that drives in it. How its folder looks: see `courses.ts`. */
+/** A ready course: an arena with a task, and programs that drive in it. How its folder looks: see `courses.ts`. */
 export interface Course {
   /** Name of its folder. */
   readonly id: string;
   /** Place in the list, lowest first; `null`: at the end. */
   readonly place: number | null;
+  readonly level: CourseLevel;
+  readonly kind: CourseKind;
   readonly scene: Scene;
-  /** `main.py`, by the language of its comments and words. */
+  /** What a pupil finds on opening it: a beginning, or where there is none the solution. By the language of its words. */
   readonly program: Readonly<Record<Language, string>>;
+  /** The program that does what the course asks for. */
+  readonly solution: Readonly<Record<Language, string>>;
   readonly texts: Readonly<Record<Language, CourseTexts>>;
+  /** Made from a number and no folder: who opens it works on a course of their own. */
+  readonly isRandom: boolean;
 }
 
-/** What a course is called, and what it says about itself. */
+/** How hard a course is: 1 easy, 2 medium, 3 hard. */
+export type CourseLevel = 1 | 2 | 3;
+
+/** What courses are about, in the order of the gallery. */
+export const courseKinds = ['free', 'line', 'drive', 'obstacles', 'maze', 'blocks'] as const;
+export type CourseKind = (typeof courseKinds)[number];
+
+/** What a course is called, what it says about itself, and what it asks for. */
 export interface CourseTexts {
   readonly name: string;
+  /** One or two sentences on what it is about. */
   readonly text: string;
+  /** What the pupil is to do. */
+  readonly task: string;
 }
 
 /**
@@ -42,16 +58,28 @@ function readCourse(id: string, files: ReadonlyMap<string, string>): Course[] {
   const parsed = parseScene(files.get('scene.json') ?? '');
   if (!('scene' in parsed)) return [];
   const { scene } = parsed;
-  const words = JSON.parse(files.get('texts.json') ?? '{}') as { place?: number } & Partial<Course['texts']>;
-  const program = (language: Language): string => files.get(`main.${language}.py`) ?? files.get(MAIN) ?? '';
-  const texts = (language: Language): CourseTexts => words[language] ?? { name: scene.name, text: scene.description };
-  return [{ id, place: words.place ?? null, scene, program: inEach(program), texts: inEach(texts) }];
+  const words = JSON.parse(files.get('texts.json') ?? '{}') as FolderTexts;
+  const file = (stem: string, language: Language): string | undefined =>
+    files.get(`${stem}.${language}.py`) ?? files.get(`${stem}.py`);
+  const solution = inEach((language) => file('main', language) ?? '');
+  const program = inEach((language) => file('start', language) ?? solution[language]);
+  const spoken: CourseTexts = { name: scene.name, text: scene.description, task: scene.description };
+  const texts = inEach((language) => ({ ...spoken, ...words[language] }));
+  const { place = null, level = 1, kind = 'free' } = words;
+  return [{ id, place, level, kind, scene, program, solution, texts, isRandom: false }];
 }
+
+/** What stands in `texts.json`. */
+type FolderTexts = Partial<Pick<Course, 'place' | 'level' | 'kind'> & Record<Language, CourseTexts>>;
 
 const inEach = <T>(make: (language: Language) => T): Readonly<Record<Language, T>> =>
   Object.fromEntries(LANGUAGES.map((language) => [language, make(language)])) as Record<Language, T>;
 
 /** A course as something to work on. */
 export function projectOf(course: Course, language: Language): Project {
-  return { files: [{ name: MAIN, text: course.program[language] }], scene: course.scene, course: course.id };
+  const files = [{ name: MAIN, text: course.program[language] }];
+  return { files, scene: course.scene, course: course.isRandom ? null : course.id };
 }
+
+/** The course as it is opened with its solution. */
+export const solved = (course: Course): Course => ({ ...course, program: course.solution });

@@ -6,15 +6,18 @@ import { checkForDevice } from '#device-check/check-for-device';
 import { chooseHardware } from '#simulation/hardware';
 import { setLanguage } from '../i18n';
 import { LANGUAGES } from '../i18n/texts';
-import { coursesOf, projectOf } from './course';
+import { courseKinds, coursesOf, projectOf, solved } from './course';
 import { courses, courseText } from './courses';
 import { examples, isUntouched } from './examples';
 import { courseName, firstCourse, isAsFound } from './first-course';
+import { findProblems } from '#scene/rules';
 import { defaultScene } from '#scene/scene';
 
 describe('the programs that come with the app', () => {
   it('have nothing that the device check would mark on their board, so a first visit need not load it', () => {
-    const ofCourses = courses.flatMap(({ scene, program }) => Object.values(program).map((text) => ({ scene, text })));
+    const ofCourses = courses.flatMap(({ scene, program, solution }) =>
+      [...Object.values(program), ...Object.values(solution)].map((text) => ({ scene, text })),
+    );
     const ofRobots = examples.flatMap(({ example, robot }) => LANGUAGES.map((language) => ({ robot, text: example.source[language] }))); // prettier-ignore
     expect(ofCourses.length + ofRobots.length).toBeGreaterThan(3);
     for (const { text, ...where } of [...ofCourses, ...ofRobots]) {
@@ -27,8 +30,8 @@ describe('the programs that come with the app', () => {
   });
 
   it('each choose a robot on its own board when everything is left to the program and the course', () => {
-    for (const { id, scene, program } of courses)
-      for (const text of Object.values(program)) {
+    for (const { id, scene, program, solution } of courses)
+      for (const text of [...Object.values(program), ...Object.values(solution)]) {
         const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot: 'auto', board: 'auto' });
         if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
         expect(hardware.robot, id).not.toBeNull();
@@ -41,6 +44,7 @@ describe('the programs that come with the app', () => {
       for (const language of LANGUAGES) {
         const project = projectOf(course, language);
         expect(isUntouched(project), course.id).toBe(true);
+        expect(isUntouched(projectOf(solved(course), language)), course.id).toBe(true);
         const [main] = project.files;
         expect(isUntouched({ ...project, files: [{ ...main!, text: `${main!.text}#` }] })).toBe(false);
         expect(isUntouched({ ...project, files: [main!, { name: 'a.py', text: '' }] })).toBe(false);
@@ -66,14 +70,47 @@ describe('the ready courses', () => {
     expect([...places].sort((one, other) => one! - other!)).toEqual(places);
   });
 
-  it('have a name, a sentence and a program in German and English, in Swiss spelling', () => {
-    for (const { id, texts, program } of courses)
+  it('have a name, a sentence, a task and programs in German and English, in Swiss spelling', () => {
+    for (const { id, texts, program, solution } of courses)
       for (const language of LANGUAGES) {
-        expect(texts[language].name, id).not.toBe('');
-        expect(texts[language].text, id).toMatch(/[.!?]$/);
+        const { name, text, task } = texts[language];
+        expect(name, id).not.toBe('');
+        expect(text, id).toMatch(/[.!?]$/);
+        expect(task, id).toMatch(/[.!?]$/);
         expect(program[language], id).toMatch(/import/);
-        expect(texts.de.name + texts.de.text, id).not.toContain('ß');
+        expect(solution[language], id).toMatch(/import/);
+        expect(Object.values(texts.de).join(' ') + program.de + solution.de, id).not.toContain('ß');
       }
+  });
+
+  it('are nineteen or more, of all kinds, of all levels and for three robots', () => {
+    expect(courses.length).toBeGreaterThanOrEqual(19);
+    expect(new Set(courses.map(({ kind }) => kind))).toEqual(new Set(courseKinds));
+    expect(new Set(courses.map(({ level }) => level))).toEqual(new Set([1, 2, 3]));
+    const lines = courses.filter(({ kind }) => kind === 'line');
+    expect(new Set(lines.map(({ level }) => level))).toEqual(new Set([1, 2, 3])); // line tracks of three difficulties
+    const robots = courses.map(({ scene, solution }) => {
+      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      return 'problem' in hardware ? '' : hardware.robot?.id;
+    });
+    expect(new Set(robots)).toEqual(new Set(['maqueen-lite', 'maqueen-plus-v2', 'callibot']));
+  });
+
+  it('have nothing that the editor would find fault with', () => {
+    for (const { id, scene, solution } of courses) {
+      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
+      expect(findProblems(scene, hardware.robot?.body.outlineMm ?? []), id).toEqual([]);
+    }
+  });
+
+  it('leave the task to the pupil: all but the empty arena and the first course begin with a program to go on with', () => {
+    const asSolved = courses.filter(({ program, solution }) => program.de === solution.de).map(({ id }) => id);
+    expect(asSolved).toEqual(['empty', 'closed-line']);
+    for (const { id, program, solution } of courses)
+      for (const language of LANGUAGES)
+        if (!asSolved.includes(id))
+          expect(program[language].split('\n').length, id).toBeLessThan(solution[language].split('\n').length + 4);
   });
 
   it('begin with the closed line on a first visit, which comes with the page', () => {
@@ -102,8 +139,17 @@ describe('the files of a course', () => {
   it('may have one program for all languages or one for each', () => {
     const [one] = coursesOf({ 'c/one/scene.json': scene, 'c/one/main.py': 'x' });
     expect(one!.program).toEqual({ de: 'x', en: 'x' });
+    expect(one!.solution).toEqual({ de: 'x', en: 'x' });
     const [two] = coursesOf({ 'c/two/scene.json': scene, 'c/two/main.de.py': 'd', 'c/two/main.en.py': 'e' });
     expect(two!.program).toEqual({ de: 'd', en: 'e' });
+  });
+
+  it('may hold a beginning besides the solution: then that is what a pupil finds', () => {
+    const files = { 'main.de.py': 'd', 'main.en.py': 'e', 'start.de.py': 's', 'start.en.py': 't', 'scene.json': scene };
+    const [course] = coursesOf(Object.fromEntries(Object.entries(files).map(([name, text]) => [`c/x/${name}`, text])));
+    expect(course!.program).toEqual({ de: 's', en: 't' });
+    expect(course!.solution).toEqual({ de: 'd', en: 'e' });
+    expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'e' }]);
   });
 
   it('speak as the scene does where there are no texts, and stand at the end then', () => {

@@ -5,8 +5,11 @@
  *   opens the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
  * - `main.py`, or `main.de.py` and `main.en.py`: the program that solves it. With one of them the same in all languages;
  *   with two they differ in comments and shown words only.
- * - `texts.json`: `{ "place": 4, "de": { "name": "…", "text": "…" }, "en": { "name": "…", "text": "…" } }`: its place in
- *   the list (lowest first), what it is called, and one or two sentences on what it is about.
+ * - `start.py`, or `start.de.py` and `start.en.py`: what the pupil finds on opening it, a beginning that runs and leaves
+ *   the task to them. Without it they find the solution.
+ * - `texts.json`: `{ "place": 4, "level": 2, "kind": "line", "de": { "name": "…", "text": "…", "task": "…" }, "en": … }`:
+ *   its place in the list (lowest first), how hard it is (1 … 3), what it is about (`courseKinds`), what it is called, one
+ *   or two sentences on it, and what is to be done.
  * - `expected.csv`: the trace of its run (`courses/golden.json`).
  *
  * Fetched late, with the list. `first-course.ts` holds the one that comes with the page.
@@ -15,7 +18,7 @@ import { shownLanguage } from '../i18n';
 import { coursesOf, type Course } from './course';
 import { knownCourses } from './known-courses';
 
-const files = import.meta.glob<string>('../../../courses/*/{scene.json,texts.json,main.py,main.de.py,main.en.py}', {
+const files = import.meta.glob<string>('../../../courses/*/{scene.json,texts.json,main*.py,start*.py}', {
   query: '?raw',
   import: 'default',
   eager: true,
@@ -28,4 +31,9 @@ knownCourses.value = courses;
 /** What a course says about itself, in the chosen language. */
 export function courseText(course: Course): string {
   return course.texts[shownLanguage()].text;
+}
+
+/** What a course asks for, in the chosen language. */
+export function courseTask(course: Course): string {
+  return course.texts[shownLanguage()].task;
 }

@@ -2,12 +2,12 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 
 import { optionProblem } from '#core/option';
+import { filesByName, type Project } from '#project/project';
 import { Simulation } from '#simulation/simulation';
 import { LANGUAGES } from '../i18n/texts';
 import { projectOf } from './course';
 import { courses } from './courses';
 import { examples, withExample, type ExampleOf } from './examples';
-import { filesByName, type Project } from './project';
 
 let firmware: WebAssembly.Module;
 beforeAll(() => {

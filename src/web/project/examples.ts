@@ -1,3 +1,4 @@
+import { MAIN, type Project } from '#project/project';
 import { robotTypes } from '#robots/index';
 import type { RobotExample, RobotType } from '#robots/robot';
 import { robotSheets } from '#robots/sheets';
@@ -7,7 +8,6 @@ import { serializeScene } from '#scene/serialize';
 import type { Language } from '../i18n/texts';
 import type { Course } from './course';
 import { courses } from './courses';
-import { MAIN, type Project } from './project';
 
 /** A sample program and the robot that it comes with. */
 export interface ExampleOf {
@@ -25,7 +25,7 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
 const brought: ReadonlySet<string> = new Set([
-  ...courses.flatMap(({ program }) => Object.values(program)),
+  ...courses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
   ...examples.flatMap(({ example }) => [example.source.de, example.source.en]),
 ]);
 
@@ -50,6 +50,13 @@ function withOptions({ scene }: Course, { options }: RobotExample): Scene {
 function isSameArena(one: Scene, other: Scene): boolean {
   const text = (scene: Scene): string => serializeScene({ ...scene, robot: { ...scene.robot, options: {} } });
   return one === other || text(one) === text(other);
+}
+
+/** The arena is just as a ready course has it: nothing of the pupil's own is in it. */
+export function isReadyArena(scene: Scene): boolean {
+  return courses.some(
+    (course) => course.scene.objects.length === scene.objects.length && isSameArena(course.scene, scene),
+  );
 }
 
 /** The files are just as some course or example brought them: nothing of the pupil's own is in them. */

@@ -1,12 +1,12 @@
+import { MAIN, type Project } from '#project/project';
 import type { Scene } from '#scene/scene';
 
 import { shownLanguage, t } from '../i18n';
 import { coursesOf, type Course } from './course';
 import { knownCourses } from './known-courses';
-import { MAIN, type Project } from './project';
 
 // Only what a first visit shows comes with the page; the other courses lie in courses.ts, which is fetched late.
-const files = import.meta.glob<string>('../../../courses/closed-line/{scene.json,texts.json,main*.py}', {
+const files = import.meta.glob<string>('../../../courses/closed-line/{scene.json,texts.json,main*.py,start*.py}', {
   query: '?raw',
   import: 'default',
   eager: true,

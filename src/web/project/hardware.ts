@@ -1,10 +1,10 @@
 import { completeOptions, type OptionValues } from '#core/option';
+import { filesByName, type SourceFile } from '#project/project';
 import type { RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
 
 import { AUTO_DEVICE, AUTO_ROBOT, boardWish, firmwareOf } from './devices';
-import { filesByName, type SourceFile } from './project';
 import type { Settings } from './settings';
 
 /** Those that make another run: a change ends the one that is there. */

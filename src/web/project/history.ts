@@ -1,4 +1,6 @@
-import { packProject, unpackProject, type Project } from './project';
+import type { Project } from '#project/project';
+
+import { packedText, unpackProject } from './stored-project';
 
 /** A piece of earlier work that was put aside for something else. */
 export interface Previous {
@@ -34,13 +36,21 @@ export function putAside(
 
 /** Two projects with the same files in the same course. */
 export function isSameWork(one: Project, other: Project): boolean {
-  return JSON.stringify(packProject(one)) === JSON.stringify(packProject(other));
+  return packedText(one) === packedText(other);
 }
 
 /** Work as text for the browser's storage. */
 export function workToText(work: Work): string {
-  const previous = work.previous.map(({ name, atMs, project }) => ({ name, atMs, project: packProject(project) }));
-  return JSON.stringify({ version: 1, project: packProject(work.project), open: work.open, previous });
+  return textOfWork(work, packedText(work.project), ({ project }) => packedText(project));
+}
+
+/** The same with other texts in the place of the projects. */
+export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
+  const previous = work.previous.map((entry) => {
+    const { name, atMs } = entry;
+    return `{"name":${JSON.stringify(name)},"atMs":${String(atMs)},"project":${previousText(entry)}}`;
+  });
+  return `{"version":1,"project":${project},"open":${JSON.stringify(work.open)},"previous":[${previous.join(',')}]}`;
 }
 
 /** Reads what `workToText` wrote; `null` for anything else, so that a broken store never stops the app. */

@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 
+import { defaultProjectSettings, type Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
 import { PREVIOUS_KEPT, putAside, workFromText, workToText, type Previous } from './history';
-import { completeName, freeName, nameProblem, packProject, unpackProject, type Project } from './project';
 import { defaultSettings, settingsFromText } from './settings';
+import { packProject, unpackProject } from './stored-project';
 
 const project = (text: string): Project => ({
   files: [{ name: 'main.py', text }],
@@ -12,36 +13,20 @@ const project = (text: string): Project => ({
   course: null,
 });
 
-describe('file names', () => {
-  const files = [{ name: 'main.py', text: '' }];
-
-  it('get .py where no ending is typed', () => {
-    expect(completeName(' drive ')).toBe('drive.py');
-    expect(completeName('data.txt')).toBe('data.txt');
-    expect(completeName('  ')).toBe('');
-  });
-
-  it('must be new, not empty, at most 120 characters and free of slashes and spaces', () => {
-    expect(nameProblem('drive.py', files)).toBeNull();
-    expect(nameProblem('fährt.py', files)).toBeNull();
-    expect(nameProblem('', files)).toBe('nameEmpty');
-    expect(nameProblem('main.py', files)).toBe('nameTaken');
-    expect(nameProblem('main.py', files, 'main.py')).toBeNull();
-    expect(nameProblem('a/b.py', files)).toBe('nameCharacters');
-    expect(nameProblem('a b.py', files)).toBe('nameCharacters');
-    expect(nameProblem(`${'x'.repeat(118)}.py`, files)).toBe('nameLong');
-  });
-
-  it('count up where a name is taken', () => {
-    expect(freeName('main.py', files)).toBe('main2.py');
-    expect(freeName('main.py', [...files, { name: 'main2.py', text: '' }])).toBe('main3.py');
-  });
-});
-
 describe('a stored project', () => {
   it('comes back as it was', () => {
     const packed: unknown = JSON.parse(JSON.stringify(packProject(project('print(1)'))));
     expect(unpackProject(packed)).toEqual(project('print(1)'));
+  });
+
+  it('keeps what it runs on, where it says so', () => {
+    const chosen = {
+      ...project(''),
+      settings: { ...defaultProjectSettings, robotOptions: { callibot: { lamp: 'on' } } },
+    };
+    const packed = packProject(chosen) as Record<string, unknown>;
+    expect(unpackProject(packed)).toEqual(chosen);
+    expect(unpackProject({ ...packed, settings: { robot: 7 } })).toEqual(project(''));
   });
 
   it('is refused when it has no main.py or makes no sense', () => {

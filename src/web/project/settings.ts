@@ -48,6 +48,12 @@ export interface Settings {
   readonly panel: BoardPanel | null;
   /** Whether the board on the robot feels the arena. */
   readonly arenaSenses: boolean;
+  /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
+  readonly showTools: boolean | null;
+  /** The picture follows the robot. */
+  readonly follow: boolean;
+  /** A small celebration when a task is passed. */
+  readonly celebrate: boolean;
   /** Width of the code pane, or `null`: as the window's width suggests. The others likewise. */
   readonly codePx: number | null;
   readonly boardPx: number | null;
@@ -89,6 +95,9 @@ export function defaultSettings(language: Language): Settings {
     deviceCheck: true,
     panel: null,
     arenaSenses: false,
+    showTools: null,
+    follow: false,
+    celebrate: true,
     codePx: null,
     boardPx: null,
     consolePx: null,
@@ -97,7 +106,18 @@ export function defaultSettings(language: Language): Settings {
 }
 
 /** Settings that are on or off. */
-type Flag = 'muted' | 'cone' | 'spots' | 'centre' | 'trace' | 'showBoard' | 'showArena' | 'arenaSenses' | 'deviceCheck';
+type Flag =
+  | 'muted'
+  | 'cone'
+  | 'spots'
+  | 'centre'
+  | 'trace'
+  | 'showBoard'
+  | 'showArena'
+  | 'arenaSenses'
+  | 'deviceCheck'
+  | 'follow'
+  | 'celebrate';
 
 /** Reads stored settings; what is missing or makes no sense is as in `fallback`. */
 export function settingsFromText(text: string | null, fallback: Settings): Settings {
@@ -136,6 +156,9 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     deviceCheck: flag('deviceCheck'),
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
     arenaSenses: flag('arenaSenses'),
+    showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    follow: flag('follow'),
+    celebrate: flag('celebrate'),
     codePx: size('codePx'),
     boardPx: size('boardPx'),
     consolePx: size('consolePx'),

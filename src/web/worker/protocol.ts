@@ -74,5 +74,7 @@ export type FromWorker =
   | { readonly type: 'program-restarted' }
   /** The run is over; all output has been sent. The worker does nothing more. */
   | { readonly type: 'stopped' }
+  /** An `input` that this run does not take, such as one for a block that is not there: left out, the run goes on. */
+  | { readonly type: 'refused'; readonly message: string }
   /** The run could not start or broke inside (our fault, not the program's). */
   | { readonly type: 'failed'; readonly message: string };

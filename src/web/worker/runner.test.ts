@@ -7,7 +7,9 @@ import type { FromWorker, ToWorker } from './protocol';
 import { Runner, type Run } from './runner';
 
 /** A run whose simulated time costs `costMs` of wall time per simulated ms, printing `perMs` characters in each. */
-function bench(options: { costMs?: number; perMs?: number; endsAtUs?: number; minds?: boolean } = {}) {
+function bench(
+  options: { costMs?: number; perMs?: number; endsAtUs?: number; minds?: boolean; inputError?: Error } = {},
+) {
   let wallMs = 0;
   const posted: FromWorker[] = [];
   const tasks: { task: () => void; atMs: number }[] = [];
@@ -26,7 +28,10 @@ function bench(options: { costMs?: number; perMs?: number; endsAtUs?: number; mi
     advanceProgramTo(us: number) {
       run.advanceTo(Math.min(us, Math.max(run.nowUs, options.endsAtUs ?? Infinity)));
     },
-    input: (action: unknown) => run.inputs.push(action),
+    input(action: unknown) {
+      if (options.inputError !== undefined) throw options.inputError;
+      run.inputs.push(action);
+    },
     interrupt() {
       if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };
     },
@@ -124,6 +129,27 @@ describe('the runner', () => {
     b.send({ type: 'step' });
     await b.pass(50);
     expect(b.types().filter((type) => type === 'snapshot')).toHaveLength(2);
+  });
+
+  it('leaves out an input that the run refuses, tells the page why and runs on', async () => {
+    const b = bench({ inputError: new RangeError('There is no block "b7".') });
+    await b.start();
+    await b.pass(100);
+    b.send({ type: 'input', action: { type: 'arena-senses', on: true } });
+    const { nowUs } = b.run;
+    await b.pass(100);
+    expect(b.posted.filter(({ type }) => type === 'refused')).toEqual([
+      { type: 'refused', message: 'There is no block "b7".' },
+    ]);
+    expect(b.types()).not.toContain('failed');
+    expect(b.run.nowUs).toBeGreaterThan(nowUs);
+  });
+
+  it('ends the run when an input breaks it inside', async () => {
+    const b = bench({ inputError: new TypeError('not a function') });
+    await b.start();
+    b.send({ type: 'input', action: { type: 'arena-senses', on: true } });
+    expect(b.posted.at(-1)).toEqual({ type: 'failed', message: 'not a function' });
   });
 
   it('lets the program wait when the page does not take its output', async () => {

@@ -136,7 +136,15 @@ export class Runner {
 
   private input(action: InputAction): void {
     if (this.stopped) return;
-    this.guarded(() => this.run?.input(action));
+    this.guarded(() => {
+      try {
+        this.run?.input(action);
+      } catch (error) {
+        if (!(error instanceof RangeError)) throw error;
+        // Refused: nothing of it is done, and the run is as good as before.
+        this.at.post({ type: 'refused', message: error.message });
+      }
+    });
     this.changed = true;
     this.schedule(0);
   }

@@ -1,0 +1,32 @@
+import type { Texts } from '#core/texts';
+
+/** Why a file cannot be the floor. */
+export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
+
+/** What is said then, with what to do about it. */
+export const backgroundProblemTexts: Readonly<Record<BackgroundProblem, Texts>> = {
+  type: {
+    de: 'Das ist kein Bild, das Parcours lesen kann. Nimm ein Bild im Format PNG, JPEG oder SVG.',
+    en: 'This is no picture that Parcours can read. Take a picture in the format PNG, JPEG or SVG.',
+  },
+  'file-too-large': {
+    de: 'Die Datei ist grösser als 10 MB. Verkleinere das Bild und versuche es nochmals.',
+    en: 'The file is larger than 10 MB. Make the picture smaller and try again.',
+  },
+  'too-many-pixels': {
+    de: 'Das Bild hat mehr als 40 Millionen Bildpunkte. Verkleinere es und versuche es nochmals.',
+    en: 'The picture has more than 40 million pixels. Make it smaller and try again.',
+  },
+  unsafe: {
+    de: 'Diese SVG-Datei enthält mehr als ein Bild: Programme, Bewegtes oder Teile aus dem Netz. Speichere sie als PNG und nimm diese.',
+    en: 'This SVG file contains more than a picture: programs, animations or parts from the net. Save it as PNG and take that.',
+  },
+  damaged: {
+    de: 'Das Bild ist beschädigt: es lässt sich nicht öffnen.',
+    en: 'The picture is damaged: it cannot be opened.',
+  },
+  'no-memory': {
+    de: 'Das Bild ist für dieses Gerät zu gross. Verkleinere es und versuche es nochmals.',
+    en: 'The picture is too large for this device. Make it smaller and try again.',
+  },
+};

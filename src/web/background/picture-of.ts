@@ -1,0 +1,57 @@
+import { sceneLimits } from '#scene/scene';
+
+/** Longest side of the picture that is kept for the eye, in pixels; reduced until it fits. Chosen: sharp on a projector. */
+const LONGEST_PX = 2000;
+
+/** Characters it may have: well below what a course may hold, as all copies of the work share 5 million in the browser. */
+const MOST_CHARACTERS = Math.min(600_000, sceneLimits.pictureCharacters);
+
+/** What is painted. */
+interface Source {
+  readonly source: CanvasImageSource;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** A photograph, which PNG would make long; and one has no transparent parts. */
+  readonly isPhoto: boolean;
+}
+
+/**
+ * A picture painted anew as a `data:image/…` address of bounded length: PNG where that is short (drawings), else WebP or
+ * JPEG (photographs), smaller and smaller until it fits. What else was in the file (place, camera, name) is gone.
+ */
+export function pictureOf(source: Source): string {
+  const longest = Math.max(source.widthPx, source.heightPx);
+  for (let px = Math.min(LONGEST_PX, longest); px >= 1; px /= 1.5) {
+    const found = encoded(painted(source, px / longest), source.isPhoto);
+    if (found.length <= MOST_CHARACTERS) return found;
+  }
+  return ''; // the levels are shown instead
+}
+
+function encoded(canvas: HTMLCanvasElement, isPhoto: boolean): string {
+  if (!isPhoto) {
+    const png = canvas.toDataURL('image/png');
+    if (png.length <= MOST_CHARACTERS) return png;
+  }
+  // A browser that cannot write WebP gives a PNG instead. JPEG knows no transparency: what is open would become black.
+  const webp = canvas.toDataURL('image/webp', 0.85);
+  if (webp.startsWith('data:image/webp')) return webp;
+  return isPhoto || isOpaque(canvas) ? canvas.toDataURL('image/jpeg', 0.85) : webp;
+}
+
+function painted({ source, widthPx, heightPx }: Source, scale: number): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(widthPx * scale));
+  canvas.height = Math.max(1, Math.round(heightPx * scale));
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  if (context === null) return canvas;
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(source, 0, 0, canvas.width, canvas.height);
+  return canvas;
+}
+
+function isOpaque(canvas: HTMLCanvasElement): boolean {
+  const data = canvas.getContext('2d')?.getImageData(0, 0, canvas.width, canvas.height).data ?? [];
+  for (let i = 3; i < data.length; i += 4) if (data[i] !== 255) return false;
+  return true;
+}

@@ -1,0 +1,146 @@
+import { packLevels } from '#scene/background';
+import type { Background, Point } from '#scene/scene';
+
+import type { BackgroundProblem } from './background-texts';
+import { svgProblem, svgSize } from './check-svg';
+import { fitBackground } from './fit-background';
+import { readImageHeader } from './image-header';
+import { pictureOf } from './picture-of';
+import { createRaster } from './raster';
+
+/** A file of more than this is not opened, in bytes. */
+const MOST_BYTES = 10_000_000;
+
+/** A picture of more is not decoded: it would need 4 bytes for each in memory. */
+const MOST_PIXELS = 40_000_000;
+
+/** A drawing has no pixels of its own: it gets so many on its longer side, and on a screen looks sharp with them. */
+const SVG_PX = 3000;
+
+/** A strip of the picture that is turned into levels at a time, in pixels. */
+const STRIP_PIXELS = 1_000_000;
+
+/** A picture that has been opened. */
+interface Opened {
+  readonly source: CanvasImageSource;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  readonly isPhoto: boolean;
+  close(): void;
+}
+
+/** A problem that was found on the way. */
+class Refusal extends Error {
+  constructor(readonly problem: BackgroundProblem) {
+    super(problem);
+  }
+}
+
+/**
+ * Makes a background of a picture file (PNG, JPEG, or an SVG that is nothing but a picture): placed in the middle of the
+ * arena as large as it fits, with the grid that the line sensors read, and a picture for the eye that has been painted
+ * anew, so that nothing else of the file remains.
+ *
+ * @param arena its extent in mm
+ * @returns a problem to tell (`backgroundProblemTexts`) for whatever cannot be read; never rejects
+ */
+export async function readBackground(
+  file: Blob,
+  arena: Point,
+): Promise<{ readonly background: Background } | { readonly problem: BackgroundProblem }> {
+  let opened: Opened | null = null;
+  try {
+    opened = await open(file);
+    const { widthPx, heightPx } = opened;
+    const place = fitBackground(widthPx, heightPx, arena);
+    const raster = createRaster(widthPx, heightPx, place.cells[0], place.cells[1]);
+    for (const strip of stripsOf(opened)) {
+      raster.add(strip);
+      await breath();
+    }
+    return { background: { ...place, levels: packLevels(raster.levels()), picture: pictureOf(opened) } };
+  } catch (error) {
+    if (error instanceof Refusal) return { problem: error.problem };
+    return { problem: opened === null ? 'damaged' : 'no-memory' };
+  } finally {
+    opened?.close();
+  }
+}
+
+async function open(file: Blob): Promise<Opened> {
+  if (file.size > MOST_BYTES) throw new Refusal('file-too-large');
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  const header = readImageHeader(bytes);
+  if (header === null) return openSvg(bytes);
+  if (header.widthPx * header.heightPx > MOST_PIXELS) throw new Refusal('too-many-pixels');
+  const bitmap = await createImageBitmap(new Blob([bytes], { type: `image/${header.type}` }));
+  return {
+    source: bitmap,
+    widthPx: bitmap.width,
+    heightPx: bitmap.height,
+    isPhoto: header.type === 'jpeg',
+    close: () => bitmap.close(),
+  };
+}
+
+async function openSvg(bytes: Uint8Array): Promise<Opened> {
+  let text: string;
+  try {
+    text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+  } catch {
+    throw new Refusal('type');
+  }
+  const problem = svgProblem(text);
+  if (problem !== null) throw new Refusal(problem === 'unsafe' ? 'unsafe' : 'type');
+  const size = svgSize(text);
+  if (size === null) throw new Refusal('damaged');
+  const scale = SVG_PX / Math.max(size.width, size.height);
+  const widthPx = Math.max(1, Math.round(size.width * scale));
+  const heightPx = Math.max(1, Math.round(size.height * scale));
+  const url = URL.createObjectURL(new Blob([sizedSvg(text, size, widthPx, heightPx)], { type: 'image/svg+xml' }));
+  const image = new Image(widthPx, heightPx);
+  image.src = url;
+  const close = (): void => URL.revokeObjectURL(url);
+  try {
+    await image.decode();
+  } catch (error) {
+    close();
+    throw error;
+  }
+  return { source: image, widthPx, heightPx, isPhoto: false, close };
+}
+
+/** The drawing with its size in pixels: Firefox draws none on a canvas that does not say it. */
+function sizedSvg(
+  text: string,
+  size: { readonly width: number; readonly height: number },
+  widthPx: number,
+  heightPx: number,
+): string {
+  const document = new DOMParser().parseFromString(text, 'image/svg+xml');
+  const root = document.documentElement;
+  if (root.localName !== 'svg' || document.querySelector('parsererror') !== null) throw new Refusal('damaged');
+  if (!root.hasAttribute('viewBox')) root.setAttribute('viewBox', `0 0 ${String(size.width)} ${String(size.height)}`);
+  root.setAttribute('width', String(widthPx));
+  root.setAttribute('height', String(heightPx));
+  return new XMLSerializer().serializeToString(document);
+}
+
+/** The pixels, some rows at a time: a large photograph would not fit into a tablet's memory as a whole. */
+function* stripsOf({ source, widthPx, heightPx }: Opened): Generator<Uint8ClampedArray> {
+  const rows = Math.min(heightPx, Math.max(1, Math.floor(STRIP_PIXELS / widthPx)));
+  const canvas = document.createElement('canvas');
+  canvas.width = widthPx;
+  canvas.height = rows;
+  const context = canvas.getContext('2d', { willReadFrequently: true });
+  if (context === null) throw new Refusal('no-memory');
+  for (let from = 0; from < heightPx; from += rows) {
+    const height = Math.min(rows, heightPx - from);
+    context.clearRect(0, 0, widthPx, rows);
+    context.drawImage(source, 0, -from, widthPx, heightPx);
+    yield context.getImageData(0, 0, widthPx, height).data;
+  }
+}
+
+/** Lets the page draw and answer in between. */
+const breath = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));

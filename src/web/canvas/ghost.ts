@@ -1,0 +1,41 @@
+import type { RobotStart, Scene } from '#scene/scene';
+
+/** What of the course is shown elsewhere while a tool has it. */
+export interface Ghost {
+  readonly hidden: ReadonlySet<string>;
+  /** Where the robot would start. */
+  readonly start: RobotStart | null;
+}
+
+/** No tool has anything of the course. */
+export const noGhost: Ghost = { hidden: new Set(), start: null };
+
+/** Whether the same is shown elsewhere. */
+export function isSameGhost(one: Ghost, other: Ghost): boolean {
+  if (one.start !== other.start || one.hidden.size !== other.hidden.size) return false;
+  for (const id of one.hidden) if (!other.hidden.has(id)) return false;
+  return true;
+}
+
+/** What a tool would change, compared with the course: objects as they would be, and which ones would be others or gone. */
+export interface GhostObjects {
+  readonly shown: Scene['objects'];
+  readonly hidden: ReadonlySet<string>;
+}
+
+/** Tells an edit's objects from those that it leaves alone. */
+export function ghostObjects(before: Scene, after: Scene | null): GhostObjects {
+  if (after === null || after.objects === before.objects) return { shown: [], hidden: noGhost.hidden };
+  const known = new Set(before.objects);
+  const left = new Set(after.objects);
+  return {
+    shown: after.objects.filter((object) => !known.has(object)),
+    hidden: new Set(before.objects.filter((object) => !left.has(object)).map(({ id }) => id)),
+  };
+}
+
+/** What is shown elsewhere while the course would become another. */
+export const ghostOf = (hidden: ReadonlySet<string>, course: Scene, after: Scene | null): Ghost => {
+  const start = after === null || after.robot === course.robot ? null : after.robot;
+  return hidden.size === 0 && start === null ? noGhost : { hidden, start };
+};

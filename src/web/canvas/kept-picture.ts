@@ -1,0 +1,39 @@
+import { onBeforeUnmount } from 'vue';
+import type { StillFrame } from './still-cache';
+
+/** So long the view must stand still until a kept picture is painted sharp, in ms. */
+const SETTLE_MS = 140;
+
+/** Watches whether the view stands still. */
+export interface ViewRest {
+  /** To be told of each picture. Returns whether the view stood still since the one before. */
+  settled(frame: StillFrame): boolean;
+  /** The picture was not sharp: it is painted again as soon as the view stands still. */
+  sharpenSoon(): void;
+}
+
+/** @param redraw called when the view has come to rest */
+export function useViewRest(redraw: () => void): ViewRest {
+  let isSettled = true;
+  let before: object | null = null;
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  const settle = (): void => {
+    timer = null;
+    isSettled = true;
+    redraw();
+  };
+  onBeforeUnmount(() => {
+    if (timer !== null) clearTimeout(timer);
+  });
+  return {
+    settled(frame) {
+      if (before !== null && before !== frame.view) isSettled = false;
+      before = frame.view;
+      return isSettled;
+    },
+    sharpenSoon() {
+      if (timer !== null) clearTimeout(timer);
+      timer = setTimeout(settle, SETTLE_MS);
+    },
+  };
+}

@@ -1,0 +1,46 @@
+import { onBeforeUnmount, watch } from 'vue';
+import type { Vec } from '#core/geometry';
+import type { ArenaView } from './use-arena-view';
+import { toPx } from './view-transform';
+
+/** After a rest the first step is as long as that of one frame, in ms. */
+const FRAME_MS = 16;
+/** A page that was out of sight does not jump, in ms. */
+const LONGEST_MS = 100;
+
+/** How far it zooms in when it begins to follow: where the whole arena shows there is nothing to follow. Chosen by eye. */
+const NEAR_PERCENT = 200;
+
+/** What is followed. */
+export interface Followed {
+  /** Whether the picture shall follow. */
+  readonly isOn: () => boolean;
+  /** World mm, or `null`: nothing there, or the hand has it. */
+  readonly place: () => Vec | null;
+}
+
+/** Keeps a place in the middle third of the arena's picture while it shall be followed; zooms in when that begins. */
+export function useFollow(picture: ArenaView, { isOn, place }: Followed): void {
+  let frame: number | null = null;
+  let beforeMs: number | null = null;
+  const step = (nowMs: number): void => {
+    frame = null;
+    const at = isOn() ? place() : null;
+    const elapsedMs = beforeMs === null ? FRAME_MS : Math.min(LONGEST_MS, nowMs - beforeMs);
+    if (at === null || !picture.follow(at, elapsedMs)) {
+      beforeMs = null;
+      return;
+    }
+    beforeMs = nowMs;
+    frame = requestAnimationFrame(step);
+  };
+  watch(isOn, (on) => {
+    const at = place();
+    if (on && at !== null && picture.percent.value < NEAR_PERCENT - 50)
+      picture.zoomBy(NEAR_PERCENT / picture.percent.value, toPx(picture.view.value, at));
+  });
+  watch([isOn, place], () => (frame ??= requestAnimationFrame(step)), { immediate: true });
+  onBeforeUnmount(() => {
+    if (frame !== null) cancelAnimationFrame(frame);
+  });
+}

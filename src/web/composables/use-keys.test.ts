@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+
+import { command, type CommandKey } from './use-keys';
+
+/** What pressing a key with Ctrl does, and whether the browser is kept from doing its own. */
+function pressed(key: string, held: Partial<CommandKey> = {}): readonly string[] {
+  const done: string[] = [];
+  const plain = { altKey: false, shiftKey: false, repeat: false, preventDefault: () => done.push('kept') };
+  command({ ...plain, key, ...held }, { run: () => done.push('run'), save: () => done.push('save') });
+  return done;
+}
+
+describe('keys with Ctrl', () => {
+  it('run with Enter and save with S, and keep the browser from saving the page', () => {
+    expect(pressed('Enter')).toEqual(['run', 'kept']);
+    expect(pressed('s')).toEqual(['save', 'kept']);
+  });
+
+  it('save while Caps Lock is on, too', () => {
+    expect(pressed('S')).toEqual(['save', 'kept']);
+  });
+
+  it('leave all others to the browser, and do nothing twice while a key is held', () => {
+    expect(pressed('p')).toEqual([]);
+    expect(pressed('S', { shiftKey: true })).toEqual([]);
+    expect(pressed('s', { repeat: true })).toEqual([]);
+  });
+});

@@ -1,0 +1,30 @@
+import { describe, expect, it } from 'vitest';
+
+import { applyEdit } from '#scene/edit';
+import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
+
+import { clearAll } from './clear-all';
+
+const wall: SceneObject = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 };
+const scene: Scene = {
+  ...defaultScene(),
+  name: 'Closed line',
+  description: 'Follow the line.',
+  size: [800, 600],
+  task: { seconds: 30, noTouch: true },
+  objects: [wall],
+};
+
+describe('clearing all', () => {
+  it('takes name, task and rules of a ready course along: they tell of what is gone', () =>
+    expect(applyEdit(scene, clearAll(true))).toEqual({
+      ...scene,
+      name: '',
+      description: '',
+      task: { seconds: null, noTouch: false },
+      objects: [],
+    }));
+
+  it('leaves what an author has written of a course of their own', () =>
+    expect(applyEdit(scene, clearAll(false))).toEqual({ ...scene, objects: [] }));
+});

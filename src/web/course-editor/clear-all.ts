@@ -1,0 +1,15 @@
+import type { SceneEdit } from '#scene/edit';
+import { sceneDefaults } from '#scene/scene';
+
+/**
+ * Clears a course in one step. Robot, size and picture stay.
+ *
+ * @param isReady it is a ready course: its name, its task and its rules tell of what is gone, and go along. What an
+ *   author has written of a course of their own stays.
+ */
+export const clearAll = (isReady: boolean): SceneEdit => {
+  const clear = { type: 'clear' } as const;
+  if (!isReady) return clear;
+  const changes = { name: '', description: '', task: sceneDefaults.task };
+  return { type: 'all', edits: [clear, { type: 'course', changes }] };
+};

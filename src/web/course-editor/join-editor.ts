@@ -1,0 +1,9 @@
+import { editProblem } from '#scene/check-edit';
+
+import type { CourseEditorModel } from '../composables/use-course-editor';
+import { wordsFor } from './happened-words';
+
+/** Gives the editor what comes with its first use: the limits of a course, and words for what happens. */
+export function joinEditor(editor: CourseEditorModel): void {
+  editor.join({ problemOf: editProblem, wordsFor });
+}

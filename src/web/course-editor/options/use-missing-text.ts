@@ -1,0 +1,65 @@
+import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+
+/** How far a finger may slip in a tap, in px. */
+const SLIP_PX = 10;
+/** Mouse events that a browser makes of a tap come within this time, in ms. */
+const TAP_MS = 500;
+/** How long the hint stays, in ms. */
+const SHOW_MS = 5000;
+
+/**
+ * Notices taps, and Enter or Space, in the arena while there are no words to put there: the field gets the focus and a
+ * hint. Returns where the hint goes, in px; `null`: there is none.
+ */
+export function useMissingText(
+  field: Readonly<ShallowRef<HTMLElement | null>>,
+  isMissing: () => boolean,
+): { readonly place: Readonly<ShallowRef<{ xPx: number; yPx: number } | null>>; readonly forget: () => void } {
+  const place = shallowRef<{ xPx: number; yPx: number } | null>(null);
+  let from = { x: 0, y: 0 };
+  let askedAtMs = -Infinity;
+  let timer = 0;
+  const isWanted = ({ target }: Event): boolean =>
+    isMissing() && target instanceof Element && target.closest('[role="application"]') !== null;
+  function forget(): void {
+    clearTimeout(timer);
+    place.value = null;
+  }
+  function ask(): void {
+    const box = field.value?.getBoundingClientRect();
+    if (box === undefined) return;
+    field.value?.focus({ preventScroll: true });
+    place.value = { xPx: box.left, yPx: box.bottom + 6 };
+    clearTimeout(timer);
+    timer = window.setTimeout(forget, SHOW_MS);
+  }
+  const listeners = {
+    pointerdown: (event: PointerEvent) => {
+      from = { x: event.clientX, y: event.clientY };
+    },
+    pointerup: (event: PointerEvent) => {
+      const slip = Math.max(Math.abs(event.clientX - from.x), Math.abs(event.clientY - from.y));
+      if (!event.isPrimary || event.button !== 0 || slip > SLIP_PX || !isWanted(event)) return;
+      askedAtMs = event.timeStamp;
+      ask();
+    },
+    // What follows a tap would take the focus into the arena again.
+    mousedown: (event: MouseEvent) => {
+      if (event.timeStamp - askedAtMs < TAP_MS && isWanted(event)) event.preventDefault();
+    },
+    keydown: (event: KeyboardEvent) => {
+      if ((event.key !== 'Enter' && event.key !== ' ') || !isWanted(event)) return;
+      event.preventDefault();
+      event.stopPropagation();
+      ask();
+    },
+    resize: forget,
+  };
+  const entries = Object.entries(listeners) as [string, EventListener][];
+  for (const [type, listener] of entries) addEventListener(type, listener, true);
+  onScopeDispose(() => {
+    forget();
+    for (const [type, listener] of entries) removeEventListener(type, listener, true);
+  });
+  return { place, forget };
+}

@@ -1,0 +1,18 @@
+import { describe, expect, it } from 'vitest';
+
+import { paletteForm } from './use-palette-form';
+
+describe('the form of the palette', () => {
+  it('shows words in a column on a wide screen that is high enough for twelve tools', () =>
+    expect(paletteForm('wide', { widthPx: 720, heightPx: 552 })).toBe('words'));
+  it('takes two columns where one would be too high, so that no tool is out of sight', () => {
+    expect(paletteForm('wide', { widthPx: 650, heightPx: 300 })).toBe('pairs');
+    expect(paletteForm('narrow', { widthPx: 800, heightPx: 440 })).toBe('pairs');
+  });
+  it('leaves the room to the arena where there is little of it', () =>
+    expect(paletteForm('medium', { widthPx: 400, heightPx: 420 })).toBe('icons'));
+  it('is a strip on a phone, and stands beside the arena when the phone is held across', () => {
+    expect(paletteForm('phone', { widthPx: 390, heightPx: 480 })).toBe('strip');
+    expect(paletteForm('phone', { widthPx: 844, heightPx: 220 })).toBe('pairs');
+  });
+});

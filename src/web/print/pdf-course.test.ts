@@ -1,0 +1,135 @@
+import { describe, expect, it } from 'vitest';
+import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
+import { coursePdf, type PrintWords } from './pdf-course';
+import { printable, runsWithin } from './pdf-floor';
+import { planPrint, type Paper } from './print-plan';
+
+const words: PrintWords = { name: 'Üben & mehr', planTitle: 'Plan', steps: ['Print', 'Glue'] };
+const course = (objects: readonly SceneObject[], size: readonly [number, number] = [1200, 900]): Scene => ({
+  ...defaultScene(),
+  size,
+  objects,
+});
+
+/** The pages of a print: each with its size and its drawing operators, as they stand in the PDF. */
+function pagesOf(scene: Scene, paper: Paper): { readonly sizeMm: readonly number[]; readonly operators: string }[] {
+  const plan = planPrint(scene.size, paper);
+  if ('problem' in plan) throw new Error(plan.problem);
+  const options = { outlines: true, background: null, isCompressed: false };
+  const text = coursePdf(scene, plan, options, words).output();
+  const sizes = [...text.matchAll(/\/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/g)];
+  const streams = [...text.matchAll(/stream\n([\s\S]*?)\nendstream/g)];
+  return sizes.map(([, width, height], i) => ({
+    sizeMm: [mm(width), mm(height)],
+    operators: streams[i]?.[1] ?? '',
+  }));
+}
+const mm = (points: string | undefined): number => (Number(points) * 25.4) / 72;
+
+/** The straight lines of a page in mm from its upper left corner, with their width: `[x1, y1, x2, y2, width]`. */
+function linesOf({ operators, sizeMm }: ReturnType<typeof pagesOf>[number]): number[][] {
+  const lines: number[][] = [];
+  let width = 0;
+  let at: readonly number[] = [];
+  for (const line of operators.split('\n')) {
+    const [a, b, c] = line.split(' ');
+    if (b === 'w') width = mm(a);
+    const place = [mm(a), (sizeMm[1] ?? 0) - mm(b)];
+    if (c === 'l') lines.push([...at, ...place, width]);
+    if (c === 'm' || c === 'l') at = place;
+  }
+  return lines;
+}
+const stroke: SceneObject = {
+  type: 'stroke',
+  id: 's',
+  points: [[100, 850], [250, 850]], // prettier-ignore
+  width: 20,
+  color: 'black',
+};
+const nearTo = (line: readonly number[]) => (other: readonly number[]) =>
+  line.every((value, i) => Math.abs(value - (other[i] ?? NaN)) < 0.1);
+
+describe('a course printed true to scale', () => {
+  it('has pages of A4 across, one more for the plan', () => {
+    const pages = pagesOf(course([stroke]), 'a4-tiles');
+    expect(pages).toHaveLength(26);
+    for (const { sizeMm } of pages) {
+      expect(sizeMm[0]).toBeCloseTo(297, 3);
+      expect(sizeMm[1]).toBeCloseTo(210, 3);
+    }
+  });
+
+  it('shows a line of 150 mm at its place and 20 mm wide on each sheet that shows it, to 0.1 mm', () => {
+    const [, a1, b1, c1] = pagesOf(course([stroke]), 'a4-tiles');
+    if (a1 === undefined || b1 === undefined || c1 === undefined) throw new Error('too few pages');
+    // 50 mm below the upper edge of the arena, and 10 mm of margin.
+    expect(linesOf(a1).filter(nearTo([110, 60, 260, 60, 20]))).toHaveLength(1);
+    // The second sheet begins 267 mm further right: the line's round end reaches 260 mm, so it shows nothing of it.
+    expect(linesOf(b1).some((line) => (line[4] ?? 0) > 19)).toBe(false);
+    const longer = { ...stroke, points: [[100, 850], [700, 850]] } as const; // prettier-ignore
+    const [, , second, third] = pagesOf(course([longer]), 'a4-tiles');
+    expect(second && linesOf(second).filter(nearTo([110 - 267, 60, 710 - 267, 60, 20]))).toHaveLength(1);
+    expect(third && linesOf(third).filter(nearTo([110 - 534, 60, 710 - 534, 60, 20]))).toHaveLength(1);
+  });
+
+  it('has a ruler of 100 mm on each sheet', () => {
+    for (const page of pagesOf(course([]), 'a4-tiles'))
+      expect(linesOf(page).filter(([x1 = 0, y1, x2 = 0, y2]) => y1 === y2 && Math.abs(x2 - x1 - 100) < 0.01)).toHaveLength(1); // prettier-ignore
+  });
+
+  it('is cut off where the sheet ends, so that nothing is printed into the margin', () => {
+    const [page] = pagesOf(course([stroke], [400, 277]), 'a3');
+    const clip = /([\d.]+) ([\d.]+) ([\d.]+) (-?[\d.]+) re\nW\nn/.exec(page?.operators ?? '');
+    expect([1, 3, 4].map((i) => mm(clip?.[i]))).toEqual([
+      expect.closeTo(10, 2),
+      expect.closeTo(400, 2),
+      expect.closeTo(-277, 2),
+    ]);
+  });
+
+  it('fits on one sheet of the size of the arena and its margin', () => {
+    const pages = pagesOf(course([stroke]), 'exact');
+    expect(pages.map(({ sizeMm }) => sizeMm.map(Math.round))).toEqual([[1220, 920]]);
+    expect(pages[0] && linesOf(pages[0]).filter(nearTo([110, 60, 260, 60, 20]))).toHaveLength(1);
+  });
+
+  it('prints everything that a course may hold', () => {
+    const box = { at: [300, 200], size: [100, 60], turn: 1 } as const;
+    const objects: readonly SceneObject[] = [
+      { type: 'wall', id: 'c', from: [0, 0], to: [300, 400], thickness: 10 },
+      { type: 'block', id: 'd', ...box },
+      { type: 'mover', id: 'g', ...box, to: [500, 200], speed: 100, spiked: true },
+      { type: 'target', id: 'i', ...box, round: true, number: 0, blocks: 2 },
+      { type: 'checkpoint', id: 'j', ...box, round: false, number: 12, blocks: 0 },
+      { type: 'forbidden', id: 'k', ...box, round: false, number: 0, blocks: 0 },
+      { type: 'label', id: 'l', at: [600, 700], text: 'Zürich → (1)', height: 30, turn: 2 },
+    ];
+    const [page] = pagesOf(course(objects), 'exact');
+    expect(page?.operators).not.toMatch(/NaN|undefined|Infinity/);
+    expect(page?.operators).toContain('(Zürich ? \\(1\\)) Tj');
+    expect(page?.operators).toMatch(/ c\n/); // the round zone is made of curves
+  });
+});
+
+describe('what a sheet takes of a long line', () => {
+  const shown = { minX: 0, maxX: 100, minY: 0, maxY: 100 };
+
+  it('is each run of pieces that come near it', () => {
+    const points = [[-300, 50], [-200, 50], [50, 50], [50, 300], [200, 300], [200, 50], [90, 50]] as const; // prettier-ignore
+    expect(runsWithin(points, shown)).toEqual([
+      [[-200, 50], [50, 50], [50, 300]], // prettier-ignore
+      [[200, 50], [90, 50]], // prettier-ignore
+    ]);
+  });
+
+  it('is a dot for a line of one place', () => {
+    expect(runsWithin([[5, 5]], shown)).toEqual([[[5, 5], [5, 5]]]); // prettier-ignore
+    expect(runsWithin([[500, 5]], shown)).toEqual([]);
+  });
+
+  it('has signs that every reader can show', () => {
+    expect(printable('Grüsse 🚗 →')).toBe('Grüsse ? ?');
+    expect(printable('“Fit” …')).toBe('"Fit" ...');
+  });
+});

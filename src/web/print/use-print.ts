@@ -1,0 +1,77 @@
+import { computed, shallowRef } from 'vue';
+
+import type { Scene } from '#scene/scene';
+
+import { useApp, useHardware } from '../composables/use-app';
+import { courseName } from '../project/first-course';
+import { say } from '../i18n/say';
+import { coursePng, piecesOf, pictureAddress } from './picture-parts';
+import { printTexts as words } from './print-texts';
+import { fileName, saveBlob } from './save-file';
+import { courseSvg, type PictureOptions } from './svg-course';
+
+/** Longer sides of the pictures in pixels: twice a screen's arena, and fine enough for a page of A4. */
+export const PNG_PX = { usual: 1800, large: 4000 } as const;
+
+/** What can be chosen for a picture. */
+export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path', boolean>>;
+
+/** Makes files of the open course and hands them out, one at a time; says what becomes of it. */
+export function usePrint() {
+  const app = useApp();
+  const hardware = useHardware(app);
+  const scene = app.work.scene;
+  const name = computed(() => courseName(scene.value, app.work.work.value.project.course));
+  const isBusy = shallowRef(false);
+  const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
+  const pieces = computed(() => (app.run.snapshot.value === null ? [] : piecesOf(app.run.trail)));
+
+  function optionsFor(wish: PictureWish): PictureOptions {
+    const { at, heading, scale } = scene.value.robot;
+    const look = hardware.value?.robot ?? null;
+    const pose = { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 };
+    return {
+      grid: wish.grid,
+      rulers: wish.rulers,
+      robot: wish.robot && look !== null ? { pose, scale, drawing: look.drawing } : null,
+      path: wish.path ? pieces.value : [],
+      background: scene.value.background === null ? null : pictureAddress(scene.value.background),
+      floor: true,
+    };
+  }
+
+  /** Makes a file and saves it under the name of the course. */
+  async function save(ending: string, make: () => Promise<Blob>): Promise<void> {
+    if (isBusy.value) return;
+    isBusy.value = true;
+    said.value = { text: say(words.working), isError: false };
+    await new Promise((resolve) => setTimeout(resolve, 30)); // the words are to be seen before the work begins
+    try {
+      const file = fileName(name.value, ending);
+      saveBlob(file, await make());
+      said.value = { text: say(words.saved, { file }), isError: false };
+    } catch {
+      said.value = { text: say(words.failed), isError: true };
+    }
+    isBusy.value = false;
+  }
+
+  return {
+    scene,
+    name,
+    isBusy,
+    said,
+    hasRobot: computed(() => (hardware.value?.robot ?? null) !== null),
+    hasPath: computed(() => pieces.value.length > 0),
+    svg: (wish: PictureWish): string => courseSvg(scene.value, optionsFor(wish)).svg,
+    savePng: (wish: PictureWish, longestPx: number) =>
+      save('png', () => coursePng(scene.value, optionsFor(wish), longestPx)),
+    saveSvg: (wish: PictureWish) =>
+      save('svg', () => Promise.resolve(new Blob([courseSvg(scene.value, optionsFor(wish)).svg], { type: SVG_TYPE }))),
+    savePdf: (make: (scene: Scene, name: string) => Promise<Blob>) => save('pdf', () => make(scene.value, name.value)),
+  };
+}
+const SVG_TYPE = 'image/svg+xml';
+
+/** What `usePrint` gives. */
+export type Print = ReturnType<typeof usePrint>;

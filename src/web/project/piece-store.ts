@@ -1,0 +1,70 @@
+/** Where pieces of stored work lie (`pieces.ts`): IndexedDB, which holds far more than the browser's storage for text. */
+import type { Piece } from './pieces';
+
+const DATABASE = 'parcours';
+const STORE = 'pieces';
+
+/** Pieces that no work has named for so long are given up. Chosen: holidays. */
+const FORGOTTEN_MS = 60 * 24 * 3600 * 1000;
+
+/** A piece as it is stored. */
+interface Entry extends Piece {
+  /** When it was last asked for or stored, in ms since 1970. */
+  readonly usedMs: number;
+}
+
+/** Stores pieces; done once they are on the disk. Rejects where the browser has no such store or no room. */
+export async function putPieces(pieces: readonly Piece[], nowMs: number): Promise<void> {
+  await inStore('readwrite', (store) => {
+    for (const piece of pieces) store.put({ ...piece, usedMs: nowMs } satisfies Entry);
+  });
+}
+
+/** The pieces of these names, as far as they are there; those that nobody asked for in a long time go. */
+export async function getPieces(names: readonly string[], nowMs: number): Promise<ReadonlyMap<string, string>> {
+  const found = new Map<string, string>();
+  await inStore('readwrite', (store) => {
+    for (const name of new Set(names)) {
+      const request = store.get(name) as IDBRequest<Entry | undefined>;
+      request.onsuccess = () => {
+        if (request.result === undefined) return;
+        found.set(name, request.result.text);
+        store.put({ ...request.result, usedMs: nowMs });
+      };
+    }
+    const old = store.index('used').openKeyCursor(IDBKeyRange.upperBound(nowMs - FORGOTTEN_MS));
+    old.onsuccess = () => {
+      if (old.result === null) return;
+      const { primaryKey } = old.result;
+      if (typeof primaryKey === 'string' && !names.includes(primaryKey)) store.delete(primaryKey);
+      old.result.continue();
+    };
+  });
+  return found;
+}
+
+async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
+  const database = await openDatabase();
+  try {
+    await new Promise<void>((resolve, reject) => {
+      const transaction = database.transaction(STORE, mode);
+      transaction.oncomplete = () => resolve();
+      transaction.onabort = () => reject(transaction.error ?? new Error('The transaction was given up.'));
+      act(transaction.objectStore(STORE));
+    });
+  } finally {
+    database.close();
+  }
+}
+
+function openDatabase(): Promise<IDBDatabase> {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open(DATABASE, 1);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore(STORE, { keyPath: 'name' }).createIndex('used', 'usedMs');
+    };
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error('The database cannot be opened.'));
+    request.onblocked = () => reject(new Error('The database is in use.'));
+  });
+}

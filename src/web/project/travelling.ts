@@ -1,0 +1,16 @@
+import { defaultProjectSettings, type ProjectSettings } from '#project/project';
+
+import { settingsFromText, type Settings } from './settings';
+
+/** The settings that travel with a project: what its run depends on. */
+export function travelling(settings: Settings): ProjectSettings {
+  const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = settings;
+  return { device, firmware, robot, robotOptions, reality, seed, arenaSenses };
+}
+
+/** The settings with those of a project; where it names what this app does not have, as usual. */
+export function withTravelling(settings: Settings, brought: ProjectSettings): Settings {
+  const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = brought;
+  const text = JSON.stringify({ ...settings, device, firmware, robot, robotOptions, reality, seed, arenaSenses });
+  return settingsFromText(text, { ...settings, ...defaultProjectSettings });
+}

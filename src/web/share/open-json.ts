@@ -1,0 +1,65 @@
+import { openJson } from '#project/opened';
+
+import type { App } from '../composables/use-app';
+import { isOurs } from '../composables/use-courses';
+import { useOpenings } from '../composables/use-openings';
+import { isReadyArena } from '../project/examples';
+import { courseName } from '../project/first-course';
+import { say } from '../i18n/say';
+import { reasonOf } from './problem-words';
+import { problemTexts } from './share-texts';
+
+/** Largest file of JSON that is read: a project with a picture as floor has a few MB. */
+const MAX_BYTES = 16 * 1024 * 1024;
+
+/** Opens a project or a course from a file; the work so far is put aside. What cannot be opened gives a message. */
+export async function openJsonFile(app: App, loaded: File): Promise<void> {
+  const file = loaded.name;
+  if (!file.toLowerCase().endsWith('.json')) {
+    refuse(app, say(problemTexts.otherKind, { file }));
+    return;
+  }
+  if (loaded.size > MAX_BYTES) {
+    const size = Math.ceil(loaded.size / 1024 / 1024);
+    refuse(app, say(problemTexts.tooLargeFile, { file, size, max: MAX_BYTES / 1024 / 1024 }));
+    return;
+  }
+  const text = await textOf(loaded);
+  if (text === null) {
+    refuse(app, say(problemTexts.unreadable, { file }));
+    return;
+  }
+  const opened = openJson(text);
+  switch (opened.kind) {
+    case 'project':
+      useOpenings(app).open(
+        opened.project,
+        courseName(opened.project.scene, opened.project.course),
+        isOurs(app.work.work.value.project),
+      );
+      return;
+    case 'scene': {
+      const { scene } = opened;
+      const name = scene.name === '' ? file : scene.name;
+      useOpenings(app).openScene({ scene, course: null }, name, isReadyArena(app.work.scene.value));
+      return;
+    }
+    case 'problem':
+      refuse(app, say(problemTexts.file, { file, reason: reasonOf(opened.problems) }));
+      return;
+    default:
+      opened satisfies never;
+  }
+}
+
+function refuse(app: App, text: string): void {
+  app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });
+}
+
+async function textOf(file: File): Promise<string | null> {
+  try {
+    return new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
+  } catch {
+    return null;
+  }
+}

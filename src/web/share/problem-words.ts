@@ -1,0 +1,68 @@
+import type { Texts } from '#core/texts';
+import type { LinkProblem } from '#project/link';
+import type { ProjectProblem } from '#project/problem';
+import type { ProgramLinkProblem } from '#project/webtigerpython';
+import type { SceneProblem } from '#scene/problem';
+
+import { say } from '../i18n/say';
+import { problemTexts as words } from './share-texts';
+
+type Problem = ProjectProblem | SceneProblem;
+
+const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
+  'too-long': words.tooLong,
+  'not-json': words.notJson,
+  'not-a-scene': words.notOurs,
+  'not-a-project': words.notOurs,
+  'not-a-level': words.notALevel,
+  'unknown-version': words.unknownVersion,
+  'newer-version': words.newerFile,
+  missing: words.missing,
+  'wrong-type': words.wrongType,
+  'not-whole': words.wrongType,
+  'not-one-line': words.wrongType,
+  'out-of-range': words.outOfRange,
+  'too-many': words.tooMany,
+  'unknown-property': words.unknown,
+  'unknown-value': words.wrongType,
+  'unknown-id': words.unknown,
+  damaged: words.damagedPart,
+  'duplicate-id': words.duplicate,
+  'wall-without-length': words.noLength,
+  'robot-outside': words.wrongType,
+  'robot-inside': words.wrongType,
+  'unknown-robot': words.wrongType,
+  'unknown-board': words.wrongType,
+  'no-main': words.noMain,
+  'file-name': words.fileName,
+  'file-too-large': words.tooLong,
+};
+
+/** What is wrong with a file, in words: the first problem, and how many follow. */
+export function reasonOf(problems: readonly Problem[]): string {
+  const [first] = problems;
+  if (first === undefined) return '';
+  const { code, path, value, params } = first;
+  const reason = say(byCode[code], { ...params, path: path === '' ? 'JSON' : path, value });
+  return problems.length === 1 ? reason : say(words.more, { reason, count: problems.length - 1 });
+}
+
+/** Why a link opens nothing, in words. */
+export function linkReason(problem: LinkProblem | ProgramLinkProblem): string {
+  const { code } = problem;
+  switch (code) {
+    case 'damaged':
+      return say(words.damagedLink);
+    case 'newer-version':
+      return say(words.newerLink);
+    case 'too-large':
+    case 'too-long':
+      return say(words.hugeLink);
+    case 'unknown-course':
+      return say(words.unknownCourse, problem.params);
+    case 'invalid':
+      return say(words.invalidLink, { reason: reasonOf(problem.problems) });
+    default:
+      return code satisfies never;
+  }
+}

@@ -1,0 +1,24 @@
+import { projectToText } from '#project/file';
+import type { Project } from '#project/project';
+import { serializeScene } from '#scene/serialize';
+
+import type { App } from '../composables/use-app';
+import { saveText } from '../composables/use-file-transfer';
+import { workName } from '../composables/work-name';
+import { fileName } from '../print/save-file';
+import { travelling } from '../project/travelling';
+
+/** The present work with what it runs on: what is saved and shared. */
+export function presentProject({ work, settings }: Pick<App, 'work' | 'settings'>): Project {
+  return { ...work.work.value.project, settings: travelling(settings.current.value) };
+}
+
+/** Saves everything as one file. */
+export function saveProject(app: App): void {
+  saveText(app, fileName(workName(app), 'parcours.json'), projectToText(presentProject(app)), 'application/json');
+}
+
+/** Saves the course alone. */
+export function saveScene(app: App): void {
+  saveText(app, fileName(workName(app), 'json'), serializeScene(app.work.scene.value), 'application/json');
+}

@@ -1,0 +1,28 @@
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+
+import { linkOf } from '#project/link';
+
+import { useApp } from '../composables/use-app';
+import { readyCourses } from './open-address';
+import { presentProject } from './save-work';
+
+/** The link to the present project. */
+export interface ShareLink {
+  /** Whether the program comes along. */
+  readonly program: ShallowRef<boolean>;
+  /** The whole address; `null`: the project is too large for one. */
+  readonly link: ComputedRef<string | null>;
+  /** What of the background had no room. */
+  readonly omitted: ComputedRef<'picture' | 'background' | null>;
+}
+
+export function useShareLink(): ShareLink {
+  const app = useApp();
+  const program = shallowRef(true);
+  const made = computed(() => linkOf(presentProject(app), { courses: readyCourses, program: program.value }));
+  return {
+    program,
+    link: computed(() => made.value && `${location.origin}${location.pathname}#${made.value.fragment}`),
+    omitted: computed(() => made.value?.omitted[0] ?? null),
+  };
+}

@@ -1,0 +1,74 @@
+import { describe, expect, it } from 'vitest';
+import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
+import { hasTask } from './has-task';
+import { goalsOf, placeOf, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
+
+const zone = (part: Partial<Zone>): Zone => ({
+  type: 'target',
+  id: 'z',
+  at: [100, 200],
+  size: [100, 100],
+  turn: 0,
+  round: false,
+  number: 0,
+  blocks: 0,
+  ...part,
+});
+const course = (objects: readonly SceneObject[], task: Partial<Scene['task']> = {}): Scene => {
+  const scene = defaultScene();
+  return { ...scene, objects, task: { ...scene.task, ...task } };
+};
+const wall: SceneObject = { type: 'wall', id: 'w', from: [0, 100], to: [200, 100], thickness: 10 };
+
+describe('the task of a course', () => {
+  it('is there with a zone, spikes, a time limit or the wish to touch nothing; walls and lines ask for nothing', () => {
+    expect(hasTask(course([wall]))).toBe(false);
+    expect(hasTask(course([wall, zone({})]))).toBe(true);
+    expect(hasTask(course([wall], { noTouch: true }))).toBe(true);
+    expect(hasTask(course([], { seconds: 20 }))).toBe(true);
+    const mover = { type: 'mover', id: 'm', at: [0, 0], to: [9, 9], size: [50, 50], turn: 0, speed: 100 } as const;
+    expect(hasTask(course([{ ...mover, spiked: false }]))).toBe(false);
+    expect(hasTask(course([{ ...mover, spiked: true }]))).toBe(true);
+  });
+
+  it('counts checkpoints, targets for the robot and blocks that targets want before the start', () => {
+    const scene = course([
+      zone({ id: 'a', type: 'checkpoint', number: 1 }),
+      zone({ id: 'b', type: 'checkpoint', number: 2 }),
+      zone({ id: 'c' }),
+      zone({ id: 'd', blocks: 3 }),
+    ]);
+    expect(goalsOf(verdictAtStart(scene))).toEqual([
+      { id: 'checkpoints', done: 0, of: 2 },
+      { id: 'targets', done: 0, of: 1 },
+      { id: 'blocks', done: 0, of: 3 },
+    ]);
+  });
+
+  it('says what must not happen, and spikes only where not everything is forbidden to touch', () => {
+    const spikes = { type: 'spikes', id: 's', at: [0, 0], size: [50, 50], turn: 0 } as const;
+    expect(rulesOf(course([spikes, zone({ type: 'forbidden' })]))).toEqual(['avoidZones', 'avoidSpikes']);
+    expect(rulesOf(course([spikes], { noTouch: true }))).toEqual(['noTouch']);
+    expect(rulesOf(course([], { seconds: 9 }))).toEqual(['holdOut']);
+    expect(rulesOf(course([zone({})], { seconds: 9 }))).toEqual([]);
+  });
+});
+
+describe('the time that is left', () => {
+  it('begins with all of it, shows the last second until it is over, and stays 0', () => {
+    expect(secondsLeft(20, 0)).toBe(20);
+    expect(secondsLeft(20, 19_000_001)).toBe(1);
+    expect(secondsLeft(20, 20_000_000)).toBe(0);
+    expect(secondsLeft(20, 25_000_000)).toBe(0);
+    expect(secondsLeft(null, 5)).toBeNull();
+  });
+});
+
+describe('what was touched', () => {
+  it('is shown at its middle; the edge and what has been removed are nowhere', () => {
+    expect(placeOf([wall], 'w')).toEqual({ x: 100, y: 100 });
+    expect(placeOf([zone({ id: 'z' })], 'z')).toEqual({ x: 100, y: 200 });
+    expect(placeOf([wall], null)).toBeNull();
+    expect(placeOf([wall], 'gone')).toBeNull();
+  });
+});
