@@ -1,6 +1,7 @@
 /** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
 import { headlessSubjects } from './headless';
 import { downloadSubject } from './page/download';
+import { editingSubject } from './page/editing';
 import { framesSubject } from './page/frames';
 import { memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
@@ -8,7 +9,7 @@ import { startSubject } from './page/start';
 import { stopSubject } from './page/stop';
 import { measured, skipped, type Row } from './subject';
 
-const pageSubjects = [startSubject, downloadSubject, framesSubject, memorySubject, stopSubject];
+const pageSubjects = [startSubject, downloadSubject, framesSubject, editingSubject, memorySubject, stopSubject];
 
 /** The lines that need no browser. Runs in the project's folder after set-up. */
 export const headlessRows = (): AsyncGenerator<Row> => measured(headlessSubjects, undefined);

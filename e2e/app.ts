@@ -4,6 +4,12 @@ import { WebKitSession, type PageCode } from './webkit';
 
 export { expect };
 
+/** A place in the window, in CSS px from its upper left corner. */
+export interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** What a test can do with a page in any of the three engines. Elements are named by CSS selectors. */
 export interface App {
   readonly engine: string;
@@ -19,6 +25,8 @@ export interface App {
   text(css: string): Promise<string>;
   /** Presses keys together, by Playwright's names: `press('Control', 'Enter')`, `press('a')`. */
   press(...keys: string[]): Promise<void>;
+  /** Presses keys one after the other. */
+  strike(keys: readonly string[]): Promise<void>;
   /** Holds one key down until `release`. */
   hold(key: string): Promise<void>;
   release(key: string): Promise<void>;
@@ -27,6 +35,8 @@ export interface App {
   /** Presses the mouse on the middle of an element and keeps it down until `letGo`. */
   grab(css: string): Promise<void>;
   letGo(): Promise<void>;
+  /** Draws with the mouse: goes down at the first place of the window (CSS px), by way of the others, and up at the last. */
+  draw(places: readonly Place[]): Promise<void>;
   screenshot(): Promise<Buffer>;
 }
 
@@ -52,7 +62,7 @@ const KEYS: Readonly<Record<string, string>> = {
 };
 
 /** The same facade over a page that Playwright drives. */
-function playwrightApp(engine: string, page: Page): App {
+export function playwrightApp(engine: string, page: Page): App {
   return {
     engine,
     goto: async (address) => {
@@ -66,6 +76,9 @@ function playwrightApp(engine: string, page: Page): App {
     fill: (css, text) => page.fill(css, text),
     text: (css) => page.innerText(css),
     press: (...keys) => page.keyboard.press(keys.join('+')),
+    strike: async (keys) => {
+      for (const key of keys) await page.keyboard.press(key);
+    },
     hold: (key) => page.keyboard.down(key),
     release: (key) => page.keyboard.up(key),
     type: (text) => page.keyboard.type(text),
@@ -74,6 +87,13 @@ function playwrightApp(engine: string, page: Page): App {
       await page.mouse.down();
     },
     letGo: () => page.mouse.up(),
+    draw: async ([first, ...others]) => {
+      if (first === undefined) return;
+      await page.mouse.move(first.x, first.y);
+      await page.mouse.down();
+      for (const { x, y } of others) await page.mouse.move(x, y);
+      await page.mouse.up();
+    },
     screenshot: () => page.screenshot(),
   };
 }
@@ -89,17 +109,21 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
     fill: (css, text) => session.fill(css, text),
     text: (css) => session.text(css),
     press: (...keys) => session.press(keys.map((key) => KEYS[key] ?? key)),
+    strike: (keys) => session.strike(keys.map((key) => KEYS[key] ?? key)),
     hold: (key) => session.hold(KEYS[key] ?? key),
     release: (key) => session.release(KEYS[key] ?? key),
     type: (text) => session.type(text),
     grab: (css) => session.grab(css),
     letGo: () => session.letGo(),
+    draw: (places) => session.draw(places),
     screenshot: () => session.screenshot(),
   };
 }
 
 interface Fixtures {
   readonly app: App;
+  /** Opens the app of another pupil: a browser profile that shares nothing with the first one. */
+  readonly another: () => Promise<App>;
 }
 
 interface WorkerFixtures {
@@ -131,12 +155,17 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     },
     { scope: 'worker' },
   ],
+  another: async ({ browserOfEngine, baseURL, viewport }, use, info) => {
+    const opened: Opened[] = [];
+    await use(async () => {
+      const one = await openProfile(browserOfEngine, info.project.name, baseURL, viewport);
+      opened.push(one);
+      return one.app;
+    });
+    for (const one of opened) await one.close();
+  },
   app: async ({ browserOfEngine, baseURL, viewport }, use, info) => {
-    const origin = baseURL ?? 'http://localhost:8080/';
-    const size = viewport ?? { width: 1280, height: 800 };
-    const opened = browserOfEngine
-      ? await openPlaywright(browserOfEngine, info.project.name, origin, size)
-      : await openWebKit(origin, size);
+    const opened = await openProfile(browserOfEngine, info.project.name, baseURL, viewport);
     await use(opened.app);
     if (info.status !== info.expectedStatus) {
       const body = await opened.app.screenshot().catch(() => null);
@@ -154,6 +183,16 @@ interface Opened {
 interface Size {
   readonly width: number;
   readonly height: number;
+}
+
+function openProfile(
+  browser: Browser | null,
+  engine: string,
+  origin = 'http://localhost:8080/',
+  size: Size | null = null,
+): Promise<Opened> {
+  const window = size ?? { width: 1280, height: 800 };
+  return browser ? openPlaywright(browser, engine, origin, window) : openWebKit(origin, window);
 }
 
 async function openPlaywright(browser: Browser, engine: string, baseURL: string, viewport: Size): Promise<Opened> {

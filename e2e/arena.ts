@@ -1,6 +1,6 @@
 import type { Vec } from '../src/core/geometry';
 import { fitView } from '../src/web/canvas/view-transform';
-import type { App } from './app';
+import type { App, Place } from './app';
 import type { Shown } from './page';
 
 const ARENA = '[data-testid=arena]';
@@ -84,4 +84,20 @@ export function seenFrom({ xMm, yMm, headingDeg }: Shown, points: readonly Vec[]
     x: (x - xMm) * cos + (y - yMm) * sin,
     y: (y - yMm) * cos - (x - xMm) * sin,
   }));
+}
+
+/** Where a place of the arena (mm) is in the window, in CSS px, while the arena is shown as a whole. */
+export async function inWindow(
+  app: Pick<App, 'evaluate'>,
+  size: readonly [number, number],
+  places: readonly (readonly [xMm: number, yMm: number])[],
+): Promise<Place[]> {
+  const box = await app.evaluate((css) => {
+    const arena = document.querySelector<HTMLElement>(css);
+    if (arena === null) throw new Error('There is no arena.');
+    const { left, top } = arena.getBoundingClientRect();
+    return { left, top, widthPx: arena.clientWidth, heightPx: arena.clientHeight };
+  }, ARENA);
+  const { pxPerMm, leftPx, bottomPx } = fitView(size, box);
+  return places.map(([x, y]) => ({ x: box.left + leftPx + x * pxPerMm, y: box.top + bottomPx - y * pxPerMm }));
 }

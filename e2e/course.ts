@@ -1,12 +1,15 @@
-import { readFileSync } from 'node:fs';
+import { existsSync, readFileSync } from 'node:fs';
 import { parseScene } from '../src/scene/parse';
 import type { Point, Scene } from '../src/scene/scene';
 import { robotAt, watchWay } from './arena';
 import { expect, type App } from './app';
 import { attribute, consoleIn, isThere, on, openApp, programIn, type Shown } from './page';
+import { by, gone, until } from './parts';
+
+const fileOf = (path: string): URL => new URL(`../courses/${path}`, import.meta.url);
 
 /** The text of a file in `courses/`. */
-const read = (path: string): string => readFileSync(new URL(`../courses/${path}`, import.meta.url), 'utf8');
+const read = (path: string): string => readFileSync(fileOf(path), 'utf8');
 
 /** The arena of a ready course. */
 export function sceneOf(folder: string): Scene {
@@ -15,18 +18,22 @@ export function sceneOf(folder: string): Scene {
   return parsed.scene;
 }
 
-/** Opens a ready course from the list, as a pupil does, and starts its program at full speed. */
+/** Opens a ready course with its solution out of the gallery, as a pupil does, and starts it at full speed. */
 export async function drive(app: App, folder: string, robot: string): Promise<void> {
-  const { en } = JSON.parse(read(`${folder}/texts.json`)) as { readonly en: { readonly name: string } };
   await openApp(app, { language: 'en', speed: 'max', cone: false });
   await app.click('header .course');
-  await expect.poll(() => isThere(app, '.courses')).toBe(true);
-  const place = await app.evaluate((name) => {
-    const items = Array.from(document.querySelectorAll('.courses > *'));
-    return 1 + items.findIndex((item) => item.querySelector('.v-list-item-title')?.textContent === name);
-  }, en.name);
-  expect(place, `${en.name} in the list`).toBeGreaterThan(0);
-  await app.click(`.courses > :nth-child(${String(place)})`);
+  await until(app, by('all-courses'));
+  await app.click(by('all-courses'));
+  await until(app, by(`course-${folder}`));
+  await app.click(`${by(`course-${folder}`)} h3 a`);
+  await until(app, '.gallery .sheet');
+  if (existsSync(fileOf(`${folder}/start.en.py`))) {
+    await app.click(by('show-solution'));
+    await app.click(by('open-solved'));
+  } else {
+    await app.click(by(`open-${folder}`));
+  }
+  await gone(app, '.gallery');
   const top = read(`${folder}/main.en.py`).split('\n').slice(0, 8).join('\n'); // the editor has no lines that are out of sight
   await expect.poll(() => programIn(app)).toContain(top);
   await expect.poll(() => attribute(app, '.pane-arena .robot .name', 'title')).toBe(robot); // the name itself may be cut off

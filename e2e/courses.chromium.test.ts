@@ -69,7 +69,9 @@ test('the line with corners: the robot takes every corner, to the left and to th
 
 test('the obstacles: the robot finds its way past them', async ({ app }) => {
   await drive(app, 'obstacles', 'Maqueen Lite');
-  const blocks: readonly Point[] = sceneOf('obstacles').objects.flatMap((it) => ('at' in it ? [it.at] : []));
+  const blocks: readonly Point[] = sceneOf('obstacles').objects.flatMap((it) =>
+    it.type === 'fixed-block' ? [it.at] : [],
+  );
   const places: readonly Point[] = [
     [150, 600],
     [500, 600],

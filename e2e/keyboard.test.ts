@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { isAt, tabTo } from './keys';
 import { consoleIn, isEnabled, isThere, keepDown, on, openApp, pasteProgram } from './page';
 
 /** Tells every key that goes down or up, the shaking, the tilt and the light. */
@@ -24,22 +25,6 @@ const program = (module: string, pins: readonly string[]): string =>
     '        print("light", light)',
     '    sleep(20)',
   ].join('\n');
-
-/** More presses than the page has places where the keyboard stops. */
-const PLACES = 80;
-
-const isAt = (app: App, css: string): Promise<boolean> =>
-  app.evaluate((selector) => document.activeElement?.closest(selector) !== null, css);
-
-/** Goes on with Tab, or back, until the keyboard is at an element. Out of the editor it goes as the editor says: by Escape. */
-async function tabTo(app: App, css: string, back = false): Promise<void> {
-  for (let press = 0; press < PLACES; press += 1) {
-    if (await isAt(app, css)) return;
-    if (await isAt(app, on('editor'))) await app.press('Escape');
-    await (back ? app.press('Shift', 'Tab') : app.press('Tab'));
-  }
-  throw new Error(`Tab does not reach ${css}.`);
-}
 
 const says = (app: App, text: string): Promise<void> => expect.poll(() => consoleIn(app)).toContain(text);
 

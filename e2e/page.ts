@@ -85,7 +85,7 @@ export interface Shown {
 /** Where the robot stands, as the arena says it. */
 export function robotIn(app: App): Promise<Shown> {
   return app.evaluate((css) => {
-    const said = document.querySelector(`${css} p`)?.textContent ?? '';
+    const said = document.querySelector(`${css} p:last-of-type`)?.textContent ?? '';
     const [x, y, heading] = Array.from(said.matchAll(/-?[\d.]+/g), Number);
     return { xMm: 10 * (x ?? NaN), yMm: 10 * (y ?? NaN), headingDeg: heading ?? NaN };
   }, on('arena'));

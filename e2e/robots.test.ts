@@ -69,8 +69,8 @@ test('a link leads to a robot’s page; its example opens with the robot and its
   await expect.poll(async () => (await robotIn(app)).xMm, { timeout: 30_000 }).not.toBe(start);
   await app.click(on('reset'));
   await app.click('header .course');
-  await until(app, '.courses');
-  await app.click('.courses .v-list-item:last-child');
+  await until(app, by('previous'));
+  await app.click(by('previous'));
   await expect.poll(() => programIn(app)).toBe('print("mine")');
 });
 

@@ -61,6 +61,8 @@ export class WebKitSession {
   }
 
   async click(css: string): Promise<void> {
+    await this.find(css);
+    await this.canBeHit(css);
     await this.retried(async () => {
       await this.command('POST', `/element/${await this.find(css)}/click`, {});
     });
@@ -87,9 +89,14 @@ export class WebKitSession {
   }
 
   /** Types characters one after the other into whatever has the focus. */
-  async type(text: string): Promise<void> {
-    await this.strokes(
-      Array.from(text).flatMap((value) => [
+  type(text: string): Promise<void> {
+    return this.strike(Array.from(text));
+  }
+
+  /** Presses keys one after the other. */
+  strike(keys: readonly string[]): Promise<void> {
+    return this.strokes(
+      keys.flatMap((value) => [
         { type: 'keyDown', value },
         { type: 'keyUp', value },
       ]),
@@ -122,6 +129,20 @@ export class WebKitSession {
     await this.mouse([{ type: 'pointerUp', button: 0 }]);
   }
 
+  /** Draws with the mouse through places of the window, in CSS px. */
+  async draw(places: readonly { readonly x: number; readonly y: number }[]): Promise<void> {
+    const moves = places.map(({ x, y }) => ({
+      type: 'pointerMove',
+      origin: 'viewport',
+      x: Math.round(x),
+      y: Math.round(y),
+      duration: 10,
+    }));
+    const [first, ...others] = moves;
+    if (first === undefined) return;
+    await this.mouse([first, { type: 'pointerDown', button: 0 }, ...others, { type: 'pointerUp', button: 0 }]);
+  }
+
   async screenshot(): Promise<Buffer> {
     return Buffer.from((await this.command('GET', '/screenshot')) as string, 'base64');
   }
@@ -149,6 +170,23 @@ export class WebKitSession {
   private async mouse(actions: readonly object[]): Promise<void> {
     const source = { type: 'pointer', id: 'mouse', parameters: { pointerType: 'mouse' }, actions };
     await this.command('POST', '/actions', { actions: [source] });
+  }
+
+  /** Waits, as Playwright does, until an element no longer moves and can be hit: a menu that glides in cannot. */
+  private canBeHit(css: string): Promise<void> {
+    return this.evaluate(async (selector: string) => {
+      const element = document.querySelector(selector);
+      if (element === null) return;
+      let before = '';
+      for (let look = 0; look < 60; look += 1) {
+        const { x, y, width, height } = element.getBoundingClientRect();
+        const now = [x, y, width, height].join();
+        const hit = document.elementFromPoint(x + width / 2, y + height / 2);
+        if (now === before && (hit === null || element.contains(hit))) return; // null: beyond the window
+        before = now;
+        await new Promise((done) => setTimeout(done, 32)); // frames stand still in a window that is covered
+      }
+    }, css);
   }
 
   private find(css: string): Promise<string> {

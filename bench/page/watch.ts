@@ -30,6 +30,8 @@ export const PLACES = {
   editor: '.code-editor .cm-content[contenteditable=true]',
   speed: '.ctl.speed',
   choice: '.menu-card .v-list-item',
+  arena: '[data-testid=arena]',
+  pen: '[data-tool=pen]',
 } as const;
 
 /** Further than this from the start, in mm, the robot counts as moving. */

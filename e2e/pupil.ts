@@ -1,0 +1,87 @@
+import type { Point } from '../src/scene/scene';
+import { inWindow } from './arena';
+import { expect, type App } from './app';
+import { isThere, openApp } from './page';
+import { by, gone, until } from './parts';
+
+/** Somebody who uses the course editor in one way alone: with fingers, by keyboard or with a mouse. */
+export interface Pupil {
+  /** Its `click` is that way's own: a finger's tap, Tab and Enter, or a click. */
+  readonly app: App;
+  chooseTool(tool: string): Promise<void>;
+  /** Uses the chosen tool from the first place of the arena (mm), by way of the others, to the last; at one place alone: a tap. */
+  draw(places: readonly Point[]): Promise<void>;
+}
+
+/** Side of the usual arena, mm. */
+export const SIZE: Point = [1200, 900];
+
+/** A tool by its button. */
+export const toolButton = (tool: string): string => `[data-tool="${tool}"]`;
+
+/** Waits until the code of the tools has come, which the first of them fetches: the arena's cursor shows it. */
+export const toolsCame = (app: App): Promise<void> =>
+  expect
+    .poll(() => app.evaluate((css) => document.querySelector<HTMLElement>(css)?.style.cursor, by('arena')))
+    .not.toBe('progress');
+
+/** The pupil with the mouse. */
+export const withMouse = (app: App): Pupil => ({
+  app,
+  async chooseTool(tool) {
+    await app.click(toolButton(tool));
+    await toolsCame(app);
+  },
+  draw: async (places) => app.draw(await inWindow(app, SIZE, places)),
+});
+
+/** Opens the page as a first visit finds it, at full speed, and waits for the tools. */
+export async function openEditor(app: App): Promise<void> {
+  await openApp(app, { language: 'en', speed: 'max' });
+  await until(app, toolButton('pen'));
+  await until(app, by('course-more'));
+}
+
+/** Chooses something about the course in the menu beside undo. */
+export async function courseMenu(app: App, entry: string): Promise<void> {
+  await app.click(by('course-more'));
+  await until(app, by(`editor-${entry}`));
+  await app.click(by(`editor-${entry}`));
+  await gone(app, '[role=menu]'); // fading out it still lies over the arena
+}
+
+/** Chooses something in the main menu: `share`, `save`, `open` … */
+export async function mainMenu(app: App, entry: string): Promise<void> {
+  await app.click('header [aria-label="Menu"]');
+  await until(app, by(`menu-${entry}`));
+  await app.click(by(`menu-${entry}`));
+  await gone(app, '[role=menu]');
+}
+
+/** What the list of objects says: the robot's start, and everything in the arena. */
+export async function listOf(app: App): Promise<readonly string[]> {
+  await courseMenu(app, 'list');
+  await until(app, `${by('panel-list')} .item`);
+  const rows = await rowsIn(app);
+  await app.click(`${by('panel-list')} .title button`);
+  await gone(app, by('panel-list'));
+  return rows;
+}
+
+/** What the open list of objects says. */
+export const rowsIn = (app: App): Promise<readonly string[]> =>
+  app.evaluate(() =>
+    Array.from(document.querySelectorAll('.objects .item'), (row) =>
+      (row.textContent ?? '').replace(/\s+/g, ' ').trim(),
+    ),
+  );
+
+/** Takes everything out of the arena. The room that the task took goes to the arena. */
+export async function clearAll(app: App): Promise<void> {
+  await courseMenu(app, 'clear');
+  await gone(app, by('verdict'));
+}
+
+/** Whether there is something to take back. */
+export const canUndo = (app: App): Promise<boolean> => isThere(app, `${by('undo')}:not([disabled])`);
+export const canRedo = (app: App): Promise<boolean> => isThere(app, `${by('redo')}:not([disabled])`);
