@@ -123,3 +123,20 @@ test('a finger that rests on a tool reads what it is for; a tap chooses it, and 
   await fingers.tap(by('undo'));
   await expect.poll(() => app.text(by('editor-said'))).toContain('Undone: Block added');
 });
+
+test('the first line is drawn even where the code of the tools is still on its way', async ({ page }) => {
+  let fetchedLate = false;
+  await page.route('**/arena-tools-*.js', async (route) => {
+    await new Promise((resolve) => setTimeout(resolve, 1500));
+    fetchedLate = true;
+    await route.continue();
+  });
+  const { app, fingers } = await withFingers(page);
+  await openEditor(app);
+  await clearAll(app);
+  await fingers.tap(toolButton('pen'));
+  await fingers.draw(await inWindow(app, SIZE, line([200, 450], [700, 450])));
+  expect(fetchedLate).toBe(false);
+  await expect.poll(() => listOf(app)).toHaveLength(2); // the robot’s start and the line
+  expect(fetchedLate).toBe(true);
+});

@@ -9,13 +9,24 @@ import { buildApp, setUp } from './setup.mjs';
 const PICTURES = [
   { name: 'app', width: 1440, height: 900, dark: false },
   { name: 'app-dark', width: 1440, height: 900, dark: true },
-  { name: 'tablet', width: 820, height: 1180, dark: false },
+  { name: 'wide', width: 1920, height: 1080, dark: false, tool: 'wall' },
+  { name: 'tablet', width: 820, height: 1180, dark: false, tool: 'pen' },
+  { name: 'phone', width: 390, height: 844, dark: false, tool: 'block' },
+  { name: 'phone-dark', width: 390, height: 844, dark: true },
 ];
 /** Long enough for the first course's robot to be on its way. */
 const DRIVING_MS = 6_000;
 
+/** Chooses a tool of the course editor; on a phone the arena and the tools are unfolded first. */
+async function chooseTool(page, tool) {
+  if (tool === undefined) return;
+  const button = page.locator(`[data-tool="${tool}"]`);
+  if (!(await button.isVisible())) await page.click('[data-testid="tools-toggle"]');
+  await button.click();
+}
+
 /** Opens the app as on a first visit, lets its first course drive for a while and takes a picture. */
-async function take(browser, url, { name, width, height, dark }) {
+async function take(browser, url, { name, width, height, dark, tool }) {
   const context = await browser.newContext({
     viewport: { width, height },
     colorScheme: dark ? 'dark' : 'light',
@@ -25,6 +36,8 @@ async function take(browser, url, { name, width, height, dark }) {
   page.on('console', (message) => note(`${name}: the page says ${message.text()}`));
   await page.goto(url);
   await page.click('button.run');
+  if (width < 600) await page.click('nav >> text=Arena');
+  await chooseTool(page, tool);
   await page.waitForTimeout(DRIVING_MS);
   await page.screenshot({ path: `${root}docs/images/${name}.png` });
   await context.close();

@@ -3,12 +3,30 @@ import type { SurfacePress, ToolSurface } from './tool-surface';
 import type { ArenaView } from './use-arena-view';
 import { toPx } from './view-transform';
 
+/** What a tool wants to know of a pointer's event. */
+export type PointerNews = Pick<
+  PointerEvent,
+  | 'pointerId'
+  | 'pointerType'
+  | 'button'
+  | 'shiftKey'
+  | 'ctrlKey'
+  | 'metaKey'
+  | 'timeStamp'
+  | 'offsetX'
+  | 'offsetY'
+  | 'clientX'
+  | 'clientY'
+  | 'currentTarget'
+> &
+  Partial<Pick<PointerEvent, 'getCoalescedEvents'>>;
+
 /** The browser's events over the arena, led to a tool. */
 export interface ToolPointers {
-  pointerdown(event: PointerEvent): void;
-  pointermove(event: PointerEvent): void;
-  pointerup(event: PointerEvent): void;
-  pointercancel(event: PointerEvent): void;
+  pointerdown(event: PointerNews): void;
+  pointermove(event: PointerNews): void;
+  pointerup(event: PointerNews): void;
+  pointercancel(event: PointerNews): void;
   pointerleave(): void;
   /** The space bar goes down: a pointer that is pressed meanwhile moves the picture. */
   holdSpace(): void;
@@ -64,17 +82,17 @@ export function pushed(at: number, side: number): number {
   return 0;
 }
 
-const keysOf = (event: PointerEvent): Pick<SurfacePress, 'free' | 'adds'> => ({
+const keysOf = (event: PointerNews): Pick<SurfacePress, 'free' | 'adds'> => ({
   free: event.shiftKey,
   adds: event.ctrlKey || event.metaKey,
 });
 
-const placeOf = (event: MouseEvent): Vec => ({ x: event.offsetX, y: event.offsetY });
+const placeOf = (event: PointerNews): Vec => ({ x: event.offsetX, y: event.offsetY });
 
 /** All places of an event: browsers put those since the last frame into one. */
-function placesOf(event: PointerEvent): readonly Vec[] {
+function placesOf(event: PointerNews): readonly Vec[] {
   const last = placeOf(event);
-  const merged = typeof event.getCoalescedEvents === 'function' ? event.getCoalescedEvents() : [];
+  const merged = event.getCoalescedEvents?.() ?? [];
   if (merged.length < 2) return [last];
   // Their offset is not told everywhere, their place in the window is.
   return merged.map(({ clientX, clientY }) => ({

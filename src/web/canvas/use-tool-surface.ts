@@ -1,6 +1,7 @@
 import { computed, onBeforeUnmount, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { CourseEditorModel } from '../composables/use-course-editor';
 import type { ArenaTools, ToolSources } from './arena-tools';
+import { createEarlyPointers, type EarlyPointers, type GestureEvent } from './early-pointers';
 import { isSameGhost, noGhost, type Ghost } from './ghost';
 import { useLayer } from './use-layer';
 import type { ArenaHand } from './use-arena-hand';
@@ -42,7 +43,8 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
     },
     paint: (context) => tools.value?.paint(context),
   });
-  fetchTools(sources, tools, { draw, said });
+  const early = createEarlyPointers();
+  fetchTools(sources, tools, { draw, said, early });
   const frame = () => [picture.view.value, picture.canvas.value, picture.ratio.value, sources.palette()];
   const session = () => [editor?.selection.value, editor?.options.value, editor?.free.value];
   watch([frame, session, sources.footprint, tools, sources.canvas], draw, { flush: 'post' });
@@ -56,6 +58,7 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
     () => {
       hand.hand.release();
       tools.value?.toolChanged();
+      early.forget();
       draw();
     },
   );
@@ -63,14 +66,14 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
     isUsed,
     said,
     cursor,
-    on: handlers(hand, () => (isUsed.value ? tools.value : null), isUsed),
+    on: handlers(hand, () => (isUsed.value ? tools.value : null), { isUsed, early }),
   };
 }
 
 function fetchTools(
   sources: ToolSurfaceSources,
   tools: ShallowRef<ArenaTools | null>,
-  to: { draw: () => void; said: ShallowRef<string> },
+  to: { draw: () => void; said: ShallowRef<string>; early: EarlyPointers },
 ): void {
   const { editor, ghost } = sources;
   if (editor === null) return;
@@ -92,8 +95,9 @@ function fetchTools(
           },
           say: (words) => (to.said.value = words),
         });
+        to.early.replay(tools.value);
       },
-      () => undefined, // no connection just now: asked again with the next tool
+      () => to.early.forget(), // no connection just now: asked again with the next tool
     );
   };
   watch(editor.tool, (tool) => tool !== 'hand' && tools.value === null && fetch(), { immediate: true });
@@ -103,14 +107,22 @@ function fetchTools(
 function handlers(
   { on: hand, zoomKey }: ArenaHand,
   tools: () => ArenaTools | null,
-  isUsed: ComputedRef<boolean>,
+  { isUsed, early }: { isUsed: ComputedRef<boolean>; early: EarlyPointers },
 ): ArenaHand['on'] {
   const lead =
-    (name: 'pointermove' | 'pointerup' | 'pointercancel') =>
-    (event: PointerEvent): void =>
-      isUsed.value ? tools()?.[name](event) : hand[name](event);
+    (name: GestureEvent) =>
+    (event: PointerEvent): void => {
+      const chosen = tools();
+      if (!isUsed.value) hand[name](event);
+      else if (chosen !== null) chosen[name](event);
+      else {
+        if (name === 'pointerdown' && event.currentTarget instanceof Element)
+          event.currentTarget.setPointerCapture(event.pointerId);
+        early.note(name, event);
+      }
+    };
   return {
-    pointerdown: (event) => (isUsed.value ? tools()?.pointerdown(event) : hand.pointerdown(event)),
+    pointerdown: lead('pointerdown'),
     pointermove: lead('pointermove'),
     pointerup: lead('pointerup'),
     pointercancel: lead('pointercancel'),
