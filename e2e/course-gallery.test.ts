@@ -78,9 +78,12 @@ test('a number makes the same maze for everyone: typed, changed and opened', asy
   await app.click(by('random-new'));
   await app.fill(by('random-seed'), '4711');
   await expect.poll(() => app.evaluate(() => location.hash)).toBe('#courses/maze-m-4711');
-  await app.fill(by('random-seed'), 'x'); // no number: the last one stays
-  expect(await attribute(app, by('random-seed'), 'aria-invalid')).toBe('true');
+  await app.fill(by('random-seed'), 'x'); // no number: the last one stays, and nothing can be opened
+  await expect.poll(() => attribute(app, by('random-seed'), 'aria-invalid')).toBe('true');
   expect(await app.evaluate(() => location.hash)).toBe('#courses/maze-m-4711');
+  expect(await attribute(app, by('open-maze-m-4711'), 'disabled')).not.toBeNull();
+  await app.fill(by('random-seed'), '4711');
+  await expect.poll(() => attribute(app, by('open-maze-m-4711'), 'disabled')).toBeNull();
   await app.click(by('open-maze-m-4711'));
   await gone(app, '.gallery');
   await expect.poll(() => courseOf(app)).toContain('Maze 4711, medium');

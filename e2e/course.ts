@@ -38,6 +38,7 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
   await expect.poll(() => programIn(app)).toContain(top);
   await expect.poll(() => attribute(app, '.pane-arena .robot .name', 'title')).toBe(robot); // the name itself may be cut off
   expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);
+  await expect.poll(async () => distance(await robotAt(app), sceneOf(folder).robot.at)).toBeLessThan(1); // no longer where the course before began
   await watchWay(app);
   await app.click(on('run'));
 }
