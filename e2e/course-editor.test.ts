@@ -15,7 +15,7 @@ import {
 } from './course-tasks';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
-import { canUndo, clearAll, courseMenu, listOf, openEditor, rowsIn, toolButton, withMouse } from './pupil';
+import { canUndo, clearAll, courseMenu, fromMenu, listOf, openEditor, rowsIn, toolButton, withMouse } from './pupil';
 
 test('with the mouse: a track is drawn, and the robot follows it', async ({ app }) => {
   await drawTrackAndFollow(withMouse(app));
@@ -165,10 +165,7 @@ test('in the list of objects a block is added, moved by numbers and deleted, and
   await clearAll(app);
   await courseMenu(app, 'list');
   await until(app, by('add-object'));
-  await app.click(by('add-object'));
-  await until(app, by('add-block'));
-  await app.click(by('add-block'));
-  await until(app, '.detail .field input');
+  await fromMenu(app, by('add-object'), by('add-block'), () => isThere(app, '.detail .field input'));
   expect(await rowsIn(app)).toHaveLength(2);
   await app.fill('.detail .field input', '71.5');
   await app.press('Enter');

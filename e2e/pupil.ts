@@ -42,13 +42,23 @@ export async function openEditor(app: App): Promise<void> {
   await until(app, by('course-more'));
 }
 
-/** Chooses something about the course in the menu beside undo. */
-export async function courseMenu(app: App, entry: string): Promise<void> {
-  await app.click(by('course-more'));
-  await until(app, by(`editor-${entry}`));
-  await app.click(by(`editor-${entry}`));
-  await gone(app, '[role=menu]'); // fading out it still lies over the arena
+/**
+ * Chooses an entry of a menu, until what it is for has come. A window of WebKit that lies below another one draws nothing for
+ * a while: a menu then stands still on its way, and a click can miss it.
+ */
+export async function fromMenu(app: App, opener: string, entry: string, came: () => Promise<boolean>): Promise<void> {
+  await expect(async () => {
+    await app.click(opener);
+    await until(app, entry);
+    await app.click(entry);
+    await gone(app, '[role=menu]'); // fading out it still lies over the arena
+    await expect.poll(came, { timeout: 3000 }).toBe(true);
+  }).toPass();
 }
+
+/** Opens a window about the course out of the menu beside undo. */
+export const courseMenu = (app: App, panel: string): Promise<void> =>
+  fromMenu(app, by('course-more'), by(`editor-${panel}`), () => isThere(app, by(`panel-${panel}`)));
 
 /** Chooses something in the main menu: `share`, `save`, `open` … */
 export async function mainMenu(app: App, entry: string): Promise<void> {
@@ -78,8 +88,7 @@ export const rowsIn = (app: App): Promise<readonly string[]> =>
 
 /** Takes everything out of the arena. The room that the task took goes to the arena. */
 export async function clearAll(app: App): Promise<void> {
-  await courseMenu(app, 'clear');
-  await gone(app, by('verdict'));
+  await fromMenu(app, by('course-more'), by('editor-clear'), async () => !(await isThere(app, by('verdict'))));
 }
 
 /** Whether there is something to take back. */
