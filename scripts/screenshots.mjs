@@ -6,6 +6,7 @@ import { Failure, main, note, root } from './progress.mjs';
 import { serve } from './serve.mjs';
 import { buildApp, setUp } from './setup.mjs';
 
+/** @type {{ name: string, width: number, height: number, dark: boolean, tool?: string }[]} */
 const PICTURES = [
   { name: 'app', width: 1440, height: 900, dark: false },
   { name: 'app-dark', width: 1440, height: 900, dark: true },
@@ -25,7 +26,13 @@ async function chooseTool(page, tool) {
   await button.click();
 }
 
-/** Opens the app as on a first visit, lets its first course drive for a while and takes a picture. */
+/**
+ * Opens the app as on a first visit, lets its first course drive for a while and takes a picture.
+ *
+ * @param {import('@playwright/test').Browser} browser
+ * @param {string} url
+ * @param {{ name: string, width: number, height: number, dark: boolean, tool?: string }} picture `tool`: the one that is chosen.
+ */
 async function take(browser, url, { name, width, height, dark, tool }) {
   const context = await browser.newContext({
     viewport: { width, height },

@@ -52,3 +52,7 @@ export function spikedIds({ objects }: Pick<Scene, 'objects'>): ReadonlySet<stri
   const spiked = objects.filter((object) => object.type === 'spikes' || (object.type === 'mover' && object.spiked));
   return new Set(spiked.map(({ id }) => id));
 }
+
+/** Whether a course asks for something, or has something that must not be touched: then there is a verdict. */
+export const hasTask = (course: Pick<Scene, 'task' | 'objects'>): boolean =>
+  isTask(briefOf(course)) || spikedIds(course).size > 0;

@@ -1,4 +1,5 @@
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
+import { isEqual, isLasting, pendingChanges } from '#simulation/at-once';
 
 /** A course while a run of it goes on: what of it is in the run, and what waits for the next start. */
 export interface LiveScene {
@@ -17,39 +18,29 @@ export interface LiveScene {
 const nobody: ReadonlySet<string> = new Set();
 
 /**
- * Tells what of a course a run has. Lines, zones, labels and blocks that can be pushed come into it at once; walls and
- * what else stands fixed, the arena's size and the robot's start wait for the next one.
+ * Tells what of a course a run has, by the run's own rule (`pendingChanges`).
  *
  * @param started the course as the run began with it, or `null`: there is no run
  */
 export function liveScene(course: Scene, started: Scene | null): LiveScene {
   if (started === null || started === course)
     return { scene: course, waiting: [], leaving: nobody, start: null, size: null };
-  const wanted = new Map(course.objects.filter(waitsForStart).map((object) => [object.id, object]));
-  const standing = started.objects.filter(waitsForStart);
-  const leaving = new Set<string>();
-  for (const object of standing) {
-    const wish = wanted.get(object.id);
-    if (wish !== undefined && isSame(wish, object)) wanted.delete(object.id);
-    else leaving.add(object.id);
-  }
-  const objects = [...standing, ...course.objects.filter((object) => !waitsForStart(object))];
+  const { coming, going, robot } = pendingChanges(started, course);
+  const waiting = new Set(coming);
+  const atOnce = course.objects.filter((object) => !isLasting(object) && !waiting.has(object));
   return {
-    scene: { ...course, size: started.size, robot: started.robot, objects },
-    waiting: [...wanted.values()],
-    leaving,
-    start: isSame(course.robot, started.robot) ? null : course.robot,
-    size: isSame(course.size, started.size) ? null : course.size,
+    scene: {
+      ...course,
+      size: started.size,
+      robot: started.robot,
+      objects: [...started.objects.filter(isLasting), ...atOnce],
+    },
+    waiting: coming,
+    leaving: new Set(going.map(({ id }) => id)),
+    start: robot ? course.robot : null,
+    size: isEqual(course.size, started.size) ? null : course.size,
   };
 }
-
-/** Whether an object comes into a run at its start only. */
-export function waitsForStart({ type }: SceneObject): boolean {
-  return type === 'wall' || type === 'fixed-block' || type === 'spikes' || type === 'mover';
-}
-
-/** Plain data: what was changed and changed back is the same again. */
-const isSame = (one: object, other: object): boolean => one === other || JSON.stringify(one) === JSON.stringify(other);
 
 /** What is to be seen of the arena, mm: all of the run's, and all of the one that tools change already. */
 export function shownSize({ scene, size }: LiveScene): Scene['size'] {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { hasTask } from '#simulation/task-brief';
 import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
-import { hasTask } from './has-task';
 import { goalsOf, placeOf, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
 
 const zone = (part: Partial<Zone>): Zone => ({
