@@ -93,7 +93,7 @@ export default {
     onlyIn('micropython-in-vm', ['@micropython'], '^src/vm/', 'MicroPython only in vm.'),
     onlyIn(
       'drawing-in-web',
-      ['vue', '@vue', 'vue-i18n', 'vuetify', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
+      ['vue', '@vue', 'vuetify', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
       '^src/web/',
       'Vue, Vuetify and the code editor only in web.',
     ),
@@ -108,7 +108,7 @@ export default {
       comment: 'The import leads nowhere.',
       severity: 'error',
       from: { path: '^src/' },
-      to: { couldNotResolve: true, pathNot: ['^virtual:', '^vuetify/styles$', MADE] },
+      to: { couldNotResolve: true, pathNot: ['^virtual:', '^single:', '^vuetify/styles$', '^w3c-web-serial$', MADE] },
     },
   ],
   options: {

@@ -60,7 +60,7 @@ const sameness = {
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
 const planck = { group: ['planck', 'planck/*'], message: 'The physics engine only in src/world/physics.' };
 const drawing = {
-  group: ['vue', 'vue-i18n', 'vuetify', 'vuetify/*', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
+  group: ['vue', 'vuetify', 'vuetify/*', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
   message: 'Vue and the code editor only in src/web.',
 };
 /** What the room that checks programs may use of the editor. */
@@ -73,7 +73,7 @@ const sizes = {
 };
 
 export default tseslint.config(
-  { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/'] },
+  { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/', 'examples/hosts/*/public/'] },
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
     rules: {
@@ -159,7 +159,13 @@ export default tseslint.config(
   { files: inNode, rules: { 'no-console': 'off' } },
   { files: ['src/cli/**', 'bench/**'], rules: { 'no-console': 'off' } },
   {
-    files: ['*.config.{ts,mjs}', '.dependency-cruiser.mjs', 'e2e/**/*.config.ts', 'src/**/*.vue', 'src/**/*.d.ts'],
+    files: [
+      '*.config.{ts,mjs}',
+      '.dependency-cruiser.mjs',
+      '{e2e,examples}/**/*.config.{ts,js}',
+      'src/**/*.vue',
+      'src/**/*.d.ts',
+    ],
     rules: { 'no-restricted-exports': 'off' },
   },
 

@@ -11,7 +11,7 @@ export const layers = {
   project: ['core', 'scene'],
   editor: ['core', 'scene'],
   simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
-  embed: ['core', 'scene', 'project'],
+  embed: ['core', 'board', 'scene', 'project', 'simulation'],
   reference: ['core'],
   libraries: ['core', 'reference'],
   'device-check': ['core', 'reference'],

@@ -1,9 +1,15 @@
+import { readdirSync, readFileSync } from 'node:fs';
+import { readFile } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
+import { gzipSync } from 'node:zlib';
 
 import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
-import { defineConfig, type Plugin } from 'vite';
+import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
 import vuetify from 'vite-plugin-vuetify';
+
+import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
+import { singleFile } from './scripts/single-file.mjs';
 
 /**
  * Makes each icon a module of its own, so that it comes with what shows it. All of them are one module as published: the
@@ -66,29 +72,159 @@ function vuetifyLighter(): Plugin {
   };
 }
 
-/** Builds the web app: `src/web/index.html` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
-export default defineConfig({
+const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
+
+/** The pages of the app: every HTML file in `src/web`. */
+const pages = (): readonly string[] => readdirSync(here('src/web')).filter((name) => name.endsWith('.html'));
+
+/** The single file of a page. */
+const singleOf = (page: string): string =>
+  `${page === 'index.html' ? 'parcours' : page.replace('.html', '')}.single.html`;
+
+/** Lets every page say where it cannot start. */
+function frameCheck(): Plugin {
+  return {
+    name: 'frame-check',
+    transformIndexHtml: {
+      order: 'post',
+      handler: async (html, { path }) => {
+        const parts = await frameCheckParts();
+        const own = parts.html.replaceAll('parcours.single.html', singleOf(path.replace(/^.*\//, '')));
+        return withFrameCheck(html, { ...parts, html: own });
+      },
+    },
+  };
+}
+
+const ICONS = { 'icon-192.png': '192x192', 'icon-512.png': '512x512', 'icon-maskable-512.png': '512x512' };
+
+/** What makes the app one that can be installed. Its names stay the same from version to version. */
+function installable(): Plugin {
+  const manifest = {
+    name: 'Parcours',
+    short_name: 'Parcours',
+    id: './',
+    start_url: './',
+    scope: './',
+    display: 'standalone',
+    background_color: '#eceef1',
+    theme_color: '#ffffff',
+    icons: [
+      { src: 'logo.svg', sizes: 'any', type: 'image/svg+xml' },
+      ...Object.entries(ICONS).map(([name, sizes]) => ({
+        src: name,
+        sizes,
+        type: 'image/png',
+        purpose: name.includes('maskable') ? 'maskable' : 'any',
+      })),
+    ],
+  };
+  return {
+    name: 'installable',
+    apply: 'build',
+    async generateBundle() {
+      const emit = (fileName: string, source: string | Uint8Array): void => {
+        this.emitFile({ type: 'asset', fileName, source });
+      };
+      emit('manifest.webmanifest', JSON.stringify(manifest));
+      emit('logo.svg', await readFile(here('src/web/logo.svg')));
+      for (const name of Object.keys(ICONS)) emit(name, await readFile(here(`src/web/offline/icons/${name}`)));
+    },
+    transformIndexHtml: {
+      order: 'post',
+      handler: (_, { path }) => [
+        ...(path === '/index.html'
+          ? [{ tag: 'link', attrs: { rel: 'manifest', href: './manifest.webmanifest' }, injectTo: 'head' as const }]
+          : []),
+      ],
+    },
+  };
+}
+
+/** What both builds of the web app have in common: the folder of files, and the single file (`--mode single`). */
+const common = {
   root: 'src/web',
   base: './',
   publicDir: false,
-  plugins: [vue(), vuetify({ autoImport: true }), iconsApart(), vuetifyLighter()],
-  // Without its compiler: `src/web/i18n` puts values into texts itself.
   resolve: {
     alias: [
-      { find: /^vue-i18n$/, replacement: 'vue-i18n/dist/vue-i18n.runtime.mjs' },
       // What jsPDF would fetch to print web pages; courses are printed from their own data.
-      { find: /^(html2canvas|dompurify|canvg)$/, replacement: fileURLToPath(new URL('src/web/print/left-out.ts', import.meta.url)) }, // prettier-ignore
+      { find: /^(html2canvas|dompurify|canvg)$/, replacement: here('src/web/print/left-out.ts') }, // prettier-ignore
     ],
   },
   define: {
-    // Nothing in the app uses these parts of Vue and vue-i18n; leaving them out makes the page lighter.
+    __APP_VERSION__: JSON.stringify(
+      (JSON.parse(readFileSync(here('package.json'), 'utf8')) as { version: string }).version,
+    ),
+    // Nothing in the app uses these parts of Vue; leaving them out makes the page lighter.
     __VUE_OPTIONS_API__: 'false',
     __VUE_PROD_DEVTOOLS__: 'false',
-    __VUE_I18N_FULL_INSTALL__: 'false',
-    __VUE_I18N_LEGACY_API__: 'false',
-    __INTLIFY_DROP_MESSAGE_COMPILER__: 'true',
-    __INTLIFY_PROD_DEVTOOLS__: 'false',
   },
+} satisfies UserConfig;
+
+/** The plugins of both builds, made anew for each. */
+const commonPlugins = (): PluginOption[] => [vue(), vuetify({ autoImport: true }), iconsApart(), vuetifyLighter()];
+
+/** The worker as one classic script. */
+async function workerCode(): Promise<string> {
+  const made = await build({
+    configFile: false,
+    root: common.root,
+    logLevel: 'warn',
+    resolve: common.resolve,
+    build: {
+      write: false,
+      target: 'es2022',
+      lib: { entry: here('src/web/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
+    },
+  });
+  const [first] = Array.isArray(made) ? made : [made];
+  if (first === undefined || !('output' in first)) throw new Error('The worker was not built.');
+  return first.output[0].code;
+}
+
+/** Gives the parts that lie in files beside the page, as texts inside it. */
+function partsInside(): Plugin {
+  return {
+    name: 'parts-inside',
+    enforce: 'pre',
+    resolveId: (id) => (/^single:(worker|firmware)$/.test(id) ? `\0${id}` : null),
+    async load(id) {
+      if (id === '\0single:worker') return `export default ${JSON.stringify(await workerCode())};`;
+      if (id !== '\0single:firmware') return null;
+      const packed = gzipSync(await readFile(here('.cache/vm/vm.wasm')), { level: 9 });
+      return `export default ${JSON.stringify(packed.toString('base64'))};`;
+    },
+  };
+}
+
+/** Makes one file of each page: script and styles inside. */
+function onePage(): Plugin {
+  return {
+    name: 'one-page',
+    enforce: 'post',
+    async generateBundle(_, bundle) {
+      const read = (path: string): Promise<string> => readFile(here(path), 'utf8');
+      let [script, css] = ['', ''];
+      for (const [name, part] of Object.entries(bundle)) {
+        if (part.type === 'chunk') script += part.code;
+        else if (name.endsWith('.css')) css += part.source.toString();
+        else this.error(`${name} would lie beside the single file.`);
+        Reflect.deleteProperty(bundle, name);
+      }
+      const icon = await read('src/web/logo.svg');
+      for (const page of pages()) {
+        const source = singleFile(await read(`src/web/${page}`), { script, css, icon });
+        this.emitFile({ type: 'asset', fileName: singleOf(page), source });
+      }
+    },
+  };
+}
+
+/** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
+const folder: UserConfig = {
+  ...common,
+  plugins: [...commonPlugins(), frameCheck(), installable()],
   worker: { format: 'es' },
   server: { fs: { allow: ['../..'] } },
   build: {
@@ -99,7 +235,43 @@ export default defineConfig({
     assetsInlineLimit: 0,
     // All that the page needs at once in one chunk: parted among the many late lists and dialogs that share some of it, it
     // would be 35 files more and 13 kB heavier.
-    rolldownOptions: { output: { codeSplitting: { groups: [{ name: 'page', tags: ['$initial'] }] } } },
+    rolldownOptions: {
+      input: pages().map((page) => here(`src/web/${page}`)),
+      output: { codeSplitting: { groups: [{ name: 'page', tags: ['$initial'] }] } },
+    },
     chunkSizeWarningLimit: 700,
   },
-});
+};
+
+/**
+ * The same app once more, every page as one HTML file with everything inside, for frames with `sandbox="allow-scripts"`
+ * (decision 0018). They lie beside the ordinary pages.
+ */
+const single: UserConfig = {
+  ...common,
+  plugins: [partsInside(), ...commonPlugins(), onePage()],
+  resolve: {
+    alias: [
+      ...common.resolve.alias,
+      { find: '../worker/create-worker', replacement: here('src/web/worker/create-worker.single.ts') },
+      { find: '../worker/firmware', replacement: here('src/web/worker/firmware.single.ts') },
+    ],
+  },
+  build: {
+    outDir: '../../dist/app',
+    emptyOutDir: false,
+    target: 'es2022',
+    assetsInlineLimit: 1e9,
+    cssCodeSplit: false,
+    modulePreload: false,
+    rolldownOptions: {
+      input: here('src/web/main.ts'),
+      output: { format: 'iife', codeSplitting: false },
+      checks: { emptyImportMeta: false }, // of Vite's loader of late parts, which has nothing to do here
+    },
+    chunkSizeWarningLimit: 10_000,
+  },
+};
+
+/** Builds the web app; with `--mode single`, as single files. */
+export default defineConfig(({ mode }) => (mode === 'single' ? single : folder));

@@ -1,4 +1,12 @@
-import { test as base, chromium, expect, firefox, type Browser, type Page } from '@playwright/test';
+import {
+  test as base,
+  chromium,
+  expect,
+  firefox,
+  type Browser,
+  type BrowserContextOptions,
+  type Page,
+} from '@playwright/test';
 import { startScreen, type Screen } from './screen';
 import { WebKitSession, type PageCode } from './webkit';
 
@@ -18,6 +26,8 @@ export interface App {
   reload(): Promise<void>;
   /** Runs code in the page and waits for what it promises. */
   evaluate<R, A = null>(code: PageCode<A, R>, argument?: A): Promise<R>;
+  /** Runs code in the page of a frame, wherever that page comes from. */
+  inFrame<R, A = null>(frame: string, code: PageCode<A, R>, argument?: A): Promise<R>;
   click(css: string): Promise<void>;
   /** Replaces the text of an input. */
   fill(css: string, text: string): Promise<void>;
@@ -57,6 +67,7 @@ const KEYS: Readonly<Record<string, string>> = {
   ArrowRight: '\uE014',
   ArrowDown: '\uE015',
   Delete: '\uE017',
+  F1: '\uE031',
   F5: '\uE035',
   F8: '\uE038',
 };
@@ -72,6 +83,11 @@ export function playwrightApp(engine: string, page: Page): App {
       await page.reload();
     },
     evaluate: (code, argument) => page.evaluate(code as (argument: unknown) => unknown, argument) as Promise<never>,
+    inFrame: async (css, code, argument) => {
+      const frame = await (await page.waitForSelector(css)).contentFrame();
+      if (frame === null) throw new Error(`${css} is no frame.`);
+      return frame.evaluate(code as (argument: unknown) => unknown, argument) as Promise<never>;
+    },
     click: (css) => page.click(css),
     fill: (css, text) => page.fill(css, text),
     text: (css) => page.innerText(css),
@@ -105,6 +121,7 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
     goto: (address) => session.goto(new URL(address, baseURL).href),
     reload: () => session.reload(),
     evaluate: (code, argument) => session.evaluate(code, argument),
+    inFrame: (frame, code, argument) => session.inFrame(frame, code, argument),
     click: (css) => session.click(css),
     fill: (css, text) => session.fill(css, text),
     text: (css) => session.text(css),
@@ -121,6 +138,8 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
 }
 
 interface Fixtures {
+  /** Whether the page may have a service worker: it fetches all files of the app, which most tests have no use for. */
+  readonly serviceWorker: 'allow' | 'block';
   readonly app: App;
   /** Opens the app of another pupil: a browser profile that shares nothing with the first one. */
   readonly another: () => Promise<App>;
@@ -155,17 +174,18 @@ export const test = base.extend<Fixtures, WorkerFixtures>({
     },
     { scope: 'worker' },
   ],
-  another: async ({ browserOfEngine, baseURL, viewport }, use, info) => {
+  serviceWorker: ['block', { option: true }],
+  another: async ({ browserOfEngine, baseURL, viewport, serviceWorker }, use, info) => {
     const opened: Opened[] = [];
     await use(async () => {
-      const one = await openProfile(browserOfEngine, info.project.name, baseURL, viewport);
+      const one = await openProfile(browserOfEngine, info.project.name, serviceWorker, baseURL, viewport);
       opened.push(one);
       return one.app;
     });
     for (const one of opened) await one.close();
   },
-  app: async ({ browserOfEngine, baseURL, viewport }, use, info) => {
-    const opened = await openProfile(browserOfEngine, info.project.name, baseURL, viewport);
+  app: async ({ browserOfEngine, baseURL, viewport, serviceWorker }, use, info) => {
+    const opened = await openProfile(browserOfEngine, info.project.name, serviceWorker, baseURL, viewport);
     await use(opened.app);
     if (info.status !== info.expectedStatus) {
       const body = await opened.app.screenshot().catch(() => null);
@@ -188,15 +208,18 @@ interface Size {
 function openProfile(
   browser: Browser | null,
   engine: string,
+  serviceWorkers: Fixtures['serviceWorker'],
   origin = 'http://localhost:8080/',
   size: Size | null = null,
 ): Promise<Opened> {
   const window = size ?? { width: 1280, height: 800 };
-  return browser ? openPlaywright(browser, engine, origin, window) : openWebKit(origin, window);
+  return browser
+    ? openPlaywright(browser, engine, { baseURL: origin, viewport: window, serviceWorkers })
+    : openWebKit(origin, window);
 }
 
-async function openPlaywright(browser: Browser, engine: string, baseURL: string, viewport: Size): Promise<Opened> {
-  const context = await browser.newContext({ baseURL, viewport });
+async function openPlaywright(browser: Browser, engine: string, options: BrowserContextOptions): Promise<Opened> {
+  const context = await browser.newContext(options);
   const page = await context.newPage();
   return { app: playwrightApp(engine, page), close: () => context.close() };
 }

@@ -1,8 +1,15 @@
-import { expect, test } from './app';
+import { expect, test, type App } from './app';
 import { openApp, typeProgram } from './page';
+import { fromMenu } from './pupil';
 
 const PANEL = '[data-testid=device-check]';
 const MARK = '.cm-deviceMark';
+
+const CARD = '.cm-helpCard';
+
+/** What stands in an element now; empty when it is not there. */
+const textOf = (app: App, css: string): Promise<string> =>
+  app.evaluate((selector) => document.querySelector(selector)?.textContent ?? '', css);
 
 test('what does not run on the device is marked, explained in its line, and no longer once it is mended', async ({
   app,
@@ -20,4 +27,22 @@ test('what does not run on the device is marked, explained in its line, and no l
 
   await typeProgram(app, 'x = 3\nprint("{}".format(x))');
   await expect.poll(() => has(PANEL)).toBe(false);
+});
+
+test('the marks and the help speak the language of the page, also when another one is chosen', async ({ app }) => {
+  await openApp(app, { language: 'fr' });
+  await typeProgram(app, 'from microbit import *\nprint(f"{temperature()}")');
+  await expect.poll(() => app.text(PANEL), { timeout: 10_000 }).toContain('Écris plutôt "{}".format(temperature())');
+  await app.press('Home');
+  await app.press('Control', 'Shift', 'Space');
+  await expect.poll(() => textOf(app, CARD)).toContain('Écrit des valeurs dans la console');
+  await app.press('Escape');
+
+  const isItalian = (): Promise<boolean> => app.evaluate(() => document.documentElement.lang === 'it-CH');
+  await fromMenu(app, 'header [aria-label="Menu"]', '[role=menuitemradio][lang=it]', isItalian);
+  await expect.poll(() => textOf(app, PANEL)).toContain('Scrivi invece "{}".format(temperature())');
+  await app.click('.code-editor .cm-line:last-child');
+  await app.press('Home');
+  await app.press('Control', 'Shift', 'Space');
+  await expect.poll(() => textOf(app, CARD)).toContain('Scrive valori nella console');
 });

@@ -60,6 +60,16 @@ export class WebKitSession {
     return value as R;
   }
 
+  /** The same in the page of a frame. */
+  async inFrame<R, A = null>(frame: string, code: PageCode<A, R>, argument?: A): Promise<R> {
+    await this.command('POST', '/frame', { id: { [ELEMENT]: await this.find(frame) } });
+    try {
+      return await this.evaluate(code, argument);
+    } finally {
+      await this.command('POST', '/frame', { id: null });
+    }
+  }
+
   async click(css: string): Promise<void> {
     await this.find(css);
     await this.canBeHit(css);

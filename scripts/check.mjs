@@ -13,6 +13,8 @@ const CHECKS = [
   { name: 'types of the scripts', args: tool('tsc', '-p', 'tsconfig.scripts.json') },
   { name: 'layers and graph', args: ['scripts/layers.mjs'] },
   { name: 'lists of robots', args: ['scripts/robots.mjs', '--check'] },
+  { name: 'manual for hosts', args: ['scripts/manual.mjs', '--check'] },
+  { name: 'texts', args: ['scripts/texts.mjs'] },
   {
     name: 'format',
     args: tool('prettier', '--check', '--log-level', 'warn', '--cache', '--cache-location', '.cache/prettier', '.'),

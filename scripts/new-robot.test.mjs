@@ -3,6 +3,7 @@ import { cp, mkdir, mkdtemp, readdir, readFile, rm, writeFile } from 'node:fs/pr
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
+import { mistakesIn } from '../src/reference/testing/catalogues';
 import { putOnFloor } from '../src/robots/testing/floor';
 import { makeRobot } from './new-robot.mjs';
 import { renewLists } from './robots.mjs';
@@ -47,6 +48,8 @@ describe('npm run new:robot', () => {
       'controller.ts',
       'examples/first_drive.de.py',
       'examples/first_drive.en.py',
+      'examples/first_drive.fr.py',
+      'examples/first_drive.it.py',
       'library/tank_2.py',
       'reference.ts',
       'robot.svg',
@@ -62,6 +65,12 @@ describe('npm run new:robot', () => {
     const texts = (await textsOf(join(place, 'tank-2'))).join('\n');
     expect(texts).not.toMatch(/new.?robot/i);
     for (const name of ['tank-2', 'tank2', 'tank_2', 'Tank 2']) expect(texts).toContain(name);
+  });
+
+  it('gives it words in every language that say the same', async () => {
+    await makeRobot('tank-2', place);
+    const { tank2Reference } = await inPlace('tank-2/reference.ts');
+    expect(mistakesIn(tank2Reference.texts)).toEqual([]);
   });
 
   it('adds it to the lists, after all others', async () => {

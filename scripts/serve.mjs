@@ -27,7 +27,8 @@ const COMPRESSIBLE = new Set(['.css', '.html', '.js', '.json', '.mjs', '.py', '.
 /** The page may load its own files and compile WebAssembly, nothing else. */
 export const PAGE_POLICY = [
   "default-src 'self'",
-  "script-src 'self' 'wasm-unsafe-eval'",
+  // The one script inside the page, src/web/frame-check/frame-check.js, by its hash.
+  "script-src 'self' 'sha256-uFahMDdndCAb6sPHWjuHy1JvBGajWhO+1Cxmy0eqmgM=' 'wasm-unsafe-eval'",
   "style-src 'self' 'unsafe-inline'",
   "img-src 'self' data: blob:",
   "connect-src 'self'",
@@ -39,6 +40,8 @@ export const PAGE_POLICY = [
 /** The worker runs the pupil's program: it gets its code and the compiled VM from the page and reaches nothing itself. */
 export const WORKER_POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'none'";
 
+/** These carry a policy in themselves that is stricter and knows their script. */
+const IS_SINGLE = /\.single\.html$/;
 const IS_WORKER = /(^|\/)worker[^/]*\.m?js$/;
 const HAS_HASH = /^\/assets\/.*-[\w-]{8}\.\w+$/;
 
@@ -124,7 +127,7 @@ function pathOf(url) {
 export function headersFor(path) {
   return {
     'Content-Type': TYPES[extname(path)] ?? 'application/octet-stream',
-    'Content-Security-Policy': IS_WORKER.test(path) ? WORKER_POLICY : PAGE_POLICY,
+    ...(!IS_SINGLE.test(path) && { 'Content-Security-Policy': IS_WORKER.test(path) ? WORKER_POLICY : PAGE_POLICY }),
     'Cache-Control': HAS_HASH.test(path) ? 'public, max-age=31536000, immutable' : 'no-cache',
     'Referrer-Policy': 'no-referrer',
     'X-Content-Type-Options': 'nosniff',

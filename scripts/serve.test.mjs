@@ -3,7 +3,8 @@ import { request } from 'node:http';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { afterAll, beforeAll, describe, expect, it } from 'vitest';
-import { serve } from './serve.mjs';
+import { frameCheckParts, scriptHash } from './frame-check.mjs';
+import { PAGE_POLICY, serve } from './serve.mjs';
 
 let folder;
 let server;
@@ -15,6 +16,8 @@ beforeAll(async () => {
   await writeFile(join(folder, 'assets/worker-DEADbeef.js'), 'export {};');
   await writeFile(join(folder, 'assets/vm-DEADbeef.wasm'), new Uint8Array(64));
   await writeFile(join(folder, 'secret.txt'), 'inside');
+  for (const name of ['parcours.single.html', 'sw.js', 'manifest.webmanifest'])
+    await writeFile(join(folder, name), '{}');
   server = await serve({ folder, port: 0 });
 });
 
@@ -37,7 +40,25 @@ const statusOfRaw = (path) =>
 describe('the server', () => {
   it('lets the page load its own files and compile WebAssembly, nothing else', async () => {
     const policy = (await get('/')).headers.get('content-security-policy');
-    expect(policy).toContain("default-src 'self'; script-src 'self' 'wasm-unsafe-eval'");
+    expect(policy).toContain("default-src 'self'; script-src 'self'");
+  });
+
+  it('knows the one script that stands in the page itself', async () => {
+    const { script } = await frameCheckParts();
+    expect(PAGE_POLICY).toContain(`script-src 'self' ${scriptHash(script)} 'wasm-unsafe-eval'`);
+  });
+
+  it('leaves the single file its own policy', async () => {
+    const { headers } = await get('/parcours.single.html');
+    expect(headers.get('content-security-policy')).toBeNull();
+    expect(headers.get('cache-control')).toBe('no-cache');
+  });
+
+  it('has the service worker and the manifest asked for again, under their right types', async () => {
+    const worker = (await get('/sw.js')).headers;
+    expect(worker.get('content-type')).toContain('text/javascript');
+    expect(worker.get('cache-control')).toBe('no-cache');
+    expect((await get('/manifest.webmanifest')).headers.get('content-type')).toBe('application/manifest+json');
   });
 
   it('gives the worker no connection at all', async () => {

@@ -40,15 +40,28 @@ async function buildCli() {
   if (!built) note('Command line: up to date.');
 }
 
-/** The page, in dist/app. */
+/** What makes the app besides its sources. */
+const APP_BUILD = [
+  'vite.config.ts',
+  ...['frame-check', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
+];
+
+/** The page and its single-file form, in dist/app. */
 export async function buildApp() {
   const inputs = {
-    sources: ['src', 'courses', 'vite.config.ts', 'package-lock.json', '.cache/vm'],
-    product: 'dist/app/index.html',
+    sources: ['src', 'courses', ...APP_BUILD, 'package-lock.json', '.cache/vm'],
+    product: 'dist/app/sw.js',
     counts: (path) => !isTest(path) && !path.startsWith('src/cli/'),
   };
   const built = await buildWhenChanged('app', inputs, () =>
-    step('App', () => mustRun('node', [vite, 'build', '--logLevel', 'warn'])),
+    step('App', async () => {
+      const quietly = ['--logLevel', 'warn'];
+      await mustRun('node', [vite, 'build', ...quietly]);
+      await Promise.all([
+        mustRun('node', [vite, 'build', '--mode', 'single', ...quietly]),
+        mustRun('node', ['scripts/service-worker.mjs']),
+      ]);
+    }),
   );
   if (!built) note('App: up to date.');
 }

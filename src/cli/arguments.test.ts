@@ -83,7 +83,7 @@ describe('the command line', () => {
     ['run main.py --for 2000min', /too long; the limit is 1440min/],
     ['run main.py --seed x', /--seed: "x" is not a whole number/],
     ['run main.py --seed 1.5', /--seed: "1\.5" is not a whole number/],
-    ['run main.py --lang xx', /--lang: "xx" is not available\. Known: en, de/],
+    ['run main.py --lang xx', /--lang: "xx" is not available\. Known: de, fr, it, en\./],
     ['run main.py --reality 2', /--reality: "2" is not a number from 0 to 1/],
     ['run main.py --option claw', /--option: "claw" is not like S1=claw/],
   ])('refuses "%s"', (line, message) => {

@@ -1,5 +1,6 @@
 import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
+import { LANGUAGES, type Language } from '#core/texts';
 import { parseDuration } from './duration';
 
 /** What `parcours run` was asked to do. */
@@ -23,17 +24,11 @@ export interface RunOptions {
   readonly log: string | null;
   /** Refuses what the real board would not understand. */
   readonly strict: boolean;
-  /** The language of explanations. */
-  readonly lang: CliLanguage;
+  /** The language in which `--strict` explains. */
+  readonly lang: Language;
   readonly json: boolean;
   readonly quiet: boolean;
 }
-
-/** Languages in which `--strict` explains. */
-const languages = ['en', 'de'] as const;
-
-/** See `languages`. */
-export type CliLanguage = (typeof languages)[number];
 
 /** What the command line asks for. */
 export type Command =
@@ -128,8 +123,8 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   const robotOptions = readOptions(given.get('option') ?? []);
   if (typeof robotOptions === 'string') return bad(robotOptions);
   const langText = last('lang') ?? 'en';
-  const lang = languages.find((known) => known === langText);
-  if (lang === undefined) return bad(`--lang: "${langText}" is not available. Known: ${languages.join(', ')}.`);
+  const lang = LANGUAGES.find((known) => known === langText);
+  if (lang === undefined) return bad(`--lang: "${langText}" is not available. Known: ${LANGUAGES.join(', ')}.`);
   return {
     type: 'run',
     options: {

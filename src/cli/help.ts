@@ -49,7 +49,7 @@ What you get
   --json              at the end one line with everything about the run, for other programs;
                       "verdict" tells whether the task of the course is passed
   --strict            refuses to run what the real board would not understand, and says why
-  --lang NAME         the language in which --strict explains: en (default) or de
+  --lang NAME         the language in which --strict explains: de, fr, it or en (default)
   --log FILE.csv      the board's data log, for a spreadsheet
   --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet
   --quiet             neither the program's output nor progress

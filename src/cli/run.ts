@@ -74,7 +74,7 @@ async function strictFailure(
   terminal: Terminal,
 ): Promise<Report | null> {
   const { strictReport } = await import('./strict');
-  const { text, count, first } = strictReport(read.files, hardware.board.name, hardware.firmware, options.lang);
+  const { text, count, first } = await strictReport(read.files, hardware.board.name, hardware.firmware, options.lang);
   if (text !== '') terminal.message(text.trimEnd());
   if (count === 0) return null;
   const exception = { type: 'NotOnDevice', message: first, line: null, traceback: text };

@@ -1,6 +1,8 @@
+import type { Language, Texts } from '#core/texts';
 import { checkForDevice } from '#device-check/check-for-device';
-import { explain, type CheckLanguage } from '#device-check/explain';
+import { explain } from '#device-check/explain';
 import type { Device } from '#device-check/finding';
+import { loadRuleTexts } from '#device-check/texts/load';
 
 /** What `--strict` has to say about a program. */
 export interface StrictReport {
@@ -14,7 +16,8 @@ export interface StrictReport {
   readonly hints: number;
 }
 
-const HINT: Readonly<Record<CheckLanguage, string>> = { de: 'Hinweis', en: 'hint' };
+/** What stands before a finding with which the device goes on; French with its narrow space before the colon. */
+const HINT: Texts = { de: 'Hinweis: ', fr: 'remarque : ', it: 'nota: ', en: 'hint: ' };
 
 /**
  * Lists what in these files runs here and not on the device.
@@ -22,16 +25,17 @@ const HINT: Readonly<Record<CheckLanguage, string>> = { de: 'Hinweis', en: 'hint
  * @param files the program and the files given with it, by their names on the board
  * @param board what the board is called in the sentences: `micro:bit V2`
  */
-export function strictReport(
+export async function strictReport(
   files: Readonly<Record<string, string>>,
   board: string,
   device: Device,
-  language: CheckLanguage,
-): StrictReport {
+  language: Language,
+): Promise<StrictReport> {
+  const texts = await loadRuleTexts(language);
   const findings = checkForDevice(files, device);
   const lines = findings.map((finding) => {
-    const kind = finding.severity === 'hint' ? `${HINT[language]}: ` : '';
-    return `${finding.file}:${finding.line}:${finding.column}: ${kind}${explain(finding, board, language)}\n`;
+    const kind = finding.severity === 'hint' ? HINT[language] : '';
+    return `${finding.file}:${finding.line}:${finding.column}: ${kind}${explain(finding, board, texts)}\n`;
   });
   const hints = findings.filter(({ severity }) => severity === 'hint').length;
   const first = lines[findings.findIndex(({ severity }) => severity === 'error')]?.trimEnd() ?? '';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { completeOptions, optionProblem, type Option } from './option';
 
-const title = { de: 'Titel', en: 'title' };
+const title = { de: 'Titel', fr: 'titre', it: 'titolo', en: 'title' };
 const options: readonly Option[] = [
   { id: 'S1', title, choices: ['none', 'claw'].map((id) => ({ id, title })) },
   { id: 'bumper', title, choices: ['when-read', 'always'].map((id) => ({ id, title })) },

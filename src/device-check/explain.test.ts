@@ -1,33 +1,48 @@
 import { describe, expect, it } from 'vitest';
 
+import type { Language } from '#core/texts';
+import { mistakesIn } from '#reference/testing/catalogues';
 import { checkForDevice } from './check-for-device';
 import { explain } from './explain';
 import { rules, type RuleId } from './rule-table';
 import { de } from './texts/de';
 import { en } from './texts/en';
+import { fr } from './texts/fr';
+import { it as italian } from './texts/it';
+import { loadRuleTexts } from './texts/load';
 
 const first = (program: string) =>
   checkForDevice({ 'main.py': program }, { features: [], micropython: [1, 18, 0] })[0]!;
 
 describe('the explanation of a finding', () => {
-  it('names the board, what is missing and the way out, in German and English', () => {
-    const finding = first('print(f"{x:.1f} cm")');
-    expect(explain(finding, 'micro:bit V2', 'de')).toBe(
-      'Der micro:bit V2 kennt keine f-Strings. Schreib stattdessen "{:.1f} cm".format(x)',
-    );
-    expect(explain(finding, 'micro:bit V2', 'en')).toBe(
-      'The micro:bit V2 does not know f-strings. Write this instead: "{:.1f} cm".format(x)',
-    );
-    expect(explain(first('x.splitlines()'), 'micro:bit V2', 'de')).toBe(
+  it.each([
+    ['de', 'Der micro:bit V2 kennt keine f-Strings. Schreib stattdessen "{:.1f} cm".format(x)'],
+    ['fr', 'Le micro:bit V2 ne connaît pas les f-strings. Écris plutôt "{:.1f} cm".format(x)'],
+    ['it', 'Il micro:bit V2 non conosce le f-string. Scrivi invece "{:.1f} cm".format(x)'],
+    ['en', 'The micro:bit V2 does not know f-strings. Write this instead: "{:.1f} cm".format(x)'],
+  ] satisfies [Language, string][])(
+    'names the board, what is missing and the way out in %s',
+    async (language, said) => {
+      const texts = await loadRuleTexts(language);
+      expect(explain(first('print(f"{x:.1f} cm")'), 'micro:bit V2', texts)).toBe(said);
+    },
+  );
+
+  it('names what is written there', () => {
+    expect(explain(first('x.splitlines()'), 'micro:bit V2', de)).toBe(
       'Texte haben auf dem micro:bit V2 kein splitlines(). Schreib stattdessen x.split("\\n")',
     );
   });
 
+  it('says the same in German, French, Italian and English', () => {
+    expect(mistakesIn({ de, fr, it: italian, en })).toEqual([]);
+  });
+
   it.each(Object.keys(rules) as RuleId[])('says something about %s that fits on two lines of a phone or so', (rule) => {
-    for (const text of [de[rule], en[rule]]) {
+    for (const text of [de[rule], fr[rule], italian[rule], en[rule]]) {
       expect(text.length).toBeLessThan(200);
       expect(text).toContain(rule === 'newer-name' ? '{name}' : '{board}');
-      expect(text).not.toMatch(/ß|\bSie\b/);
+      expect(text).not.toMatch(/\bSie\b|\b[Vv]ous\b|\bLei\b/);
     }
   });
 });

@@ -45,6 +45,31 @@ describe('a link of WebTigerPython', () => {
     expect(programOfLink(`#?code=${codeOf([{ name: 'robot.py', data: 'y' }])}`)).toMatchObject({ files: [{ name: 'main.py', text: 'y' }] }); // prettier-ignore
   });
 
+  it('opens the project of a page with several files, in each form that we know', () => {
+    const files = [main, { name: 'drive.py', text: 'x = 1\n' }];
+    const named = { 'drive.py': 'x = 1\r\n', 'main.py': text };
+    for (const form of [
+      named,
+      { files: named },
+      { '/main.py': { content: text }, '/drive.py': { content: 'x = 1\n' } },
+      [...files.map((file) => ({ name: file.name, data: file.text }))],
+      { open: 'main.py', files: files.map((file) => ({ path: `./${file.name}`, code: file.text })) },
+    ]) {
+      const address = `${HOST}#?fs=${codeOf(form)}`;
+      expect(hasProgram(address)).toBe(true);
+      expect(programOfLink(address)).toEqual({ files, device: null });
+    }
+    expect(codeOf(named)).toMatch(/^N4Ig/);
+  });
+
+  it('says so when the project of several files has a form that we do not know', () => {
+    for (const form of [{}, [], 'main.py', 7, null, { 'main.py': { folder: {} } }, { files: 7 }])
+      expect(problemOf(`#?fs=${codeOf(form)}`)).toMatch(/^unknown-form: /);
+    expect(problemOf(`#?fs=${codeOf({ 'lib/a.py': '' })}`)).toBeNull(); // the only file is the program
+    expect(problemOf(`#?fs=${codeOf({ 'main.py': '', 'lib/a.py': '' })}`)).toMatch(/^invalid/);
+    expect(problemOf('#?fs=A')).toMatch(/^damaged/);
+  });
+
   it('gives a message when it is cut off, changed or holds something else', () => {
     for (const code of [
       '',

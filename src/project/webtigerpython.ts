@@ -1,27 +1,23 @@
 /**
  * Opens the links that WebTigerPython shares: `code` is the list of files `[{ "name": "main.py", "data": "…" }]` as JSON,
  * packed with LZ-String into base64 in the alphabet of addresses; `device` is the microcomputer's name. Both stand in the
- * query (`?code=…`) or, in newer links, in the fragment (`#?code=…`).
+ * query (`?code=…`) or, in newer links, in the fragment (`#?code=…`). Its pages with several files have `fs` instead of
+ * `code`: see `webtigerpython-files.ts`.
  */
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION } from '#scene/scene';
 
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from './file';
-import { textOfLzBase64 } from './lz-string';
+import { textOfLzBase64, type LzProblem } from './lz-string';
 import type { ProjectProblem } from './problem';
-import { FILE_BYTES, MAIN, type SourceFile } from './project';
+import { FILE_BYTES, type SourceFile } from './project';
+import { deviceCalled } from './webtigerpython-devices';
+import { filesOfList, filesOfTree } from './webtigerpython-files';
 
 /** The most characters a link may unpack to. */
 const MAX_CHARACTERS = 4_000_000;
 
 /** Longest link that is read. */
 const MAX_LINK = 500_000;
-
-/** WebTigerPython's names for the microcomputers that we have, and our ids. */
-const DEVICES: Readonly<Record<string, string>> = {
-  'micro:bit': 'microbit-v2',
-  'Calliope mini 1/2': 'calliope-mini-2',
-  'Calliope mini 3': 'calliope-mini-3',
-};
 
 /** The program in a link. */
 export interface ProgramLink {
@@ -33,7 +29,7 @@ export interface ProgramLink {
 
 /** Why a link opens nothing. */
 export interface ProgramLinkProblem {
-  readonly code: 'damaged' | 'too-large' | 'too-long' | 'invalid';
+  readonly code: 'damaged' | 'too-large' | 'too-long' | 'unknown-form' | 'invalid';
   /** One English sentence with the way out. */
   readonly message: string;
   readonly params: Readonly<Record<string, string | number>>;
@@ -42,7 +38,7 @@ export interface ProgramLinkProblem {
 }
 
 /** Whether an address, or a part of one, has a program of WebTigerPython in it. */
-export const hasProgram = (address: string): boolean => /[?&]code=/.test(address);
+export const hasProgram = (address: string): boolean => /[?&](code|fs)=/.test(address);
 
 /** Reads a whole address, or its query or fragment. Never throws; a link with a problem opens nothing. */
 export function programOfLink(address: string): ProgramLink | { readonly problem: ProgramLinkProblem } {
@@ -54,28 +50,48 @@ export function programOfLink(address: string): ProgramLink | { readonly problem
       params,
     );
   }
-  const code = parameter(address, 'code');
-  if (code === null || code === '') return damaged();
-  const unpacked = textOfLzBase64(code, MAX_CHARACTERS);
-  if (unpacked === 'too-large') {
-    const what = `The link unpacks to more than ${String(MAX_CHARACTERS)} characters. It is not opened.`;
-    return failed('too-large', what, { max: MAX_CHARACTERS });
-  }
-  const entries = unpacked === 'damaged' ? null : entriesOf(unpacked.text);
-  if (entries === null) return damaged();
-  const files = withMainFirst(entries);
+  const files = filesIn(address);
+  if ('problem' in files) return files;
   // Read like a project: the files of a link are judged by the same rules.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
     version: PROJECT_VERSION,
-    files,
+    files: files.files,
     scene: { format: SCENE_FORMAT, version: SCENE_VERSION, ...defaultScene() },
   });
   if ('problems' in parsed) {
     const what = `The program in the link cannot be opened: ${parsed.problem}`;
     return failed('invalid', what, { max: FILE_BYTES }, parsed.problems);
   }
-  return { files: parsed.project.files, device: DEVICES[parameter(address, 'device') ?? ''] ?? null };
+  return { files: parsed.project.files, device: deviceCalled(parameter(address, 'device') ?? '') };
+}
+
+/** The files as the link has them, main.py first. */
+function filesIn(address: string): Pick<ProgramLink, 'files'> | { readonly problem: ProgramLinkProblem } {
+  const code = parameter(address, 'code');
+  const packed = code ?? parameter(address, 'fs');
+  if (packed === null || packed === '') return damaged();
+  const unpacked = valueOfPacked(packed);
+  if (unpacked === 'too-large') {
+    const what = `The link unpacks to more than ${String(MAX_CHARACTERS)} characters. It is not opened.`;
+    return failed('too-large', what, { max: MAX_CHARACTERS });
+  }
+  if (unpacked === 'damaged') return damaged();
+  const files = (code === null ? filesOfTree : filesOfList)(unpacked.value);
+  if (files !== null) return { files };
+  return code === null
+    ? failed('unknown-form', 'The link has its files in a form that we do not know. It is not opened.', {})
+    : damaged();
+}
+
+function valueOfPacked(packed: string): { readonly value: unknown } | LzProblem {
+  const unpacked = textOfLzBase64(packed, MAX_CHARACTERS);
+  if (typeof unpacked === 'string') return unpacked;
+  try {
+    return { value: JSON.parse(unpacked.text) as unknown };
+  } catch {
+    return 'damaged';
+  }
 }
 
 function failed(
@@ -101,30 +117,4 @@ function parameter(address: string, name: string): string | null {
     }
   }
   return null;
-}
-
-/** The list of files as it stands in the link; `null` when it is none. */
-function entriesOf(json: string): readonly SourceFile[] | null {
-  let value: unknown;
-  try {
-    value = JSON.parse(json);
-  } catch {
-    return null;
-  }
-  if (!Array.isArray(value)) return null;
-  const files = value.map(fileOf);
-  return files.length === 0 || files.includes(null) ? null : files.filter((file) => file !== null);
-}
-
-function fileOf(value: unknown): SourceFile | null {
-  if (typeof value !== 'object' || value === null) return null;
-  const { name, data } = value as { readonly name?: unknown; readonly data?: unknown };
-  return typeof name === 'string' && typeof data === 'string' ? { name, text: data.replaceAll('\r\n', '\n') } : null;
-}
-
-/** The program is what stands in main.py; where none is called so, the first file is meant. */
-function withMainFirst(files: readonly SourceFile[]): readonly SourceFile[] {
-  const main = files.find(({ name }) => name === MAIN) ?? files[0];
-  const others = files.filter((file) => file !== main);
-  return main === undefined ? files : [{ name: MAIN, text: main.text }, ...others];
 }

@@ -1,3 +1,5 @@
+import type { Language } from '#core/texts';
+
 /** The boards that a name can be limited to: the ids of `boardTypes`. */
 export type BoardId = 'microbit-v2' | 'calliope-mini-3';
 
@@ -45,5 +47,5 @@ export interface RobotReference {
   /** Id of the robot. */
   readonly robot: string;
   readonly modules: readonly ReferenceModule[];
-  readonly texts: { readonly de: Readonly<Record<string, string>>; readonly en: Readonly<Record<string, string>> };
+  readonly texts: Readonly<Record<Language, Readonly<Record<string, string>>>>;
 }

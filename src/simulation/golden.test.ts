@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { bareProgram } from '#core/testing/bare-program';
+import { LANGUAGES } from '#core/texts';
 import { parseScene } from '#scene/parse';
 import { Simulation, type RobotSnapshot, type Snapshot } from './simulation';
 
@@ -86,9 +87,12 @@ describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${fo
       expect(verdict?.atMs ?? null).toBe(golden.passedMs);
     });
 
-    it('has the same programs in German and English, but for comments and words', () => {
-      for (const name of existsSync(`courses/${start}`) ? ['main', 'start'] : ['main'])
-        expect(bareProgram(read(`${folder}/${name}.de.py`))).toBe(bareProgram(read(`${folder}/${name}.en.py`)));
+    it('has the same programs in all languages, but for comments and words', () => {
+      for (const name of existsSync(`courses/${start}`) ? ['main', 'start'] : ['main']) {
+        const program = bareProgram(read(`${folder}/${name}.en.py`));
+        for (const language of LANGUAGES)
+          expect(bareProgram(read(`${folder}/${name}.${language}.py`)), language).toBe(program);
+      }
     });
 
     it.runIf(existsSync(`courses/${start}`))(

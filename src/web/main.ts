@@ -6,18 +6,27 @@ import './styles/controls.css';
 import { createApp } from 'vue';
 
 import App from './App.vue';
-import { openTabStorage } from './composables/keep-work';
+import { forgetful, openTabStorage } from './composables/keep-work';
 import { storedSettings } from './composables/use-settings';
-import { i18n, setLanguage } from './i18n';
+import { hostWish } from './host/address';
+import { setLanguage } from './i18n';
 import { vuetify } from './vuetify';
+
+/** When the page looks after visits without a network, in ms. Chosen: what the first run needs has come by then. */
+const OFFLINE_AFTER_MS = 4000;
 
 /**
  * No `await` of the module itself: all files that come later build upon this one, and WebKit's module loader then leaves
  * some of them unmade (a menu stays empty), and now and then never ends when the page is loaded anew.
  */
 async function start(): Promise<void> {
-  const [storage] = await Promise.all([openTabStorage(), setLanguage(storedSettings().language)]);
-  createApp(App, { storage }).use(vuetify).use(i18n).mount('#app');
+  const wish = hostWish(location, document.documentElement.dataset);
+  const language = wish.settings.language ?? storedSettings().language;
+  const [storage] = await Promise.all([wish.keepsWork ? openTabStorage() : forgetful, setLanguage(language)]);
+  createApp(App, { storage, wish }).use(vuetify).mount('#app');
+  setTimeout(() => {
+    import('./offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
+  }, OFFLINE_AFTER_MS);
 }
 
 void start();

@@ -58,6 +58,8 @@ export const claw: AttachmentType = {
   title: attachmentTitles.claw,
   about: {
     de: 'Bei 30° ist der Greifer offen, bei 86 bis 100° zu. Was er hält, kommt mit.',
+    fr: 'À 30°, la pince est ouverte, de 86 à 100° elle est fermée. Ce qu’elle tient vient avec elle.',
+    it: 'A 30° la pinza è aperta, da 86 a 100° è chiusa. Quello che tiene viene con lei.',
     en: 'The claw is open at 30° and closed at 86 to 100°. What it holds comes along.',
   },
   restDeg: OPEN_DEG,

@@ -12,6 +12,8 @@ export const forklift: AttachmentType = {
   title: attachmentTitles.forklift,
   about: {
     de: 'Bei 110° liegt die Gabel am Boden, bei 0° ist sie oben. Fahr unter einen Block und heb ihn an.',
+    fr: 'À 110°, la fourche est au sol, à 0° elle est en haut. Va sous un bloc et soulève-le.',
+    it: 'A 110° la forca è a terra, a 0° è in alto. Va’ sotto un blocco e sollevalo.',
     en: 'The fork is on the floor at 110° and up at 0°. Drive under a block and lift it.',
   },
   restDeg: DOWN_DEG,

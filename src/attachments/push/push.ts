@@ -33,6 +33,8 @@ export const push: AttachmentType = {
   title: attachmentTitles.push,
   about: {
     de: 'Bei 90° schaut der Ultraschallsensor nach vorn, bei 180° nach links, bei 0° nach rechts.',
+    fr: 'À 90°, le capteur à ultrasons regarde devant, à 180° à gauche, à 0° à droite.',
+    it: 'A 90° il sensore a ultrasuoni guarda avanti, a 180° a sinistra, a 0° a destra.',
     en: 'The ultrasonic sensor looks ahead at 90°, to the left at 180° and to the right at 0°.',
   },
   restDeg: AHEAD_DEG,

@@ -677,7 +677,7 @@ export const de = {
   'builtins.OverflowError': 'Eine Zahl ist zu gross.',
   'builtins.RuntimeError': 'Ein Fehler während des Laufs, zum Beispiel zu viele Aufrufe ineinander.',
   'builtins.StopAsyncIteration': 'Ein Durchlauf mit async ist zu Ende.',
-  'builtins.StopIteration': 'Ein Durchlauf mit next() ist zu Ende.',
+  'builtins.StopIteration': 'Ein Durchlauf ist zu Ende: next() hat nichts mehr.',
   'builtins.SyntaxError': 'Python versteht die Zeile nicht.',
   'builtins.SystemExit': 'Das Programm beendet sich mit sys.exit().',
   'builtins.TypeError': 'Die Art eines Wertes oder die Zahl der Angaben passt nicht.',

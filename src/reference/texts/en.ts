@@ -671,7 +671,7 @@ export const en: Readonly<Record<ReferenceText, string>> = {
   'builtins.OverflowError': 'A number is too large.',
   'builtins.RuntimeError': 'An error while running, for example too many nested calls.',
   'builtins.StopAsyncIteration': 'An async iterator is at its end.',
-  'builtins.StopIteration': 'An iterator is at its end.',
+  'builtins.StopIteration': 'An iterator is at its end: next() has nothing left.',
   'builtins.SyntaxError': 'Python does not understand the line.',
   'builtins.SystemExit': 'The program ends itself with sys.exit().',
   'builtins.TypeError': 'The kind of a value or the number of arguments does not fit.',

@@ -98,6 +98,118 @@ const de = {
   'cbalarm.beep': 'Ein kurzer Ton von 2000 Hertz.',
 } as const;
 
+const fr: Readonly<Record<keyof typeof de, string>> = {
+  callibot: 'Fait rouler le Calli:bot : moteurs, capteurs et lumières rouges.',
+  'callibot.forward': 'Roule en avant jusqu’à la prochaine commande.',
+  'callibot.backward': 'Roule en arrière jusqu’à la prochaine commande.',
+  'callibot.left': 'Tourne sur place vers la gauche jusqu’à la prochaine commande.',
+  'callibot.right': 'Tourne sur place vers la droite jusqu’à la prochaine commande.',
+  'callibot.leftArc': 'Roule sur un cercle vers la gauche. radius en mètres : 0.2 fait 20 cm.',
+  'callibot.rightArc': 'Roule sur un cercle vers la droite. radius en mètres : 0.2 fait 20 cm.',
+  'callibot.stop': 'S’arrête.',
+  'callibot.exit': 'S’arrête, comme stop().',
+  'callibot.setSpeed': 'La vitesse des commandes suivantes, environ 10 à 200 ; 50 au départ.',
+  'callibot.delay': 'Attend ce nombre de millisecondes ; pendant ce temps, le robot continue ce qu’il fait.',
+  'callibot.getDistance': 'La distance jusqu’à l’obstacle le plus proche en cm, avec un chiffre après le point.',
+  'callibot.irLeftValue':
+    'Capteur de ligne gauche : 1 sur un sol clair, 0 sur un sol sombre ; 0 aussi tant que le pare-chocs est enfoncé.',
+  'callibot.irRightValue':
+    'Capteur de ligne droit : 1 sur un sol clair, 0 sur un sol sombre ; 0 aussi tant que le pare-chocs est enfoncé.',
+  'callibot.tsValue':
+    '1 tant que le pare-chocs est enfoncé à gauche et à droite. 0 aussi quand un seul des capteurs de ligne voit un sol clair.',
+  'callibot.tsLeftValue':
+    '1 tant que le pare-chocs est enfoncé à gauche seulement. 0 aussi quand un seul des capteurs de ligne voit un sol clair.',
+  'callibot.tsRightValue':
+    '1 tant que le pare-chocs est enfoncé à droite seulement. 0 aussi quand un seul des capteurs de ligne voit un sol clair.',
+  'callibot.setLED': 'Les deux lumières rouges : 1 allumées, 0 éteintes.',
+  'callibot.setLEDLeft': 'Lumière rouge gauche : 1 allumée, 0 éteinte. Celle de droite s’éteint alors.',
+  'callibot.setLEDRight': 'Lumière rouge droite : 1 allumée, 0 éteinte. Celle de gauche s’éteint alors.',
+  'callibot.setAlarm': 'Deux sons encore et encore, en arrière-plan : 1 en marche, 0 arrêt.',
+  'callibot.motL': 'Le moteur gauche : motL.rotate(50).',
+  'callibot.motR': 'Le moteur droit : motR.rotate(50).',
+  'callibot.irLeft':
+    'Le capteur de ligne gauche : irLeft.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'callibot.irRight':
+    'Le capteur de ligne droit : irRight.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'callibot.ts': 'Tout le pare-chocs : ts.getValue() donne 1 tant qu’il est enfoncé à gauche et à droite.',
+  'callibot.tsLeft': 'La partie gauche du pare-chocs : tsLeft.getValue() donne 1 tant qu’elle est enfoncée.',
+  'callibot.tsRight': 'La partie droite du pare-chocs : tsRight.getValue() donne 1 tant qu’elle est enfoncée.',
+  'callibot.w':
+    'Règle les deux moteurs : sens à gauche et à droite (0 en avant, 1 en arrière), force à gauche et à droite (0 à 255).',
+  'callibot.Motor': 'Le type de motL et motR.',
+  'callibot.Motor.rotate':
+    'Fait tourner ce moteur à une vitesse de -200 à 200 ; négatif, c’est en arrière, 0 l’arrête.',
+  'callibot.Sensor': 'Le type de irLeft, irRight, ts, tsLeft et tsRight.',
+  'callibot.Sensor.read_digital': '1 sur un sol clair ou enfoncé, sinon 0.',
+  'callibot.Sensor.getValue': '1 sur un sol clair ou enfoncé, sinon 0.',
+  callibotmot: 'Les deux moteurs du Calli:bot, chacun pour soi.',
+  'callibotmot.motL': 'Le moteur gauche : motL.rotate(50).',
+  'callibotmot.motR': 'Le moteur droit : motR.rotate(50).',
+  'callibotmot.setLED': 'Les deux lumières rouges : 1 allumées, 0 éteintes.',
+  'callibotmot.delay': 'Attend ce nombre de millisecondes ; pendant ce temps, le robot continue ce qu’il fait.',
+  'callibotmot.Motor': 'Un moteur : 0 est celui de gauche, tout autre nombre celui de droite.',
+  'callibotmot.Motor.rotate':
+    'Fait tourner ce moteur à une vitesse de -200 à 200 ; négatif, c’est en arrière, 0 l’arrête.',
+  cbalarm: 'Des sons d’alarme pour le Calli:bot.',
+  'cbalarm.setAlarm': 'Deux sons encore et encore, en arrière-plan : 1 en marche, 0 arrêt.',
+  'cbalarm.beep': 'Un son court de 2000 hertz.',
+};
+
+const it: Readonly<Record<keyof typeof de, string>> = {
+  callibot: 'Guida il Calli:bot: motori, sensori e luci rosse.',
+  'callibot.forward': 'Va avanti finché arriva un altro comando.',
+  'callibot.backward': 'Va indietro finché arriva un altro comando.',
+  'callibot.left': 'Gira sul posto a sinistra finché arriva un altro comando.',
+  'callibot.right': 'Gira sul posto a destra finché arriva un altro comando.',
+  'callibot.leftArc': 'Percorre un cerchio verso sinistra. radius in metri: 0.2 sono 20 cm.',
+  'callibot.rightArc': 'Percorre un cerchio verso destra. radius in metri: 0.2 sono 20 cm.',
+  'callibot.stop': 'Si ferma.',
+  'callibot.exit': 'Si ferma, come stop().',
+  'callibot.setSpeed': 'La velocità dei comandi seguenti, circa da 10 a 200; all’inizio 50.',
+  'callibot.delay': 'Aspetta questo numero di millisecondi; intanto il robot continua quello che fa.',
+  'callibot.getDistance': 'La distanza dall’ostacolo più vicino in cm, con una cifra dopo il punto.',
+  'callibot.irLeftValue':
+    'Sensore di linea sinistro: 1 su pavimento chiaro, 0 su pavimento scuro; 0 anche finché il paraurti è premuto.',
+  'callibot.irRightValue':
+    'Sensore di linea destro: 1 su pavimento chiaro, 0 su pavimento scuro; 0 anche finché il paraurti è premuto.',
+  'callibot.tsValue':
+    '1 finché il paraurti è premuto a sinistra e a destra. 0 anche quando solo uno dei sensori di linea vede chiaro.',
+  'callibot.tsLeftValue':
+    '1 finché il paraurti è premuto solo a sinistra. 0 anche quando solo uno dei sensori di linea vede chiaro.',
+  'callibot.tsRightValue':
+    '1 finché il paraurti è premuto solo a destra. 0 anche quando solo uno dei sensori di linea vede chiaro.',
+  'callibot.setLED': 'Tutte e due le luci rosse: 1 accese, 0 spente.',
+  'callibot.setLEDLeft': 'Luce rossa sinistra: 1 accesa, 0 spenta. Quella destra intanto si spegne.',
+  'callibot.setLEDRight': 'Luce rossa destra: 1 accesa, 0 spenta. Quella sinistra intanto si spegne.',
+  'callibot.setAlarm': 'Due suoni che si ripetono, sullo sfondo: 1 acceso, 0 spento.',
+  'callibot.motL': 'Il motore sinistro: motL.rotate(50).',
+  'callibot.motR': 'Il motore destro: motR.rotate(50).',
+  'callibot.irLeft':
+    'Il sensore di linea sinistro: irLeft.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'callibot.irRight':
+    'Il sensore di linea destro: irRight.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'callibot.ts': 'Tutto il paraurti: ts.getValue() dà 1 finché è premuto a sinistra e a destra.',
+  'callibot.tsLeft': 'La parte sinistra del paraurti: tsLeft.getValue() dà 1 finché è premuta.',
+  'callibot.tsRight': 'La parte destra del paraurti: tsRight.getValue() dà 1 finché è premuta.',
+  'callibot.w':
+    'Regola i due motori: direzione a sinistra e a destra (0 avanti, 1 indietro), forza a sinistra e a destra (da 0 a 255).',
+  'callibot.Motor': 'Il tipo di motL e motR.',
+  'callibot.Motor.rotate': 'Fa girare questo motore a una velocità da -200 a 200; negativo è indietro, 0 lo ferma.',
+  'callibot.Sensor': 'Il tipo di irLeft, irRight, ts, tsLeft e tsRight.',
+  'callibot.Sensor.read_digital': '1 su pavimento chiaro o premuto, altrimenti 0.',
+  'callibot.Sensor.getValue': '1 su pavimento chiaro o premuto, altrimenti 0.',
+  callibotmot: 'I due motori del Calli:bot, uno per uno.',
+  'callibotmot.motL': 'Il motore sinistro: motL.rotate(50).',
+  'callibotmot.motR': 'Il motore destro: motR.rotate(50).',
+  'callibotmot.setLED': 'Tutte e due le luci rosse: 1 accese, 0 spente.',
+  'callibotmot.delay': 'Aspetta questo numero di millisecondi; intanto il robot continua quello che fa.',
+  'callibotmot.Motor': 'Un motore: 0 è quello sinistro, ogni altro numero quello destro.',
+  'callibotmot.Motor.rotate': 'Fa girare questo motore a una velocità da -200 a 200; negativo è indietro, 0 lo ferma.',
+  cbalarm: 'Suoni d’allarme per il Calli:bot.',
+  'cbalarm.setAlarm': 'Due suoni che si ripetono, sullo sfondo: 1 acceso, 0 spento.',
+  'cbalarm.beep': 'Un suono breve di 2000 hertz.',
+};
+
 const en: Readonly<Record<keyof typeof de, string>> = {
   callibot: 'Drives the Calli:bot: motors, sensors and red lights.',
   'callibot.forward': 'Drives forward until another command comes.',
@@ -153,5 +265,5 @@ const en: Readonly<Record<keyof typeof de, string>> = {
 export const callibotReference: RobotReference = {
   robot: 'callibot',
   modules: [callibotModule, callibotmot, cbalarm],
-  texts: { de, en },
+  texts: { de, fr, it, en },
 };

@@ -83,38 +83,55 @@ export const callibot: RobotType = {
   options: [
     {
       id: 'model',
-      title: { de: 'Ausführung', en: 'Model' },
+      title: { de: 'Ausführung', fr: 'Version', it: 'Modello', en: 'Model' },
       about: {
         de: 'Der 2E hat Radzähler und misst seine Batterie; der 1 kennt weder Stossfänger noch die Register an 0x22.',
+        fr: 'Le 2E a des compteurs de roue et mesure sa batterie ; le 1 n’a ni pare-chocs ni registres à 0x22.',
+        it: 'Il 2E ha contatori delle ruote e misura la sua batteria; l’1 non ha né paraurti né registri a 0x22.',
         en: 'The 2E counts the turns of its wheels and measures its battery; the 1 has no bumper and no registers at 0x22.',
       },
       choices: [
-        { id: '2E', title: { de: 'Calli:bot 2E', en: 'Calli:bot 2E' } },
-        { id: '2', title: { de: 'Calli:bot 2', en: 'Calli:bot 2' } },
-        { id: '1', title: { de: 'Calli:bot 1', en: 'Calli:bot 1' } },
+        { id: '2E', title: { de: 'Calli:bot 2E', fr: 'Calli:bot 2E', it: 'Calli:bot 2E', en: 'Calli:bot 2E' } },
+        { id: '2', title: { de: 'Calli:bot 2', fr: 'Calli:bot 2', it: 'Calli:bot 2', en: 'Calli:bot 2' } },
+        { id: '1', title: { de: 'Calli:bot 1', fr: 'Calli:bot 1', it: 'Calli:bot 1', en: 'Calli:bot 1' } },
       ],
     },
     {
       id: 'bumper',
-      title: { de: 'Stossfänger', en: 'Bumper' },
+      title: { de: 'Stossfänger', fr: 'Pare-chocs', it: 'Paraurti', en: 'Bumper' },
       about: {
         de: 'Der Roboter trägt ihn, sobald ein Programm die Sensoren liest (Linie, Abstand, Stossfänger); mit einem Anbauteil an einem Servo nur bei «immer».',
+        fr: 'Le robot le porte dès qu’un programme lit les capteurs (ligne, distance, pare-chocs) ; avec un accessoire sur un servo, seulement avec « toujours ».',
+        it: 'Il robot lo porta appena un programma legge i sensori (linea, distanza, paraurti); con un accessorio su un servo solo con «sempre».',
         en: 'The robot carries it once a program reads the sensors (line, distance, bumper); with an attachment on a servo only with “always”.',
       },
       choices: [
         {
           id: 'when-read',
-          title: { de: 'sobald Sensoren gelesen werden', en: 'once sensors are read' },
+          title: {
+            de: 'sobald Sensoren gelesen werden',
+            fr: 'dès que des capteurs sont lus',
+            it: 'appena si leggono i sensori',
+            en: 'once sensors are read',
+          },
         },
-        { id: 'always', title: { de: 'immer', en: 'always' } },
+        { id: 'always', title: { de: 'immer', fr: 'toujours', it: 'sempre', en: 'always' } },
       ],
     },
     {
       id: 'echo',
-      title: { de: 'Ultraschall ohne Hindernis', en: 'Ultrasonic without an obstacle' },
+      title: {
+        de: 'Ultraschall ohne Hindernis',
+        fr: 'Ultrasons sans obstacle',
+        it: 'Ultrasuoni senza ostacolo',
+        en: 'Ultrasonic without an obstacle',
+      },
       choices: [
-        { id: 'far', title: { de: 'meldet 4500 mm', en: 'reports 4500 mm' } },
-        { id: 'zero', title: { de: 'meldet 0 mm', en: 'reports 0 mm' } },
+        {
+          id: 'far',
+          title: { de: 'meldet 4500 mm', fr: 'indique 4500 mm', it: 'segnala 4500 mm', en: 'reports 4500 mm' },
+        },
+        { id: 'zero', title: { de: 'meldet 0 mm', fr: 'indique 0 mm', it: 'segnala 0 mm', en: 'reports 0 mm' } },
       ],
     },
     ...attachmentOptions(SERVO_PORTS),

@@ -1,126 +1,263 @@
 /** Maqueen Lite: what the gallery tells about it. */
 import type { RobotSheet } from '../robot';
 import firstDriveDe from './examples/first_drive.de.py?raw';
+import firstDriveFr from './examples/first_drive.fr.py?raw';
+import firstDriveIt from './examples/first_drive.it.py?raw';
 import firstDriveEn from './examples/first_drive.en.py?raw';
 import lightsDe from './examples/lights.de.py?raw';
+import lightsFr from './examples/lights.fr.py?raw';
+import lightsIt from './examples/lights.it.py?raw';
 import lightsEn from './examples/lights.en.py?raw';
 import ringDe from './examples/ring.de.py?raw';
+import ringFr from './examples/ring.fr.py?raw';
+import ringIt from './examples/ring.it.py?raw';
 import ringEn from './examples/ring.en.py?raw';
 import servoDe from './examples/servo.de.py?raw';
+import servoFr from './examples/servo.fr.py?raw';
+import servoIt from './examples/servo.it.py?raw';
 import servoEn from './examples/servo.en.py?raw';
 import squareDe from './examples/square.de.py?raw';
+import squareFr from './examples/square.fr.py?raw';
+import squareIt from './examples/square.it.py?raw';
 import squareEn from './examples/square.en.py?raw';
 
 export const maqueenLiteSheet: RobotSheet = {
   robot: 'maqueen-lite',
   about: {
     de: 'Der kleine Roboter von DFRobot, den viele Schulen haben. Er hat zwei Motoren, zwei Liniensensoren, Ultraschall, rote und farbige Lichter und zwei Anschlüsse für Servos.',
+    fr: 'Le petit robot de DFRobot que beaucoup d’écoles possèdent. Il a deux moteurs, deux capteurs de ligne, des ultrasons, des lumières rouges et colorées et deux connecteurs pour servos.',
+    it: 'Il piccolo robot di DFRobot che molte scuole possiedono. Ha due motori, due sensori di linea, ultrasuoni, luci rosse e colorate e due connettori per servo.',
     en: 'The small robot by DFRobot that many schools have. It has two motors, two line sensors, an ultrasonic sensor, red and coloured lights and two servo ports.',
   },
   examples: [
     {
       file: 'first_drive.py',
-      title: { de: 'Erste Fahrt', en: 'First drive' },
-      source: { de: firstDriveDe, en: firstDriveEn },
+      title: { de: 'Erste Fahrt', fr: 'Premier trajet', it: 'Primo viaggio', en: 'First drive' },
+      source: { de: firstDriveDe, fr: firstDriveFr, it: firstDriveIt, en: firstDriveEn },
       course: 'empty',
     },
     {
       file: 'square.py',
-      title: { de: 'Ein Quadrat fahren', en: 'Drive a square' },
-      source: { de: squareDe, en: squareEn },
+      title: { de: 'Ein Quadrat fahren', fr: 'Parcourir un carré', it: 'Percorrere un quadrato', en: 'Drive a square' },
+      source: { de: squareDe, fr: squareFr, it: squareIt, en: squareEn },
       course: 'empty',
     },
-    { file: 'lights.py', title: { de: 'Lichter', en: 'Lights' }, source: { de: lightsDe, en: lightsEn } },
+    {
+      file: 'lights.py',
+      title: { de: 'Lichter', fr: 'Lumières', it: 'Luci', en: 'Lights' },
+      source: { de: lightsDe, fr: lightsFr, it: lightsIt, en: lightsEn },
+    },
     {
       file: 'ring.py',
-      title: { de: 'Lichterring', en: 'Ring of lights' },
-      source: { de: ringDe, en: ringEn },
+      title: { de: 'Lichterring', fr: 'Anneau lumineux', it: 'Anello di luci', en: 'Ring of lights' },
+      source: { de: ringDe, fr: ringFr, it: ringIt, en: ringEn },
       course: 'empty',
     },
     {
       file: 'servo.py',
-      title: { de: 'Ein Servo', en: 'A servo' },
-      source: { de: servoDe, en: servoEn },
+      title: { de: 'Ein Servo', fr: 'Un servo', it: 'Un servo', en: 'A servo' },
+      source: { de: servoDe, fr: servoFr, it: servoIt, en: servoEn },
       course: 'empty',
       options: { S1: 'claw' },
     },
   ],
   wiring: [
     {
-      part: { de: 'Motoren und Servos', en: 'Motors and servos' },
+      part: { de: 'Motoren und Servos', fr: 'Moteurs et servos', it: 'Motori e servo', en: 'Motors and servos' },
       at: 'I2C 0x10',
-      note: { de: 'SCL an P19, SDA an P20', en: 'SCL at P19, SDA at P20' },
+      note: {
+        de: 'SCL an P19, SDA an P20',
+        fr: 'SCL à P19, SDA à P20',
+        it: 'SCL a P19, SDA a P20',
+        en: 'SCL at P19, SDA at P20',
+      },
     },
     {
-      part: { de: 'Rotes Licht links', en: 'Left red light' },
+      part: {
+        de: 'Rotes Licht links',
+        fr: 'Lumière rouge de gauche',
+        it: 'Luce rossa di sinistra',
+        en: 'Left red light',
+      },
       at: 'P8',
-      note: { de: '1 ein, 0 aus', en: '1 on, 0 off' },
+      note: { de: '1 ein, 0 aus', fr: '1 allumé, 0 éteint', it: '1 acceso, 0 spento', en: '1 on, 0 off' },
     },
     {
-      part: { de: 'Rotes Licht rechts', en: 'Right red light' },
+      part: {
+        de: 'Rotes Licht rechts',
+        fr: 'Lumière rouge de droite',
+        it: 'Luce rossa di destra',
+        en: 'Right red light',
+      },
       at: 'P12',
-      note: { de: '1 ein, 0 aus', en: '1 on, 0 off' },
+      note: { de: '1 ein, 0 aus', fr: '1 allumé, 0 éteint', it: '1 acceso, 0 spento', en: '1 on, 0 off' },
     },
     {
-      part: { de: 'Liniensensor links', en: 'Left line sensor' },
+      part: {
+        de: 'Liniensensor links',
+        fr: 'Capteur de ligne de gauche',
+        it: 'Sensore di linea di sinistra',
+        en: 'Left line sensor',
+      },
       at: 'P13',
-      note: { de: '1 auf hellem, 0 auf dunklem Boden', en: '1 on light, 0 on dark ground' },
+      note: {
+        de: '1 auf hellem, 0 auf dunklem Boden',
+        fr: '1 sur un sol clair, 0 sur un sol sombre',
+        it: '1 su pavimento chiaro, 0 su pavimento scuro',
+        en: '1 on light, 0 on dark ground',
+      },
     },
     {
-      part: { de: 'Liniensensor rechts', en: 'Right line sensor' },
+      part: {
+        de: 'Liniensensor rechts',
+        fr: 'Capteur de ligne de droite',
+        it: 'Sensore di linea di destra',
+        en: 'Right line sensor',
+      },
       at: 'P14',
-      note: { de: '1 auf hellem, 0 auf dunklem Boden', en: '1 on light, 0 on dark ground' },
+      note: {
+        de: '1 auf hellem, 0 auf dunklem Boden',
+        fr: '1 sur un sol clair, 0 sur un sol sombre',
+        it: '1 su pavimento chiaro, 0 su pavimento scuro',
+        en: '1 on light, 0 on dark ground',
+      },
     },
-    { part: { de: 'Ultraschall: Auslöser', en: 'Ultrasonic: trigger' }, at: 'P1' },
     {
-      part: { de: 'Ultraschall: Echo', en: 'Ultrasonic: echo' },
+      part: {
+        de: 'Ultraschall: Auslöser',
+        fr: 'Ultrasons : déclencheur',
+        it: 'Ultrasuoni: comando',
+        en: 'Ultrasonic: trigger',
+      },
+      at: 'P1',
+    },
+    {
+      part: { de: 'Ultraschall: Echo', fr: 'Ultrasons : écho', it: 'Ultrasuoni: eco', en: 'Ultrasonic: echo' },
       at: 'P2',
-      note: { de: 'Puls von 58 µs für jeden cm', en: 'pulse of 58 µs for each cm' },
+      note: {
+        de: 'Puls von 58 µs für jeden cm',
+        fr: 'impulsion de 58 µs pour chaque cm',
+        it: 'impulso di 58 µs per ogni cm',
+        en: 'pulse of 58 µs for each cm',
+      },
     },
     {
-      part: { de: 'Vier Farblichter', en: 'Four colour lights' },
+      part: {
+        de: 'Vier Farblichter',
+        fr: 'Quatre LED de couleur',
+        it: 'Quattro LED colorati',
+        en: 'Four colour lights',
+      },
       at: 'P15',
       note: {
         de: 'NeoPixel: 0 vorn links, 1 hinten links, 2 hinten rechts, 3 vorn rechts',
+        fr: 'NeoPixel : 0 avant gauche, 1 arrière gauche, 2 arrière droite, 3 avant droite',
+        it: 'NeoPixel: 0 davanti a sinistra, 1 dietro a sinistra, 2 dietro a destra, 3 davanti a destra',
         en: 'NeoPixel: 0 front left, 1 back left, 2 back right, 3 front right',
       },
     },
-    { part: { de: 'Summer', en: 'Buzzer' }, at: 'P0' },
+    { part: { de: 'Summer', fr: 'Buzzer', it: 'Cicalino', en: 'Buzzer' }, at: 'P0' },
     {
-      part: { de: 'Infrarotempfänger', en: 'Infrared receiver' },
+      part: {
+        de: 'Infrarotempfänger',
+        fr: 'Récepteur infrarouge',
+        it: 'Ricevitore a infrarossi',
+        en: 'Infrared receiver',
+      },
       at: 'P16',
-      note: { de: 'hört hier keine Fernbedienung', en: 'hears no remote control here' },
+      note: {
+        de: 'hört hier keine Fernbedienung',
+        fr: 'n’entend aucune télécommande ici',
+        it: 'qui non sente nessun telecomando',
+        en: 'hears no remote control here',
+      },
     },
   ],
   registers: [
     {
       address: 0x10,
-      title: { de: 'Steuerung des Roboters', en: 'The robot’s controller' },
+      title: {
+        de: 'Steuerung des Roboters',
+        fr: 'Commande du robot',
+        it: 'Controllo del robot',
+        en: 'The robot’s controller',
+      },
       rows: [
         {
           register: '0x00',
           access: 'RW',
-          meaning: { de: 'linker Motor: 0 vorwärts, 1 rückwärts', en: 'left motor: 0 forward, 1 backward' },
+          meaning: {
+            de: 'linker Motor: 0 vorwärts, 1 rückwärts',
+            fr: 'moteur gauche : 0 en avant, 1 en arrière',
+            it: 'motore sinistro: 0 avanti, 1 indietro',
+            en: 'left motor: 0 forward, 1 backward',
+          },
         },
-        { register: '0x01', access: 'RW', meaning: { de: 'linker Motor: Kraft 0–255', en: 'left motor: power 0–255' } },
+        {
+          register: '0x01',
+          access: 'RW',
+          meaning: {
+            de: 'linker Motor: Kraft 0–255',
+            fr: 'moteur gauche : puissance 0–255',
+            it: 'motore sinistro: potenza 0–255',
+            en: 'left motor: power 0–255',
+          },
+        },
         {
           register: '0x02',
           access: 'RW',
-          meaning: { de: 'rechter Motor: 0 vorwärts, 1 rückwärts', en: 'right motor: 0 forward, 1 backward' },
+          meaning: {
+            de: 'rechter Motor: 0 vorwärts, 1 rückwärts',
+            fr: 'moteur droit : 0 en avant, 1 en arrière',
+            it: 'motore destro: 0 avanti, 1 indietro',
+            en: 'right motor: 0 forward, 1 backward',
+          },
         },
         {
           register: '0x03',
           access: 'RW',
-          meaning: { de: 'rechter Motor: Kraft 0–255', en: 'right motor: power 0–255' },
+          meaning: {
+            de: 'rechter Motor: Kraft 0–255',
+            fr: 'moteur droit : puissance 0–255',
+            it: 'motore destro: potenza 0–255',
+            en: 'right motor: power 0–255',
+          },
         },
-        { register: '0x14', access: 'RW', meaning: { de: 'Servo S1: 0–180 Grad', en: 'servo S1: 0–180 degrees' } },
-        { register: '0x15', access: 'RW', meaning: { de: 'Servo S2: 0–180 Grad', en: 'servo S2: 0–180 degrees' } },
+        {
+          register: '0x14',
+          access: 'RW',
+          meaning: {
+            de: 'Servo S1: 0–180 Grad',
+            fr: 'servo S1 : 0–180 degrés',
+            it: 'servo S1: 0–180 gradi',
+            en: 'servo S1: 0–180 degrees',
+          },
+        },
+        {
+          register: '0x15',
+          access: 'RW',
+          meaning: {
+            de: 'Servo S2: 0–180 Grad',
+            fr: 'servo S2 : 0–180 degrés',
+            it: 'servo S2: 0–180 gradi',
+            en: 'servo S2: 0–180 degrees',
+          },
+        },
         {
           register: '0x32',
           access: 'R',
-          meaning: { de: 'Länge des Versionstextes', en: 'length of the version text' },
+          meaning: {
+            de: 'Länge des Versionstextes',
+            fr: 'longueur du texte de version',
+            it: 'lunghezza del testo di versione',
+            en: 'length of the version text',
+          },
         },
-        { register: '0x33 …', access: 'R', meaning: { de: 'Versionstext', en: 'version text' } },
+        {
+          register: '0x33 …',
+          access: 'R',
+          meaning: { de: 'Versionstext', fr: 'texte de version', it: 'testo di versione', en: 'version text' },
+        },
       ],
     },
   ],

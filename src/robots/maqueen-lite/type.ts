@@ -71,10 +71,18 @@ export const maqueenLite: RobotType = {
     ...attachmentOptions(SERVO_PORTS),
     {
       id: 'echo',
-      title: { de: 'Ultraschall ohne Hindernis', en: 'Ultrasonic without an obstacle' },
+      title: {
+        de: 'Ultraschall ohne Hindernis',
+        fr: 'Ultrasons sans obstacle',
+        it: 'Ultrasuoni senza ostacolo',
+        en: 'Ultrasonic without an obstacle',
+      },
       choices: [
-        { id: 'none', title: { de: 'kein Echo', en: 'no echo' } },
-        { id: 'long-pulse', title: { de: 'Echo von 38 ms', en: 'echo of 38 ms' } },
+        { id: 'none', title: { de: 'kein Echo', fr: 'pas d’écho', it: 'nessuna eco', en: 'no echo' } },
+        {
+          id: 'long-pulse',
+          title: { de: 'Echo von 38 ms', fr: 'écho de 38 ms', it: 'eco di 38 ms', en: 'echo of 38 ms' },
+        },
       ],
     },
   ],

@@ -132,6 +132,143 @@ const de = {
   'mbrobot_plusV2.LEDState.RED': 'Ein; die Lichter sind rot.',
 } as const;
 
+const fr: Readonly<Record<keyof typeof de, string>> = {
+  mbrobot_plusV2: 'Fait rouler le Maqueen Plus V2 : moteurs, capteurs, lumières, servos et sons.',
+  'mbrobot_plusV2.forward': 'Roule en avant jusqu’à la prochaine commande.',
+  'mbrobot_plusV2.backward': 'Roule en arrière jusqu’à la prochaine commande.',
+  'mbrobot_plusV2.left': 'Tourne sur place vers la gauche jusqu’à la prochaine commande.',
+  'mbrobot_plusV2.right': 'Tourne sur place vers la droite jusqu’à la prochaine commande.',
+  'mbrobot_plusV2.leftArc': 'Roule sur un cercle vers la gauche. radius en mètres : 0.2 fait 20 cm.',
+  'mbrobot_plusV2.rightArc': 'Roule sur un cercle vers la droite. radius en mètres : 0.2 fait 20 cm.',
+  'mbrobot_plusV2.stop': 'S’arrête.',
+  'mbrobot_plusV2.setSpeed': 'La vitesse des commandes suivantes en pour cent, 0 à 100 ; 50 au départ.',
+  'mbrobot_plusV2.resetSpeed': 'Remet la vitesse à 50 pour cent.',
+  'mbrobot_plusV2.delay': 'Attend ce nombre de millisecondes ; pendant ce temps, le robot continue.',
+  'mbrobot_plusV2.getDistance': 'La distance jusqu’à l’obstacle le plus proche en cm, 1 à 500 ; 255 s’il n’y en a pas.',
+  'mbrobot_plusV2.irL2':
+    'Le capteur de ligne tout à gauche : irL2.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.irL1':
+    'Le capteur de ligne à gauche du milieu : irL1.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.irM':
+    'Le capteur de ligne du milieu : irM.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.irR1':
+    'Le capteur de ligne à droite du milieu : irR1.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.irR2':
+    'Le capteur de ligne tout à droite : irR2.read_digital() donne 1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.irLeft': 'Le même capteur que irL1.',
+  'mbrobot_plusV2.irRight': 'Le même capteur que irR1.',
+  'mbrobot_plusV2.ir_read_values_as_byte':
+    'Tous les capteurs de ligne d’un coup, un bit par capteur, 1 sur un sol clair : ir_read_values_as_byte() & IR.masks[IR.M].',
+  'mbrobot_plusV2.motL': 'Le moteur gauche : motL.rotate(50) le fait tourner à 50 pour cent.',
+  'mbrobot_plusV2.motR': 'Le moteur droit : motR.rotate(50) le fait tourner à 50 pour cent.',
+  'mbrobot_plusV2.setLED':
+    'Lumières rouges à l’avant : 1 allumées, 0 éteintes. Une valeur pour les deux, ou une pour la gauche et une pour la droite.',
+  'mbrobot_plusV2.setLEDLeft': 'Lumière rouge gauche : 1 allumée, 0 éteinte.',
+  'mbrobot_plusV2.setLEDRight': 'Lumière rouge droite : 1 allumée, 0 éteinte.',
+  'mbrobot_plusV2.fillRGB': 'Donne la même couleur aux quatre LED de couleur, chaque part de 0 à 255.',
+  'mbrobot_plusV2.setRGB':
+    'Avec trois valeurs, la couleur des quatre LED, avec quatre valeurs, celle d’une LED comme posRGB.',
+  'mbrobot_plusV2.posRGB':
+    'La couleur d’une LED : position 0 avant gauche, 1 arrière gauche, 2 arrière droite, 3 avant droite ; chaque part de 0 à 255.',
+  'mbrobot_plusV2.RobotContext':
+    'Ce que l’on peut dire à la simulation de TigerJython. Ici, cela s’écrit seulement dans la sortie : départ, obstacles et lignes font partie du parcours.',
+  'mbrobot_plusV2.clearRGB': 'Éteint toutes les LED de couleur.',
+  'mbrobot_plusV2.np_rgb_pixels': 'Les quatre LED de couleur sous forme de NeoPixel.',
+  'mbrobot_plusV2.setServo': "Tourne le servo du connecteur 'P0', 'P1' ou 'P2' à un angle de 0 à 180 degrés.",
+  'mbrobot_plusV2.setMinServoDuty': 'La durée de l’impulsion à 0 degré, en parts de 1023 des 20 ms ; 25 au départ.',
+  'mbrobot_plusV2.setMaxServoDuty': 'La durée de l’impulsion à 180 degrés, en parts de 1023 des 20 ms ; 131 au départ.',
+  'mbrobot_plusV2.setAlarm': 'Une alarme en arrière-plan : 1 en marche, 0 arrêt.',
+  'mbrobot_plusV2.beep': 'Un son court de 440 hertz.',
+  'mbrobot_plusV2.calibrate':
+    'Adapte à un robot précis : offset -14 à 50, differential -150 à 150 (gauche contre droite), arcScaling -50 à 50.',
+  'mbrobot_plusV2.Motor': 'Le type de motL et motR.',
+  'mbrobot_plusV2.Motor.rotate':
+    'Fait tourner ce moteur à une vitesse de -100 à 100 pour cent ; négatif, c’est en arrière.',
+  'mbrobot_plusV2.IRSensor': 'Le type de irL2 à irR2.',
+  'mbrobot_plusV2.IRSensor.read_digital': '1 sur un sol clair, 0 sur un sol sombre.',
+  'mbrobot_plusV2.IRSensor.read_analog':
+    'La luminosité du sol, 0 à 255 : environ 230 sur un sol clair, 100 sur un sol noir.',
+  'mbrobot_plusV2.IR': 'Les numéros des capteurs de ligne.',
+  'mbrobot_plusV2.IR.R2': 'Le numéro du capteur tout à droite.',
+  'mbrobot_plusV2.IR.R1': 'Le numéro du capteur à droite du milieu.',
+  'mbrobot_plusV2.IR.M': 'Le numéro du capteur du milieu.',
+  'mbrobot_plusV2.IR.L1': 'Le numéro du capteur à gauche du milieu.',
+  'mbrobot_plusV2.IR.L2': 'Le numéro du capteur tout à gauche.',
+  'mbrobot_plusV2.IR.masks': 'Les bits des capteurs dans ir_read_values_as_byte() : IR.masks[IR.M].',
+  'mbrobot_plusV2.LEDState': 'Les valeurs pour setLED.',
+  'mbrobot_plusV2.LEDState.OFF': 'Éteint.',
+  'mbrobot_plusV2.LEDState.ON': 'Allumé.',
+  'mbrobot_plusV2.LEDState.RED': 'Allumé ; les lumières sont rouges.',
+};
+
+const it: Readonly<Record<keyof typeof de, string>> = {
+  mbrobot_plusV2: 'Guida il Maqueen Plus V2: motori, sensori, luci, servo e suoni.',
+  'mbrobot_plusV2.forward': 'Va avanti finché arriva un altro comando.',
+  'mbrobot_plusV2.backward': 'Va indietro finché arriva un altro comando.',
+  'mbrobot_plusV2.left': 'Gira sul posto a sinistra finché arriva un altro comando.',
+  'mbrobot_plusV2.right': 'Gira sul posto a destra finché arriva un altro comando.',
+  'mbrobot_plusV2.leftArc': 'Percorre un cerchio verso sinistra. radius in metri: 0.2 sono 20 cm.',
+  'mbrobot_plusV2.rightArc': 'Percorre un cerchio verso destra. radius in metri: 0.2 sono 20 cm.',
+  'mbrobot_plusV2.stop': 'Si ferma.',
+  'mbrobot_plusV2.setSpeed': 'La velocità dei comandi seguenti in percentuale, da 0 a 100; all’inizio 50.',
+  'mbrobot_plusV2.resetSpeed': 'Riporta la velocità al 50 per cento.',
+  'mbrobot_plusV2.delay': 'Aspetta questo numero di millisecondi; intanto il robot continua.',
+  'mbrobot_plusV2.getDistance': 'La distanza dall’ostacolo più vicino in cm, da 1 a 500; 255 se non ce n’è nessuno.',
+  'mbrobot_plusV2.irL2':
+    'Il sensore di linea più a sinistra: irL2.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.irL1':
+    'Il sensore di linea a sinistra del centro: irL1.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.irM':
+    'Il sensore di linea al centro: irM.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.irR1':
+    'Il sensore di linea a destra del centro: irR1.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.irR2':
+    'Il sensore di linea più a destra: irR2.read_digital() dà 1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.irLeft': 'Lo stesso sensore di irL1.',
+  'mbrobot_plusV2.irRight': 'Lo stesso sensore di irR1.',
+  'mbrobot_plusV2.ir_read_values_as_byte':
+    'Tutti i sensori di linea in una volta, un bit per sensore, 1 su pavimento chiaro: ir_read_values_as_byte() & IR.masks[IR.M].',
+  'mbrobot_plusV2.motL': 'Il motore sinistro: motL.rotate(50) lo fa girare al 50 per cento.',
+  'mbrobot_plusV2.motR': 'Il motore destro: motR.rotate(50) lo fa girare al 50 per cento.',
+  'mbrobot_plusV2.setLED':
+    'Luci rosse davanti: 1 accese, 0 spente. Un valore per tutte e due, o uno per la sinistra e uno per la destra.',
+  'mbrobot_plusV2.setLEDLeft': 'Luce rossa sinistra: 1 accesa, 0 spenta.',
+  'mbrobot_plusV2.setLEDRight': 'Luce rossa destra: 1 accesa, 0 spenta.',
+  'mbrobot_plusV2.fillRGB': 'Dà lo stesso colore ai quattro LED colorati, ogni parte da 0 a 255.',
+  'mbrobot_plusV2.setRGB':
+    'Con tre valori il colore di tutti e quattro i LED, con quattro valori quello di un LED come posRGB.',
+  'mbrobot_plusV2.posRGB':
+    'Il colore di un LED: position 0 davanti a sinistra, 1 dietro a sinistra, 2 dietro a destra, 3 davanti a destra; ogni parte da 0 a 255.',
+  'mbrobot_plusV2.RobotContext':
+    'Quello che si può dire alla simulazione di TigerJython. Qui appare solo nell’output: partenza, ostacoli e linee fanno parte del percorso.',
+  'mbrobot_plusV2.clearRGB': 'Spegne tutti i LED colorati.',
+  'mbrobot_plusV2.np_rgb_pixels': 'I quattro LED colorati come NeoPixel.',
+  'mbrobot_plusV2.setServo': "Gira il servo sul connettore 'P0', 'P1' o 'P2' a un angolo da 0 a 180 gradi.",
+  'mbrobot_plusV2.setMinServoDuty': 'La durata dell’impulso a 0 gradi, in parti di 1023 dei 20 ms; all’inizio 25.',
+  'mbrobot_plusV2.setMaxServoDuty': 'La durata dell’impulso a 180 gradi, in parti di 1023 dei 20 ms; all’inizio 131.',
+  'mbrobot_plusV2.setAlarm': 'Un allarme sullo sfondo: 1 acceso, 0 spento.',
+  'mbrobot_plusV2.beep': 'Un suono breve di 440 hertz.',
+  'mbrobot_plusV2.calibrate':
+    'Adatta a un robot preciso: offset da -14 a 50, differential da -150 a 150 (sinistra contro destra), arcScaling da -50 a 50.',
+  'mbrobot_plusV2.Motor': 'Il tipo di motL e motR.',
+  'mbrobot_plusV2.Motor.rotate': 'Fa girare questo motore a una velocità da -100 a 100 per cento; negativo è indietro.',
+  'mbrobot_plusV2.IRSensor': 'Il tipo da irL2 a irR2.',
+  'mbrobot_plusV2.IRSensor.read_digital': '1 su pavimento chiaro, 0 su pavimento scuro.',
+  'mbrobot_plusV2.IRSensor.read_analog':
+    'La luminosità del pavimento, da 0 a 255: circa 230 su pavimento chiaro, 100 su nero.',
+  'mbrobot_plusV2.IR': 'I numeri dei sensori di linea.',
+  'mbrobot_plusV2.IR.R2': 'Il numero del sensore più a destra.',
+  'mbrobot_plusV2.IR.R1': 'Il numero del sensore a destra del centro.',
+  'mbrobot_plusV2.IR.M': 'Il numero del sensore al centro.',
+  'mbrobot_plusV2.IR.L1': 'Il numero del sensore a sinistra del centro.',
+  'mbrobot_plusV2.IR.L2': 'Il numero del sensore più a sinistra.',
+  'mbrobot_plusV2.IR.masks': 'I bit dei sensori in ir_read_values_as_byte(): IR.masks[IR.M].',
+  'mbrobot_plusV2.LEDState': 'I valori per setLED.',
+  'mbrobot_plusV2.LEDState.OFF': 'Spento.',
+  'mbrobot_plusV2.LEDState.ON': 'Acceso.',
+  'mbrobot_plusV2.LEDState.RED': 'Acceso; le luci sono rosse.',
+};
+
 const en: Readonly<Record<keyof typeof de, string>> = {
   mbrobot_plusV2: 'Drives the Maqueen Plus V2: motors, sensors, lights, servos and sounds.',
   'mbrobot_plusV2.forward': 'Drives forward until another command comes.',
@@ -199,5 +336,5 @@ const en: Readonly<Record<keyof typeof de, string>> = {
 export const maqueenPlusV2Reference: RobotReference = {
   robot: 'maqueen-plus-v2',
   modules: [mbrobotPlusV2],
-  texts: { de, en },
+  texts: { de, fr, it, en },
 };

@@ -1,4 +1,6 @@
 import type { Pose } from '#core/geometry';
+import { shownLanguage } from '../i18n';
+import { numberText } from '../i18n/number-text';
 import { drawPill } from './draw-pill';
 import { boxAround, unionOf, type PxBox } from './moving-window';
 import type { Palette } from './palette';
@@ -11,7 +13,7 @@ const LABEL_PX = 52;
 /** The radius as it is labelled: `r = 15 cm`; below 10 cm with a decimal. */
 export function radiusLabel(radiusMm: number): string {
   const cm = radiusMm < 99.5 ? Math.round(radiusMm) / 10 : Math.round(radiusMm / 10);
-  return `r = ${String(cm)} cm`;
+  return `r = ${numberText(cm, shownLanguage())} cm`;
 }
 
 /** Where it is drawn, in px. */

@@ -1,5 +1,7 @@
 import { mdiRotateRight } from '@mdi/js';
 import type { Pose, Vec } from '#core/geometry';
+import { shownLanguage } from '../i18n';
+import { numberText } from '../i18n/number-text';
 import { drawPill } from './draw-pill';
 import { normalAngle } from './hand-gesture';
 import type { Palette } from './palette';
@@ -77,7 +79,7 @@ export function headingLabel(headingRad: number): string {
 
 /** A place in cm, to the mm: "30.5 | 45 cm". */
 export function placeLabel(pose: Pose): string {
-  const cm = (mm: number): string => String(Math.round(mm) / 10);
+  const cm = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage());
   return `${cm(pose.xMm)} | ${cm(pose.yMm)} cm`;
 }
 

@@ -2,6 +2,8 @@ import type { Vec } from '#core/geometry';
 import type { Handle, Mark } from '#editor/tool';
 import type { SceneObject } from '#scene/scene';
 import { mdiRotateRight } from '@mdi/js';
+import { shownLanguage } from '../i18n';
+import { numberText } from '../i18n/number-text';
 import { drawPill } from './draw-pill';
 import { outlinePath } from './draw-outline';
 import type { Palette } from './palette';
@@ -55,7 +57,7 @@ function drawFrame(context: CanvasRenderingContext2D, from: Vec, to: Vec, palett
 
 /** What the ruler says: length and angle, then the place of its end. */
 export function measureLabel(from: Vec, to: Vec): string {
-  const cm = (mm: number): string => (Math.round(mm) / 10).toFixed(1).replace('-', '−');
+  const cm = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');
   const place = `x ${cm(to.x)} · y ${cm(to.y)} cm`;
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   if (length < 0.5) return place;

@@ -4,6 +4,8 @@ import { ViewPlugin, type EditorView } from '@codemirror/view';
 
 import { checkForDevice } from '#device-check/check-for-device';
 import { explain } from '#device-check/explain';
+import type { Finding } from '#device-check/finding';
+import { loadRuleTexts } from '#device-check/texts/load';
 import { devicePanel } from './device-panel';
 import { deviceLook } from './device-look';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
@@ -27,15 +29,23 @@ export function deviceLint({ question, onChange }: DeviceMarksOptions): Extensio
   ];
 }
 
-function diagnosticsOf(view: EditorView, question: DeviceQuestion | null): readonly Diagnostic[] {
+async function diagnosticsOf(view: EditorView, question: DeviceQuestion | null): Promise<readonly Diagnostic[]> {
   if (question === null) return [];
-  const { file, files, device, board, language } = question;
-  return checkForDevice({ ...files, [file]: view.state.doc.toString() }, device)
-    .filter((finding) => finding.file === file)
-    .map((finding) => ({
-      from: finding.from,
-      to: finding.to,
-      severity: finding.severity === 'error' ? 'warning' : 'info',
-      message: explain(finding, board, language),
-    }));
+  const { file, files, device } = question;
+  const findings = checkForDevice({ ...files, [file]: view.state.doc.toString() }, device).filter(
+    (finding) => finding.file === file,
+  );
+  return findings.length === 0 ? [] : explained(findings, question);
+}
+
+/** Marks with their sentences; without a connection to fetch those there are none, and the next check tries again. */
+async function explained(findings: readonly Finding[], { board, language }: DeviceQuestion): Promise<Diagnostic[]> {
+  const texts = await loadRuleTexts(language).catch(() => null);
+  if (texts === null) return [];
+  return findings.map((finding) => ({
+    from: finding.from,
+    to: finding.to,
+    severity: finding.severity === 'error' ? 'warning' : 'info',
+    message: explain(finding, board, texts),
+  }));
 }

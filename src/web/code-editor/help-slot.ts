@@ -29,7 +29,7 @@ function waitForUse(view: EditorView, use: () => Promise<void>): { destroy(): vo
   };
   for (const name of USES) view.dom.addEventListener(name, first, { passive: true });
   // Made anew while it was being used, as when the language changed.
-  if (loaded.has('de') || loaded.has('en') || view.hasFocus) queueMicrotask(first);
+  if (loaded.size > 0 || view.hasFocus) queueMicrotask(first);
   return { destroy: stop };
 }
 

@@ -8,6 +8,9 @@ import type { WorkModel } from './use-work';
 /** How long after the last keystroke the work is saved, in ms. */
 const SAVE_AFTER_MS = 300; // chosen: a crash costs at most a word
 
+/** A storage for pages that keep nothing: where the browser forbids it, or a host brings the work. */
+export const forgetful: TabStorage = { load: () => null, save: () => true };
+
 /** This tab's storage, or one that forgets where the browser forbids storing. */
 export async function openTabStorage(): Promise<TabStorage> {
   try {
@@ -19,7 +22,7 @@ export async function openTabStorage(): Promise<TabStorage> {
     if (own !== null && own !== name) void holdsName(own);
     return await withPieces(storage);
   } catch {
-    return { load: () => null, save: () => true };
+    return forgetful;
   }
 }
 

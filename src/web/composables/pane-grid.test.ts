@@ -67,3 +67,48 @@ describe('the grid of the panes', () => {
     }
   });
 });
+
+describe('the grid of the panes that a host shows', () => {
+  const panes = ['code', 'board', 'arena', 'console'] as const;
+  const none = { code: false, board: false, arena: false, console: false };
+  const subsets = Array.from({ length: 15 }, (_, index) =>
+    Object.fromEntries(panes.map((pane, place) => [pane, ((index + 1) & (1 << place)) !== 0])),
+  ) as unknown as (typeof none)[];
+
+  /** Rows of names, as `grid-template-areas` has them. */
+  const rowsOf = (areas: string): string[][] => [...areas.matchAll(/'([^']+)'/g)].map(([, row]) => row!.split(' '));
+  /** Sizes of a track list; `minmax(0, 1fr)` is one. */
+  const tracksOf = (list: string): string[] => list.match(/minmax\([^)]*\)|\S+/g) ?? [];
+
+  it.each(['wide', 'medium', 'narrow'] as const)(
+    'has each of them in one place, and one that takes the rest: %s',
+    (kind) => {
+      for (const shown of subsets) {
+        const { areas, columns, rows, splitters } = gridOf(kind, shown, sizes, room);
+        const cells = rowsOf(areas);
+        expect(cells.length, areas).toBe(tracksOf(rows).length);
+        for (const row of cells) expect(row.length, areas).toBe(tracksOf(columns).length);
+        for (const pane of panes) expect(cells.flat().includes(pane), `${pane} in ${areas}`).toBe(shown[pane]);
+        for (const { id } of splitters) expect(cells.flat(), areas).toContain(`s-${id}`);
+        for (const bar of cells.flat().filter((name) => name.startsWith('s-')))
+          expect(splitters.map(({ id }) => `s-${id}`)).toContain(bar);
+        expect(columns, areas).toContain('fr)');
+        expect(rows, areas).toContain('fr)');
+      }
+    },
+  );
+
+  it('is the whole window for one pane alone', () => {
+    for (const kind of ['wide', 'narrow', 'phone'] as const) {
+      const grid = gridOf(kind, { ...none, arena: true }, sizes, room);
+      expect(grid).toEqual({ columns: 'minmax(0, 1fr)', rows: 'minmax(0, 1fr)', areas: "'arena'", splitters: [] });
+    }
+  });
+
+  it('puts the board beside the arena, which has the rest', () => {
+    const grid = gridOf('wide', { ...none, board: true, arena: true }, sizes, room);
+    expect(grid.columns).toBe('256px 8px minmax(0, 1fr)');
+    expect(grid.areas).toBe("'board s-board arena'");
+    expect(grid.splitters).toEqual([{ id: 'board', axis: 'x', sign: 1, sizePx: 256 }]);
+  });
+});

@@ -46,16 +46,17 @@ export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: 
   return { minPx, maxPx: Math.max(minPx, most[id]) };
 }
 
-/** Lays the shown panes out. */
+/** Lays the shown panes out, whichever they are: a host may show any of them. */
 export function gridOf(
   kind: LayoutKind,
   shown: Readonly<Record<Pane, boolean>>,
   wished: PaneSizes,
   room: Room,
 ): PaneGrid {
-  if (kind === 'phone') {
-    const pane = (['code', 'board', 'arena', 'console'] as const).find((name) => shown[name]) ?? 'code';
-    return { columns: 'minmax(0, 1fr)', rows: 'minmax(0, 1fr)', areas: `'${pane}'`, splitters: [] };
+  const panes = (['code', 'board', 'arena', 'console'] as const).filter((name) => shown[name]);
+  const [only] = panes;
+  if (kind === 'phone' || panes.length < 2) {
+    return { columns: REST, rows: REST, areas: `'${only ?? 'code'}'`, splitters: [] };
   }
   const fit = (id: SplitterId): number => {
     const { minPx, maxPx } = limitsOf(id, room);
@@ -64,59 +65,71 @@ export function gridOf(
   return kind === 'narrow' ? stacked(shown, wished, fit) : inRow(shown, fit);
 }
 
-/** Code, board and arena side by side, the console below them all. */
-function inRow(shown: Readonly<Record<Pane, boolean>>, fit: (id: SplitterId) => number): PaneGrid {
+/** What takes the room that the others leave. */
+const REST = 'minmax(0, 1fr)';
+
+type Columns = Pick<PaneGrid, 'columns' | 'splitters'> & { readonly areas: readonly string[] };
+
+/** Panes side by side. The one that shows most has the rest of the room, the others the size that was chosen. */
+function columnsOf(panes: readonly ('code' | 'board' | 'arena')[], fit: (id: SplitterId) => number): Columns {
+  const rest = panes.includes('arena') ? 'arena' : panes[0];
   const columns: string[] = [];
   const areas: string[] = [];
   const splitters: PaneGrid['splitters'][number][] = [];
   const add = (area: string, width: string): void => void (columns.push(width), areas.push(area));
-  const rest = 'minmax(0, 1fr)';
-  const codeEnds = shown.board || shown.arena;
-  const codeSizes = shown.arena;
-  add('code', codeSizes ? `${fit('code')}px` : rest);
-  if (codeEnds) {
-    add(codeSizes ? 's-code' : 's-board', GAP);
-    if (codeSizes) splitters.push({ id: 'code', axis: 'x', sign: 1, sizePx: fit('code') });
+  for (const [index, pane] of panes.entries()) {
+    const before = panes[index - 1];
+    if (before !== undefined) {
+      // The bar moves the pane that has a size; one before it grows to the right, one behind it to the left.
+      const [id, sign] = before === rest || before === 'arena' ? [pane, -1 as const] : [before, 1 as const];
+      if (id !== 'arena') splitters.push({ id, axis: 'x', sign, sizePx: fit(id) });
+      add(`s-${id}`, GAP);
+    }
+    add(pane, pane === rest || pane === 'arena' ? REST : `${fit(pane)}px`);
   }
-  if (shown.board) {
-    add('board', `${fit('board')}px`);
-    splitters.push({ id: 'board', axis: 'x', sign: shown.arena ? 1 : -1, sizePx: fit('board') });
-    if (shown.arena) add('s-board', GAP);
-  }
-  if (shown.arena) add('arena', rest);
-  splitters.push({ id: 'console', axis: 'y', sign: -1, sizePx: fit('console') });
+  return { columns: columns.join(' '), areas, splitters };
+}
+
+/** Code, board and arena side by side, the console below them all. */
+function inRow(shown: Readonly<Record<Pane, boolean>>, fit: (id: SplitterId) => number): PaneGrid {
+  const panes = (['code', 'board', 'arena'] as const).filter((pane) => shown[pane]);
+  const { columns, areas, splitters } = columnsOf(panes, fit);
+  const row = `'${areas.join(' ')}'`;
+  if (!shown.console) return { columns, rows: REST, areas: row, splitters };
   const below = (area: string): string => `'${areas.map(() => area).join(' ')}'`;
   return {
-    columns: columns.join(' '),
-    rows: `${rest} ${GAP} ${fit('console')}px`,
-    areas: `'${areas.join(' ')}' ${below('s-console')} ${below('console')}`,
-    splitters,
+    columns,
+    rows: `${REST} ${GAP} ${fit('console')}px`,
+    areas: `${row} ${below('s-console')} ${below('console')}`,
+    splitters: [...splitters, { id: 'console', axis: 'y', sign: -1, sizePx: fit('console') }],
   };
 }
 
 /** Code and board on top, the arena below in full width, then the console. */
 function stacked(shown: Readonly<Record<Pane, boolean>>, wished: PaneSizes, fit: (id: SplitterId) => number): PaneGrid {
-  const splitters: PaneGrid['splitters'][number][] = [];
-  const rest = 'minmax(0, 1fr)';
-  const across = (area: string): string => (shown.board ? `'${area} ${area} ${area}'` : `'${area}'`);
-  if (shown.board) splitters.push({ id: 'board', axis: 'x', sign: -1, sizePx: fit('board') });
+  const top = columnsOf(
+    (['code', 'board'] as const).filter((pane) => shown[pane]),
+    fit,
+  );
+  const splitters = [...top.splitters];
   const rows: string[] = [];
-  const areas: string[] = [shown.board ? `'code s-board board'` : `'code'`];
+  const areas: string[] = [];
+  const across = (area: string): string => `'${(top.areas.length > 0 ? top.areas : ['']).map(() => area).join(' ')}'`;
+  const add = (row: string, area: string): void => void (rows.push(row), areas.push(area));
+  if (top.areas.length > 0) add(REST, `'${top.areas.join(' ')}'`);
   if (shown.arena) {
-    const topPx = fit('top');
-    rows.push(wished.top === 0 ? 'minmax(0, 0.8fr)' : `${topPx}px`, GAP, rest, GAP);
-    areas.push(across('s-top'), across('arena'));
-    splitters.push({ id: 'top', axis: 'y', sign: 1, sizePx: topPx });
-  } else {
-    rows.push(rest, GAP);
+    if (rows.length > 0) {
+      const topPx = fit('top');
+      rows[0] = wished.top === 0 ? 'minmax(0, 0.8fr)' : `${topPx}px`;
+      splitters.push({ id: 'top', axis: 'y', sign: 1, sizePx: topPx });
+      add(GAP, across('s-top'));
+    }
+    add(REST, across('arena'));
   }
-  rows.push(`${fit('console')}px`);
-  areas.push(across('s-console'), across('console'));
-  splitters.push({ id: 'console', axis: 'y', sign: -1, sizePx: fit('console') });
-  return {
-    columns: shown.board ? `${rest} ${GAP} ${fit('board')}px` : rest,
-    rows: rows.join(' '),
-    areas: areas.join(' '),
-    splitters,
-  };
+  if (shown.console) {
+    add(GAP, across('s-console'));
+    add(`${fit('console')}px`, across('console'));
+    splitters.push({ id: 'console', axis: 'y', sign: -1, sizePx: fit('console') });
+  }
+  return { columns: top.columns || REST, rows: rows.join(' '), areas: areas.join(' '), splitters };
 }

@@ -1,7 +1,7 @@
 import { computed, inject, provide, shallowRef, watch, type InjectionKey, type ShallowRef } from 'vue';
 
 import { filesByName, MAIN, type SourceFile } from '#project/project';
-import type { InputEvent, PlacedPose } from '#simulation/input';
+import type { InputEvent } from '#simulation/input';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
@@ -9,6 +9,8 @@ import type { Ended } from '#simulation/simulation';
 import { lastPlace, type ErrorPlace } from '../console/console-log';
 import { explain, fetchAdvice } from '../console/explain';
 import { movesBodies } from '../course-editor/waiting';
+import { HostView, type HostWish } from '../host/host-view';
+import { heldSettings } from '../host/held-settings';
 import { t, type Language } from '../i18n';
 import { projectOf } from '../project/course';
 import { boardWish } from '../project/devices';
@@ -17,6 +19,7 @@ import { deviceSettings, hardwareOf, seedOf } from '../project/hardware';
 import type { Work } from '../project/history';
 import type { TabStorage } from '../project/tab-storage';
 import { SoundPlayer } from '../sound/sound-player';
+import { createWorker } from '../worker/create-worker';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
 import { mispluggedNotice, tableOf } from './misplugged';
@@ -25,11 +28,13 @@ import { useCourseEditor, type CourseEditorModel } from './use-course-editor';
 import { DataLogModel } from './use-data-log';
 import { useDialogs, type DialogsModel } from './use-dialogs';
 import { useGallery, type GalleryModel } from './use-gallery';
+import { useHand, type Hand } from './use-hand';
+import { useJump, type Jump } from './use-jump';
 import { useLayout, type LayoutModel } from './use-layout';
 import { useLiveEdits } from './use-live-edits';
 import { useNotices, type NoticesModel } from './use-notices';
 import { RadioModel } from './use-radio';
-import { RunModel } from './use-run';
+import { RunModel, type RunHost } from './use-run';
 import { SensorsModel } from './use-sensors';
 import { useSettings, type SettingsModel } from './use-settings';
 import { WorkModel } from './use-work';
@@ -51,16 +56,11 @@ export interface App {
   readonly hand: Hand;
   readonly jump: Jump;
   readonly editor: CourseEditorModel;
+  readonly host: HostView;
 }
 
 /** How long after the start of the first run the page fetches what explains errors, in ms. */
 const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
-
-/** Where the hand put robot and blocks before a run; a reset puts them back. */
-export type Hand = ReturnType<typeof useHand>;
-
-/** A wish to show a line of a file, and the line that is marked as wrong. */
-export type Jump = ReturnType<typeof useJump>;
 
 const KEY: InjectionKey<App> = Symbol('app');
 
@@ -72,19 +72,20 @@ export function useApp(): App {
 }
 
 /** Creates the app's shared parts and hands them to all panels below. */
-export function provideApp(storage: TabStorage): App {
-  const settings = useSettings();
+export function provideApp(storage: TabStorage, wish: HostWish): App {
+  const host = new HostView(wish);
+  const settings = useSettings(heldSettings(wish.settings));
   const notices = useNotices();
   const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
   keepWork(work, storage, () => notices.show({ kind: 'warn', key: 'files.storageFull' }));
   const console = new ConsoleModel(() => tableNow({ work, settings }));
   const jump = useJump(work);
   const hand = useHand();
-  const layout = useLayout(settings);
+  const layout = useLayout(settings, host);
   const dataLog = new DataLogModel();
   const runStart = shallowRef<Scene | null>(null);
   const sound = new SoundPlayer();
-  const parts: RunParts = { settings, work, console, jump, hand, notices, layout, dataLog, sound, runStart };
+  const parts: RunParts = { settings, work, console, jump, hand, notices, layout, dataLog, sound, host, runStart };
   const { run, sensors, radio } = createRun(parts);
   run.setSpeed(settings.current.value.speed);
   watch(
@@ -98,10 +99,11 @@ export function provideApp(storage: TabStorage): App {
     { immediate: true },
   );
   const editor = createEditor(parts, run);
-  // Another device is another start.
+  // Another device is another start. At once: a host that chooses one and starts must not be stopped by it afterwards.
   watch(
     () => deviceKey(settings),
     () => void run.reset(),
+    { flush: 'sync' },
   );
   watch(
     () => settings.current.value.arenaSenses,
@@ -144,56 +146,25 @@ function firstWork(language: Language): Work {
   return { project: firstCourse === undefined ? empty : projectOf(firstCourse, language), open: MAIN, previous: [] };
 }
 
+/** What every Run button does: the program runs, or a host that brings the program first is asked for it. */
+export function pressRun({ run, host }: Pick<App, 'run' | 'host'>): void {
+  if (host.ask.value === null) void run.start();
+  else host.ask.value();
+}
+
 /** The robot, the board and its firmware that a run of the present work would have; `null` where the course names unknown ones. */
 export function useHardware(app: Pick<App, 'work' | 'settings'>) {
   return computed(() => hardwareNow(app));
 }
 
-const hardwareNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
+/** The same at this moment. */
+export const hardwareNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
   hardwareOf(work.value.project, settings.current.value);
 
 const tableNow = ({ work: { work }, settings }: Pick<App, 'work' | 'settings'>) =>
   tableOf(work.value.project, settings.current.value);
 
 const deviceKey = ({ current }: SettingsModel): string => JSON.stringify(deviceSettings(current.value));
-
-function useHand() {
-  const pose = shallowRef<PlacedPose | null>(null);
-  /** By the object's id. */
-  const blocks = shallowRef<Readonly<Record<string, PlacedPose>>>({});
-  return {
-    pose,
-    blocks,
-    reset: (): void => {
-      pose.value = null;
-      blocks.value = {};
-    },
-    /** What was changed in the course is where the course says. */
-    letGo: (before: Scene, after: Scene): void => {
-      if (before.robot !== after.robot) pose.value = null;
-      const ids = Object.keys(blocks.value);
-      if (ids.length === 0) return;
-      const objectIn = (scene: Scene, id: string) => scene.objects.find((object) => object.id === id);
-      const kept = ids.filter((id) => objectIn(before, id) === objectIn(after, id));
-      if (kept.length < ids.length) {
-        blocks.value = Object.fromEntries(Object.entries(blocks.value).filter(([id]) => kept.includes(id)));
-      }
-    },
-  };
-}
-
-function useJump(work: WorkModel) {
-  const target = shallowRef<ErrorPlace | null>(null);
-  const wrong = shallowRef<ErrorPlace | null>(null);
-  return {
-    target,
-    wrong,
-    to: (place: ErrorPlace): void => {
-      work.show(place.file);
-      target.value = { ...place };
-    },
-  };
-}
 
 type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs' | 'gallery' | 'editor'> & {
   /** The course that the run was given. */
@@ -204,15 +175,20 @@ type RunParts = Omit<App, 'run' | 'sensors' | 'radio' | 'dialogs' | 'gallery' | 
 function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
   let runs = 0;
   const run: RunModel = new RunModel({
-    createWorker: () => new Worker(new URL('../worker/worker.ts', import.meta.url), { type: 'module' }),
+    createWorker,
     firmware: compileFirmware,
     setup: () => {
       const setup = setupOf(parts, sensors.startInputs());
       parts.runStart.value = setup.scene;
       return setup;
     },
+    onInput: (action) => {
+      const { type } = action;
+      if (type === 'button' || type === 'touch' || type === 'sensor') parts.host.tell({ type: 'sensed', action });
+    },
     onStart: () => {
       runs += 1;
+      parts.host.tell({ type: 'started' });
       parts.jump.wrong.value = null;
       showStart(parts);
       parts.console.startRun(runs);
@@ -220,9 +196,16 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
       parts.dataLog.clear();
       radio.clear();
     },
-    onOutput: (text) => parts.console.write(text),
-    onEnded: (ended) => showEnd(parts, ended, run),
+    onOutput: (text) => {
+      parts.console.write(text);
+      parts.host.tell({ type: 'output', text });
+    },
+    onEnded: (ended) => {
+      showEnd(parts, ended, run);
+      parts.host.tell({ type: 'program-ended', ended, verdict: run.snapshot.value?.verdict ?? null });
+    },
     onRestarted: () => {
+      parts.host.tell({ type: 'program-restarted' });
       parts.jump.wrong.value = null;
       parts.notices.close();
     },
@@ -230,11 +213,10 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
       radio.take(events.radio, events.radioDropped);
       parts.dataLog.take(events.log);
       parts.sound.take(events.sound);
+      if (events.radio.length > 0) parts.host.tell({ type: 'radio', packets: events.radio });
+      if (events.log.length > 0) parts.host.tell({ type: 'log', events: events.log });
     },
-    onFailed: (message) => void showFailure(parts, message),
-    onRefused: (message) => parts.notices.show({ kind: 'info', key: 'notice.refused', values: { message } }),
-    onUnavailable: () => parts.notices.show({ kind: 'error', key: 'notice.firmware' }),
-    onKilled: () => parts.notices.show({ kind: 'warn', key: 'notice.killed' }),
+    ...troubles(parts),
   });
   const sensors = new SensorsModel(run);
   const radio = new RadioModel(run);
@@ -247,6 +229,23 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
     { flush: 'sync' },
   );
   return { run, sensors, radio };
+}
+
+/** What is said when a run goes wrong through no fault of the program. */
+function troubles(parts: RunParts): Pick<RunHost, 'onFailed' | 'onRefused' | 'onUnavailable' | 'onKilled'> {
+  const { notices, host } = parts;
+  return {
+    onFailed: (message) => {
+      void showFailure(parts, message);
+      host.tell({ type: 'failed', message });
+    },
+    onRefused: (message) => {
+      notices.show({ kind: 'info', key: 'notice.refused', values: { message } });
+      host.tell({ type: 'refused', message });
+    },
+    onUnavailable: () => notices.show({ kind: 'error', key: 'notice.firmware' }),
+    onKilled: () => notices.show({ kind: 'warn', key: 'notice.killed' }),
+  };
 }
 
 function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent[]): RunSetup {
@@ -320,8 +319,8 @@ function showEnd(parts: RunParts, ended: Ended, run: RunModel): void {
   jump.wrong.value = place;
   console.addError(place, { failure: exception, source: sourceAt(place, files), table: tableNow(parts) });
   if (drives) console.addNote('console.motorsOn');
-  // A phone shows one pane: an error must not stay hidden behind a tab.
-  if (layout.kind.value !== 'phone' || layout.tab.value === 'console') return;
+  // A phone shows one pane: an error must not stay hidden behind a tab. Where a host has no console here, it shows its own.
+  if (layout.kind.value !== 'phone' || layout.isShown.value.console || !layout.tabs.value.includes('console')) return;
   const show = (): void => void (layout.tab.value = 'console');
   void fetchAdvice().then(() => {
     const text = errorText(ended, parts);

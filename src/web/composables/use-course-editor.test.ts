@@ -15,7 +15,8 @@ function editing(kind: LayoutKind = 'wide') {
   const project = { files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null };
   const work = new WorkModel({ project, open: 'main.py', previous: [] }, () => 0);
   const current = shallowRef(defaultSettings('de'));
-  const settings: SettingsModel = { current, change: (part) => void (current.value = { ...current.value, ...part }) };
+  const change: SettingsModel['change'] = (part) => void (current.value = { ...current.value, ...part });
+  const settings: SettingsModel = { current, change, hold: change };
   const edits: [Scene, Scene][] = [];
   const scope = effectScope();
   const editor = scope.run(() =>

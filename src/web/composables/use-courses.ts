@@ -35,6 +35,7 @@ export function useCourses(app: App) {
     device.chooseRobot(NO_ROBOT);
   }
 
+  /** Opens a course with its program, whatever the pupil has written: that is put aside. */
   function openWhole(course: Course): void {
     const project = projectOf(course, language());
     open(project, courseName(course.scene, course.id));
@@ -42,6 +43,7 @@ export function useCourses(app: App) {
     if (robot !== null) device.bringRobot(robot);
     device.setUpForCourse();
   }
+  /** Opens the arena of a course; the program stays. */
   function openScene(course: Course): void {
     const isReady = isReadyArena(app.work.scene.value);
     openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
@@ -66,7 +68,7 @@ export function useCourses(app: App) {
     });
   }
 
-  return { openCourse, openExample, openBoardProgram, restore: openings.restore };
+  return { openCourse, openWhole, openScene, openExample, openBoardProgram, restore: openings.restore };
 }
 
 /** The robot that a course and its program are made for. */

@@ -1,5 +1,6 @@
 import { FILE_BYTES, freeName, MAIN, nameProblem, type SourceFile } from '#project/project';
 
+import { sayMayBeRefused } from '../offline/frame-limits';
 import { stampSettings } from './stamp-settings';
 import type { App } from './use-app';
 import { useOpenings } from './use-openings';
@@ -25,7 +26,7 @@ export function saveText({ notices }: Pick<App, 'notices'>, name: string, text: 
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 10_000); // Safari reads the file after the click has returned
-  notices.show({ kind: 'ok', key: 'files.saved', values: { file: name } });
+  if (!sayMayBeRefused()) notices.show({ kind: 'ok', key: 'files.saved', values: { file: name } });
 }
 
 /** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */

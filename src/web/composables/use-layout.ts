@@ -1,5 +1,8 @@
 import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
+import { PARTS, type Part } from '#embed/simulator';
+
+import type { HostView } from '../host/host-view';
 import type { SettingsModel } from './use-settings';
 
 /**
@@ -18,9 +21,15 @@ export type Pane = (typeof PANES)[number];
 /** What the panes' places depend on. */
 export interface LayoutModel {
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
-  /** The pane a phone shows. */
+  /** How the panes that are shown lie to each other; `kind`, but for a pair that has room in a small frame. */
+  readonly arrangement: ComputedRef<LayoutKind>;
+  /** The pane that a phone is asked to show; one that is not there shows the first. */
   readonly tab: ShallowRef<Pane>;
+  /** The panes that a phone has tabs for. */
+  readonly tabs: ComputedRef<readonly Pane[]>;
   readonly isShown: ComputedRef<Readonly<Record<Pane, boolean>>>;
+  /** Everything that there is on this page, behind tabs or not. */
+  readonly parts: ComputedRef<readonly Part[]>;
   /** Sizes of the panes in px. */
   readonly sizes: ComputedRef<PaneSizes>;
 }
@@ -40,6 +49,12 @@ const QUERIES: readonly [LayoutKind, string][] = [
   ['narrow', '(min-width: 600px) and (min-height: 600px)'],
 ];
 
+/** Room for board and arena together, where a host shows just these two: side by side, or one above the other. */
+const PAIRS: readonly [LayoutKind, string][] = [
+  ['medium', '(min-width: 560px) and (min-aspect-ratio: 5/4)'],
+  ['narrow', '(min-height: 480px)'],
+];
+
 /** Sizes that suit each layout, from the picture of the app's look. */
 const SUGGESTED: Readonly<Record<LayoutKind, PaneSizes>> = {
   wide: { code: 420, board: 256, console: 212, top: 0 },
@@ -52,23 +67,27 @@ const SUGGESTED: Readonly<Record<LayoutKind, PaneSizes>> = {
 const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 480, narrow: 320, phone: 0 };
 
 /** Follows the window's width and the pupil's wishes. */
-export function useLayout({ current }: SettingsModel): LayoutModel {
-  const lists = QUERIES.map(([kind, query]) => [kind, matchMedia(query)] as const);
-  const measure = (): LayoutKind => lists.find(([, list]) => list.matches)?.[0] ?? 'phone';
-  const kind = shallowRef(measure());
-  const follow = (): void => {
-    kind.value = measure();
-  };
-  for (const [, list] of lists) list.addEventListener('change', follow);
-  onScopeDispose(() => {
-    for (const [, list] of lists) list.removeEventListener('change', follow);
-  });
+export function useLayout({ current }: SettingsModel, host: Pick<HostView, 'parts'>): LayoutModel {
+  const kind = useFirstMatch(QUERIES, 'phone');
+  const pair = useFirstMatch(PAIRS, 'phone');
   const tab = shallowRef<Pane>('code');
-  const isShown = computed(() => {
+  /** What a host shows wins over what the pupil has chosen. */
+  const parts = computed((): readonly Part[] => {
+    if (host.parts.value !== null) return host.parts.value;
     const { showBoard, showArena } = current.value;
-    if (kind.value !== 'phone') return { code: true, board: showBoard, arena: showArena, console: true };
-    const only = (pane: Pane): boolean => tab.value === pane;
-    return { code: only('code'), board: only('board'), arena: only('arena'), console: only('console') };
+    return PARTS.filter((part) => (part === 'board' ? showBoard : part === 'arena' ? showArena : true));
+  });
+  /** A pupil's phone has them all: what is hidden on a large page costs no room here. */
+  const tabs = computed(() => PANES.filter((pane) => host.parts.value?.includes(pane) ?? true));
+  const tabNow = computed(() => (tabs.value.includes(tab.value) ? tab.value : (first(tabs.value) ?? tab.value)));
+  const arrangement = computed((): LayoutKind => {
+    const isSmall = kind.value === 'phone' || kind.value === 'narrow';
+    return isSmall && host.parts.value !== null && tabs.value.join() === 'board,arena' ? pair.value : kind.value;
+  });
+  const isShown = computed(() => {
+    const has = (pane: Pane): boolean =>
+      arrangement.value === 'phone' ? tabNow.value === pane : parts.value.includes(pane);
+    return { code: has('code'), board: has('board'), arena: has('arena'), console: has('console') };
   });
   const sizes = computed(() => {
     const suggested = SUGGESTED[kind.value];
@@ -80,5 +99,24 @@ export function useLayout({ current }: SettingsModel): LayoutModel {
       top: topPx ?? suggested.top,
     };
   });
-  return { kind, tab, isShown, sizes };
+  return { kind, arrangement, tab, tabs, parts, isShown, sizes };
 }
+
+/** The name of the first query that matches the window, now and from now on. */
+function useFirstMatch(queries: readonly [LayoutKind, string][], other: LayoutKind): Readonly<ShallowRef<LayoutKind>> {
+  const lists = queries.map(([kind, query]) => [kind, matchMedia(query)] as const);
+  const measure = (): LayoutKind => lists.find(([, list]) => list.matches)?.[0] ?? other;
+  const kind = shallowRef(measure());
+  const follow = (): void => {
+    kind.value = measure();
+  };
+  for (const [, list] of lists) list.addEventListener('change', follow);
+  onScopeDispose(() => {
+    for (const [, list] of lists) list.removeEventListener('change', follow);
+  });
+  return kind;
+}
+
+/** What a phone shows first: where there is no program, the arena, which has a small board in it. */
+const first = (tabs: readonly Pane[]): Pane | undefined =>
+  (['code', 'arena', 'board', 'console'] as const).find((pane) => tabs.includes(pane));

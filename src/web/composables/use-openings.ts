@@ -2,7 +2,7 @@ import type { Project } from '#project/project';
 import { NO_ROBOT } from '#simulation/hardware';
 
 import type { Previous } from '../project/history';
-import { withTravelling } from '../project/travelling';
+import { travelling, withTravelling } from '../project/travelling';
 import type { App } from './use-app';
 import { stampSettings } from './stamp-settings';
 import { useDevice } from './use-device';
@@ -61,7 +61,7 @@ export function useOpenings(app: App) {
 function bringSettings({ settings }: Pick<App, 'settings'>, { settings: brought }: Project): void {
   if (brought === undefined) return;
   const before = settings.current.value;
-  const after = withTravelling(before, brought);
+  const after = travelling(withTravelling(before, brought));
   const isOther = (after.robot === NO_ROBOT) !== (before.robot === NO_ROBOT);
   settings.change(isOther ? { ...after, showArena: after.robot !== NO_ROBOT } : after);
 }

@@ -31,7 +31,7 @@ export function usePaneGrid({ layout, settings }: Pick<App, 'layout' | 'settings
 
   const isUnfolded = computed(() => layout.isShown.value.board && settings.current.value.panel !== null);
   const sizes = computed(() => withRoomForPanel(layout.sizes.value, isUnfolded.value));
-  const grid = computed(() => gridOf(layout.kind.value, layout.isShown.value, sizes.value, room.value));
+  const grid = computed(() => gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value));
   const style = computed(() => ({
     '--columns': grid.value.columns,
     '--rows': grid.value.rows,

@@ -1,15 +1,16 @@
 import { computed } from 'vue';
 
-import { t } from '../i18n';
+import { shownLanguage, t } from '../i18n';
+import { decimalSign } from '../i18n/number-text';
 import type { TextKey } from '../i18n/texts';
 import type { App } from './use-app';
 
-/** Minutes, seconds and tenths of simulated time: `00:42.6`; with `fine` also hundredths, in which a step shows. */
+/** Minutes, seconds and tenths of simulated time: `00:42.6`, in French `00:42,6`; with `fine` also hundredths, in which a step shows. */
 export function clockText(timeUs: number, fine = false): string {
   const whole = Math.floor(timeUs / 1_000_000);
   const part = Math.floor((timeUs % 1_000_000) / (fine ? 10_000 : 100_000));
   const two = (number: number): string => String(number).padStart(2, '0');
-  return `${two(Math.floor(whole / 60))}:${two(whole % 60)}.${fine ? two(part) : part}`;
+  return `${two(Math.floor(whole / 60))}:${two(whole % 60)}${decimalSign(shownLanguage())}${fine ? two(part) : part}`;
 }
 
 /** The run's state in a word, its colour, and its clock. */

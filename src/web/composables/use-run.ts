@@ -20,6 +20,8 @@ const BUSY_AFTER_MS = 1000;
 /** What a run needs of the app around it. */
 export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
   setup(): RunSetup;
+  /** Something was done to the board, whether a run takes it or not. */
+  onInput(action: InputAction): void;
   onStart(): void;
   onOutput(text: string): void;
   onEnded(ended: Ended): void;
@@ -72,6 +74,7 @@ export class RunModel {
 
   /** Starts anew, also while a run is under way; `paused` starts it standing still. */
   async start(paused = false): Promise<void> {
+    this.starts += 1;
     this.phase.value = 'starting';
     this.trail.clear();
     this.snapshot.value = null;
@@ -89,18 +92,23 @@ export class RunModel {
     }
   }
   private startsPaused = false;
+  /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
+  private starts = 0;
 
   /** Ends the run; the last picture stays. */
   async stop(): Promise<void> {
     if (!this.isActive.value || this.phase.value === 'stopping') return;
     this.phase.value = 'stopping';
+    const { starts } = this;
     const result = await this.client.stop();
-    if (result === 'stopped' && this.isActive.value) this.end('stopped');
+    if (result === 'stopped' && starts === this.starts && this.isActive.value) this.end('stopped');
   }
 
   /** Ends the run and puts everything back to the start. */
   async reset(): Promise<void> {
+    const { starts } = this;
     await this.stop();
+    if (starts !== this.starts) return;
     this.phase.value = 'ready';
     this.trail.clear();
     this.snapshot.value = null;
@@ -140,6 +148,7 @@ export class RunModel {
 
   /** Does something to the run from outside; without a run nothing happens. */
   input(action: InputAction): void {
+    this.host.onInput(action);
     if (this.isActive.value) this.client.send({ type: 'input', action });
   }
 

@@ -1,4 +1,4 @@
-import { shallowRef, watch, type ShallowRef } from 'vue';
+import { computed, shallowRef, watch, type Ref } from 'vue';
 
 import { preferredLanguage } from '../i18n';
 import { defaultSettings, settingsFromText, type Settings } from '../project/settings';
@@ -7,14 +7,17 @@ const KEY = 'parcours.settings';
 
 /** The settings, kept per tab; a new tab starts with the ones changed last. */
 export interface SettingsModel {
-  readonly current: Readonly<ShallowRef<Settings>>;
+  readonly current: Readonly<Ref<Settings>>;
   change(part: Partial<Settings>): void;
+  /** Sets something for this visit only, as a host or an address wishes; it holds until the pupil changes it. */
+  hold(part: Partial<Settings>): void;
 }
 
-/** Reads the stored settings and stores every change. */
-export function useSettings(): SettingsModel {
-  const current = shallowRef(storedSettings());
-  watch(current, (settings) => {
+/** Reads the stored settings and stores every change. @param held what this visit has otherwise */
+export function useSettings(held: Partial<Settings> = {}): SettingsModel {
+  const own = shallowRef(storedSettings());
+  const visit = shallowRef(held);
+  watch(own, (settings) => {
     const text = JSON.stringify(settings);
     for (const store of stores()) {
       try {
@@ -25,9 +28,14 @@ export function useSettings(): SettingsModel {
     }
   });
   return {
-    current,
+    current: computed(() => ({ ...own.value, ...visit.value })),
     change: (part) => {
-      current.value = { ...current.value, ...part };
+      own.value = { ...own.value, ...part };
+      const rest = Object.entries(visit.value).filter(([name]) => !(name in part));
+      visit.value = Object.fromEntries(rest);
+    },
+    hold: (part) => {
+      visit.value = { ...visit.value, ...part };
     },
   };
 }
@@ -39,8 +47,12 @@ export function storedSettings(): Settings {
 
 function stored(): string | null {
   for (const store of stores()) {
-    const text = store.getItem(KEY);
-    if (text !== null) return text;
+    try {
+      const text = store.getItem(KEY);
+      if (text !== null) return text;
+    } catch {
+      // It may be there and not to be read: then as on a first visit.
+    }
   }
   return null;
 }

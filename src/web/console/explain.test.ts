@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { i18n, loadTexts, t } from '../i18n';
+import { loadTexts, showLanguage, t } from '../i18n';
 import { explain, fetchAdvice } from './explain';
 
 describe('what is told of an error', () => {
@@ -19,7 +19,7 @@ describe('what is told of an error', () => {
   it('comes in every language that is chosen later', async () => {
     await fetchAdvice();
     await loadTexts('en');
-    i18n.global.locale.value = 'en';
+    showLanguage('en');
     expect(t('error.NameErrorAny')).toBe('The program does not know a name. Check its spelling.');
     expect(t('bar.run')).toBe('Simulate');
   });

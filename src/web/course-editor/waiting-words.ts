@@ -6,10 +6,20 @@ import { say } from '../i18n/say';
 import { kindTexts } from './object-words';
 
 const texts = {
-  start: { de: 'Start', en: 'Start' },
-  size: { de: 'Grösse', en: 'Size' },
-  named: { de: '{what}: gilt erst, wenn du neu startest.', en: '{what}: takes effect when you start again.' },
-  unnamed: { de: 'Gilt erst, wenn du neu startest.', en: 'Takes effect when you start again.' },
+  start: { de: 'Start', fr: 'Départ', it: 'Partenza', en: 'Start' },
+  size: { de: 'Grösse', fr: 'Taille', it: 'Grandezza', en: 'Size' },
+  named: {
+    de: '{what}: gilt erst, wenn du neu startest.',
+    fr: '{what} : compte seulement quand tu redémarres.',
+    it: '{what}: vale solo quando riavvii.',
+    en: '{what}: takes effect when you start again.',
+  },
+  unnamed: {
+    de: 'Gilt erst, wenn du neu startest.',
+    fr: 'Compte seulement quand tu redémarres.',
+    it: 'Vale solo quando riavvii.',
+    en: 'Takes effect when you start again.',
+  },
 } as const satisfies Readonly<Record<string, Texts>>;
 
 /** So many sorts of things are named. Chosen: what fits on a line of a phone. */

@@ -82,7 +82,12 @@ describe('the table of a library', () => {
         never: absent(fn('() -> int')),
       }),
     ],
-    texts: { de: { bot: 'Fährt.', 'bot.go': 'Los.' }, en: { bot: 'Drives.', 'bot.Motor.rotate': 'Turns.' } },
+    texts: {
+      de: { bot: 'Fährt.', 'bot.go': 'Los.' },
+      fr: {},
+      it: {},
+      en: { bot: 'Drives.', 'bot.Motor.rotate': 'Turns.' },
+    },
   };
 
   it('names things as a program writes them, members behind their dot, and not what the robot lacks', () => {

@@ -1,40 +1,49 @@
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it } from 'vitest';
 
-import { de } from './de';
-import { en } from './en';
-import { errorDe } from './error-de';
-import { errorEn } from './error-en';
+import { loadTexts, preferredLanguage, showLanguage, t, type Language } from '.';
+import { say } from './say';
 
-function leaves(tree: object, path = ''): [string, string][] {
-  return Object.entries(tree).flatMap(([key, value]) =>
-    typeof value === 'string' ? [[path + key, value] as [string, string]] : leaves(value as object, `${path}${key}.`),
-  );
-}
-const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
-
-describe('the catalogues', () => {
-  const german = leaves({ ...de, late: errorDe });
-  const english = new Map(leaves({ ...en, late: errorEn }));
-
-  it('have the same keys in the same order in German and English', () => {
-    expect([...english.keys()]).toEqual(german.map(([key]) => key));
+describe('the language of a first visit', () => {
+  it('is the first of the browser that the app has', () => {
+    expect(preferredLanguage(['fr-CH', 'de-CH'])).toBe('fr');
+    expect(preferredLanguage(['pt-BR', 'it', 'en'])).toBe('it');
+    expect(preferredLanguage(['en-US'])).toBe('en');
+    expect(preferredLanguage(['DE'])).toBe('de');
   });
 
-  it('leave the same places open for values', () => {
-    for (const [key, text] of german) expect(slots(english.get(key)!), key).toEqual(slots(text));
+  it('is German for Swiss German, and where the app has none of the browser’s languages', () => {
+    expect(preferredLanguage(['gsw-CH', 'fr-CH'])).toBe('de');
+    expect(preferredLanguage(['rm-CH'])).toBe('de');
+    expect(preferredLanguage([])).toBe('de');
   });
 
-  it('hold no empty text', () => {
-    for (const [key, text] of [...german, ...english]) expect(text.trim(), key).not.toBe('');
+  it('is not mistaken for another whose tag begins alike: frr is North Frisian, den is Slavey', () => {
+    expect(preferredLanguage(['frr', 'den', 'it'])).toBe('it');
+  });
+});
+
+describe('a text with places for values', () => {
+  const zoom = { de: '{cm} cm', fr: '{cm} cm', it: '{cm} cm', en: '{cm} cm' };
+
+  afterEach(() => speak('de'));
+
+  async function speak(language: Language): Promise<void> {
+    await loadTexts(language);
+    showLanguage(language);
+  }
+
+  it('writes numbers as the language does', async () => {
+    await speak('fr');
+    expect(t('arena.distanceCm', { cm: 2.5 })).toBe('2,5 cm');
+    expect(say(zoom, { cm: 2.5 })).toBe('2,5 cm');
+    await speak('de');
+    expect(t('arena.distanceCm', { cm: 2.5 })).toBe('2.5 cm');
+    expect(say(zoom, { cm: 2.5 })).toBe('2.5 cm');
   });
 
-  it('spell German the Swiss way, without ß', () => {
-    for (const [key, text] of german) expect(text, key).not.toContain('ß');
-  });
-
-  it('avoid the signs that vue-i18n reads as its own: @ and a plural bar', () => {
-    for (const [key, text] of [...german, ...english]) {
-      expect(text, key).not.toMatch(/[@|]/);
-    }
+  it('leaves words as they are, and a place whose value is missing in sight', async () => {
+    await speak('fr');
+    expect(t('files.saved', { file: 'a.1.py' })).toBe('a.1.py est enregistré.');
+    expect(say(zoom)).toBe('{cm} cm');
   });
 });

@@ -1,84 +1,74 @@
-import { createI18n, type I18n, type MessageContext, type MessageFunction } from 'vue-i18n';
+import { shallowRef } from 'vue';
 
+import { filled } from './filled';
+import { localeOf } from './locale';
 import { LANGUAGES, type ErrorTexts, type Language, type Texts, type Translate } from './texts';
 
 export { LANGUAGES, type Language, type TextKey, type Texts, type TextValues, type Translate } from './texts';
 
-/** Texts as vue-i18n takes them without its compiler. */
-interface Messages {
-  readonly [name: string]: Messages | MessageFunction;
-}
-type Catalogues = Partial<Record<Language, Messages>>;
+/** A catalogue with its texts under their whole names: `bar.run`. */
+type Flat = Readonly<Record<string, string>>;
+type Tree = { readonly [name: string]: string | Tree };
 
 /** The texts of a language, fetched when it is chosen: nobody waits for those of another one. */
 const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
   de: async () => (await import('./de')).de,
+  fr: async () => (await import('./fr')).fr,
+  it: async () => (await import('./it')).it,
   en: async () => (await import('./en')).en,
 };
 
 /** What goes wrong in programs, by language. */
 const errorCatalogues: Readonly<Record<Language, () => Promise<ErrorTexts>>> = {
   de: async () => (await import('./error-de')).errorDe,
+  fr: async () => (await import('./error-fr')).errorFr,
+  it: async () => (await import('./error-it')).errorIt,
   en: async () => (await import('./error-en')).errorEn,
 };
 /** Once errors are to be explained, every language comes with its texts for them. */
 let explainsErrors = false;
 const errorsIn = new Set<Language>();
 
-/** The app's vue-i18n instance; without texts until a language is chosen. */
-export const i18n: I18n<Catalogues, Record<string, never>, Record<string, never>, Language, false> = createI18n<
-  false,
-  { legacy: false; locale: Language; fallbackLocale: Language; messages: Catalogues }
->({
-  legacy: false,
-  locale: 'de',
-  fallbackLocale: 'de',
-  messages: {},
-});
+const loaded = shallowRef<Partial<Record<Language, Flat>>>({});
+const shown = shallowRef<Language>('de');
 
 /** The language that is shown. Read in templates, it is followed when it changes. */
-export const shownLanguage = (): Language => i18n.global.locale.value as Language; // only setLanguage sets it
+export const shownLanguage = (): Language => shown.value;
+
+/** Shows a language whose texts are there already, without telling the page around: for `setLanguage`, and for tests. */
+export const showLanguage = (language: Language): void => void (shown.value = language);
 
 /** Looks a text up by its typed name. Reads the chosen language, so templates follow when it changes. */
-export const t: Translate = (key, values) => i18n.global.t(key, values ?? {});
+export const t: Translate = (key, values = {}) => filled(loaded.value[shown.value]?.[key] ?? key, values, shown.value);
 
 /** Fetches the texts of a language, once. Rejects without a connection. */
 export async function loadTexts(language: Language): Promise<void> {
-  if (!i18n.global.availableLocales.includes(language))
-    i18n.global.setLocaleMessage(language, messagesOf(await catalogues[language]()));
+  if (loaded.value[language] === undefined) add(language, flat(await catalogues[language]()));
   if (explainsErrors) await addErrors(language);
 }
 
 /** Fetches the texts for what goes wrong in a program, once, in this and every later language. Rejects without a connection. */
 export async function loadErrorTexts(): Promise<void> {
   explainsErrors = true;
-  await loadTexts(shownLanguage());
+  await loadTexts(shown.value);
 }
 
 async function addErrors(language: Language): Promise<void> {
   if (errorsIn.has(language)) return;
-  const error = messagesOf(await errorCatalogues[language]());
-  i18n.global.mergeLocaleMessage(language, { error });
+  add(language, flat({ error: await errorCatalogues[language]() }));
   errorsIn.add(language);
 }
 
-/** All that our texts need of vue-i18n's own language is places for values in braces; its compiler is not bundled. */
-function messagesOf(texts: Tree): Messages {
-  const entries = Object.entries(texts);
-  return Object.fromEntries(
-    entries.map(([name, it]) => [name, typeof it === 'string' ? messageOf(it) : messagesOf(it)]),
-  );
+function add(language: Language, texts: Flat): void {
+  loaded.value = { ...loaded.value, [language]: { ...loaded.value[language], ...texts } };
 }
-type Tree = { readonly [name: string]: string | Tree };
 
-function messageOf(text: string): MessageFunction {
-  const parts = text.split(/\{(\w+)\}/);
-  if (parts.length === 1) return () => text;
-  return (context: MessageContext) =>
-    parts.map((part, index) => (index % 2 === 0 ? part : valueOf(context.named(part)))).join('');
+function flat(texts: Tree, before = ''): Flat {
+  const entries = Object.entries(texts).flatMap(([name, it]) =>
+    typeof it === 'string' ? [[before + name, it]] : Object.entries(flat(it, `${before}${name}.`)),
+  );
+  return Object.fromEntries(entries) as Flat;
 }
-const valueOf = (value: unknown): string =>
-  typeof value === 'string' || typeof value === 'number' ? String(value) : '';
 
 /** The language chosen last; its texts may be under way. */
 let wanted: Language = 'de';
@@ -88,14 +78,15 @@ export async function setLanguage(language: Language): Promise<void> {
   wanted = language;
   await loadTexts(language);
   if (wanted !== language) return; // another one was chosen meanwhile
-  i18n.global.locale.value = language;
-  document.documentElement.lang = language === 'de' ? 'de-CH' : language;
+  showLanguage(language);
+  document.documentElement.lang = localeOf(language);
 }
 
-/** The first of the browser's languages that the app has; German, if none. */
+/** The first of the browser's languages that the app has; German, if none. Swiss German is German. */
 export function preferredLanguage(tags: readonly string[]): Language {
   for (const tag of tags) {
-    const found = LANGUAGES.find((language) => tag.toLowerCase().startsWith(language));
+    const [name = ''] = tag.toLowerCase().split(/[-_]/);
+    const found = name === 'gsw' ? 'de' : LANGUAGES.find((language) => language === name);
     if (found !== undefined) return found;
   }
   return 'de';

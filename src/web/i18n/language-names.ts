@@ -1,4 +1,4 @@
-import type { Language } from './texts';
+import type { Texts } from '#core/texts';
 
 /** Every language by its own name. */
-export const languageNames: Readonly<Record<Language, string>> = { de: 'Deutsch', en: 'English' };
+export const languageNames: Texts = { de: 'Deutsch', fr: 'Français', it: 'Italiano', en: 'English' };

@@ -13,12 +13,10 @@ export type ErrorTexts = Shape<typeof errorDe>;
 /** The name of one text, such as `bar.run`. */
 export type TextKey = Leaves<typeof de> | `error.${keyof ErrorTexts}`;
 
-/** What stands in a text's braces. */
+/** What stands in a text's braces; numbers are written as the language writes them. */
 export type TextValues = Readonly<Record<string, string | number>>;
 
 /** Looks a text up in the chosen language. */
 export type Translate = (key: TextKey, values?: TextValues) => string;
 
-/** The languages of the app, as their two letters. */
-export const LANGUAGES = ['de', 'en'] as const;
-export type Language = (typeof LANGUAGES)[number];
+export { LANGUAGES, type Language } from '#core/texts';

@@ -132,4 +132,8 @@ describe('what a sheet takes of a long line', () => {
     expect(printable('Grüsse 🚗 →')).toBe('Grüsse ? ?');
     expect(printable('“Fit” …')).toBe('"Fit" ...');
   });
+
+  it('shows no question mark for what French writes otherwise: narrow spaces, œ', () => {
+    expect(printable('Plan\u202f: 3 × 2, «\u202fcœur\u202f»')).toBe('Plan\u00a0: 3 × 2, «\u00a0coeur\u00a0»');
+  });
 });

@@ -145,6 +145,10 @@ const PLAIN: Readonly<Record<string, string>> = {
   '’': "'",
   '…': '...',
   '–': '-',
+  '−': '-',
+  œ: 'oe',
+  Œ: 'OE',
+  '\u202f': '\u00a0', // the narrow space of French
 };
 
 /** A text in the signs that every PDF reader has a font for (Latin-1); others become question marks. */

@@ -1,3 +1,5 @@
+import { sayMayBeRefused } from '../offline/frame-limits';
+
 /** A name for a file of a course: what file systems do not allow is left out. */
 export function fileName(course: string, ending: string): string {
   const base = Array.from(course.normalize('NFC'))
@@ -16,4 +18,5 @@ export function saveBlob(name: string, blob: Blob): void {
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(url), 60_000); // Safari reads the file after the click has returned
+  sayMayBeRefused();
 }

@@ -60,7 +60,7 @@ function readCourse(id: string, files: ReadonlyMap<string, string>): Course[] {
   const { scene } = parsed;
   const words = JSON.parse(files.get('texts.json') ?? '{}') as FolderTexts;
   const file = (stem: string, language: Language): string | undefined =>
-    files.get(`${stem}.${language}.py`) ?? files.get(`${stem}.py`);
+    files.get(`${stem}.${language}.py`) ?? files.get(`${stem}.py`) ?? files.get(`${stem}.en.py`);
   const solution = inEach((language) => file('main', language) ?? '');
   const program = inEach((language) => file('start', language) ?? solution[language]);
   const spoken: CourseTexts = { name: scene.name, text: scene.description, task: scene.description };

@@ -138,17 +138,23 @@ describe('the files of a course', () => {
 
   it('may have one program for all languages or one for each', () => {
     const [one] = coursesOf({ 'c/one/scene.json': scene, 'c/one/main.py': 'x' });
-    expect(one!.program).toEqual({ de: 'x', en: 'x' });
-    expect(one!.solution).toEqual({ de: 'x', en: 'x' });
-    const [two] = coursesOf({ 'c/two/scene.json': scene, 'c/two/main.de.py': 'd', 'c/two/main.en.py': 'e' });
-    expect(two!.program).toEqual({ de: 'd', en: 'e' });
+    expect(one!.program).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
+    expect(one!.solution).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
+    const own = Object.fromEntries(LANGUAGES.map((language) => [`c/two/main.${language}.py`, language]));
+    const [two] = coursesOf({ 'c/two/scene.json': scene, ...own });
+    expect(two!.program).toEqual({ de: 'de', fr: 'fr', it: 'it', en: 'en' });
+  });
+
+  it('speak English in a language that nobody has written yet', () => {
+    const [course] = coursesOf({ 'c/x/scene.json': scene, 'c/x/main.de.py': 'd', 'c/x/main.en.py': 'e' });
+    expect(course!.program).toEqual({ de: 'd', fr: 'e', it: 'e', en: 'e' });
   });
 
   it('may hold a beginning besides the solution: then that is what a pupil finds', () => {
     const files = { 'main.de.py': 'd', 'main.en.py': 'e', 'start.de.py': 's', 'start.en.py': 't', 'scene.json': scene };
     const [course] = coursesOf(Object.fromEntries(Object.entries(files).map(([name, text]) => [`c/x/${name}`, text])));
-    expect(course!.program).toEqual({ de: 's', en: 't' });
-    expect(course!.solution).toEqual({ de: 'd', en: 'e' });
+    expect(course!.program).toMatchObject({ de: 's', en: 't' });
+    expect(course!.solution).toMatchObject({ de: 'd', en: 'e' });
     expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'e' }]);
   });
 

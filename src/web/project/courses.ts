@@ -3,11 +3,11 @@
  *
  * - `scene.json`: the arena, and where the robot starts (`#scene/scene`). `name` and `description` are for whoever
  *   opens the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
- * - `main.py`, or `main.de.py` and `main.en.py`: the program that solves it. With one of them the same in all languages;
- *   with two they differ in comments and shown words only.
- * - `start.py`, or `start.de.py` and `start.en.py`: what the pupil finds on opening it, a beginning that runs and leaves
+ * - `main.py`, or one for each language, `main.de.py`, `main.fr.py` …: the program that solves it. They differ in
+ *   comments and shown words only.
+ * - `start.py`, or `start.de.py`, `start.fr.py` …: what the pupil finds on opening it, a beginning that runs and leaves
  *   the task to them. Without it they find the solution.
- * - `texts.json`: `{ "place": 4, "level": 2, "kind": "line", "de": { "name": "…", "text": "…", "task": "…" }, "en": … }`:
+ * - `texts.json`: `{ "place": 4, "level": 2, "kind": "line", "de": { "name": "…", "text": "…", "task": "…" }, "fr": … }`:
  *   its place in the list (lowest first), how hard it is (1 … 3), what it is about (`courseKinds`), what it is called, one
  *   or two sentences on it, and what is to be done.
  * - `expected.csv`: the trace of its run (`courses/golden.json`).

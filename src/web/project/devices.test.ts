@@ -31,7 +31,7 @@ describe('the devices', () => {
   });
 
   it('are kept in the settings; what is unknown counts as automatic', () => {
-    const fallback = defaultSettings('de');
+    const fallback = { ...defaultSettings('de'), welcomed: true };
     const stored = { ...fallback, device: 'calliope-mini-3', robot: 'none', firmware: 'newest', panel: 'radio' };
     expect(settingsFromText(JSON.stringify(stored), fallback)).toEqual(stored);
     const odd = settingsFromText('{"device":"oxocard","robot":"tank","panel":"x"}', fallback);

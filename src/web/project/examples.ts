@@ -26,7 +26,7 @@ export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
 const brought: ReadonlySet<string> = new Set([
   ...courses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
-  ...examples.flatMap(({ example }) => [example.source.de, example.source.en]),
+  ...examples.flatMap(({ example }) => Object.values(example.source)),
 ]);
 
 /**

@@ -50,3 +50,23 @@ describe('the number of the used robot', () => {
     expect(deviceSettings({ ...fallback, seed: 7 })).toEqual(deviceSettings(fallback));
   });
 });
+
+describe('the greeting of a first visit', () => {
+  it('waits for an answer on a first visit alone: whoever has settings already knows the app', () => {
+    expect(fallback.welcomed).toBe(false);
+    expect(read({ language: 'fr' }).welcomed).toBe(true);
+  });
+
+  it('is asked again where the pupil has changed something else, and not once it was answered', () => {
+    expect(read({ ...fallback, theme: 'dark' }).welcomed).toBe(false);
+    expect(read({ ...fallback, welcomed: true }).welcomed).toBe(true);
+  });
+});
+
+describe('the place where the tour was left', () => {
+  it('is kept as the name of its step, and nothing else is taken for one', () => {
+    expect(fallback.tourStep).toBeNull();
+    expect(read({ tourStep: 'arena' }).tourStep).toBe('arena');
+    for (const tourStep of [3, true, {}, null]) expect(read({ tourStep }).tourStep).toBeNull();
+  });
+});

@@ -54,6 +54,10 @@ export interface Settings {
   readonly follow: boolean;
   /** A small celebration when a task is passed. */
   readonly celebrate: boolean;
+  /** The greeting of a first visit was answered. */
+  readonly welcomed: boolean;
+  /** Where the tour was left: the id of a step; `null`: it was never begun, or is over. */
+  readonly tourStep: string | null;
   /** Width of the code pane, or `null`: as the window's width suggests. The others likewise. */
   readonly codePx: number | null;
   readonly boardPx: number | null;
@@ -98,6 +102,8 @@ export function defaultSettings(language: Language): Settings {
     showTools: null,
     follow: false,
     celebrate: true,
+    welcomed: false,
+    tourStep: null,
     codePx: null,
     boardPx: null,
     consolePx: null,
@@ -159,6 +165,9 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
     follow: flag('follow'),
     celebrate: flag('celebrate'),
+    // Whoever has settings from before there was a greeting knows the app.
+    welcomed: read.welcomed !== false,
+    tourStep: typeof read.tourStep === 'string' ? read.tourStep : null,
     codePx: size('codePx'),
     boardPx: size('boardPx'),
     consolePx: size('consolePx'),

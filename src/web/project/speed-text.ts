@@ -1,4 +1,5 @@
-import { t } from '../i18n';
+import { shownLanguage, t } from '../i18n';
+import { numberText } from '../i18n/number-text';
 import type { Speed } from '../worker/protocol';
 
 const FRACTIONS = new Map<Speed, string>([
@@ -11,10 +12,10 @@ export function speedName(speed: Speed): string {
   return speed === 'max' ? t('bar.speedMax') : `${FRACTIONS.get(speed) ?? speed}×`;
 }
 
-/** A factor with as many digits as make sense: `0.62`, `1.9`, `34`. */
+/** A factor with as many digits as make sense: `0.62`, `1.9`, `34`, as the language writes them. */
 export function factorText(factor: number): string {
-  if (factor < 0.95) return factor.toFixed(2);
-  return factor < 9.95 ? factor.toFixed(1) : String(Math.round(factor));
+  const decimals = factor < 0.95 ? 2 : factor < 9.95 ? 1 : 0;
+  return numberText(factor, shownLanguage(), decimals);
 }
 
 /** The machine does not keep up: more than a tenth short of what was asked for. */

@@ -3,9 +3,12 @@ import { defaultProjectSettings, type Project } from '#project/project';
 import { hasProgram, programOfLink } from '#project/webtigerpython';
 
 import type { App } from '../composables/use-app';
-import { isOurs } from '../composables/use-courses';
+import { isOurs, useCourses } from '../composables/use-courses';
+import { useDevice } from '../composables/use-device';
 import { useOpenings } from '../composables/use-openings';
+import { parametersOf, urlOf } from '../host/address';
 import { say } from '../i18n/say';
+import type { Course } from '../project/course';
 import { courses } from '../project/courses';
 import { courseName } from '../project/first-course';
 import { isSameWork } from '../project/history';
@@ -13,18 +16,41 @@ import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
 import { problemTexts, shareTexts } from './share-texts';
 
+const courseOf = (id: string): Course | null => courses.find((course) => course.id === id) ?? null;
+
 /** The ready courses, as links name them. */
-export const readyCourses = (id: string) => courses.find((course) => course.id === id)?.scene ?? null;
+export const readyCourses = (id: string) => courseOf(id)?.scene ?? null;
 
 /**
- * Opens what an address holds, be it ours or one of WebTigerPython, whole or only its query or fragment.
+ * Opens what an address holds, be it ours or one of WebTigerPython, whole or only its query or fragment: a project, a
+ * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs it.
  *
+ * @param wish what else stands in the address is as `held`: it holds for this visit; else a program brings its
+ *   microcomputer along
  * @returns `null` when it is open, else why not: nothing has changed then
  */
-export function openAddress(app: App, address: string): string | null {
+export function openAddress(app: App, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
-  return hasProgram(address) ? openProgramLink(app, address.trim()) : say(problemTexts.notALink);
+  const id = courseIn(address.trim());
+  const course = id === null ? null : courseOf(id.course);
+  if (id !== null && course === null) return say(problemTexts.unknownCourse, { course: id.course });
+  if (hasProgram(address)) return openProgramLink(app, address.trim(), course, wish);
+  if (id === null || course === null) return say(problemTexts.notALink);
+  const { openScene, openWhole } = useCourses(app);
+  if (id.name === 'task') openWhole(course);
+  else openScene(course);
+  return null;
+}
+
+/** The ready course that an address names. */
+function courseIn(address: string): { readonly name: 'task' | 'world'; readonly course: string } | null {
+  const url = urlOf(address, location.href);
+  if (url === null) return null;
+  const given = parametersOf(url);
+  const name = given.has('task') ? 'task' : 'world';
+  const course = given.get(name);
+  return course === null ? null : { name, course };
 }
 
 function openProjectLink(app: App, fragment: string): string | null {
@@ -42,17 +68,24 @@ function openProjectLink(app: App, fragment: string): string | null {
   return null;
 }
 
-/** The program of the link in the arena that is open. */
-function openProgramLink(app: App, address: string): string | null {
+/** The program of the link in the course it names, else in the arena that is open. */
+function openProgramLink(app: App, address: string, course: Course | null, wish: 'held' | 'brought'): string | null {
   const read = programOfLink(address);
   if ('problem' in read) return linkReason(read.problem);
-  const { scene, course } = app.work.work.value.project;
-  const project: Project = { files: read.files, scene, course };
-  openProject(
-    app,
-    read.device === null ? project : { ...project, settings: { ...defaultProjectSettings, device: read.device } },
-    say(shareTexts.sharedProgram),
-  );
+  const { files, device } = read;
+  const open = app.work.work.value.project;
+  const project: Project =
+    course === null
+      ? { files, scene: open.scene, course: open.course }
+      : { files, scene: course.scene, course: course.id };
+  const settings = { ...defaultProjectSettings, device: device ?? defaultProjectSettings.device };
+  const brings = device !== null && wish === 'brought';
+  openProject(app, brings ? { ...project, settings } : project, say(shareTexts.sharedProgram));
+  if (course !== null) {
+    const { allowRobot, setUpForCourse } = useDevice(app);
+    allowRobot();
+    setUpForCourse();
+  }
   return null;
 }
 

@@ -4,7 +4,7 @@ import { projectOfLink } from '#project/link';
 import { openJson } from '#project/opened';
 import { programOfLink } from '#project/webtigerpython';
 
-import { i18n, LANGUAGES, type Language } from '../i18n';
+import { LANGUAGES, showLanguage, type Language } from '../i18n';
 import { linkReason, reasonOf } from './problem-words';
 
 const header = { format: 'parcours-project', version: 1 };
@@ -31,11 +31,6 @@ const files: readonly unknown[] = [
   [{ x: 1, y: 1 }],
 ];
 
-/** Chooses the language of the words, without a page. */
-function speak(language: Language): void {
-  i18n.global.locale.value = language;
-}
-
 /** What is said of each broken file and link. */
 function said(): readonly string[] {
   const opened = [...files.map((file) => JSON.stringify(file)), '[1,', 'x'.repeat(12_000_001)].map(openJson);
@@ -48,7 +43,7 @@ function said(): readonly string[] {
 describe.each(LANGUAGES.map((language): [Language] => [language]))(
   'what is said of broken files and links (%s)',
   (language) => {
-    beforeAll(() => speak(language));
+    beforeAll(() => showLanguage(language));
 
     it('is a sentence each, with nothing left to fill in', () => {
       for (const sentence of said()) expect(sentence).toMatch(/^[^{}]+[.)]$/);
@@ -58,7 +53,7 @@ describe.each(LANGUAGES.map((language): [Language] => [language]))(
 
 describe('what is said of a broken file', () => {
   it('names place and value', () => {
-    speak('de');
+    showLanguage('de');
     expect(said().slice(3, 6)).toEqual([
       'Das ist weder ein Projekt noch eine Strecke.',
       '"main.py" ist kein möglicher Dateiname.',
@@ -66,7 +61,7 @@ describe('what is said of a broken file', () => {
     ]);
     expect(said()[8]).toBe('scene.colour ist unbekannt. (und 4 mehr)');
     expect(said()[9]).toBe('scene.objects[0].type: "cloud" ist hier nicht möglich. (und 1 mehr)');
-    speak('en');
+    showLanguage('en');
     expect(said()[12]).toBe('this is not JSON: line 1, column 4.');
   });
 });

@@ -58,6 +58,8 @@ export function linkReason(problem: LinkProblem | ProgramLinkProblem): string {
     case 'too-large':
     case 'too-long':
       return say(words.hugeLink);
+    case 'unknown-form':
+      return say(words.unknownForm);
     case 'unknown-course':
       return say(words.unknownCourse, problem.params);
     case 'invalid':

@@ -1,25 +1,57 @@
 import { onMounted, onScopeDispose } from 'vue';
 
-import type { App } from '../composables/use-app';
+import type { Part } from '#embed/simulator';
 
-/** Addresses that have work in them: our own links (`#p=…`), and those of WebTigerPython (`?code=…`, `#?code=…`). */
-const hasWork = ({ hash, search }: Location): boolean => hash.startsWith('#p=') || /[?&]code=/.test(search + hash);
+import type { App } from '../composables/use-app';
+import { hostWish, parametersOf } from '../host/address';
+import { heldSettings } from '../host/held-settings';
+
+/** Parameters with work in them: a program, WebTigerPython's or in one of our courses, and the courses. */
+const OPENED = ['code', 'fs', 'world', 'task'] as const;
+/** Those that bring a program from outside. Our own links do as well. */
+const PROGRAMS: readonly string[] = ['code', 'fs'];
 
 /**
- * Opens the link with which the page was called, and those that follow. Once it is open, the address is that of the app
- * again: a reload shows the work as it is then.
+ * Opens the link with which the page was called, and those that follow; nothing runs. Once it is open, the address is
+ * that of the app again, with what a reload needs beside the work: the work itself is then as it has become.
  */
 export function useLinks(app: App): void {
+  const { settings, host } = app;
+
   function follow(): void {
-    if (!hasWork(location)) return;
     const { href } = location;
+    const given = parametersOf(location);
+    const isProject = location.hash.startsWith('#p=');
+    const opened = OPENED.filter((name) => given.has(name));
+    if (!isProject && opened.length === 0) {
+      hold();
+      return;
+    }
     import('./open-address')
       .then(({ openAddress }) => {
-        const problem = openAddress(app, href);
-        if (problem === null) clearAddress();
-        else refuse(problem);
+        const problem = openAddress(app, href, 'held');
+        hold();
+        if (problem !== null) refuse(problem);
+        else if (isProject || opened.some((name) => PROGRAMS.includes(name))) showSource();
+        else clearAddress();
       })
       .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+  }
+  /** What the address says besides holds for this visit, also against what was opened. */
+  function hold(): void {
+    const { settings: wish } = hostWish(location, document.documentElement.dataset);
+    settings.hold(heldSettings(wish));
+    if (wish.parts !== undefined) host.parts.value = wish.parts;
+  }
+  /** A stranger's program is seen before it runs, whatever its link shows. In a frame the page around it decides that. */
+  function showSource(): void {
+    const parts = host.parts.value;
+    if (parts === null || parts.includes('code') || window.parent !== window) {
+      clearAddress();
+      return;
+    }
+    host.parts.value = [...parts, 'code'];
+    clearAddress(host.parts.value);
   }
   function refuse(text: string): void {
     app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });
@@ -30,10 +62,21 @@ export function useLinks(app: App): void {
   onScopeDispose(() => removeEventListener('hashchange', follow));
 }
 
-/** Takes what was opened out of the address; other parts of the query stay. */
-function clearAddress(): void {
+/** Takes what was opened out of the address; the other parameters stay. @param show the parts that it shows from now on */
+function clearAddress(show?: readonly Part[]): void {
   const query = new URLSearchParams(location.search);
-  for (const name of ['code', 'device']) query.delete(name);
-  const rest = query.toString();
-  history.replaceState(history.state, '', location.pathname + (rest === '' ? '' : `?${rest}`));
+  const fragment = new URLSearchParams(location.hash.startsWith('#?') ? location.hash.slice(2) : '');
+  for (const name of OPENED) {
+    query.delete(name);
+    fragment.delete(name);
+  }
+  if (show !== undefined) {
+    fragment.delete('show');
+    query.set('show', show.join(','));
+  }
+  const following = (sign: string, given: URLSearchParams): string => {
+    const text = given.toString();
+    return text === '' ? '' : sign + text;
+  };
+  history.replaceState(history.state, '', location.pathname + following('?', query) + following('#?', fragment));
 }

@@ -1,0 +1,18 @@
+# Contatore con pulsanti
+# A conta uno in più, B ricomincia, A e B insieme scrivono il totale.
+from microbit import *
+
+count = 0
+display.show(count)
+
+while True:
+    if button_a.is_pressed() and button_b.is_pressed():
+        print('Totale:', count)
+        sleep(500)
+    elif button_a.was_pressed():
+        count = count + 1
+        display.show(count)
+    elif button_b.was_pressed():
+        count = 0
+        display.show(count)
+    sleep(20)

@@ -1,0 +1,13 @@
+# Noter des données
+# Une ligne deux fois par seconde. Ouvre le journal de données et change les capteurs.
+from microbit import *
+import log
+
+log.set_labels('light', 'temperature', timestamp=log.SECONDS)
+
+for row in range(60):
+    log.add(light=display.read_light_level(), temperature=temperature())
+    display.set_pixel(row % 5, row // 5 % 5, row % 9 + 1)
+    sleep(500)
+
+display.show(Image.YES)       # terminé : le tableau peut être enregistré

@@ -1,0 +1,233 @@
+import { expect, test, type App } from './app';
+import { appAddress, type HostPage } from './hosts';
+import { microbitHost, printedInNode, type SimulatorOfHost } from './hosts/microbit/microbit-host';
+import { serialPrograms } from './hosts/microbit/programs';
+
+/** How the REPL greets: what comes after is not the program's. */
+const BANNER = /MicroPython v\d/;
+
+let host: HostPage | null = null;
+
+test.afterEach(() => {
+  host?.close();
+  host = null;
+});
+
+/** Opens the host page with simulators in frames of another site, and waits until they are ready. */
+async function open(app: App, parameters: readonly string[] = ['?color=%236c4bc1&flag=sw']): Promise<void> {
+  host = await microbitHost();
+  const query = parameters
+    .map((one) => `simulator=${encodeURIComponent(`${appAddress()}simulator.html${one}`)}`)
+    .join('&');
+  await app.goto(`${host.url}?${query}`);
+  for (const index of parameters.keys())
+    await expect.poll(() => app.evaluate((at) => (window as never as Host).simulators?.[at]?.status ?? '', index)).toBe('connected'); // prettier-ignore
+}
+
+/** What host.js puts into the window. */
+interface Host {
+  readonly simulators: (SimulatorOfHost & {
+    files: Record<string, string>;
+    serial: string;
+    flash(): void;
+    send(message: object): void;
+    sendRadio(text: string): void;
+    configure(language: string, translations: object): void;
+  })[];
+}
+
+const kept = (app: App, index = 0): Promise<SimulatorOfHost> =>
+  app.evaluate((at) => {
+    const { status, state, serial, radio, log, errors, kinds } = (window as never as Host).simulators[at]!;
+    return { status, state, serial, radio, log, errors, kinds };
+  }, index);
+const serial = async (app: App, index = 0): Promise<string> => (await kept(app, index)).serial;
+/** Sends plain data; bytes go by the host's own functions. */
+const send = (app: App, message: object): Promise<void> =>
+  app.evaluate((one) => (window as never as Host).simulators[0]!.send(one), message);
+
+/** Brings a program without any click, as hosts with their own Run button do. */
+const flash = (app: App, source: string, index = 0): Promise<void> =>
+  app.evaluate(
+    ({ text, at }) => {
+      const simulator = (window as never as Host).simulators[at]!;
+      simulator.files = { 'main.py': text };
+      simulator.serial = '';
+      simulator.flash();
+    },
+    { text: source, at: index },
+  );
+
+/** Whether the lights of the board are to be seen, by the name that the editor's own tests look for. */
+const isLit = (app: App): Promise<boolean> =>
+  app.inFrame('iframe', () => {
+    const lights = document.querySelector('#LEDsOn');
+    return lights !== null && getComputedStyle(lights).visibility === 'visible';
+  });
+/** The lights that glow, row by row, read as the official simulator has them: column by column. */
+const shown = (app: App): Promise<string> =>
+  app.inFrame('iframe', () => {
+    const lights = Array.from(document.querySelectorAll('#LEDsOn > *'));
+    const at = (x: number, y: number): string => (Number(lights[x * 5 + y]?.getAttribute('opacity')) > 0 ? '#' : '.');
+    return [0, 1, 2, 3, 4].map((y) => [0, 1, 2, 3, 4].map((x) => at(x, y)).join('')).join(' ');
+  });
+const pressPlay = async (app: App): Promise<void> => {
+  await expect.poll(() => app.inFrame('iframe', () => document.querySelector('.play-button-container .play-button') !== null)).toBe(true); // prettier-ignore
+  await app.inFrame('iframe', () => document.querySelector<HTMLElement>('.play-button')?.click());
+};
+
+const BLINK = 'from microbit import *\nprint("here")\ndisplay.show("1")\nwhile True:\n    sleep(20)\n';
+
+test('play asks the editor for its program and runs it; stop and reset do as the editor wants', async ({ app }) => {
+  await open(app);
+  await app.evaluate((source) => {
+    (window as never as Host).simulators[0]!.files = { 'main.py': source, 'helper.py': 'x = 1' };
+  }, BLINK);
+  expect(await isLit(app)).toBe(false);
+  await pressPlay(app);
+  await expect.poll(() => isLit(app)).toBe(true);
+  await expect.poll(() => serial(app)).toBe('here\r\n');
+  await expect.poll(() => shown(app)).toBe('..#.. .##.. ..#.. ..#.. .###.');
+  expect((await kept(app)).kinds).toEqual(['ready', 'request_flash', 'log_delete', 'serial_output']);
+  expect(await app.inFrame('iframe', () => document.querySelector('.code-editor, .pane-console'))).toBe(null);
+  await send(app, { kind: 'stop' });
+  await expect.poll(() => isLit(app)).toBe(false);
+  await expect.poll(async () => (await kept(app)).kinds.at(-1)).toBe('state_change');
+  await send(app, { kind: 'reset' });
+  await expect.poll(() => serial(app)).toBe('here\r\nhere\r\n');
+});
+
+test('a program that is flashed before anyone clicked runs, and a second one ends the first', async ({ app }) => {
+  await open(app);
+  await flash(app, BLINK);
+  await expect.poll(() => serial(app)).toBe('here\r\n');
+  await flash(app, 'print("second")\n');
+  await expect.poll(() => serial(app)).toMatch(/^second\r\n/);
+  await expect.poll(() => serial(app)).toMatch(BANNER);
+  const { kinds } = await kept(app);
+  expect(kinds.slice(0, 5)).toEqual(['ready', 'log_delete', 'serial_output', 'state_change', 'log_delete']);
+  await send(app, { kind: 'serial_input', data: 'print(6*7)\r' });
+  await expect.poll(() => serial(app)).toContain('\r\n42\r\n');
+  await send(app, { kind: 'serial_input', data: '\x04' });
+  await expect.poll(() => serial(app)).toMatch(/soft reboot[^]*second\r\n/);
+});
+
+test('prints exactly what the command line prints, whatever the program', async ({ app }) => {
+  test.setTimeout(300_000);
+  await open(app);
+  for (const program of serialPrograms) {
+    const expected = await printedInNode(program);
+    await flash(app, program.source);
+    const { typed } = program;
+    if (typed) {
+      await expect.poll(() => serial(app), program.name).toMatch(new RegExp(`${typed.at.replace('?', '\\?')}$`));
+      await send(app, { kind: 'serial_input', data: typed.text });
+    }
+    // The program's own text ends where the REPL greets; after an error the board first scrolls it over its display.
+    const own = async (): Promise<string> => {
+      const text = (await serial(app)).replaceAll('\r\n', '\n');
+      const end = program.usesRepl === true ? -1 : text.search(BANNER);
+      return (end < 0 ? text : text.slice(0, end)).trimEnd();
+    };
+    await expect.poll(own, program.name).toBe(expected.trimEnd());
+  }
+});
+
+test('sensors are what the editor sets, without an echo, and what a finger does is told', async ({ app }) => {
+  await open(app);
+  await send(app, { kind: 'set_value', id: 'temperature', value: '-3' });
+  await send(app, { kind: 'set_value', id: 'lightLevel', value: 300 });
+  await flash(
+    app,
+    'from microbit import *\nprint(temperature(), display.read_light_level())\nwhile True:\n    if button_b.was_pressed(): print("B")\n    if accelerometer.was_gesture("shake"): print("shake")\n    if pin_logo.is_touched(): print("logo")\n    sleep(20)\n',
+  );
+  await expect.poll(() => serial(app)).toBe('-3 127\r\n');
+  // In one breath, as a host's click does.
+  await send(app, { kind: 'set_value', id: 'buttonB', value: 1 });
+  await send(app, { kind: 'set_value', id: 'buttonB', value: 0 });
+  await expect.poll(() => serial(app)).toContain('B\r\n');
+  await send(app, { kind: 'set_value', id: 'gesture', value: 'shake' });
+  await expect.poll(() => serial(app)).toContain('shake\r\n');
+  expect((await kept(app)).kinds).not.toContain('state_change');
+  await app.inFrame('iframe', () => {
+    const key = (type: string): boolean =>
+      document.querySelector('#Logo')!.dispatchEvent(new KeyboardEvent(type, { key: 'Enter', bubbles: true }));
+    key('keydown');
+    setTimeout(() => key('keyup'), 200);
+  });
+  await expect.poll(() => serial(app)).toContain('logo\r\n');
+  await expect.poll(async () => (await kept(app)).state['pinLogo']?.['value']).toBe(0);
+  expect((await kept(app)).kinds.filter((kind) => kind === 'state_change')).toHaveLength(2);
+});
+
+test('two boards hear each other by radio, and what comes too early is lost without harm', async ({ app }) => {
+  await open(app, ['', '']);
+  await app.evaluate(() => (window as never as Host).simulators[1]!.sendRadio('too early'));
+  const listen = 'import radio\nfrom microbit import *\nradio.on()\nradio.config(group=7)\nwhile True:\n    m = radio.receive()\n    if m: print("got", m)\n    sleep(20)\n'; // prettier-ignore
+  await flash(app, listen, 1);
+  await expect
+    .poll(async () => (await kept(app, 1)).state['radio'])
+    .toEqual({ type: 'radio', enabled: true, group: 7 });
+  await flash(app, 'import radio\nradio.on()\nradio.config(group=7)\nradio.send("hallo")\n');
+  await expect.poll(() => serial(app, 1)).toBe('got hallo\r\n');
+  expect((await kept(app)).radio).toEqual(['hallo']);
+});
+
+test('the data log comes row by row, and is empty after a flash', async ({ app }) => {
+  await open(app);
+  const logs = 'import log\nfrom microbit import *\nlog.set_labels("x")\nfor i in range(3): log.add(x=i)\nlog.add(y=9)\n'; // prettier-ignore
+  await flash(app, logs);
+  await expect.poll(async () => (await kept(app)).log.rows.length).toBe(4);
+  const { log } = await kept(app);
+  expect(log.headings.slice(1)).toEqual(['x', 'y']);
+  expect(log.headings[0]).toMatch(/^Time/);
+  expect(log.rows.map((row) => row[1])).toEqual(['0', '1', '2', '']);
+  await flash(app, 'import log\nlog.add(z=1)\n');
+  await expect.poll(async () => (await kept(app)).log.headings).toContain('z');
+  expect((await kept(app)).log.rows).toHaveLength(1);
+});
+
+test('language, words and sound are the editor’s', async ({ app }) => {
+  await open(app);
+  const say = (language: string, translations: object): Promise<void> =>
+    app.evaluate((one) => (window as never as Host).simulators[0]!.configure(one.language, one.translations), {
+      language,
+      translations,
+    });
+  const label = (css: string): Promise<string> =>
+    app.inFrame('iframe', (selector) => document.querySelector(selector)?.getAttribute('aria-label') ?? '', css);
+  await say('fr', { 'button-a': 'Bouton A', 'start-simulator': 'Démarrer' });
+  await expect.poll(() => label('#ButtonA')).toBe('Bouton A');
+  expect(await label('.play-button')).toBe('Démarrer');
+  expect(await app.inFrame('iframe', () => document.documentElement.lang)).toMatch(/^fr/);
+  await send(app, { kind: 'mute' });
+  await flash(app, 'import music\nmusic.play("c4:1")\nprint("muted")\n');
+  await expect.poll(() => serial(app)).toContain('muted');
+  await send(app, { kind: 'unmute' });
+  for (const nonsense of [
+    null,
+    5,
+    {},
+    { kind: 'flash' },
+    { kind: 'set_value', id: 4 },
+    { kind: 'serial_input', data: {} },
+  ])
+    await app.evaluate((one) => (window as never as Host).simulators[0]!.send(one as object), nonsense);
+  await flash(app, 'print("still there")\n');
+  await expect.poll(() => serial(app)).toContain('still there');
+  expect((await kept(app)).errors).toEqual([]);
+});
+
+test('a program that imports a robot drives it in the arena; one for the Calliope mini has its board', async ({
+  app,
+}) => {
+  await open(app, ['', '?device=calliope-mini-3']);
+  expect((await kept(app, 1)).state['pin3']).toMatchObject({ type: 'range', value: 0 });
+  await flash(app, 'from mbrobot_plusV2 import *\nprint("drives")\nforward()\ndelay(300)\nstop()\n');
+  await expect.poll(() => serial(app)).toContain('drives');
+  await expect
+    .poll(() => app.inFrame('iframe', () => document.querySelector('.pane-arena canvas') !== null))
+    .toBe(true);
+  await flash(app, 'from calliopemini import *\nprint("mini")\n', 1);
+  await expect.poll(() => serial(app, 1)).toContain('mini');
+});

@@ -1,0 +1,44 @@
+import { execFileSync } from 'node:child_process';
+import { mkdtemp, readFile, rm } from 'node:fs/promises';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { afterAll, beforeAll, describe, expect, it } from 'vitest';
+import { bundleTypes } from './bundle-types.mjs';
+import { licencesOfApp } from './licences.mjs';
+import { packages, packAll } from './packages.mjs';
+import { root } from './progress.mjs';
+
+let folder = '';
+beforeAll(async () => (folder = await mkdtemp(join(tmpdir(), 'parcours-packages-'))));
+afterAll(() => rm(folder, { recursive: true, force: true }));
+
+const pack = async (name) => Object.values(await packAll(join(folder, name), { only: ['client'] }))[0];
+
+describe('npm run packages', () => {
+  it('makes the same tarball of the same sources, with the version of the app and nothing to install besides', async () => {
+    const [first, second] = [await pack('first'), await pack('second')];
+    expect((await readFile(first)).equals(await readFile(second))).toBe(true);
+    const list = execFileSync('tar', ['-tzf', first], { encoding: 'utf8' }).trim().split('\n').sort();
+    expect(list).toEqual(['LICENSE', 'README.md', 'dist/index.d.ts', 'dist/index.js', 'package.json'].map((file) => `package/${file}`)); // prettier-ignore
+    const about = JSON.parse(execFileSync('tar', ['-xzOf', first, 'package/package.json'], { encoding: 'utf8' }));
+    const app = JSON.parse(await readFile(join(root, 'package.json'), 'utf8'));
+    expect(about).toMatchObject({ name: 'parcours-client', version: app.version, license: 'MIT', type: 'module' });
+    expect(about).not.toHaveProperty('dependencies');
+    const script = execFileSync('tar', ['-xzOf', first, 'package/dist/index.js'], { encoding: 'utf8' });
+    expect(script).not.toMatch(/^\s*import[\s{*'"]|valibot/m);
+  });
+
+  it.each(packages)('writes types of $folder that import nothing', ({ entry }) => {
+    const types = bundleTypes(join(root, entry)).replace(/\/\*[^]*?\*\//g, '');
+    expect(types).not.toMatch(/^\s*import |from ['"]|import\(|#\w+\//m);
+    expect(types).toMatch(/^export \{ .*(connect|ParcoursSimulatorElement|createParcoursDevice)/m);
+  });
+
+  it('names the licence of everything in the app', async () => {
+    const text = await licencesOfApp();
+    const names = ['vue', 'vuetify', 'planck', '@micropython/micropython-webassembly-pyscript', '@codemirror/view'];
+    for (const name of [...names, 'jspdf', 'pako', 'workbox-precaching'])
+      expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+`, 'm'));
+    expect(text).not.toContain('undefined');
+  });
+});

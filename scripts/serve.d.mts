@@ -1,0 +1,8 @@
+export const PAGE_POLICY: string;
+export const WORKER_POLICY: string;
+export function headersFor(path: string): Readonly<Record<string, string>>;
+export function serve(options?: {
+  readonly folder?: string;
+  readonly port?: number;
+  readonly host?: string;
+}): Promise<{ readonly url: string; close(): Promise<void> }>;

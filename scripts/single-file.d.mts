@@ -1,0 +1,6 @@
+export function inlineScript(code: string): string;
+export function inlineStyle(css: string): string;
+export function singleFile(
+  html: string,
+  parts: { readonly script: string; readonly css: string; readonly icon: string },
+): string;

@@ -1,0 +1,17 @@
+/**
+ * Words that are rightly the same as in English, by language. A text of nothing but them may be the English one;
+ * whatever else is the same has been forgotten.
+ *
+ * @type {Readonly<Record<'fr' | 'it', ReadonlySet<string>>>}
+ */
+export const sameWords = {
+  fr: new Set(
+    (
+      'auto bot buzzer calli code console distance firmware max menu message messages module modules obstacles parcours ' +
+      'pause place png radio repl robot servos slalom suggestions svg variable zone'
+    ).split(' '),
+  ),
+  it: new Set(
+    'arena auto bot calli console firmware link max menu parcours png radio repl robot slalom svg'.split(' '),
+  ),
+};

@@ -1,0 +1,98 @@
+/** What the page is reached by: the frame that shows it, its window, or a port that leads to it. */
+export type Target = HTMLIFrameElement | Window | MessagePort;
+
+/** A way to the page and back. */
+export interface Channel {
+  /** Says hello; it may get lost while the page is not there yet. */
+  hello(message: object): void;
+  /** @throws DOMException for what cannot be cloned */
+  post(message: object): void;
+  close(): void;
+}
+
+/** What a channel does with what the page says. */
+export type Hear = (data: unknown) => void;
+
+/** Opens the way to a page; whatever comes from elsewhere is not heard. */
+export function openChannel(target: Target, origin: string | undefined, usePort: boolean, hear: Hear): Channel {
+  if (isPort(target)) return portChannel(target, hear);
+  const page = windowOf(target, origin);
+  return usePort ? ownPortChannel(page, hear) : windowChannel(page, hear);
+}
+
+interface PageWindow {
+  /** `null` while the frame is not in the document. */
+  window(): Window | null;
+  /** Origin that is spoken to; `null`: whatever it is. */
+  origin(): string | null;
+}
+
+function windowOf(target: HTMLIFrameElement | Window, origin: string | undefined): PageWindow {
+  if (!isFrame(target)) return { window: () => target, origin: () => origin ?? null };
+  return { window: () => target.contentWindow, origin: () => origin ?? originOf(target) };
+}
+
+/** Whether it is a frame that shows the page: by its name, for it may belong to another document. */
+export const isFrame = (target: Target): target is HTMLIFrameElement =>
+  Object.prototype.toString.call(target) === '[object HTMLIFrameElement]';
+
+const isPort = (target: Target): target is MessagePort => target instanceof MessagePort;
+
+/** The origin that a frame's page has by its address; `null`: it cannot be told. */
+function originOf(frame: HTMLIFrameElement): string | null {
+  if (frame.hasAttribute('srcdoc') || !URL.canParse(frame.src)) return null;
+  if (frame.hasAttribute('sandbox') && !frame.sandbox.contains('allow-same-origin')) return 'null';
+  const { protocol, origin } = new URL(frame.src);
+  return protocol === 'https:' || protocol === 'http:' ? origin : null;
+}
+
+/** An origin that is none (a sandbox, a file) cannot be named when sending. */
+const nameable = (origin: string | null): string => (origin === null || origin === 'null' ? '*' : origin);
+
+function windowChannel(page: PageWindow, hear: Hear): Channel {
+  const listen = (event: MessageEvent<unknown>): void => {
+    const origin = page.origin();
+    if (event.source !== null && event.source === page.window() && (origin === null || event.origin === origin))
+      hear(event.data);
+  };
+  addEventListener('message', listen);
+  const post = (message: object): void => page.window()?.postMessage(message, nameable(page.origin()));
+  return { hello: post, post, close: () => removeEventListener('message', listen) };
+}
+
+function portChannel(port: MessagePort, hear: Hear): Channel {
+  port.onmessage = (event: MessageEvent<unknown>) => hear(event.data);
+  const post = (message: object): void => port.postMessage(message);
+  return { hello: post, post, close: () => port.close() };
+}
+
+/** Every hello brings a port of its own: one that was sent before the page listened is lost. The first that answers stays. */
+function ownPortChannel(page: PageWindow, hear: Hear): Channel {
+  let offered: MessagePort[] = [];
+  let chosen: MessagePort | null = null;
+  const drop = (but: MessagePort | null): void => {
+    for (const port of offered) if (port !== but) port.close();
+    offered = [];
+  };
+  return {
+    hello(message) {
+      const { port1, port2 } = new MessageChannel();
+      offered.push(port1);
+      port1.onmessage = (event: MessageEvent<unknown>) => {
+        if (chosen !== port1 && offered.includes(port1)) {
+          chosen?.close();
+          chosen = port1;
+          drop(port1);
+        }
+        if (chosen === port1) hear(event.data);
+      };
+      page.window()?.postMessage(message, nameable(page.origin()), [port2]);
+    },
+    post: (message) => chosen?.postMessage(message),
+    close() {
+      drop(null);
+      chosen?.close();
+      chosen = null;
+    },
+  };
+}

@@ -1,0 +1,107 @@
+import { isFrame, openChannel, type Target } from './channel';
+import { Connection } from './connection';
+import { ParcoursError } from './parcours-error';
+import type { Commands, ConnectOptions, Parcours, Welcome } from './types';
+
+export type { Target } from './channel';
+export { ParcoursError } from './parcours-error';
+export type * from './types';
+
+/**
+ * Connects with a simulator in a frame, a window or behind a port; the page may still be loading.
+ *
+ * @returns the simulator, once the page has answered
+ * @throws ParcoursError (as a rejection) with `timeout` when it does not
+ */
+export async function connect(target: Target, options: ConnectOptions = {}): Promise<Parcours> {
+  const channel = openChannel(target, options.origin, options.usePort ?? false, (data) => connection.hear(data));
+  const connection = new Connection(channel, options);
+  const stopWatching = watchFrame(target, connection);
+  try {
+    await connection.greet();
+  } catch (error) {
+    stopWatching();
+    connection.close();
+    throw error;
+  }
+  return parcoursOf(connection, stopWatching);
+}
+
+/** A frame that loads has perhaps loaded anew. */
+function watchFrame(target: Target, connection: Connection): () => void {
+  if (!isFrame(target)) return () => undefined;
+  const greetAgain = (): void => connection.greetAgain();
+  target.addEventListener('load', greetAgain);
+  return () => target.removeEventListener('load', greetAgain);
+}
+
+function parcoursOf(connection: Connection, stopWatching: () => void): Parcours {
+  const send: Connection['send'] = (type, fields) => connection.send(type, fields);
+  const done = async (...[type, fields]: Parameters<Connection['send']>): Promise<void> => {
+    await send(type, fields);
+  };
+  return {
+    get welcome(): Welcome {
+      if (connection.welcome === null) throw new ParcoursError('closed', 'The page has not answered.');
+      return connection.welcome;
+    },
+    ...workMethods(send, done),
+    ...runMethods(done),
+    ...inputMethods(done),
+    getState: () => send('state', {}),
+    subscribe: (wish) => done('subscribe', wish),
+    on: (event, listener) => connection.on(event, listener),
+    send: (type, ...[fields]) => connection.send(type, fields ?? {}),
+    close() {
+      stopWatching();
+      connection.close();
+    },
+  };
+}
+
+type Done = (...[type, fields]: Parameters<Connection['send']>) => Promise<void>;
+
+function workMethods(send: Connection['send'], done: Done) {
+  return {
+    setProject: (project) => done('set-project', { project }),
+    getProject: async () => (await send('get-project', {})).project,
+    setFiles: (files) => done('set-files', { files }),
+    getFiles: async () => (await send('get-files', {})).files,
+    setScene: (scene) => done('set-scene', { scene }),
+    getScene: async () => (await send('get-scene', {})).scene,
+    edit: (edit) => done('edit', { edit }),
+    setRobot: (choice) => done('set-robot', choice),
+    getRobot: () => send('get-robot', {}),
+    setSettings: (settings) => done('settings', settings),
+    getSettings: () => send('get-settings', {}),
+  } satisfies Partial<Parcours>;
+}
+
+function runMethods(done: Done) {
+  return {
+    run: (options: Commands['run']['fields'] = {}) => done('run', options),
+    stop: () => done('stop', {}),
+    reset: () => done('reset', {}),
+    pause: () => done('pause', {}),
+    resume: () => done('resume', {}),
+    step: () => done('step', {}),
+    setSpeed: (speed) => done('speed', { speed }),
+    setSeed: (seed) => done('seed', { seed }),
+    setReality: (reality) => done('reality', { reality }),
+  } satisfies Partial<Parcours>;
+}
+
+function inputMethods(done: Done) {
+  return {
+    place: (pose) => done('place', pose),
+    placeBlock: (block, pose) => done('place-block', { block, ...pose }),
+    press: (button, down) => done('press', { button, down }),
+    touch: (pad, down) => done('touch', { pad, down }),
+    setSensor: (sensor, value) => done('sensor', { sensor, value }),
+    setArenaSenses: (on) => done('arena-senses', { on }),
+    serial: (text) => done('serial', { text }),
+    interrupt: () => done('interrupt', {}),
+    radio: (packet) => done('radio', typeof packet === 'string' ? { text: packet } : { bytes: [...packet] }),
+    clearConsole: () => done('clear-console', {}),
+  } satisfies Partial<Parcours>;
+}

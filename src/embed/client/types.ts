@@ -1,0 +1,127 @@
+import type {
+  CommandName,
+  Commands,
+  EventName,
+  Events,
+  FloorPose,
+  PageSettings,
+  ProjectFile,
+  RefusalCode,
+  RobotChoice,
+  SceneFile,
+  State,
+  Welcome,
+} from '../parcours/protocol';
+import type { SourceFile } from '#project/project';
+import type { SceneEdit } from '#scene/edit';
+
+export type * from '../parcours/protocol';
+export type { SourceFile } from '#project/project';
+export type { SceneEdit } from '#scene/edit';
+export type { Verdict } from '#simulation/verdict';
+
+/** The simulator in another page, as its host sees it. */
+export interface Parcours {
+  /** What the page said when it answered the last hello. */
+  readonly welcome: Welcome;
+
+  /** Opens a project, stopped: its file as text or value. */
+  setProject(project: ProjectFile | string): Promise<void>;
+  getProject(): Promise<ProjectFile>;
+  /** Replaces all files of the program; `main.py` must be among them. */
+  setFiles(files: readonly SourceFile[]): Promise<void>;
+  getFiles(): Promise<readonly SourceFile[]>;
+  /** Opens a course, stopped: its file as text or value. */
+  setScene(scene: SceneFile | string): Promise<void>;
+  getScene(): Promise<SceneFile>;
+  /** Changes the course, also while the robot drives on it. */
+  edit(edit: SceneEdit): Promise<void>;
+  setRobot(choice: Partial<RobotChoice>): Promise<void>;
+  getRobot(): Promise<RobotChoice>;
+  /** Language, theme, sound, shown parts, words of the board's controls. Nothing of it is kept in the browser. */
+  setSettings(settings: Partial<PageSettings> & { readonly labels?: Readonly<Record<string, string>> }): Promise<void>;
+  getSettings(): Promise<PageSettings>;
+
+  /** Starts anew. Done when the program runs. */
+  run(options?: { readonly paused?: boolean }): Promise<void>;
+  /** Ends the run; the last picture stays. */
+  stop(): Promise<void>;
+  /** Ends the run and puts everything back to the start. */
+  reset(): Promise<void>;
+  pause(): Promise<void>;
+  resume(): Promise<void>;
+  /** 20 ms of simulated time. */
+  step(): Promise<void>;
+  /** Simulated seconds per second, 0.25 … 8, or `max`. */
+  setSpeed(speed: Commands['speed']['fields']['speed']): Promise<void>;
+  /** Which of the used robots it is, 1 … 9999. */
+  setSeed(seed: number): Promise<void>;
+  /** 0: ideal … 1: like a used school robot. */
+  setReality(reality: number): Promise<void>;
+
+  place(pose: FloorPose): Promise<void>;
+  placeBlock(block: string, pose: FloorPose): Promise<void>;
+  press(button: 'a' | 'b', down: boolean): Promise<void>;
+  touch(pad: string, down: boolean): Promise<void>;
+  setSensor(sensor: string, value: number | string): Promise<void>;
+  /** Whether compass, accelerometer and light sensor feel the arena. */
+  setArenaSenses(on: boolean): Promise<void>;
+  /** Types text into the serial line: into `input()` or the REPL. */
+  serial(text: string): Promise<void>;
+  /** KeyboardInterrupt in the program. */
+  interrupt(): Promise<void>;
+  /** A packet arrives by radio: as `radio.send` of another board sends it, or bytes. */
+  radio(packet: string | readonly number[] | Uint8Array): Promise<void>;
+  clearConsole(): Promise<void>;
+
+  getState(): Promise<State>;
+  /** Which events come (at first all), and how many snapshots a second (at first none), 0 … 60. */
+  subscribe(wish: Commands['subscribe']['fields']): Promise<void>;
+
+  /** Calls `listener` with every event of this kind from now on. @returns ends it */
+  on<E extends keyof ClientEvents>(event: E, listener: (data: ClientEvents[E]) => void): () => void;
+  /** Any command by its name; what the methods above are made of. */
+  send<N extends CommandName>(type: N, ...fields: FieldsOf<N>): Promise<Commands[N]['result']>;
+  /** Says bye. Commands that wait are rejected with `closed`. */
+  close(): void;
+}
+
+/** Fields of a command; none where it has none. */
+export type FieldsOf<N extends CommandName> =
+  Partial<Commands[N]['fields']> extends Commands[N]['fields']
+    ? [fields?: Commands[N]['fields']]
+    : [fields: Commands[N]['fields']];
+
+/** What `on` hears: the page's events, and those of the connection. */
+export type ClientEvents = { readonly [E in EventName]: Events[E] } & {
+  /** The page was loaded anew and answers again: project and settings are those of a fresh page. */
+  readonly restarted: Welcome;
+};
+
+/** Why a command was not done: the page's reasons, and the connection's. */
+export type ErrorCode =
+  | RefusalCode
+  /** No answer in time: the page is not there, not ours, or its host is not allowed to command it. */
+  | 'timeout'
+  /** The page was loaded anew before it answered. */
+  | 'restarted'
+  /** The host has closed the connection. */
+  | 'closed'
+  /** The message cannot be sent: it holds something other than plain data. */
+  | 'not-plain';
+
+/** How to connect. */
+export interface ConnectOptions {
+  /** How long hello is repeated until the page answers, in ms. At first 30,000. */
+  readonly timeoutMs?: number;
+  /** How long a command may take, in ms. At first 60,000: a first run fetches the VM. */
+  readonly commandTimeoutMs?: number;
+  /** Origin of the page; at first the one of the frame's `src`. A `Window` without it is greeted whatever it shows. */
+  readonly origin?: string;
+  /** Speak over a `MessagePort` of its own instead of the window. */
+  readonly usePort?: boolean;
+  /** What the host calls itself, for the page's log. */
+  readonly client?: string;
+  /** As `subscribe` takes it, from the first moment on and again after a restart. */
+  readonly subscribe?: Commands['subscribe']['fields'];
+}

@@ -1,0 +1,139 @@
+import { isOn } from './address';
+import { ParcoursMethods } from './methods';
+
+/** What an attribute can be given by script; `null` takes it away. */
+export type Wished = string | number | null;
+
+/** The attributes of the element as properties, so that frameworks may give either. */
+export abstract class ParcoursAttributes extends ParcoursMethods {
+  /** Address of Parcours: its folder, or one of its pages. */
+  get src(): string | null {
+    return this.getAttribute('src');
+  }
+  set src(value: string | null) {
+    this.write('src', value);
+  }
+  /** Parts that are shown, parted by commas: `bar`, `code`, `board`, `arena`, `tools`, `console`; or `all`. */
+  get show(): string | null {
+    return this.getAttribute('show');
+  }
+  set show(value: string | null) {
+    this.write('show', value);
+  }
+  /** `system`, `light` or `dark`. */
+  get theme(): string | null {
+    return this.getAttribute('theme');
+  }
+  set theme(value: string | null) {
+    this.write('theme', value);
+  }
+  /** Simulated seconds per second, 0.25 … 8, or `max`. */
+  get speed(): string | null {
+    return this.getAttribute('speed');
+  }
+  set speed(value: Wished) {
+    this.write('speed', value);
+  }
+  /** Id of a robot, `none`, or `auto`. */
+  get robot(): string | null {
+    return this.getAttribute('robot');
+  }
+  set robot(value: string | null) {
+    this.write('robot', value);
+  }
+  /** Id of a microcomputer, or `auto`. */
+  get board(): string | null {
+    return this.getAttribute('board');
+  }
+  set board(value: string | null) {
+    this.write('board', value);
+  }
+  /** Which of the used robots it is, 1 … 9999. */
+  get seed(): string | null {
+    return this.getAttribute('seed');
+  }
+  set seed(value: Wished) {
+    this.write('seed', value);
+  }
+  /** How much the robot is like a used one, 0 … 1. */
+  get reality(): string | null {
+    return this.getAttribute('reality');
+  }
+  set reality(value: Wished) {
+    this.write('reality', value);
+  }
+  /** Id of a ready course that is opened without its program. */
+  get world(): string | null {
+    return this.getAttribute('world');
+  }
+  set world(value: string | null) {
+    this.write('world', value);
+  }
+  /** Id of a ready course that is opened with its program. */
+  get task(): string | null {
+    return this.getAttribute('task');
+  }
+  set task(value: string | null) {
+    this.write('task', value);
+  }
+  /** Permissions of the frame, as of an `iframe`. */
+  get allow(): string | null {
+    return this.getAttribute('allow');
+  }
+  set allow(value: string | null) {
+    this.write('allow', value);
+  }
+  /** `lazy` (also when left out): loads when it comes into view or is commanded; `eager`: at once. */
+  get loading(): string | null {
+    return this.getAttribute('loading');
+  }
+  set loading(value: string | null) {
+    this.write('loading', value);
+  }
+  /** How many `snapshot` events a second, 0 … 60; none when left out. */
+  get snapshotHz(): string | null {
+    return this.getAttribute('snapshot-hz');
+  }
+  set snapshotHz(value: Wished) {
+    this.write('snapshot-hz', value);
+  }
+  /** No sound. */
+  get muted(): boolean {
+    return isOn(this.getAttribute('muted'));
+  }
+  set muted(value: boolean) {
+    this.write('muted', value ? '' : null);
+  }
+  /** In a frame without an origin of its own, from the single file: without storage. */
+  get sandboxed(): boolean {
+    return isOn(this.getAttribute('sandboxed'));
+  }
+  set sandboxed(value: boolean) {
+    this.write('sandboxed', value ? '' : null);
+  }
+
+  private write(name: string, value: Wished | undefined): void {
+    if (value === null || value === undefined) this.removeAttribute(name);
+    else this.setAttribute(name, String(value));
+  }
+}
+
+/**
+ * Takes properties that a framework has set before the element's code came: they would hide the ones of the class.
+ *
+ * @param element one that has just become an element of this class
+ */
+export function takeEarlyProperties(element: HTMLElement): void {
+  const early = new Map(Object.entries(element));
+  for (let made: unknown = Object.getPrototypeOf(element); isOurs(made); made = Object.getPrototypeOf(made)) {
+    for (const [name, property] of Object.entries(Object.getOwnPropertyDescriptors(made))) {
+      if (!isSettable(property) || !early.has(name)) continue;
+      Reflect.deleteProperty(element, name);
+      Reflect.set(element, name, early.get(name));
+    }
+  }
+}
+
+const isSettable = (property: PropertyDescriptor): boolean => 'set' in property && property.set !== undefined;
+
+const isOurs = (made: unknown): made is ParcoursMethods => made instanceof ParcoursMethods;

@@ -1,0 +1,46 @@
+import type { Parcours } from '../client/types';
+
+/** Outside a browser, where the element can be imported and stays without effect. */
+const Base: typeof HTMLElement = 'HTMLElement' in globalThis ? HTMLElement : (class {} as typeof HTMLElement);
+
+/** The client's methods on an element: each waits until the page has answered. */
+export abstract class ParcoursMethods extends Base {
+  /** The client of the page, once it has answered and has what the element was given; loads the page where it is not there yet. */
+  abstract whenReady(): Promise<Parcours>;
+
+  readonly setProject: Parcours['setProject'] = (project) => this.whenThere((it) => it.setProject(project));
+  readonly getProject: Parcours['getProject'] = () => this.whenThere((it) => it.getProject());
+  readonly setFiles: Parcours['setFiles'] = (files) => this.whenThere((it) => it.setFiles(files));
+  readonly getFiles: Parcours['getFiles'] = () => this.whenThere((it) => it.getFiles());
+  readonly setScene: Parcours['setScene'] = (scene) => this.whenThere((it) => it.setScene(scene));
+  readonly getScene: Parcours['getScene'] = () => this.whenThere((it) => it.getScene());
+  readonly edit: Parcours['edit'] = (edit) => this.whenThere((it) => it.edit(edit));
+  readonly setRobot: Parcours['setRobot'] = (choice) => this.whenThere((it) => it.setRobot(choice));
+  readonly getRobot: Parcours['getRobot'] = () => this.whenThere((it) => it.getRobot());
+  readonly setSettings: Parcours['setSettings'] = (settings) => this.whenThere((it) => it.setSettings(settings));
+  readonly getSettings: Parcours['getSettings'] = () => this.whenThere((it) => it.getSettings());
+
+  readonly run: Parcours['run'] = (options = {}) => this.whenThere((it) => it.run(options));
+  readonly stop: Parcours['stop'] = () => this.whenThere((it) => it.stop());
+  readonly reset: Parcours['reset'] = () => this.whenThere((it) => it.reset());
+  readonly pause: Parcours['pause'] = () => this.whenThere((it) => it.pause());
+  readonly resume: Parcours['resume'] = () => this.whenThere((it) => it.resume());
+  readonly step: Parcours['step'] = () => this.whenThere((it) => it.step());
+
+  readonly place: Parcours['place'] = (pose) => this.whenThere((it) => it.place(pose));
+  readonly placeBlock: Parcours['placeBlock'] = (block, pose) => this.whenThere((it) => it.placeBlock(block, pose));
+  readonly press: Parcours['press'] = (button, down) => this.whenThere((it) => it.press(button, down));
+  readonly touch: Parcours['touch'] = (pad, down) => this.whenThere((it) => it.touch(pad, down));
+  readonly setSensor: Parcours['setSensor'] = (sensor, value) => this.whenThere((it) => it.setSensor(sensor, value));
+  readonly setArenaSenses: Parcours['setArenaSenses'] = (on) => this.whenThere((it) => it.setArenaSenses(on));
+  readonly serial: Parcours['serial'] = (text) => this.whenThere((it) => it.serial(text));
+  readonly interrupt: Parcours['interrupt'] = () => this.whenThere((it) => it.interrupt());
+  readonly radio: Parcours['radio'] = (packet) => this.whenThere((it) => it.radio(packet));
+  readonly clearConsole: Parcours['clearConsole'] = () => this.whenThere((it) => it.clearConsole());
+  readonly getState: Parcours['getState'] = () => this.whenThere((it) => it.getState());
+  readonly subscribe: Parcours['subscribe'] = (wish) => this.whenThere((it) => it.subscribe(wish));
+
+  private async whenThere<T>(act: (parcours: Parcours) => Promise<T>): Promise<T> {
+    return act(await this.whenReady());
+  }
+}

@@ -1,0 +1,301 @@
+import type { SourceFile } from '#project/project';
+
+import type { ClientEvents, Parcours, ProjectFile, SceneFile, Welcome } from '../client/types';
+import { pageAddress } from './address';
+import { ParcoursAttributes, takeEarlyProperties } from './attributes';
+import { PageFrame } from './page-frame';
+import { ABOVE_PROJECT, wishes } from './wishes';
+import { projectFile, Work, type Given } from './work';
+
+/** What the element tells, by the name of the event, and what its `detail` is. */
+export interface ParcoursSimulatorEvents {
+  /** The page is there and has what the element was given. */
+  readonly 'parcours-ready': Welcome;
+  /** The page does not answer, or would not do what an attribute or a property says: a `ParcoursError`, mostly. */
+  readonly 'parcours-error': unknown;
+  /** The page was loaded anew and has the latest work again. */
+  readonly 'parcours-restarted': Welcome;
+  readonly phase: ClientEvents['phase'];
+  readonly started: ClientEvents['started'];
+  readonly programrestart: ClientEvents['program-restarted'];
+  readonly ended: ClientEvents['ended'];
+  readonly output: ClientEvents['output'];
+  readonly snapshot: ClientEvents['snapshot'];
+  readonly scenechange: ClientEvents['scene-changed'];
+  readonly fileschange: ClientEvents['files-changed'];
+  readonly settingschange: ClientEvents['settings-changed'];
+  readonly sensed: ClientEvents['sensed'];
+  readonly radio: ClientEvents['radio'];
+  readonly log: ClientEvents['log'];
+  readonly refused: ClientEvents['refused'];
+  readonly failed: ClientEvents['failed'];
+}
+
+type OtherEvents = Exclude<keyof HTMLElementEventMap, keyof ParcoursSimulatorEvents>;
+
+/** Another value of these is another page: the frame is loaded anew. */
+const LOADED_ANEW: readonly string[] = ['src', 'world', 'task', 'sandboxed'];
+const STYLE =
+  ':host{display:block;position:relative;min-width:200px;min-height:160px;aspect-ratio:16/10}' +
+  ':host([hidden]){display:none}' +
+  'iframe{position:absolute;inset:0;width:100%;height:100%;border:0}';
+/** The page may make sound and go full screen where this page may. */
+const ALLOW = 'autoplay; fullscreen; clipboard-write';
+/** Begins to load a little before it is scrolled into view. */
+const NEAR = '200px';
+
+/**
+ * `<parcours-simulator>`: Parcours as an element of any page. Attributes say what it shows, methods command it, events
+ * tell of it. What is worked on in it stays when the element is moved.
+ */
+export class ParcoursSimulatorElement extends ParcoursAttributes {
+  static readonly observedAttributes: readonly string[] = [
+    ...[...Object.keys(wishes), ...LOADED_ANEW],
+    ...['project', 'loading', 'title', 'aria-label', 'allow'],
+  ];
+  private readonly inside: ShadowRoot;
+  private readonly work = new Work();
+  /** What the host has given by script. */
+  private given: Given = { project: null, scene: null, files: null };
+  private page: PageFrame | null = null;
+  /** The page that is there and has everything. */
+  private client: Parcours | null = null;
+  private promised: Promised | null = null;
+  /** The page did not answer: who asks is told so until another one is loaded. */
+  private isMissing = false;
+  private watch: IntersectionObserver | null = null;
+  private isAnewPlanned = false;
+  /** Attributes that have changed since the frame got its address. */
+  private readonly changed = new Set<string>();
+
+  constructor() {
+    super();
+    this.inside = this.attachShadow({ mode: 'open', delegatesFocus: true });
+    const style = new CSSStyleSheet();
+    style.replaceSync(STYLE);
+    this.inside.adoptedStyleSheets = [style];
+    takeEarlyProperties(this);
+  }
+
+  /** The frame that is shown, or `null`. */
+  get frame(): HTMLIFrameElement | null {
+    return this.page?.frame ?? null;
+  }
+
+  /** The project it begins with: its file as text or value, or its address. As an attribute: its address. */
+  get project(): ProjectFile | string | null {
+    return this.given.project ?? this.getAttribute('project');
+  }
+  set project(project: ProjectFile | string | null) {
+    this.give({ project });
+    if (project !== null) this.bring(async (it) => it.setProject(await projectFile(project)));
+  }
+
+  /** The course it begins with, instead of the project's. */
+  get scene(): SceneFile | string | null {
+    return this.given.scene;
+  }
+  set scene(scene: SceneFile | string | null) {
+    this.give({ scene });
+    if (scene !== null) this.bring((it) => it.setScene(scene));
+  }
+
+  /** The program it begins with, instead of the project's. */
+  get files(): readonly SourceFile[] | null {
+    return this.given.files;
+  }
+  set files(files: readonly SourceFile[] | null) {
+    this.give({ files });
+    if (files !== null) this.bring((it) => it.setFiles(files));
+  }
+
+  override whenReady(): Promise<Parcours> {
+    this.promised ??= promise();
+    const { result } = this.promised;
+    this.open();
+    return result;
+  }
+
+  override addEventListener<E extends keyof ParcoursSimulatorEvents>(
+    type: E,
+    listener: (this: ParcoursSimulatorElement, event: CustomEvent<ParcoursSimulatorEvents[E]>) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener<E extends OtherEvents>(
+    type: E,
+    listener: (this: HTMLElement, event: HTMLElementEventMap[E]) => unknown,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(
+    type: string,
+    listener: EventListenerOrEventListenerObject,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
+  override addEventListener(type: string, listener: unknown, options?: boolean | AddEventListenerOptions): void {
+    super.addEventListener(type, listener as EventListenerOrEventListenerObject, options);
+  }
+
+  override focus(options?: FocusOptions): void {
+    this.page?.frame.focus(options);
+  }
+
+  connectedCallback(): void {
+    this.openWhenSeen();
+  }
+
+  /** Moved by a browser that can do so without loading the frame anew: everything goes on. */
+  connectedMoveCallback(): void {
+    return undefined;
+  }
+
+  disconnectedCallback(): void {
+    this.close();
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return;
+    if (LOADED_ANEW.includes(name)) this.planAnew();
+    else if (name === 'project') this.project = after;
+    else if (name === 'loading') this.openWhenSeen();
+    else if (this.page !== null && name === 'allow') this.page.frame.allow = after ?? ALLOW;
+    else if (this.page !== null && !(name in wishes)) this.page.frame.title = this.frameTitle();
+    else if (this.page !== null) {
+      this.changed.add(name);
+      this.bring((it) => this.wish(it, name));
+    }
+  }
+
+  /** Loads what is not there yet, as soon as the element is in a page and has an address. */
+  private open(): void {
+    const address = pageAddress((name) => this.pageAttribute(name), document.baseURI);
+    if (this.page !== null || !this.isConnected || address === null) return;
+    this.stopWatching();
+    const page = new PageFrame({
+      address,
+      title: this.frameTitle(),
+      allow: this.getAttribute('allow') ?? ALLOW,
+      isSandboxed: this.sandboxed,
+      subscribe: { snapshotHz: Number(this.snapshotHz ?? 0) },
+      tell: (event, detail) => void this.hear(event, detail),
+    });
+    this.page = page;
+    this.changed.clear();
+    this.promised ??= promise();
+    this.inside.replaceChildren(page.frame);
+    this.connect(page).catch((error: unknown) => {
+      if (this.page !== page) return;
+      this.isMissing = true;
+      this.promised?.fail(error);
+      this.tell('parcours-error', error);
+    });
+  }
+
+  private async connect(page: PageFrame): Promise<void> {
+    const parcours = await page.connect();
+    if (parcours === null) return;
+    await this.bringEverything(parcours);
+    if (this.page !== page) return;
+    this.client = parcours;
+    this.promised?.keep(parcours);
+    this.tell('parcours-ready', parcours.welcome);
+  }
+
+  /** The work, and what the address does not say. What the page refuses is told, and the rest comes all the same. */
+  private async bringEverything(parcours: Parcours): Promise<void> {
+    const complain = (error: unknown): void => this.tell('parcours-error', error);
+    const isProject = await this.work.bring(parcours, { ...this.given, project: this.project }).catch(complain);
+    const said = ABOVE_PROJECT.filter((name) => isProject === true && this.hasAttribute(name));
+    for (const name of new Set([...said, ...this.changed])) await this.wish(parcours, name).catch(complain);
+  }
+
+  private async hear(event: string, detail: unknown): Promise<void> {
+    const { client } = this;
+    if (event === 'parcours-restarted' && client !== null) await this.bringEverything(client);
+    else if (client !== null && /^(files|scene|settings)change$/.test(event)) this.work.changed(client);
+    this.tell(event, detail);
+  }
+
+  private close(): void {
+    this.stopWatching();
+    const { page } = this;
+    this.page = null;
+    // Who waits for a page goes on waiting for the next one.
+    if (this.client !== null || this.isMissing) this.promised = null;
+    this.client = null;
+    this.isMissing = false;
+    page?.close();
+  }
+
+  /** Several attributes often change together: the page is loaded once. */
+  private planAnew(): void {
+    if (this.isAnewPlanned || !this.isConnected) return;
+    this.isAnewPlanned = true;
+    queueMicrotask(() => {
+      this.isAnewPlanned = false;
+      this.work.forget();
+      this.close();
+      this.openWhenSeen();
+    });
+  }
+
+  private openWhenSeen(): void {
+    this.stopWatching();
+    if (!this.isConnected || this.page !== null) return;
+    if (this.loading === 'eager' || this.promised !== null) {
+      this.open();
+      return;
+    }
+    this.watch = new IntersectionObserver((seen) => seen.some((it) => it.isIntersecting) && this.open(), { rootMargin: NEAR }); // prettier-ignore
+    this.watch.observe(this);
+  }
+
+  private stopWatching(): void {
+    this.watch?.disconnect();
+    this.watch = null;
+  }
+
+  private give(given: Partial<Given>): void {
+    this.given = { ...this.given, ...given };
+    this.work.forget();
+  }
+
+  /** Does something to the page if it is there; one that is not there yet gets it with everything else. */
+  private bring(act: (parcours: Parcours) => Promise<void>): void {
+    if (this.client !== null) act(this.client).catch((error: unknown) => this.tell('parcours-error', error));
+  }
+
+  private async wish(parcours: Parcours, name: string): Promise<void> {
+    await wishes[name]?.(parcours, this.pageAttribute(name));
+  }
+
+  /** An attribute as it holds for the page: the language is that of the text around the element. */
+  private pageAttribute(name: string): string | null {
+    return name === 'lang' ? (this.closest('[lang]')?.getAttribute('lang') ?? null) : this.getAttribute(name);
+  }
+
+  private frameTitle(): string {
+    return this.getAttribute('aria-label') ?? this.getAttribute('title') ?? 'Parcours';
+  }
+
+  private tell(event: string, detail: unknown): void {
+    this.dispatchEvent(new CustomEvent(event, { detail }));
+  }
+}
+
+interface Promised {
+  readonly result: Promise<Parcours>;
+  readonly keep: (parcours: Parcours) => void;
+  readonly fail: (reason: unknown) => void;
+}
+
+/** A page that is promised. Nobody has to hear that it did not come: there is an event for that too. */
+function promise(): Promised {
+  let keep: Promised['keep'] = () => undefined;
+  let fail: Promised['fail'] = () => undefined;
+  const result = new Promise<Parcours>((kept, failed) => {
+    keep = kept;
+    fail = failed;
+  });
+  result.catch(() => undefined);
+  return { result, keep, fail };
+}

@@ -1,0 +1,368 @@
+import { describe, expect, it } from 'vitest';
+
+import { RecordingSimulator } from '../testing/recording-simulator';
+import { openMicrobitDoor } from './door';
+import type { MicrobitEvent } from './messages';
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** A door with what it has said so far. */
+function opened(wish: Parameters<typeof openMicrobitDoor>[2] = {}) {
+  const simulator = new RecordingSimulator();
+  const said: MicrobitEvent[] = [];
+  const door = openMicrobitDoor(
+    simulator,
+    { post: (message) => void said.push(message as MicrobitEvent), nowMs: () => 0 },
+    wish,
+  );
+  /** What was said since the last time this was asked. */
+  const news = (): MicrobitEvent[] => said.splice(0);
+  const flash = async (source = 'print(1)'): Promise<void> => {
+    door.receive({ kind: 'flash', filesystem: { 'main.py': bytes(source) } });
+    await settled();
+  };
+  return { simulator, door, news, flash, start: said[0]! };
+}
+
+const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+const kinds = (messages: readonly MicrobitEvent[]): string[] => messages.map(({ kind }) => kind);
+
+describe('ready of the micro:bit dialect', () => {
+  it('is said once, with everything that the board feels in the order of the official simulator', () => {
+    const { start } = opened();
+    if (start.kind !== 'ready') throw new Error(start.kind);
+    expect(Object.keys(start.state)).toEqual(
+      'radio buttonA buttonB pinLogo pin0 pin1 pin2 accelerometerX accelerometerY accelerometerZ gesture compassX compassY compassZ compassHeading lightLevel dataLogging temperature soundLevel'.split(
+        ' ',
+      ),
+    );
+    expect(start.state['soundLevel']).toEqual({
+      type: 'range',
+      id: 'soundLevel',
+      min: 0,
+      max: 255,
+      lowThreshold: 75,
+      highThreshold: 150,
+      value: 0,
+    });
+    expect(start.state['temperature']).toMatchObject({ min: -5, max: 50, unit: '°C', value: 21 });
+    expect(start.state['radio']).toEqual({ type: 'radio', enabled: false, group: 0 });
+    expect(start.state['gesture']).toMatchObject({ type: 'enum', value: 'none' });
+    expect(JSON.stringify(start.state['gesture'])).not.toContain('2g');
+  });
+
+  it('has the fourth pad where the address asks for a Calliope mini', () => {
+    const { start } = opened({ device: 'calliope-mini-3' });
+    expect(start).toMatchObject({ state: { pin3: { type: 'range', value: 0 } } });
+  });
+});
+
+describe('flash', () => {
+  it('runs before anyone has clicked anything, and empties the log of the host', async () => {
+    const { simulator, news, flash } = opened();
+    news();
+    await flash('print("hallo")');
+    expect(simulator.phase()).toBe('running');
+    expect(simulator.project().files).toEqual([{ name: 'main.py', text: 'print("hallo")' }]);
+    expect(kinds(news())).toEqual(['log_delete']);
+  });
+
+  it('while a program runs ends that one first, with the whole state', async () => {
+    const { news, flash } = opened();
+    await flash();
+    news();
+    await flash('print(2)');
+    const [first, second, ...rest] = news();
+    expect(first).toMatchObject({ kind: 'state_change', change: { buttonA: {}, soundLevel: {} } });
+    expect(second).toEqual({ kind: 'log_delete' });
+    expect(rest).toEqual([]);
+  });
+
+  it('without main.py starts the REPL', async () => {
+    const { simulator, door } = opened();
+    door.receive({ kind: 'flash', filesystem: { 'helper.py': bytes('x = 1') } });
+    await settled();
+    expect(simulator.project().files).toEqual([
+      { name: 'main.py', text: '' },
+      { name: 'helper.py', text: 'x = 1' },
+    ]);
+    expect(simulator.phase()).toBe('running');
+  });
+
+  it.each([
+    ['a file that is no text', { 'main.py': bytes(''), 'data.bin': Uint8Array.of(0xff, 0xfe) }, /data\.bin.*UTF-8/],
+    ['a name that cannot be', { 'main.py': bytes(''), 'a b.py': bytes('') }, /a b\.py/],
+    ['a file larger than any board', { 'main.py': new Uint8Array(300_000) }, /main\.py.*limit/],
+    ['too many files', Object.fromEntries(Array.from({ length: 30 }, (_, i) => [`f${i}.py`, bytes('')])), /30 files/],
+  ])('of %s is told as an error; what runs goes on', async (_, filesystem, message) => {
+    const { simulator, door, news, flash } = opened();
+    await flash('print("stays")');
+    news();
+    door.receive({ kind: 'flash', filesystem });
+    await settled();
+    const [said, ...rest] = news();
+    if (said?.kind !== 'internal_error') throw new Error(JSON.stringify(said));
+    expect(said.error.message).toMatch(message);
+    expect(rest).toEqual([]);
+    expect(simulator.phase()).toBe('running');
+    expect(simulator.project().files[0]?.text).toBe('print("stays")');
+  });
+
+  it('of what are no bytes changes nothing and says nothing, as the official simulator', async () => {
+    const { simulator, door, news } = opened();
+    news();
+    const before = simulator.calls.length;
+    for (const filesystem of [null, 'print(1)', { 'main.py': 'print(1)' }, { 'main.py': [112] }, undefined])
+      door.receive({ kind: 'flash', filesystem });
+    await settled();
+    expect(simulator.calls.length).toBe(before);
+    expect(news()).toEqual([]);
+  });
+
+  it('gives a program that imports a robot its robot and the arena, and any other the board alone', async () => {
+    const { simulator, flash } = opened();
+    expect(simulator.settings()).toMatchObject({ robot: 'none', parts: ['board'] });
+    await flash('import mbrobot_plusV2\n');
+    expect(simulator.settings()).toMatchObject({ robot: 'auto', parts: ['board', 'arena'] });
+    await flash('from microbit import *\n');
+    expect(simulator.settings()).toMatchObject({ robot: 'none', parts: ['board'] });
+  });
+
+  it('leaves robot and parts that the address names as they are', async () => {
+    const { simulator, flash } = opened({ robot: 'none', parts: ['board', 'console'] });
+    await flash('import mbrobot_plusV2\n');
+    expect(simulator.settings()).toMatchObject({ robot: 'none', parts: ['board', 'console'] });
+  });
+});
+
+describe('stop and reset', () => {
+  it('stop ends the run with the whole state, and nothing more is printed', async () => {
+    const { simulator, door, news, flash } = opened();
+    await flash();
+    news();
+    door.receive({ kind: 'stop' });
+    simulator.tell({ type: 'output', text: 'too late' });
+    await settled();
+    expect(simulator.phase()).toBe('stopped');
+    expect(kinds(news())).toEqual(['state_change']);
+    door.receive({ kind: 'stop' });
+    await settled();
+    expect(news()).toEqual([]);
+  });
+
+  it('reset starts the program that is on the board, also after a stop', async () => {
+    const { simulator, door, flash } = opened();
+    await flash('print("again")');
+    door.receive({ kind: 'stop' });
+    await settled();
+    door.receive({ kind: 'reset' });
+    await settled();
+    expect(simulator.phase()).toBe('running');
+    expect(simulator.project().files[0]?.text).toBe('print("again")');
+  });
+
+  it('reset before anything was brought starts an empty board, not a program of the page', async () => {
+    const simulator = new RecordingSimulator({
+      project: { ...new RecordingSimulator().project(), files: [{ name: 'main.py', text: 'print("example")' }] },
+    });
+    const door = openMicrobitDoor(simulator, { post: () => undefined, nowMs: () => 0 });
+    door.receive({ kind: 'reset' });
+    await settled();
+    expect(simulator.phase()).toBe('running');
+    expect(simulator.project().files).toEqual([{ name: 'main.py', text: '' }]);
+  });
+
+  it('tells the whole state when the program starts again by itself, and when it panics', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    simulator.tell({ type: 'program-restarted' });
+    simulator.tell({
+      type: 'program-ended',
+      ended: { kind: 'panic', exception: null, timeUs: 1 },
+      verdict: null,
+    });
+    expect(kinds(news())).toEqual(['state_change', 'state_change']);
+  });
+});
+
+describe('what the program does', () => {
+  it('is printed with the line ends of a serial line, wherever the text is cut', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    for (const text of ['a\nb\r\nc', '\n', 'd\r', '\ne\n\n']) simulator.tell({ type: 'output', text });
+    const printed = news().map((message) => (message.kind === 'serial_output' ? message.data : message.kind));
+    expect(printed.join('')).toBe('a\r\nb\r\nc\r\nd\r\ne\r\n\r\n');
+  });
+
+  it('is sent by radio as bytes', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    simulator.tell({ type: 'radio', packets: [{ timeUs: 5, bytes: [1, 0, 1, 104, 105] }] });
+    expect(news()).toEqual([{ kind: 'radio_output', data: Uint8Array.of(1, 0, 1, 104, 105) }]);
+  });
+
+  it('is logged with headings only when they change, also over a reset of the board', async () => {
+    const { simulator, door, news, flash } = opened();
+    await flash();
+    news();
+    const row = (headings: string[], values: string[]): void =>
+      simulator.tell({ type: 'log', events: [{ type: 'row', headings, values, timeUs: 0 }] });
+    row(['Time (seconds)', 'x'], ['0.00', '1']);
+    row(['Time (seconds)', 'x'], ['1.00', '2']);
+    expect(news()).toEqual([
+      { kind: 'log_output', headings: ['Time (seconds)', 'x'], data: ['0.00', '1'] },
+      { kind: 'log_output', data: ['1.00', '2'] },
+    ]);
+    door.receive({ kind: 'reset' });
+    await settled();
+    news();
+    row(['y', 'x'], ['7', '3']);
+    expect(news()).toEqual([{ kind: 'log_output', headings: ['Time (seconds)', 'x', 'y'], data: ['', '3', '7'] }]);
+    simulator.tell({ type: 'log', events: [{ type: 'full', timeUs: 0 }] });
+    simulator.tell({ type: 'log', events: [{ type: 'clear', timeUs: 0 }] });
+    expect(news()).toEqual([
+      { kind: 'state_change', change: { dataLogging: { type: 'dataLogging', logFull: true } } },
+      { kind: 'log_delete' },
+      { kind: 'state_change', change: { dataLogging: { type: 'dataLogging', logFull: false } } },
+    ]);
+  });
+
+  it('switches the radio on: the host hears of it once', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    const snapshot = { ...simulator.snapshot()!, radio: { on: true, group: 7, channel: 7 } };
+    simulator.tell({ type: 'snapshot', snapshot });
+    simulator.tell({ type: 'snapshot', snapshot });
+    expect(news()).toEqual([{ kind: 'state_change', change: { radio: { type: 'radio', enabled: true, group: 7 } } }]);
+  });
+
+  it('that cannot start is told as an error', () => {
+    const { simulator, news } = opened();
+    news();
+    simulator.tell({ type: 'failed', message: 'The robot stands in a wall.' });
+    expect(news()).toEqual([
+      { kind: 'internal_error', error: { name: 'Error', message: 'The robot stands in a wall.' } },
+    ]);
+  });
+});
+
+describe('what a person does on the page', () => {
+  it('is told; what the host sets itself is not', () => {
+    const { simulator, door, news } = opened();
+    news();
+    simulator.tell({ type: 'sensed', action: { type: 'button', button: 'b', down: true } });
+    simulator.tell({ type: 'sensed', action: { type: 'touch', pad: 'pinLogo', down: true } });
+    door.receive({ kind: 'set_value', id: 'temperature', value: 30 });
+    expect(news()).toMatchObject([
+      { kind: 'state_change', change: { buttonB: { value: 1 } } },
+      { kind: 'state_change', change: { pinLogo: { value: 1 } } },
+    ]);
+  });
+
+  it('asks for the program when Play is pressed, and runs nothing', () => {
+    const { simulator, news } = opened();
+    news();
+    expect(simulator.pressRun()).toBe(true);
+    expect(news()).toEqual([{ kind: 'request_flash' }]);
+    expect(simulator.phase()).toBe('ready');
+  });
+});
+
+describe('set_value', () => {
+  const sensed = (simulator: RecordingSimulator) =>
+    simulator.calls.flatMap((call) => (call.call === 'input' ? [call.action] : []));
+
+  it('sets sensors, by numbers and by texts, and they outlive the program', async () => {
+    const { simulator, door, news, flash } = opened();
+    door.receive({ kind: 'set_value', id: 'lightLevel', value: 200 });
+    door.receive({ kind: 'set_value', id: 'temperature', value: '-3' });
+    door.receive({ kind: 'set_value', id: 'gesture', value: 'shake' });
+    await flash();
+    await flash();
+    expect(simulator.sensorWishes()).toMatchObject({ lightLevel: 200, temperature: -3 });
+    const state = news().findLast(({ kind }) => kind === 'state_change');
+    expect(state).toMatchObject({
+      change: { lightLevel: { value: 200 }, temperature: { value: -3 }, gesture: { value: 'shake' } },
+    });
+  });
+
+  it.each([
+    ['lightLevel', 256],
+    ['temperature', 'warm'],
+    ['gesture', '2g'],
+    ['nonsense', 1],
+    ['radio', 1],
+    [5, 1],
+    ['lightLevel', Number.NaN],
+    ['lightLevel', null],
+  ])('of %s to %s changes nothing', (id, value) => {
+    const { simulator, door, news } = opened();
+    news();
+    door.receive({ kind: 'set_value', id, value });
+    expect(sensed(simulator)).toEqual([]);
+    expect(news()).toEqual([]);
+  });
+
+  it('counts a press that is down and up in one breath, and one more that comes without an up', async () => {
+    const { simulator, door, flash } = opened();
+    await flash();
+    for (const value of [1, 0, '1', '1']) door.receive({ kind: 'set_value', id: 'buttonA', value });
+    for (let ms = 0; ms < 500; ms += 16) simulator.tell({ type: 'snapshot', snapshot: { ...simulator.snapshot()!, timeUs: ms * 1000 } }); // prettier-ignore
+    const values = sensed(simulator).map((action) => (action.type === 'sensor' ? action.value : null));
+    expect(values).toEqual([1, 0, 1, 0, 1]);
+  });
+});
+
+describe('other messages', () => {
+  it('set the language and the words of the board', () => {
+    const { simulator, door } = opened();
+    const translations = { 'button-a': 'Bouton A', 'touch-logo': ' ', other: 'x' };
+    door.receive({ kind: 'config', language: 'fr-CA', translations });
+    expect(simulator.settings().language).toBe('fr');
+    expect(simulator.calls.at(-1)).toMatchObject({ settings: { labels: { 'button-a': 'Bouton A' } } });
+    door.receive({ kind: 'config', language: 'ko', translations: {} });
+    expect(simulator.settings().language).toBe('fr');
+  });
+
+  it('mute, type and come by radio, also before a program has switched the radio on', async () => {
+    const { simulator, door, flash } = opened();
+    await flash();
+    door.receive({ kind: 'mute' });
+    expect(simulator.settings().muted).toBe(true);
+    door.receive({ kind: 'unmute' });
+    expect(simulator.settings().muted).toBe(false);
+    door.receive({ kind: 'serial_input', data: '\x03' });
+    door.receive({ kind: 'radio_input', data: Uint8Array.of(1, 0, 1, 104) });
+    expect(simulator.calls.slice(-2)).toEqual([
+      { call: 'input', action: { type: 'serial', text: '\x03' } },
+      { call: 'input', action: { type: 'radio', bytes: [1, 0, 1, 104] } },
+    ]);
+  });
+
+  it('that nobody knows are let by, whatever they are', () => {
+    const { simulator, door, news } = opened();
+    news();
+    const before = simulator.calls.length;
+    const trap = new Proxy({}, { get: () => { throw new Error('looked at'); } }); // prettier-ignore
+    for (const message of [null, undefined, 1, 'flash', [], {}, { kind: 'toString' }, { type: 'flash' }, trap])
+      door.receive(message);
+    expect(simulator.calls.length).toBe(before);
+    expect(news()).toEqual([]);
+  });
+
+  it('are heard no more once the door is closed', () => {
+    const { simulator, door, news } = opened();
+    news();
+    door.close();
+    door.receive({ kind: 'mute' });
+    simulator.tell({ type: 'output', text: 'x' });
+    expect(simulator.settings().muted).toBe(false);
+    expect(simulator.listenerCount).toBe(0);
+    expect(simulator.pressRun()).toBe(false);
+    expect(news()).toEqual([]);
+  });
+});

@@ -1,0 +1,324 @@
+import * as v from 'valibot';
+
+import { LANGUAGES, type Language } from '#core/texts';
+import { filesByName, MAIN, type SourceFile } from '#project/project';
+import { NO_ROBOT, robotMeant } from '#simulation/hardware';
+import type { InputAction } from '#simulation/input';
+
+import type { Door, Outside } from '../door';
+import type { EmbeddedSimulator, HostSettings, Part, Phase, SimulatorEvent } from '../simulator';
+import { filesOf } from './files';
+import { LogColumns } from './log-columns';
+import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent } from './messages';
+import { Presses } from './presses';
+import { pressedId, StateModel } from './state';
+
+/** As the official simulator is: a new board, without the pupil's own settings of other pages. */
+const PLAIN: HostSettings = {
+  device: 'auto',
+  firmware: '',
+  robot: NO_ROBOT,
+  robotOptions: {},
+  reality: 0,
+  seed: 1,
+  arenaSenses: false,
+  speed: 1,
+  muted: false,
+};
+const BOARD_ALONE: readonly Part[] = ['board'];
+
+/**
+ * Opens a door for a host of the micro:bit simulator.
+ *
+ * @param wish what the address of the page asks for; it holds whatever is flashed. Where it names no robot, a program
+ * that imports a robot's library has that robot, and an arena beside the board unless parts are named
+ */
+export function openMicrobitDoor(simulator: EmbeddedSimulator, outside: Outside, wish: HostSettings = {}): Door {
+  return new MicrobitDoor(simulator, outside, wish);
+}
+
+class MicrobitDoor implements Door {
+  private readonly state: StateModel;
+  private readonly columns = new LogColumns();
+  private readonly presses: Presses;
+  private readonly unlisten: () => void;
+  /** A stop was asked for, or another start: what the program still prints is not told. */
+  private isQuiet = false;
+  /** A program was brought; before that the board is empty. */
+  private hasFiles = false;
+  private isActive: boolean;
+  private endsWithReturn = false;
+  private isClosed = false;
+
+  constructor(
+    private readonly simulator: EmbeddedSimulator,
+    private readonly outside: Outside,
+    private readonly wish: HostSettings,
+  ) {
+    this.state = new StateModel(simulator.sensorWishes());
+    this.isActive = isActive(simulator.phase());
+    this.presses = new Presses((id, down) => this.press(id, down));
+    simulator.change({ ...PLAIN, parts: BOARD_ALONE, ...wish });
+    simulator.onRunAsked(() => this.say({ kind: 'request_flash' }));
+    this.unlisten = simulator.listen((event) => this.hear(event));
+    this.say({ kind: 'ready', state: this.state.whole(simulator.board()) });
+  }
+
+  receive(message: unknown): void {
+    if (this.isClosed) return;
+    const command = commandOf(message);
+    if (command !== null) this.obey(command);
+  }
+
+  close(): void {
+    if (this.isClosed) return;
+    this.isClosed = true;
+    this.unlisten();
+    this.simulator.onRunAsked(null);
+  }
+
+  private obey(command: MicrobitCommand): void {
+    switch (command.kind) {
+      case 'config':
+        this.configure(command.language, command.translations);
+        break;
+      case 'flash':
+        this.flash(command.filesystem);
+        break;
+      case 'stop':
+        this.stop();
+        break;
+      case 'reset':
+        if (!this.hasFiles && this.load([{ name: MAIN, text: '' }]) !== null) break;
+        this.start();
+        break;
+      case 'mute':
+      case 'unmute':
+        this.simulator.change({ muted: command.kind === 'mute' });
+        break;
+      case 'serial_input':
+        if (command.data !== '') this.simulator.input({ type: 'serial', text: command.data });
+        break;
+      case 'radio_input':
+        this.simulator.input({ type: 'radio', bytes: [...command.data] });
+        break;
+      case 'set_value':
+        this.setValue(command.id, command.value);
+        break;
+      default:
+        command satisfies never;
+    }
+  }
+
+  private configure(language: string, translations: Readonly<Record<string, string>>): void {
+    const words = LABEL_NAMES.flatMap((name) => {
+      const word = translations[name];
+      return word === undefined || word.trim() === '' ? [] : [[name, word] as const];
+    });
+    const own = ownLanguage(language);
+    this.simulator.change({ ...(own === null ? {} : { language: own }), labels: Object.fromEntries(words) });
+  }
+
+  private flash(filesystem: Readonly<Record<string, Uint8Array>>): void {
+    const read = filesOf(filesystem);
+    const problem = 'problem' in read ? read.problem : this.load(read.files);
+    if (problem !== null) return this.sayError(problem);
+    this.endRun();
+    this.columns.clear();
+    this.state.setLogFull(false);
+    this.say({ kind: 'log_delete' });
+    this.start();
+  }
+
+  /** Puts files on the board, with the robot that they drive. @returns why not, or `null` */
+  private load(files: readonly SourceFile[]): string | null {
+    const { robot, parts } = this.simulator.settings();
+    const wasQuiet = this.isQuiet;
+    this.isQuiet = true;
+    const problem = this.simulator.setFiles(files);
+    if (problem !== null) {
+      this.isQuiet = wasQuiet;
+      return problem;
+    }
+    this.hasFiles = true;
+    const wanted = this.surroundings(files);
+    // Only what is another one: every choice of a robot is another start.
+    if (wanted.robot !== robot || wanted.parts.join() !== parts.join()) this.simulator.change(wanted);
+    return null;
+  }
+
+  private surroundings(files: readonly SourceFile[]): { readonly robot: string; readonly parts: readonly Part[] } {
+    const meant = robotMeant(filesByName(files), null);
+    const robot = this.wish.robot ?? (meant === null ? NO_ROBOT : 'auto');
+    const asked = this.wish.parts ?? BOARD_ALONE;
+    const isPlain = asked.join() === BOARD_ALONE.join();
+    return { robot, parts: isPlain && robot !== NO_ROBOT ? ['board', 'arena'] : asked };
+  }
+
+  private start(): void {
+    this.endRun();
+    this.isQuiet = true;
+    void this.simulator.run();
+  }
+
+  /** The run that is going on is over for the host, whatever of it is still to come. */
+  private endRun(): void {
+    if (this.isActive) this.sayAll();
+    this.isActive = false;
+    this.isQuiet = true;
+  }
+
+  private stop(): void {
+    if (!isActive(this.simulator.phase())) return;
+    this.isQuiet = true;
+    void this.simulator.stop();
+  }
+
+  private setValue(id: string, given: number | string): void {
+    const value = this.state.read(id, given);
+    if (value === null) return;
+    if (isPressable(id)) {
+      this.state.set(id, value);
+      this.presses.set(id, Number(value) >= 0.5, this.simulator.nowUs());
+      if (!isActive(this.simulator.phase())) this.presses.settle();
+    } else if (this.simulator.input({ type: 'sensor', id, value }) === null) {
+      this.state.set(id, value);
+    }
+  }
+
+  private press(id: string, down: boolean): void {
+    this.simulator.input({ type: 'sensor', id, value: down ? 1 : 0 });
+  }
+
+  private hear(event: SimulatorEvent): void {
+    switch (event.type) {
+      case 'phase':
+        this.hearPhase(event.phase);
+        break;
+      case 'started':
+        this.isQuiet = false;
+        this.endsWithReturn = false;
+        this.presses.settle();
+        break;
+      case 'output':
+        this.print(event.text);
+        break;
+      case 'program-ended':
+        if (event.ended.kind === 'panic') this.sayAll();
+        break;
+      case 'program-restarted':
+        this.sayAll();
+        break;
+      case 'radio':
+        if (!this.isQuiet)
+          for (const { bytes } of event.packets) this.say({ kind: 'radio_output', data: Uint8Array.from(bytes) });
+        break;
+      case 'log':
+        if (!this.isQuiet) for (const one of event.events) this.tellLog(one);
+        break;
+      case 'snapshot':
+        this.hearSnapshot(event.snapshot);
+        break;
+      case 'sensed':
+        this.hearSensed(event.action);
+        break;
+      case 'failed':
+        this.sayError(event.message);
+        break;
+      case 'scene':
+      case 'files':
+      case 'settings':
+      case 'refused':
+        break;
+      default:
+        event satisfies never;
+    }
+  }
+
+  private hearPhase(phase: Phase): void {
+    const was = this.isActive;
+    this.isActive = phase === 'stopping' ? was : isActive(phase);
+    if (phase === 'stopping') this.isQuiet = true;
+    if (!was || this.isActive) return;
+    this.presses.settle();
+    this.sayAll();
+  }
+
+  private hearSnapshot({ timeUs, radio, logFull }: Extract<SimulatorEvent, { type: 'snapshot' }>['snapshot']): void {
+    this.presses.advance(timeUs);
+    if (this.isQuiet) return;
+    if (this.state.setRadio(radio.on, radio.group)) this.sayChange('radio');
+    if (this.state.setLogFull(logFull)) this.sayChange('dataLogging');
+  }
+
+  /** A person on the page: a host's own values are not echoed. */
+  private hearSensed(action: Extract<InputAction, { type: 'button' | 'touch' | 'sensor' }>): void {
+    switch (action.type) {
+      case 'button':
+      case 'touch': {
+        const id = pressedId(action.type === 'button' ? action.button : action.pad);
+        this.state.set(id, action.down ? 1 : 0);
+        return this.sayChange(id);
+      }
+      case 'sensor':
+        this.state.set(action.id, action.value);
+        return this.sayChange(action.id);
+      default:
+        action satisfies never;
+    }
+  }
+
+  private tellLog(event: Parameters<LogColumns['messageOf']>[0]): void {
+    const message = this.columns.messageOf(event);
+    if (message !== null) this.say(message);
+    if (event.type !== 'row' && this.state.setLogFull(event.type === 'full')) this.sayChange('dataLogging');
+  }
+
+  /** Lines end as on the board's serial line. */
+  private print(text: string): void {
+    if (this.isQuiet || text === '') return;
+    const data = text.replace(/\r?\n/g, (end, at: number) =>
+      at === 0 && end === '\n' && this.endsWithReturn ? '\n' : '\r\n',
+    );
+    this.endsWithReturn = text.endsWith('\r');
+    this.say({ kind: 'serial_output', data });
+  }
+
+  private sayAll(): void {
+    this.state.setRadio(false, 0);
+    this.say({ kind: 'state_change', change: this.state.whole(this.simulator.board()) });
+  }
+
+  private sayChange(id: string): void {
+    const change = this.state.only(id);
+    if (Object.keys(change).length > 0) this.say({ kind: 'state_change', change });
+  }
+
+  private sayError(message: string): void {
+    this.say({ kind: 'internal_error', error: { name: 'Error', message } });
+  }
+
+  private say(message: MicrobitEvent): void {
+    if (!this.isClosed) this.outside.post(message);
+  }
+}
+
+/** What a message asks for; `null` for all that is no command of this dialect. */
+function commandOf(message: unknown): MicrobitCommand | null {
+  try {
+    const read = v.safeParse(microbitCommand, message);
+    return read.success ? read.output : null;
+  } catch {
+    return null; // on the same page it may be an object that throws when it is looked at
+  }
+}
+
+const isActive = (phase: Phase): boolean => ['starting', 'running', 'paused', 'stopping'].includes(phase);
+
+const isPressable = (id: string): boolean => id.startsWith('button') || id.startsWith('pin');
+
+/** The page's language for one of the host's, `fr` for `fr-CA`. */
+function ownLanguage(language: string): Language | null {
+  const [primary] = language.toLowerCase().split(/[-_]/);
+  return LANGUAGES.find((own) => own === primary) ?? null;
+}

@@ -1,0 +1,43 @@
+import type { TimedLogEvent } from '#simulation/outlets';
+
+import type { MicrobitEvent } from './messages';
+
+type LogMessage = Extract<MicrobitEvent, { kind: 'log_output' | 'log_delete' }>;
+
+/**
+ * The columns that the host knows. Its table outlives resets of the board, as the log on the board does: columns of a
+ * later program are added at the end.
+ */
+export class LogColumns {
+  private columns: readonly string[] = [];
+
+  /** The host's table is empty. */
+  clear(): void {
+    this.columns = [];
+  }
+
+  /** What the host is told of something that happened to the log; `null`: nothing. */
+  messageOf(event: TimedLogEvent): LogMessage | null {
+    switch (event.type) {
+      case 'clear':
+        this.clear();
+        return { kind: 'log_delete' };
+      case 'full':
+        return null; // the state says it
+      case 'row':
+        return this.row(event.headings, event.values);
+      default:
+        return event satisfies never;
+    }
+  }
+
+  private row(headings: readonly string[], values: readonly string[]): LogMessage | null {
+    const added = headings.filter((heading) => !this.columns.includes(heading));
+    // A timestamp that comes before anything is logged stands first; the log itself puts it there.
+    this.columns = [...this.columns, ...added];
+    const cells = new Map(headings.map((heading, index) => [heading, values[index] ?? '']));
+    const data = values.length === 0 ? {} : { data: this.columns.map((column) => cells.get(column) ?? '') };
+    const news = added.length === 0 ? {} : { headings: [...this.columns] };
+    return added.length === 0 && values.length === 0 ? null : { kind: 'log_output', ...news, ...data };
+  }
+}

@@ -1,0 +1,121 @@
+import * as v from 'valibot';
+import { describe, expect, it } from 'vitest';
+
+import { createRng, type Rng } from '#core/rng';
+import { mutatedValue } from '#project/testing/mutate';
+
+import { RecordingSimulator, type RecordedCall } from '../testing/recording-simulator';
+import { openMicrobitDoor } from './door';
+import { LABEL_NAMES, microbitEvent } from './messages';
+
+/** How many messages are tried: `npm run fuzz` tries a million. */
+const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
+/** Against an endless loop only. */
+const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+/** Messages to one page before it is loaded anew. */
+const PER_PAGE = 50;
+
+const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** What hosts say. */
+const USUAL: readonly object[] = [
+  { kind: 'config', language: 'fr', translations: { 'button-a': 'Bouton A', 'start-simulator': 'Démarrer' } },
+  { kind: 'flash', filesystem: { 'main.py': bytes('print(1)'), 'helper.py': bytes('x = 1') } },
+  { kind: 'flash', filesystem: { 'main.py': bytes('import mbrobot_plusV2') } },
+  { kind: 'flash', filesystem: { 'main.py': Uint8Array.of(0xc3, 0x28), 'a b.py': bytes('') } },
+  { kind: 'stop' },
+  { kind: 'reset' },
+  { kind: 'mute' },
+  { kind: 'unmute' },
+  { kind: 'serial_input', data: 'hallo\r\n' },
+  { kind: 'radio_input', data: Uint8Array.of(1, 0, 1, 104, 105) },
+  { kind: 'set_value', id: 'temperature', value: 30 },
+  { kind: 'set_value', id: 'gesture', value: 'shake' },
+  { kind: 'set_value', id: 'buttonA', value: '1' },
+];
+
+/** A message like those, whole, changed or made up. Bytes stay bytes, become lists or objects, as a careless host has them. */
+function message(rng: Rng): unknown {
+  const usual = USUAL[rng.u32() % USUAL.length];
+  const way = rng.unit();
+  if (way < 0.25) return usual;
+  const mutated = mutatedValue(usual, rng);
+  return way < 0.6 ? withBytes(mutated, rng) : mutated;
+}
+
+function withBytes(value: unknown, rng: Rng): unknown {
+  if (typeof value !== 'object' || value === null) return value;
+  const values = Object.values(value);
+  if (values.length > 0 && values.every((one) => typeof one === 'number'))
+    return Uint8Array.from({ length: rng.u32() % 40 }, () => rng.u32());
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, withBytes(one, rng)]));
+}
+
+/** Everything that a host of this dialect may do, by kind. */
+const ALLOWED: Readonly<Record<string, readonly RecordedCall['call'][]>> = {
+  config: ['change'],
+  // A press that waits for its time is done when the run ends.
+  flash: ['setFiles', 'change', 'run', 'input'],
+  stop: ['stop', 'input'],
+  reset: ['setFiles', 'run', 'input'],
+  mute: ['change'],
+  unmute: ['change'],
+  serial_input: ['input'],
+  radio_input: ['input'],
+  set_value: ['input'],
+};
+const CHANGED = ['language', 'labels', 'muted', 'robot', 'parts'];
+
+const kindOf = (value: unknown): string =>
+  typeof value === 'object' && value !== null && 'kind' in value && typeof value.kind === 'string' ? value.kind : '';
+
+/** What of the page this dialect has no word for. */
+function untouched(simulator: RecordingSimulator): string {
+  const { scene, course } = simulator.project();
+  const settings = Object.entries(simulator.settings()).filter(([name]) => !CHANGED.includes(name));
+  return JSON.stringify([settings, scene, course]);
+}
+
+function expectAllowed(call: RecordedCall, kind: string): void {
+  expect(ALLOWED[kind] ?? []).toContain(call.call);
+  if (call.call !== 'change') return;
+  for (const name of Object.keys(call.settings)) expect(CHANGED).toContain(name);
+  for (const name of Object.keys(call.settings.labels ?? {})) expect(LABEL_NAMES).toContain(name);
+}
+
+describe('randomly changed messages of the micro:bit dialect', () => {
+  it(
+    `throw nothing and change nothing but what they may (${String(RUNS)} messages)`,
+    async () => {
+      const counts = new Map<string, number>();
+      const count = (name: string): unknown => counts.set(name, (counts.get(name) ?? 0) + 1);
+      for (let seed = 1; seed <= RUNS;) {
+        const simulator = new RecordingSimulator();
+        const said: object[] = [];
+        const door = openMicrobitDoor(simulator, { post: (one) => void said.push(one), nowMs: () => 0 });
+        const fixed = untouched(simulator);
+        for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
+          const sent = message(createRng(seed));
+          const calls = simulator.calls.length;
+          const files = simulator.project().files;
+          said.length = 0;
+          door.receive(sent);
+          const done = simulator.calls.slice(calls);
+          for (const call of done) expectAllowed(call, kindOf(sent));
+          if (seed % 3 === 0) await Promise.resolve();
+          // What comes later are presses that waited for the end of a run.
+          for (const late of simulator.calls.slice(calls + done.length)) expect(late.call).toBe('input');
+          for (const one of said) expect(v.is(microbitEvent, one), `seed ${String(seed)}: ${JSON.stringify(one)}`).toBe(true); // prettier-ignore
+          expect(said.length, `seed ${String(seed)}`).toBeLessThan(5);
+          if (simulator.project().files !== files) expect(['flash', 'reset'], `seed ${String(seed)}`).toContain(kindOf(sent)); // prettier-ignore
+          count(done.length > 0 ? kindOf(sent) : 'nothing');
+        }
+        expect(untouched(simulator)).toBe(fixed);
+        door.close();
+      }
+      for (const name of [...Object.keys(ALLOWED), 'nothing'])
+        expect(counts.get(name), name).toBeGreaterThan(RUNS / 500);
+    },
+    TIME_LIMIT_MS,
+  );
+});

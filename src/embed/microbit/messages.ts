@@ -1,0 +1,210 @@
+/**
+ * The messages of the micro:bit dialect: those that the simulator of the micro:bit Python editor exchanges with the page
+ * around it (micropython-microbit-v2-simulator, src/simulator.ts and src/board/). Every message is
+ * `{ kind, … }`; what has another kind is nobody's business here.
+ */
+import * as v from 'valibot';
+
+import { FILE_BYTES } from '#project/project';
+
+/** Version of what is written here: the first that hosts of the official simulator's v0.1 understand. */
+export const MICROBIT_VERSION = '0.1';
+
+/** The words of the host that the page shows; others are let by. */
+export const LABEL_NAMES = ['button-a', 'button-b', 'touch-logo', 'start-simulator'] as const;
+
+/** What a message may hold at most. Chosen: far beyond what any of the known hosts sends. */
+export const microbitLimits = {
+  labelCharacters: 300,
+  labels: 200,
+  /** Far more than any project; the page itself takes fewer and says so. */
+  files: 500,
+  serialCharacters: FILE_BYTES,
+  packetBytes: 4096,
+  idCharacters: 50,
+} as const;
+
+const text = (characters: number) => v.pipe(v.string(), v.maxLength(characters));
+
+/** A record with at most so many entries: counted before anything in it is looked at. */
+const record = <T extends v.GenericSchema>(value: T, most: number) =>
+  v.pipe(
+    v.custom<Record<string, v.InferInput<T>>>(
+      (input) => typeof input === 'object' && input !== null && Object.keys(input).length <= most,
+    ),
+    v.record(v.string(), value),
+  );
+
+const about = v.description;
+
+const config = v.object({
+  kind: v.literal('config'),
+  language: v.pipe(
+    text(microbitLimits.labelCharacters),
+    about('The language of the host, such as `en` or `fr-CA`. One that the page has not got leaves the page as it is.'),
+  ),
+  translations: v.pipe(
+    record(text(microbitLimits.labelCharacters), microbitLimits.labels),
+    about('Words for `button-a`, `button-b`, `touch-logo` and `start-simulator`. Those that are missing are our own.'),
+  ),
+});
+
+const flash = v.object({
+  kind: v.literal('flash'),
+  filesystem: v.pipe(
+    record(v.instance(Uint8Array), microbitLimits.files),
+    about('The files by name, UTF-8 as Uint8Array. Without `main.py` the REPL comes at once.'),
+  ),
+});
+
+const stop = v.object({ kind: v.literal('stop') });
+const reset = v.object({ kind: v.literal('reset') });
+const mute = v.object({ kind: v.literal('mute') });
+const unmute = v.object({ kind: v.literal('unmute') });
+
+const serialInput = v.object({
+  kind: v.literal('serial_input'),
+  data: v.pipe(
+    text(microbitLimits.serialCharacters),
+    about('What is typed; `\\x03` interrupts the program, `\\x04` starts it again.'),
+  ),
+});
+
+const radioInput = v.object({
+  kind: v.literal('radio_input'),
+  data: v.pipe(
+    v.instance(Uint8Array),
+    v.maxLength(microbitLimits.packetBytes),
+    about('The packet; one for `radio.receive` begins with the bytes 1, 0, 1. Lost while the radio is off.'),
+  ),
+});
+
+const setValue = v.object({
+  kind: v.literal('set_value'),
+  id: v.pipe(text(microbitLimits.idCharacters), about('A key of the state, such as `temperature` or `buttonA`.')),
+  value: v.pipe(
+    v.union([v.number(), text(microbitLimits.idCharacters)]),
+    about('A number, also as text, or the name of a gesture. What is out of range changes nothing.'),
+  ),
+});
+
+/** What a host may say. */
+export const microbitCommand = v.variant('kind', [
+  config,
+  flash,
+  stop,
+  reset,
+  mute,
+  unmute,
+  serialInput,
+  radioInput,
+  setValue,
+]);
+export type MicrobitCommand = v.InferOutput<typeof microbitCommand>;
+
+const rangeSensor = v.object({
+  type: v.literal('range'),
+  id: v.string(),
+  min: v.number(),
+  max: v.number(),
+  value: v.number(),
+  unit: v.optional(v.string()),
+  lowThreshold: v.optional(v.number()),
+  highThreshold: v.optional(v.number()),
+});
+const enumSensor = v.object({
+  type: v.literal('enum'),
+  id: v.string(),
+  choices: v.array(v.string()),
+  value: v.string(),
+});
+const radioState = v.object({ type: v.literal('radio'), enabled: v.boolean(), group: v.number() });
+const logState = v.object({ type: v.literal('dataLogging'), logFull: v.boolean() });
+
+/** One entry of the state. */
+export const stateEntry = v.variant('type', [rangeSensor, enumSensor, radioState, logState]);
+export type StateEntry = v.InferOutput<typeof stateEntry>;
+
+/** What the board feels and what its radio and its log are like, by id. */
+export const microbitState = v.record(v.string(), stateEntry);
+export type MicrobitState = Readonly<Record<string, StateEntry>>;
+
+const ready = v.object({
+  kind: v.literal('ready'),
+  state: v.pipe(microbitState, about('Everything that the board feels, by id.')),
+});
+const requestFlash = v.object({ kind: v.literal('request_flash') });
+const stateChange = v.object({
+  kind: v.literal('state_change'),
+  change: v.pipe(microbitState, about('The entries that are others now, each whole; all of them when a program ends.')),
+});
+const serialOutput = v.object({
+  kind: v.literal('serial_output'),
+  data: v.pipe(v.string(), about('What the program and the REPL print; lines end in `\\r\\n`.')),
+});
+const radioOutput = v.object({
+  kind: v.literal('radio_output'),
+  data: v.pipe(v.instance(Uint8Array), about('A packet; one of `radio.send` begins with the bytes 1, 0, 1.')),
+});
+const logOutput = v.object({
+  kind: v.literal('log_output'),
+  headings: v.optional(v.pipe(v.array(v.string()), about('All columns, when there are others than before.'))),
+  data: v.optional(v.pipe(v.array(v.string()), about('A row, in the order of the columns.'))),
+});
+const logDelete = v.object({ kind: v.literal('log_delete') });
+const internalError = v.object({
+  kind: v.literal('internal_error'),
+  error: v.pipe(
+    v.object({ name: v.string(), message: v.string() }),
+    about('What could not be done, in one English sentence.'),
+  ),
+});
+
+/** What the page says. */
+export const microbitEvent = v.variant('kind', [
+  ready,
+  requestFlash,
+  stateChange,
+  serialOutput,
+  radioOutput,
+  logOutput,
+  logDelete,
+  internalError,
+]);
+export type MicrobitEvent = v.InferOutput<typeof microbitEvent>;
+
+/** Every message with what it is for: the manual is made of it. */
+export const microbitMessages = [
+  { name: 'config', direction: 'in', schema: config, about: 'Sets the language and the words of the board.' },
+  { name: 'flash', direction: 'in', schema: flash, about: 'Puts a program on the board and starts it, at any time.' },
+  { name: 'stop', direction: 'in', schema: stop, about: 'Ends the run; the play button stands over the board.' },
+  {
+    name: 'reset',
+    direction: 'in',
+    schema: reset,
+    about: 'Starts the program that is on the board, also after a stop.',
+  },
+  { name: 'mute', direction: 'in', schema: mute, about: 'Silences the loudspeaker.' },
+  { name: 'unmute', direction: 'in', schema: unmute, about: 'Lets it be heard again.' },
+  { name: 'serial_input', direction: 'in', schema: serialInput, about: 'Types on the serial line.' },
+  { name: 'radio_input', direction: 'in', schema: radioInput, about: 'A packet comes by radio.' },
+  { name: 'set_value', direction: 'in', schema: setValue, about: 'Sets what a sensor feels; it holds for later runs.' },
+  { name: 'ready', direction: 'out', schema: ready, about: 'The page is there. Said once.' },
+  { name: 'request_flash', direction: 'out', schema: requestFlash, about: 'Play was pressed: send `flash`.' },
+  {
+    name: 'state_change',
+    direction: 'out',
+    schema: stateChange,
+    about: 'Somebody pressed something on the page, the radio or the log changed, or a program ended.',
+  },
+  { name: 'serial_output', direction: 'out', schema: serialOutput, about: 'Something was printed.' },
+  { name: 'radio_output', direction: 'out', schema: radioOutput, about: 'The program sent a packet by radio.' },
+  { name: 'log_output', direction: 'out', schema: logOutput, about: 'The program logged a row.' },
+  {
+    name: 'log_delete',
+    direction: 'out',
+    schema: logDelete,
+    about: 'The log is empty: with every flash, and as asked.',
+  },
+  { name: 'internal_error', direction: 'out', schema: internalError, about: 'Something could not be done.' },
+] as const;

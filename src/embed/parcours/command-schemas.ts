@@ -1,0 +1,116 @@
+/** The fields of every command, judged by valibot. A field that no command has is refused: most often it is a slip. */
+import * as v from 'valibot';
+
+import { LANGUAGES } from '#core/texts';
+import { FILE_BYTES, NAME_CHARACTERS, projectLimits } from '#project/project';
+import type { SceneEdit } from '#scene/edit';
+
+import { PARTS } from '../simulator';
+import { eventNames } from './event-schemas';
+import { limits } from './limits';
+import type { CommandName, Commands, ProjectFile, SceneFile } from './protocol';
+import { flag, idOf, poseFields, speed, textOf, THEMES } from './schema-parts';
+
+const { exactOptional: maybe, pipe, description } = v;
+
+/** What is told of a value that is judged elsewhere: by the rules of files. */
+const document = <T>(shown: string, about: string) =>
+  pipe(
+    v.custom<T>((value) => typeof value === 'string' || (typeof value === 'object' && value !== null)),
+    v.metadata({ shown }),
+    description(about),
+  );
+
+const nothing = v.strictObject({});
+const smallMap = <S extends v.GenericSchema<unknown, unknown>>(value: S, most: number) =>
+  pipe(v.record(idOf('An id.'), value), v.maxEntries(most));
+
+const files = pipe(
+  v.array(
+    v.strictObject({
+      name: pipe(textOf(NAME_CHARACTERS), v.minLength(1), description('Letters, digits, `_`, `-` and `.`.')),
+      text: pipe(textOf(FILE_BYTES), description('At most 256 KiB in UTF-8.')),
+    }),
+  ),
+  v.minLength(1),
+  v.maxLength(projectLimits.files),
+  description('All files of the program; `main.py` must be among them.'),
+);
+
+const robotOptions = pipe(
+  smallMap(smallMap(idOf('Id of a choice.'), projectLimits.options), projectLimits.options),
+  description('Id of the robot → id of the option → id of the choice.'),
+);
+
+const sensorValue = pipe(
+  v.union([pipe(v.number(), v.finite()), textOf(limits.nameCharacters)]),
+  description('What it feels: a number within the range of the sensor, for `gesture` a word such as `shake`.'),
+);
+
+/** Fields of every command, by its name. */
+export const commandSchemas = {
+  hello: v.strictObject({
+    session: maybe(pipe(textOf(limits.idCharacters), description('Any text: a second hello with it goes on with the same conversation.'))), // prettier-ignore
+    client: maybe(pipe(textOf(limits.nameCharacters), description('What the host calls itself.'))),
+    versions: maybe(pipe(v.array(v.number()), v.maxLength(20), description('Versions of this dialect that the host speaks.'))), // prettier-ignore
+  }),
+  bye: nothing,
+  state: nothing,
+  subscribe: v.strictObject({
+    events: maybe(
+      pipe(v.array(v.picklist(eventNames)), v.maxLength(eventNames.length), description('The events that shall come; left out: as before. At first all.')), // prettier-ignore
+    ),
+    snapshotHz: maybe(pipe(v.number(), v.minValue(0), v.maxValue(limits.snapshotHz), description('Snapshots per second; left out: as before. At first 0: none.'))), // prettier-ignore
+  }),
+  'get-project': nothing,
+  'set-project': v.strictObject({
+    project: document<ProjectFile | string>('project file', 'The file as text or as value; what it says of robot, microcomputer and seed is taken over.'), // prettier-ignore
+  }),
+  'get-files': nothing,
+  'set-files': v.strictObject({ files }),
+  'get-scene': nothing,
+  'set-scene': v.strictObject({ scene: document<SceneFile | string>('course file', 'The file as text or as value.') }),
+  edit: v.strictObject({ edit: document<SceneEdit>('edit of a course', 'One step: see `src/scene/edit.ts`.') }),
+  'get-robot': nothing,
+  'set-robot': v.strictObject({
+    robot: maybe(idOf('Id of a robot type, `none` for the bare board, or `auto`: as the course or the program says.')),
+    robotOptions: maybe(robotOptions),
+    device: maybe(idOf('Id of a microcomputer, or `auto`.')),
+    firmware: maybe(idOf('Id of its firmware; empty: the usual one.')),
+  }),
+  'get-settings': nothing,
+  settings: v.strictObject({
+    language: maybe(pipe(v.picklist(LANGUAGES), description('Of the whole page.'))),
+    theme: maybe(pipe(v.picklist(THEMES), description('`system`: as the device is set.'))),
+    muted: maybe(flag('Whether the board makes no sound.')),
+    parts: maybe(pipe(v.array(v.picklist(PARTS)), v.minLength(1), v.maxLength(PARTS.length), description('The parts of the page that are shown.'))), // prettier-ignore
+    labels: maybe(pipe(smallMap(textOf(limits.labelCharacters), limits.labels), description('Words of the host for the controls of the board: `button-a`, `button-b`, `touch-logo`, `start-simulator`.'))), // prettier-ignore
+  }),
+  run: v.strictObject({ paused: maybe(flag('Begin standing still.')) }),
+  stop: nothing,
+  reset: nothing,
+  pause: nothing,
+  resume: nothing,
+  step: nothing,
+  speed: v.strictObject({ speed }),
+  seed: v.strictObject({ seed: pipe(v.number(), v.integer(), v.minValue(projectLimits.seed.min), v.maxValue(projectLimits.seed.max), description('Which of the used robots it is; it begins with the next run.')) }), // prettier-ignore
+  reality: v.strictObject({ reality: pipe(v.number(), v.minValue(0), v.maxValue(1), description('0: ideal … 1: like a used school robot; it begins with the next run.')) }), // prettier-ignore
+  place: v.strictObject(poseFields),
+  'place-block': v.strictObject({ block: idOf('Id of a movable block.'), ...poseFields }),
+  press: v.strictObject({ button: pipe(v.picklist(['a', 'b']), description('Which one.')), down: flag('Pressed or let go.') }), // prettier-ignore
+  touch: v.strictObject({ pad: idOf('`pinLogo`, `pin0`, `pin1`, `pin2`, …'), down: flag('Touched or let go.') }),
+  sensor: v.strictObject({ sensor: idOf('`lightLevel`, `temperature`, `accelerometerX`, `gesture`, …'), value: sensorValue }), // prettier-ignore
+  'arena-senses': v.strictObject({ on: flag('Compass, accelerometer and light sensor feel the arena.') }),
+  serial: v.strictObject({ text: pipe(textOf(limits.serialCharacters), description('As typed; Enter is `\\r`, Ctrl-C `\\x03`.')) }), // prettier-ignore
+  interrupt: nothing,
+  radio: v.union([
+    v.strictObject({
+      text: pipe(textOf(limits.radioBytes), description('As `radio.send` of another board sends it.')),
+    }),
+    v.strictObject({ bytes: pipe(v.array(pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255))), v.maxLength(limits.radioBytes), description('As `radio.send_bytes` sends them.')) }), // prettier-ignore
+  ]),
+  'clear-console': nothing,
+} satisfies { readonly [N in CommandName]: v.GenericSchema<unknown, Commands[N]['fields']> };
+
+/** All names of commands, in the order of the manual. */
+export const commandNames = Object.keys(commandSchemas) as readonly CommandName[];

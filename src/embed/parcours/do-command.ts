@@ -1,0 +1,211 @@
+import { LANGUAGES } from '#core/texts';
+import { parseProject, parseProjectValue, projectToText } from '#project/file';
+import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
+import { parseEdit } from '#scene/check-edit';
+import { parseScene, parseSceneValue } from '#scene/parse';
+import { serializeScene } from '#scene/serialize';
+import type { InputAction } from '#simulation/input';
+
+import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';
+import { commandNames } from './command-schemas';
+import { eventNames } from './event-schemas';
+import { limits } from './limits';
+import { msOf, plainSnapshot } from './plain-snapshot';
+import type { Abilities, CommandName, Commands, PageSettings, ProjectFile, RobotChoice, SceneFile } from './protocol';
+import { PROTOCOL_VERSION, refusal, type CommandRefusal, type ReadCommand } from './read-command';
+import { HOST_SPEEDS } from './schema-parts';
+import { endedWord, type Teller } from './teller';
+
+/** What this dialect tells of the page it stands in. */
+export interface PageFacts {
+  /** Version of the app. */
+  readonly app: string;
+  /** Another text after every load of the page. */
+  readonly page: string;
+  /** Ids of the microcomputers and robots that can be chosen. */
+  readonly devices: readonly string[];
+  readonly robots: readonly string[];
+}
+
+/** What came of a command: the fields of its answer, or why it was not done. */
+export type Outcome = { readonly done: object } | { readonly refused: CommandRefusal };
+
+/** What commands reach. */
+export interface CommandReach {
+  readonly simulator: EmbeddedSimulator;
+  readonly teller: Teller;
+  readonly facts: PageFacts;
+}
+
+const DONE: Outcome = { done: {} };
+const done = <N extends CommandName>(_name: N, answer: Commands[N]['result']): Outcome => ({ done: answer });
+const refused = (problem: CommandRefusal): Outcome => ({ refused: problem });
+const from = (problem: Refusal): Outcome => (problem === null ? DONE : refused(refusal('refused', problem)));
+
+/** Does a command; what takes its time is done when the promise is. */
+export function doCommand(command: ReadCommand, reach: CommandReach): Outcome | Promise<Outcome> {
+  const { simulator, teller } = reach;
+  switch (command.type) {
+    case 'hello':
+      return done('hello', { versions: [PROTOCOL_VERSION], app: reach.facts.app, page: reach.facts.page, abilities: abilities(reach.facts) }); // prettier-ignore
+    case 'bye':
+      return DONE;
+    case 'subscribe':
+      teller.subscribe(command.fields);
+      return DONE;
+    case 'state':
+      return done('state', stateOf(simulator));
+    case 'run':
+      return simulator.run(command.fields.paused ?? false).then(from);
+    case 'stop':
+      return simulator.stop().then(() => DONE);
+    case 'reset':
+      return simulator.reset().then(() => DONE);
+    case 'pause':
+    case 'resume':
+    case 'step':
+      return from(simulator[command.type]());
+    case 'clear-console':
+      simulator.clearConsole();
+      return DONE;
+    case 'set-robot':
+    case 'settings':
+    case 'speed':
+    case 'seed':
+    case 'reality':
+      return from(simulator.change(command.fields));
+    case 'arena-senses':
+      return from(simulator.change({ arenaSenses: command.fields.on }));
+    case 'get-robot':
+      return done('get-robot', robotOf(simulator));
+    case 'get-settings':
+      return done('get-settings', pageOf(simulator));
+    default:
+      return doToWork(command, simulator);
+  }
+}
+
+type WorkCommand = Extract<
+  ReadCommand,
+  { type: 'get-project' | 'set-project' | 'get-files' | 'set-files' | 'get-scene' | 'set-scene' | 'edit' }
+>;
+type InputCommand = Extract<
+  ReadCommand,
+  { type: 'place' | 'place-block' | 'press' | 'touch' | 'sensor' | 'serial' | 'interrupt' | 'radio' }
+>;
+
+function doToWork(command: WorkCommand | InputCommand, simulator: EmbeddedSimulator): Outcome {
+  switch (command.type) {
+    case 'get-project':
+      return done('get-project', { project: JSON.parse(projectToText(simulator.project())) as ProjectFile });
+    case 'set-project':
+      return setProject(command.fields.project, simulator);
+    case 'get-files':
+      return done('get-files', { files: simulator.project().files });
+    case 'set-files': {
+      const { files } = command.fields;
+      const isMain = ({ name }: { readonly name: string }): boolean => name === MAIN;
+      return from(simulator.setFiles([...files.filter(isMain), ...files.filter((file) => !isMain(file))]));
+    }
+    case 'get-scene':
+      return done('get-scene', { scene: JSON.parse(serializeScene(simulator.project().scene)) as SceneFile });
+    case 'set-scene':
+      return setScene(command.fields.scene, simulator);
+    case 'edit': {
+      const parsed = parseEdit(command.fields.edit);
+      return 'edit' in parsed ? from(simulator.edit(parsed.edit)) : wrongDocument('edit', parsed.problems);
+    }
+    default:
+      return doInput(command, simulator);
+  }
+}
+
+function setProject(given: unknown, simulator: EmbeddedSimulator): Outcome {
+  const parsed = typeof given === 'string' ? parseProject(given) : parseProjectValue(given);
+  return 'project' in parsed ? from(simulator.openProject(parsed.project)) : wrongDocument('project', parsed.problems);
+}
+
+function setScene(given: unknown, simulator: EmbeddedSimulator): Outcome {
+  const parsed = typeof given === 'string' ? parseScene(given) : parseSceneValue(given);
+  return 'scene' in parsed ? from(simulator.setScene(parsed.scene)) : wrongDocument('scene', parsed.problems);
+}
+
+/** The first problem, with its place as seen from the message. */
+function wrongDocument(
+  field: string,
+  problems: readonly { readonly path: string; readonly message: string }[],
+): Outcome {
+  const [first] = problems;
+  const path = first === undefined || first.path === '' ? field : `${field}.${first.path}`;
+  return refused(refusal('wrong-document', first?.message ?? 'It cannot be read.', path));
+}
+
+function doInput(command: InputCommand, simulator: EmbeddedSimulator): Outcome {
+  const action = actionOf(command);
+  const phase = simulator.phase();
+  const isRunning = phase === 'starting' || phase === 'running' || phase === 'paused';
+  // A number that a sensor feels holds for later runs as well; everything else happens to a run.
+  if (!isRunning && !(action.type === 'sensor' && typeof action.value === 'number'))
+    return refused(refusal('refused', `This needs a run; it is "${phase}".`));
+  return from(simulator.input(action));
+}
+
+function actionOf(command: InputCommand): InputAction {
+  switch (command.type) {
+    case 'place':
+      return { type: 'place', pose: command.fields };
+    case 'place-block': {
+      const { block, ...pose } = command.fields;
+      return { type: 'place-block', id: block, pose };
+    }
+    case 'press':
+      return { type: 'button', ...command.fields };
+    case 'touch':
+      return { type: 'touch', ...command.fields };
+    case 'sensor':
+      return { type: 'sensor', id: command.fields.sensor, value: command.fields.value };
+    case 'serial':
+      return { type: 'serial', text: command.fields.text };
+    case 'interrupt':
+      return { type: 'interrupt' };
+    case 'radio':
+      return { type: 'radio', ...command.fields };
+    default:
+      return command satisfies never;
+  }
+}
+
+function stateOf(simulator: EmbeddedSimulator): Commands['state']['result'] {
+  const { speed, seed, reality, arenaSenses } = simulator.settings();
+  const [ended, snapshot] = [simulator.ended(), simulator.snapshot()];
+  return {
+    phase: simulator.phase(),
+    atMs: msOf(simulator.nowUs()),
+    board: simulator.board(),
+    ended: ended && endedWord(ended),
+    snapshot: snapshot && plainSnapshot(snapshot),
+    sensors: simulator.sensorWishes(),
+    ...{ speed, seed, reality, arenaSenses },
+  };
+}
+
+function robotOf(simulator: EmbeddedSimulator): RobotChoice {
+  const { robot, robotOptions, device, firmware } = simulator.settings();
+  return { robot, robotOptions, device, firmware };
+}
+
+function pageOf(simulator: EmbeddedSimulator): PageSettings {
+  const { language, theme, muted, parts } = simulator.settings();
+  return { language, theme, muted, parts };
+}
+
+function abilities({ devices, robots }: PageFacts): Abilities {
+  const { serialCharacters, waitingCommands, snapshotHz, outputCharactersPerSecond } = limits;
+  const own = { serialCharacters, waitingCommands, snapshotHz, outputCharactersPerSecond };
+  return {
+    commands: commandNames,
+    events: eventNames,
+    ...{ devices, robots, languages: LANGUAGES, speeds: HOST_SPEEDS, parts: PARTS },
+    limits: { files: projectLimits.files, fileBytes: FILE_BYTES, ...own },
+  };
+}

@@ -1,0 +1,371 @@
+import * as v from 'valibot';
+import { describe, expect, it } from 'vitest';
+
+import { projectToText } from '#project/file';
+import { defaultProjectSettings } from '#project/project';
+import { fullProject } from '#project/testing/projects';
+import { defaultScene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+
+import { RecordingSimulator } from '../testing/recording-simulator';
+import { commandNames } from './command-schemas';
+import { openParcoursDoor } from './door';
+import { answerSchemas, eventSchemas } from './event-schemas';
+import { limits } from './limits';
+import type { EventName } from './protocol';
+
+const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
+
+type Message = Readonly<Record<string, unknown>>;
+
+/** A host at the door of a page that runs nothing. */
+function hostAt(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
+  const simulator = new RecordingSimulator(start);
+  const heard: Message[] = [];
+  const time = { ms: 0 };
+  const outside = { post: (message: object) => void heard.push(message as Message), nowMs: () => time.ms };
+  const door = openParcoursDoor(simulator, outside, facts);
+  let id = 0;
+  const say = (type: string, fields: object = {}): number => {
+    id += 1;
+    door.receive({ parcours: 1, id, type, ...fields });
+    return id;
+  };
+  const answerTo = (asked: number): Message | undefined => heard.find(({ reply }) => reply === asked);
+  const ask = (type: string, fields: object = {}): Message | undefined => answerTo(say(type, fields));
+  const events = (type: EventName): readonly Message[] => heard.filter((message) => message['type'] === type);
+  return { simulator, heard, time, door, say, ask, answerTo, events };
+}
+
+function greeted(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
+  const host = hostAt(start);
+  host.ask('hello');
+  return host;
+}
+
+describe('our own dialect', () => {
+  it('says nothing before hello, and does nothing', () => {
+    const { simulator, heard, ask } = hostAt();
+    simulator.tell({ type: 'output', text: 'hi' });
+    expect(heard).toEqual([]);
+    expect(ask('reset')).toMatchObject({ ok: false, code: 'no-hello' });
+    expect(simulator.calls).toEqual([]);
+  });
+
+  it('answers hello with its version, its app and everything it can do', () => {
+    const answer = hostAt().ask('hello');
+    expect(answer).toMatchObject({ parcours: 1, ok: true, versions: [1], app: '0.1.0', page: 'p1' });
+    expect(answer?.['abilities']).toMatchObject({ commands: commandNames, robots: ['maqueen-lite'] });
+  });
+
+  it('refuses another version and names the ones it knows', () => {
+    const { door, heard } = hostAt();
+    door.receive({ parcours: 2, id: 'a', type: 'hello' });
+    expect(heard).toEqual([
+      expect.objectContaining({ parcours: 1, reply: 'a', ok: false, code: 'unknown-version', versions: [1] }),
+    ]);
+  });
+
+  it('hears no more events after bye', () => {
+    const { simulator, ask, events } = greeted();
+    expect(ask('bye')).toMatchObject({ ok: true });
+    simulator.tell({ type: 'started' });
+    expect(events('started')).toEqual([]);
+    expect(simulator.listenerCount).toBe(0);
+  });
+
+  it('takes no more messages once it is closed', () => {
+    const { simulator, door, ask } = greeted();
+    door.close();
+    expect(ask('step')).toBeUndefined();
+    expect([simulator.calls, simulator.listenerCount]).toEqual([[], 0]);
+  });
+});
+
+describe('commands of our own dialect', () => {
+  it('bring a project as text and as value, and give it back as its file', () => {
+    const project = fullProject();
+    const text = projectToText(project);
+    for (const sent of [text, JSON.parse(text) as unknown]) {
+      const { simulator, ask } = greeted();
+      expect(ask('set-project', { project: sent })).toMatchObject({ ok: true });
+      expect(simulator.project()).toEqual(project);
+      expect(ask('get-project')?.['project']).toEqual(JSON.parse(text));
+    }
+  });
+
+  it('say where a project is wrong, and change nothing', () => {
+    const { simulator, ask } = greeted();
+    const wrong = JSON.parse(projectToText(fullProject())) as { scene: { robot: { at: unknown } } };
+    wrong.scene.robot.at = 'here';
+    expect(ask('set-project', { project: wrong })).toMatchObject({
+      ok: false,
+      code: 'wrong-document',
+      path: 'project.scene.robot.at',
+    });
+    expect(simulator.calls).toEqual([]);
+  });
+
+  it('bring files with main.py first, whatever the order', () => {
+    const { simulator, ask } = greeted();
+    const files = [{ name: 'drive.py', text: 'a = 1' }, { name: 'main.py', text: 'import drive' }]; // prettier-ignore
+    expect(ask('set-files', { files })).toMatchObject({ ok: true });
+    expect(simulator.project().files.map(({ name }) => name)).toEqual(['main.py', 'drive.py']);
+    expect(ask('get-files')?.['files']).toEqual(simulator.project().files);
+  });
+
+  it('refuse a file that is longer than 256 KiB in UTF-8', () => {
+    const { simulator, ask } = greeted();
+    const files = [{ name: 'main.py', text: 'é'.repeat(200_000) }];
+    expect(ask('set-files', { files })).toMatchObject({ code: 'wrong-message', path: 'files[0].text' });
+    expect(simulator.calls).toEqual([]);
+  });
+
+  it('open, change and give back a course', () => {
+    const { simulator, ask } = greeted();
+    const scene = { ...defaultScene(), name: 'Bahn' };
+    expect(ask('set-scene', { scene: serializeScene(scene) })).toMatchObject({ ok: true });
+    const wall = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 };
+    expect(ask('edit', { edit: { type: 'add', objects: [wall] } })).toMatchObject({ ok: true });
+    expect(simulator.project().scene.objects).toEqual([wall]);
+    expect(ask('edit', { edit: { type: 'remove', ids: ['x'] } })).toMatchObject({ ok: false, code: 'refused' });
+    expect(ask('edit', { edit: { type: 'dig' } })).toMatchObject({ code: 'wrong-document', path: 'edit.type' });
+    expect(ask('get-scene')?.['scene']).toMatchObject({
+      format: 'parcours-scene',
+      name: 'Bahn',
+      objects: [{ type: 'wall', id: 'w' }],
+    });
+  });
+
+  it('choose robot, microcomputer, speed, seed and likeness, and refuse what there is not', () => {
+    const { simulator, ask } = greeted();
+    const robotOptions = { 'maqueen-plus-v2': { lamp: 'on' } };
+    expect(ask('set-robot', { robot: 'maqueen-lite', robotOptions, device: 'microbit-v2' })).toMatchObject({
+      ok: true,
+    });
+    expect(ask('set-robot', { robot: 'submarine' })).toMatchObject({ ok: false, code: 'refused' });
+    expect(ask('speed', { speed: 'max' })).toMatchObject({ ok: true });
+    expect(ask('speed', { speed: 3 })).toMatchObject({ code: 'wrong-message', path: 'speed' });
+    expect(ask('seed', { seed: 12 })).toMatchObject({ ok: true });
+    expect(ask('reality', { reality: 1.5 })).toMatchObject({ code: 'wrong-message', path: 'reality' });
+    expect(ask('arena-senses', { on: true })).toMatchObject({ ok: true });
+    expect(simulator.settings()).toMatchObject({ robot: 'maqueen-lite', robotOptions, speed: 'max', seed: 12, arenaSenses: true }); // prettier-ignore
+    expect(ask('get-robot')).toMatchObject({ robot: 'maqueen-lite', device: 'microbit-v2', firmware: '' });
+    expect(ask('state')).toMatchObject({ phase: 'ready', speed: 'max', seed: 12, ended: null });
+  });
+
+  it('set the page, and leave alone what they do not name', () => {
+    const { simulator, ask } = greeted();
+    expect(ask('settings', { language: 'it', parts: ['board', 'arena'], labels: { 'button-a': 'Knopf' } })).toMatchObject({ ok: true }); // prettier-ignore
+    expect(simulator.settings()).toMatchObject({ language: 'it', theme: 'system', parts: ['board', 'arena'] });
+    expect(ask('settings', { language: 'rm' })).toMatchObject({ code: 'wrong-message', path: 'language' });
+    expect(ask('settings', { volume: 3 })).toMatchObject({ code: 'wrong-message', path: 'volume' });
+  });
+
+  it('reach into a run, and are refused where there is none', () => {
+    const { simulator, ask } = greeted();
+    expect(ask('press', { button: 'a', down: true })).toMatchObject({ ok: false, code: 'refused' });
+    expect(ask('sensor', { sensor: 'lightLevel', value: 40 })).toMatchObject({ ok: true });
+    expect(ask('sensor', { sensor: 'gesture', value: 'shake' })).toMatchObject({ ok: false, code: 'refused' });
+    simulator.tell({ type: 'phase', phase: 'running' });
+    ask('press', { button: 'a', down: true });
+    ask('touch', { pad: 'pinLogo', down: false });
+    ask('sensor', { sensor: 'gesture', value: 'shake' });
+    ask('serial', { text: 'hi\r' });
+    ask('interrupt');
+    ask('radio', { text: 'go' });
+    ask('radio', { bytes: [1, 2] });
+    ask('place', { xMm: 100, yMm: 200, headingDeg: 90 });
+    expect(simulator.calls.map((call) => call.call === 'input' && call.action)).toEqual([
+      { type: 'sensor', id: 'lightLevel', value: 40 },
+      { type: 'button', button: 'a', down: true },
+      { type: 'touch', pad: 'pinLogo', down: false },
+      { type: 'sensor', id: 'gesture', value: 'shake' },
+      { type: 'serial', text: 'hi\r' },
+      { type: 'interrupt' },
+      { type: 'radio', text: 'go' },
+      { type: 'radio', bytes: [1, 2] },
+      { type: 'place', pose: { xMm: 100, yMm: 200, headingDeg: 90 } },
+    ]);
+    expect(ask('place-block', { block: 'b', xMm: 1, yMm: 1, headingDeg: 0 })).toMatchObject({ code: 'refused' });
+  });
+
+  it('are answered in their order, also behind one that takes its time', async () => {
+    const { simulator, heard, say } = greeted();
+    const ids = [say('run', { paused: true }), say('state'), say('nonsense'), say('resume'), say('stop'), say('state')];
+    expect(heard.filter(({ reply }) => ids.includes(Number(reply)))).toEqual([]);
+    await settled();
+    const answers = heard.filter(({ reply }) => ids.includes(Number(reply)));
+    expect(answers.map(({ reply }) => reply)).toEqual(ids);
+    expect(answers.map((answer) => answer['phase'] ?? answer['ok'])).toEqual([true, 'paused', false, true, true, 'stopped']); // prettier-ignore
+    expect(simulator.calls.map(({ call }) => call)).toEqual(['run', 'resume', 'stop']);
+  });
+
+  it('are refused as busy when far too many wait, and go on afterwards', async () => {
+    const { ask, say } = greeted();
+    say('run');
+    for (let times = 0; times < limits.waitingCommands; times += 1) say('state');
+    expect(ask('state')).toMatchObject({ ok: false, code: 'busy' });
+    await settled();
+    expect(ask('state')).toMatchObject({ ok: true });
+  });
+
+  it('without an id are done and not answered', () => {
+    const { simulator, door, heard } = greeted();
+    const before = heard.length;
+    door.receive({ parcours: 1, type: 'seed', seed: 5 });
+    expect(simulator.settings().seed).toBe(5);
+    expect(heard.slice(before).filter((message) => 'reply' in message)).toEqual([]);
+  });
+
+  it.each([
+    ['a message that holds itself', () => { const own: { self?: unknown } = {}; own.self = own; return { project: own }; }, 'too-large'], // prettier-ignore
+    ['lists of lists of lists that are all the same', () => { let list: unknown = []; for (let level = 0; level < 30; level += 1) list = [list, list]; return { project: { list } }; }, 'too-large'], // prettier-ignore
+    ['a list as long as can be', () => ({ edit: new Array<number>(4_000_000_000) }), 'too-large'],
+    ['a buffer', () => ({ project: new Uint8Array(5_000_000) }), 'wrong-message'],
+    ['a map', () => ({ project: new Map([['a', 1]]) }), 'wrong-message'],
+    ['a date', () => ({ text: new Date(0) }), 'wrong-message'],
+  ])('refuse %s', (_, fields, code) => {
+    const { simulator, ask } = greeted();
+    const type = 'edit' in fields() ? 'edit' : 'text' in fields() ? 'serial' : 'set-project';
+    expect(ask(type, fields())).toMatchObject({ ok: false, code });
+    expect(simulator.calls).toEqual([]);
+  });
+
+  it('cannot reach into the prototype of anything', () => {
+    const { simulator, ask, door } = greeted();
+    const hostile = (text: string): object => JSON.parse(text) as object;
+    door.receive(hostile('{"parcours":1,"id":9,"type":"seed","seed":7,"__proto__":{"polluted":true}}'));
+    ask('set-robot', hostile('{"robotOptions":{"__proto__":{"polluted":"yes"},"constructor":{"prototype":"x"}}}'));
+    ask('settings', hostile('{"labels":{"__proto__":"x","button-a":"A"}}'));
+    expect(({} as { polluted?: unknown }).polluted).toBeUndefined();
+    expect(Object.keys(simulator.settings().robotOptions)).toEqual([]);
+  });
+
+  it('that throw when they are read are as if they had not been', () => {
+    const { door, heard } = greeted();
+    const before = heard.length;
+    door.receive({ parcours: 1, id: 7, get type() { throw new Error('no'); } }); // prettier-ignore
+    door.receive(new Proxy({}, { get: () => { throw new Error('no'); } })); // prettier-ignore
+    expect(heard.length).toBe(before);
+  });
+});
+
+describe('events of our own dialect', () => {
+  it('tell of phases, output and the end with what became of it', () => {
+    const { simulator, heard, events } = greeted({ phase: 'running' });
+    simulator.tell({ type: 'started' });
+    simulator.tell({ type: 'output', text: 'hello\n' });
+    const exception = { type: 'ValueError', message: 'no', line: 3, traceback: 'Traceback' };
+    simulator.tell({
+      type: 'program-ended',
+      ended: { kind: 'exception', exception, timeUs: 2_500_000 },
+      verdict: null,
+    });
+    expect(heard.slice(1).map((message) => message['type'])).toEqual(['started', 'output', 'ended']);
+    expect(events('ended')).toEqual([
+      expect.objectContaining({ ended: 'exception', exception, atMs: 2500, verdict: null, robot: null }),
+    ]);
+  });
+
+  it('call a run that was stopped before its program ended stopped, and one that was killed stuck', () => {
+    for (const [phase, ended] of [
+      ['stopped', 'stopped'],
+      ['killed', 'stuck'],
+    ] as const) {
+      // prettier-ignore
+      const { simulator, events } = greeted();
+      simulator.tell({ type: 'started' });
+      simulator.tell({ type: 'phase', phase });
+      expect(events('ended')).toEqual([expect.objectContaining({ ended, exception: null })]);
+      simulator.tell({ type: 'phase', phase: 'stopped' });
+      expect(events('ended').length).toBe(1);
+    }
+  });
+
+  it('send no snapshots at first, then as many as were asked for, and the last one before things stand still', () => {
+    const { simulator, time, ask, events } = greeted({ phase: 'running' });
+    const snapshot = simulator.snapshot()!;
+    const frame = (ms: number): void => {
+      time.ms = ms;
+      simulator.tell({ type: 'snapshot', snapshot: { ...snapshot, timeUs: ms * 1000 } });
+    };
+    frame(0);
+    expect(events('snapshot')).toEqual([]);
+    expect(ask('subscribe', { snapshotHz: 10 })).toMatchObject({ ok: true });
+    for (let ms = 1000; ms <= 2000; ms += 16) frame(ms);
+    const told = events('snapshot').map((message) => (message['snapshot'] as { atMs: number }).atMs);
+    expect(told.slice(0, 3)).toEqual([1000, 1112, 1224]); // the first frame at least 98 ms later
+    expect(told.length).toBe(9);
+    simulator.tell({ type: 'phase', phase: 'paused' });
+    expect(events('snapshot').at(-1)?.['snapshot']).toMatchObject({ atMs: 1992 });
+    expect(ask('subscribe', { snapshotHz: 61 })).toMatchObject({ code: 'wrong-message', path: 'snapshotHz' });
+  });
+
+  it('leave out output that comes too fast and say how much', () => {
+    const { simulator, time, events } = greeted({ phase: 'running' });
+    const most = limits.outputCharactersPerSecond;
+    for (let times = 0; times < 30; times += 1) simulator.tell({ type: 'output', text: 'x'.repeat(10_000) });
+    const sent = events('output').map((message) => (message['text'] as string).length);
+    expect(sent.reduce((sum, length) => sum + length, 0)).toBeLessThanOrEqual(most);
+    time.ms = 1000;
+    simulator.tell({ type: 'output', text: 'again' });
+    expect(events('output').at(-1)).toMatchObject({ text: 'again', omitted: 300_000 - 10_000 * sent.length });
+  });
+
+  it('come only as far as they are wanted', () => {
+    const { simulator, ask, events } = greeted();
+    ask('subscribe', { events: ['output'] });
+    simulator.tell({ type: 'started' });
+    simulator.tell({ type: 'output', text: 'hi' });
+    expect([events('started').length, events('output').length]).toEqual([0, 1]);
+    expect(ask('subscribe', { events: ['everything'] })).toMatchObject({ code: 'wrong-message', path: 'events.0' });
+  });
+
+  it('tell radio packets as text where they are one', () => {
+    const { simulator, events } = greeted();
+    const packets = [{ timeUs: 5000, bytes: [1, 0, 1, 104, 105] }, { timeUs: 6000, bytes: [7, 255] }]; // prettier-ignore
+    simulator.tell({ type: 'radio', packets });
+    expect(events('radio')).toEqual([{ parcours: 1, type: 'radio', packets: [{ atMs: 5, text: 'hi' }, { atMs: 6, bytes: [7, 255] }] }]); // prettier-ignore
+  });
+
+  it('and answers have the form that the manual promises', async () => {
+    const { simulator, heard, ask, say, answerTo } = greeted({ project: fullProject() });
+    ask('subscribe', { snapshotHz: 60 });
+    const ids = new Map(Object.keys(answerSchemas).map((name) => [name, say(name)]));
+    say('run');
+    await settled();
+    const snapshot = simulator.snapshot()!;
+    simulator.tell({ type: 'snapshot', snapshot });
+    simulator.tell({ type: 'output', text: 'hi' });
+    simulator.tell({ type: 'radio', packets: [{ timeUs: 1, bytes: [1] }] });
+    simulator.tell({ type: 'log', events: [{ type: 'clear', timeUs: 1 }, { type: 'row', headings: ['a'], values: [], timeUs: 2 }] }); // prettier-ignore
+    simulator.tell({ type: 'sensed', action: { type: 'button', button: 'b', down: true } });
+    simulator.tell({ type: 'settings', settings: { ...defaultProjectSettings, ...simulator.settings() } });
+    simulator.tell({ type: 'refused', message: 'No.' });
+    simulator.tell({ type: 'failed', message: 'No.' });
+    simulator.tell({ type: 'program-restarted' });
+    simulator.tell({ type: 'scene', scene: defaultScene() });
+    simulator.tell({ type: 'files', files: simulator.project().files });
+    simulator.tell({ type: 'program-ended', ended: { kind: 'fault', exception: null, timeUs: 7 }, verdict: null });
+    const events = heard.filter((message) => typeof message['type'] === 'string');
+    expect([...new Set(events.map((message) => message['type']))].sort()).toEqual(Object.keys(eventSchemas).sort());
+    for (const event of events) {
+      const type = String(event['type']);
+      expect(() => v.parse(eventSchemas[type as EventName] as v.GenericSchema, ownFields(event)), type).not.toThrow();
+    }
+    for (const [name, id] of ids) {
+      const schema: v.GenericSchema = answerSchemas[name as keyof typeof answerSchemas];
+      expect(() => v.parse(schema, ownFields(answerTo(id) ?? {})), name).not.toThrow();
+    }
+  });
+});
+
+/** What a message says besides what every message has. */
+const ownFields = (message: Message): object =>
+  Object.fromEntries(Object.entries(message).filter(([key]) => !['parcours', 'type', 'reply', 'ok'].includes(key)));
+
+/** Until everything that was promised has come. */
+async function settled(): Promise<void> {
+  for (let times = 0; times < 3000; times += 1) await Promise.resolve();
+}

@@ -1,0 +1,115 @@
+import type { Door, Outside } from '../door';
+import type { EmbeddedSimulator } from '../simulator';
+import { doCommand, type Outcome, type PageFacts } from './do-command';
+import { limits } from './limits';
+import type { CommandId } from './protocol';
+import { isOurs, PROTOCOL_VERSION, readCommand, refusal, type Incoming } from './read-command';
+import { Teller } from './teller';
+
+/**
+ * Opens a door that speaks our own dialect (`protocol.ts`). It says nothing before the host has said hello; then every command
+ * with an id is answered, one after the other, and events come as the host wants them.
+ */
+export function openParcoursDoor(simulator: EmbeddedSimulator, outside: Outside, facts: PageFacts): Door {
+  return new ParcoursDoor(simulator, outside, facts);
+}
+
+/** The answer to a command that is not done. */
+export const refusedMessage = (id: CommandId, problem: ReturnType<typeof refusal>): object => ({
+  parcours: PROTOCOL_VERSION,
+  reply: id,
+  ok: false,
+  ...problem,
+});
+
+class ParcoursDoor implements Door {
+  private readonly teller: Teller;
+  private unlisten: (() => void) | null = null;
+  private isBusy = false;
+  private isClosed = false;
+  private readonly waiting: Incoming[] = [];
+
+  constructor(
+    private readonly simulator: EmbeddedSimulator,
+    private readonly outside: Outside,
+    private readonly facts: PageFacts,
+  ) {
+    this.teller = new Teller(simulator, outside);
+  }
+
+  receive(message: unknown): void {
+    if (this.isClosed) return;
+    const incoming = read(message);
+    if (incoming === null) return;
+    if (this.waiting.length >= limits.waitingCommands) {
+      this.answer(incoming.id, { refused: refusal('busy', 'Too many commands wait for the one before them.') });
+      return;
+    }
+    this.waiting.push(incoming);
+    this.goOn();
+  }
+
+  close(): void {
+    this.isClosed = true;
+    this.waiting.length = 0;
+    this.fallSilent();
+  }
+
+  /** One command after the other: an answer is never overtaken. */
+  private goOn(): void {
+    while (!this.isBusy && !this.isClosed) {
+      const next = this.waiting.shift();
+      if (next === undefined) return;
+      const outcome = this.act(next);
+      if (!(outcome instanceof Promise)) {
+        this.answer(next.id, outcome);
+        continue;
+      }
+      this.isBusy = true;
+      void outcome
+        .catch((error: unknown) => broken(error))
+        .then((came) => {
+          this.isBusy = false;
+          this.answer(next.id, came);
+          this.goOn();
+        });
+    }
+  }
+
+  private act({ asked }: Incoming): Outcome | Promise<Outcome> {
+    if ('code' in asked) return { refused: asked };
+    if (asked.type === 'hello') this.unlisten ??= this.simulator.listen((event) => this.teller.tell(event));
+    if (this.unlisten === null) return { refused: refusal('no-hello', 'Say hello first.') };
+    if (asked.type === 'bye') this.fallSilent();
+    try {
+      const { simulator, teller, facts } = this;
+      return doCommand(asked, { simulator, teller, facts });
+    } catch (error) {
+      return broken(error);
+    }
+  }
+
+  private fallSilent(): void {
+    this.unlisten?.();
+    this.unlisten = null;
+  }
+
+  private answer(id: CommandId | null, outcome: Outcome): void {
+    if (id === null || this.isClosed) return;
+    if ('refused' in outcome) this.outside.post(refusedMessage(id, outcome.refused));
+    else this.outside.post({ parcours: PROTOCOL_VERSION, reply: id, ok: true, ...outcome.done });
+  }
+}
+
+/** `null`: not ours. A message of a page in the same realm may even throw when it is read. */
+function read(message: unknown): Incoming | null {
+  try {
+    return isOurs(message) ? readCommand(message) : null;
+  } catch {
+    return null;
+  }
+}
+
+const broken = (error: unknown): Outcome => ({
+  refused: refusal('broken', `The app broke: ${error instanceof Error ? error.message : 'no more is known'}.`),
+});

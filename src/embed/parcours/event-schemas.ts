@@ -1,0 +1,204 @@
+/** The fields of every event and of every answer: for the manual, and to hold what the page says against what it promised. */
+import * as v from 'valibot';
+
+import { LANGUAGES } from '#core/texts';
+
+import { PARTS } from '../simulator';
+import { HOST_SPEEDS, flag, numberOf, poseFields, THEMES } from './schema-parts';
+import type { CommandName, EventName, Events } from './protocol';
+
+const { pipe, description } = v;
+const text = (about: string) => pipe(v.string(), description(about));
+const texts = (about: string) => pipe(v.array(v.string()), description(about));
+const nothing = v.strictObject({});
+const record = <S extends v.GenericSchema>(value: S, about: string) =>
+  pipe(v.record(v.string(), value), description(about));
+
+const PHASES = ['ready', 'starting', 'running', 'paused', 'stopping', 'stopped', 'killed', 'failed'] as const;
+const ENDS = ['finished', 'exception', 'panic', 'stopped', 'stuck'] as const;
+
+const phase = pipe(
+  v.picklist(PHASES),
+  description('Where the run stands; `stopped` keeps the last picture, `killed`: ended by force.'),
+);
+const atMs = numberOf('Simulated time of the run, in ms.');
+const colour = v.strictTuple([v.number(), v.number(), v.number()]);
+const colours = (about: string) => pipe(v.array(colour), description(about));
+
+const verdict = pipe(
+  v.nullable(
+    v.strictObject({
+      state: pipe(v.picklist(['open', 'passed', 'failed']), description('`passed` and `failed` are final.')),
+      atMs: pipe(v.nullable(v.number()), description('When it was decided.')),
+      reason: pipe(v.nullable(v.picklist(['time', 'forbidden', 'spikes', 'touched'])), description('Why it failed.')),
+      by: pipe(v.nullable(v.string()), description('Id of the object that was touched; `null`: the edge, or none.')),
+      checkpoints: v.strictObject({ passed: v.number(), of: v.number() }),
+      targets: v.strictObject({ reached: v.number(), of: v.number() }),
+      blocks: v.strictObject({ delivered: v.number(), of: v.number() }),
+      touches: pipe(v.number(), description('How often walls, blocks, the edge or obstacles were touched.')),
+    }),
+  ),
+  description('How well the task of the course is done; `null` where it sets none.'),
+);
+
+const display = text('Digits 0 … 9 per LED of the display, rows parted by colons.');
+const robot = pipe(
+  v.nullable(
+    v.strictObject({
+      type: text('Id of the robot type.'),
+      ...poseFields,
+      turnedDeg: numberOf('Turned since the start, counter-clockwise positive, not wrapped.'),
+      pathMm: numberOf('Length of the way.'),
+      collisions: numberOf('Touches of walls and blocks.'),
+      leds: v.strictObject({ left: v.number(), right: v.number() }),
+      rgb: colours('Colour lights: red, green, blue, 0 … 255.'),
+      servos: record(v.number(), 'Degrees by port.'),
+      motors: v.strictObject({ left: v.number(), right: v.number() }),
+      distanceMm: pipe(v.nullable(v.number()), description('What the distance sensor faces.')),
+      lineSensors: v.array(
+        v.strictObject({ name: v.string(), bright: v.boolean(), reading: v.exactOptional(v.number()) }),
+      ),
+    }),
+  ),
+  description('`null` for the bare board.'),
+);
+const pose = v.strictObject(poseFields);
+
+const snapshot = v.strictObject({
+  atMs,
+  running: pipe(v.picklist(['program', 'world']), description('Whose time it is; after the end of the program the world goes on.')), // prettier-ignore
+  repl: flag('The REPL has greeted.'),
+  board: text('Id of the board.'),
+  display,
+  buttons: v.strictObject({ a: v.boolean(), b: v.boolean() }),
+  touch: record(v.boolean(), 'Whether a finger is on each pad.'),
+  sensors: record(v.union([v.number(), v.string()]), 'What every sensor feels, by its id.'),
+  rgb: colours('Colour LEDs of the board itself.'),
+  motors: pipe(v.array(v.number()), description('Duty of its own motor outputs, −1 … 1.')),
+  soundHz: pipe(v.nullable(v.number()), description('The tone that sounds.')),
+  robot,
+  blocks: record(pose, 'Where the movable blocks are, by id.'),
+  movers: record(pose, 'Where the moving obstacles are, by id.'),
+  verdict,
+  lights: pipe(v.array(v.strictObject({ pin: v.string(), colors: v.array(colour) })), description('Chains of colour lights on free pins.')), // prettier-ignore
+});
+
+const packet = v.union([
+  v.strictObject({ atMs, text: text('What `radio.send` sent.') }),
+  v.strictObject({ atMs, bytes: pipe(v.array(v.number()), description('What `radio.send_bytes` sent.')) }),
+]);
+const logEvent = v.variant('type', [
+  v.strictObject({ atMs, type: v.literal('row'), headings: v.array(v.string()), values: v.array(v.string()) }),
+  v.strictObject({ atMs, type: v.literal('clear') }),
+  v.strictObject({ atMs, type: v.literal('full') }),
+]);
+
+const robotChoice = {
+  robot: text('Id of a robot type, `none` or `auto`.'),
+  robotOptions: record(v.record(v.string(), v.string()), 'Robot → option → choice.'),
+  device: text('Id of a microcomputer, or `auto`.'),
+  firmware: text('Id of its firmware; empty: the usual one.'),
+};
+const pageSettings = {
+  language: v.picklist(LANGUAGES),
+  theme: v.picklist(THEMES),
+  muted: v.boolean(),
+  parts: v.array(v.picklist(PARTS)),
+};
+const runSettings = {
+  speed: v.picklist(HOST_SPEEDS),
+  seed: v.number(),
+  reality: v.number(),
+  arenaSenses: v.boolean(),
+};
+const message = text('One English sentence.');
+
+/** Fields of every event, by its name. */
+export const eventSchemas = {
+  phase: v.strictObject({ phase }),
+  started: nothing,
+  'program-restarted': nothing,
+  ended: v.strictObject({
+    ended: pipe(v.picklist(ENDS), description('`panic`: the board itself stopped; `stuck`: ended by force.')),
+    exception: pipe(
+      v.nullable(
+        v.strictObject({
+          type: v.string(),
+          message: v.string(),
+          line: v.nullable(v.number()),
+          traceback: v.string(),
+        }),
+      ),
+      description('The exception that ended the program.'),
+    ),
+    atMs,
+    robot,
+    display,
+    verdict,
+  }),
+  output: v.strictObject({
+    text: text('Lines may end in `\\n` or `\\r\\n`.'),
+    omitted: v.exactOptional(pipe(v.number(), description('So many characters before it came too fast and are left out.'))), // prettier-ignore
+  }),
+  snapshot: v.strictObject({ snapshot: pipe(snapshot, description('The run at one moment.')) }),
+  'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('How many objects it has.') }),
+  'files-changed': v.strictObject({ names: texts('Of all files.') }),
+  'settings-changed': v.strictObject({
+    settings: v.strictObject({ ...pageSettings, ...robotChoice, ...runSettings }),
+  }),
+  sensed: v.strictObject({
+    sensor: text('Id of the sensor: `buttonA`, `pinLogo`, `lightLevel`, …'),
+    value: pipe(v.union([v.number(), v.string()]), description('1 and 0 for buttons and pads.')),
+  }),
+  radio: v.strictObject({ packets: v.array(packet) }),
+  log: v.strictObject({ events: v.array(logEvent) }),
+  refused: v.strictObject({ message }),
+  failed: v.strictObject({ message }),
+} satisfies { readonly [N in EventName]: v.GenericSchema<unknown, Events[N]> };
+
+/** All names of events, in the order of the manual. */
+export const eventNames = Object.keys(eventSchemas) as unknown as readonly [EventName, ...EventName[]];
+
+const file = v.strictObject({ name: v.string(), text: v.string() });
+const fileValue = (shown: string) => pipe(v.looseObject({ format: v.string(), version: v.number() }), v.metadata({ shown })); // prettier-ignore
+
+const welcome = v.strictObject({
+  versions: pipe(v.array(v.number()), description('Versions of this dialect that the page speaks.')),
+  app: text('Version of the app.'),
+  page: text('Another one after every load of the page.'),
+  abilities: v.strictObject({
+    commands: texts('All commands.'),
+    events: texts('All events.'),
+    devices: texts('Ids of the microcomputers.'),
+    robots: texts('Ids of the robots.'),
+    languages: texts('Of the page.'),
+    speeds: v.array(v.picklist(HOST_SPEEDS)),
+    parts: texts('Of the page.'),
+    limits: record(v.number(), 'Limits of this dialect.'),
+  }),
+});
+
+const state = v.strictObject({
+  phase,
+  atMs,
+  board: text('Id of the board of the next run.'),
+  ended: pipe(v.nullable(v.picklist(ENDS)), description('`null` while the program runs and before.')),
+  snapshot: pipe(
+    v.nullable(snapshot),
+    v.metadata({ shown: 'object or `null`' }),
+    description('As in the event `snapshot`; `null` before the first run.'),
+  ),
+  sensors: record(v.number(), 'Values that hold for every run.'),
+  ...runSettings,
+});
+
+/** Fields of the answers that bring more than that it was done. */
+export const answerSchemas = {
+  hello: welcome,
+  state,
+  'get-project': v.strictObject({ project: fileValue('project file') }),
+  'get-files': v.strictObject({ files: v.array(file) }),
+  'get-scene': v.strictObject({ scene: fileValue('course file') }),
+  'get-robot': v.strictObject(robotChoice),
+  'get-settings': v.strictObject(pageSettings),
+} satisfies Partial<{ readonly [N in CommandName]: v.GenericSchema }>;

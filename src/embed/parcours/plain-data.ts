@@ -1,0 +1,42 @@
+/** How much a message may hold before anyone looks at what it says. */
+export interface DataRoom {
+  readonly values: number;
+  readonly characters: number;
+  readonly depth: number;
+}
+
+/**
+ * Whether a message is plain data (objects, lists, texts, numbers, yes and no, `null`) and within its room. What is too much costs
+ * no more than the room: a message that holds itself is found by its size.
+ *
+ * @returns what is wrong, or `null`
+ */
+export function dataProblem(message: object, room: DataRoom): 'not-plain' | 'too-large' | null {
+  let { values, characters } = room;
+  let level: readonly unknown[] = [message];
+  for (let depth = 0; level.length > 0; depth += 1) {
+    if (depth > room.depth) return 'too-large';
+    const next: unknown[] = [];
+    for (const value of level) {
+      if (typeof value === 'string') characters -= value.length;
+      if (typeof value === 'function' || typeof value === 'symbol' || typeof value === 'bigint') return 'not-plain';
+      if (typeof value !== 'object' || value === null) continue;
+      if (!isPlain(value)) return 'not-plain';
+      const inner: readonly unknown[] = Array.isArray(value) ? value : Object.values(value);
+      values -= inner.length;
+      if (!Array.isArray(value)) for (const key of Object.keys(value)) characters -= key.length;
+      if (values < 0 || characters < 0) return 'too-large';
+      for (const entry of inner) next.push(entry);
+    }
+    if (characters < 0) return 'too-large';
+    level = next;
+  }
+  return null;
+}
+
+/** Whether a value is an object or a list as JSON has them. Buffers, maps, dates and the like are not. */
+function isPlain(value: object): boolean {
+  if (Array.isArray(value)) return true;
+  const prototype: unknown = Object.getPrototypeOf(value);
+  return prototype === null || prototype === Object.prototype;
+}

@@ -1,0 +1,332 @@
+/**
+ * Our own dialect as types: every command with its fields and its answer, every event. Nothing here exists at run time,
+ * so that the client (`../client`) can be typed by it and stays free of dependencies. What is let in is judged by the
+ * schemas (`command-schemas.ts`), which the compiler holds against these types.
+ *
+ * Every message is `{ parcours: 1, type, … }`. A command with an `id` is answered, in the order of the commands, by
+ * `{ parcours: 1, reply: id, ok: true, … }` or `{ parcours: 1, reply: id, ok: false, code, message, path }`.
+ */
+import type { Language } from '#core/texts';
+import type { ProjectSettings, SourceFile } from '#project/project';
+import type { SceneEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import type { Verdict } from '#simulation/verdict';
+
+import type { HostSpeed, Part, Phase } from '../simulator';
+
+/** The version of this dialect. Another one is a change that an older host would not understand. */
+export type ProtocolVersion = 1;
+
+/** What stands in every message. */
+export interface Envelope {
+  readonly parcours: ProtocolVersion;
+}
+
+/** What a host counts its commands with. */
+export type CommandId = number | string;
+
+/** A course as its file has it: what is as usual is left out, also within the objects (`src/scene/FORMAT.md`). */
+export type SceneFile = Partial<Omit<Scene, 'robot' | 'task' | 'objects'>> & {
+  readonly format: 'parcours-scene';
+  readonly version: number;
+  readonly robot?: Partial<Scene['robot']>;
+  readonly task?: Partial<Scene['task']>;
+  readonly objects?: readonly { readonly type: string; readonly id: string; readonly [property: string]: unknown }[];
+};
+
+/** A project as its file has it. */
+export interface ProjectFile {
+  readonly format: 'parcours-project';
+  readonly version: number;
+  /** Id of the ready course that it started from. */
+  readonly course?: string;
+  readonly settings?: ProjectSettings;
+  readonly files: readonly SourceFile[];
+  readonly scene: SceneFile;
+}
+
+/** What runs: robot, its options, microcomputer and firmware. */
+export interface RobotChoice {
+  /** Id of a robot type, `none` for the bare board, or `auto`. */
+  readonly robot: string;
+  /** Id of the robot → id of the option → id of the choice. */
+  readonly robotOptions: Readonly<Record<string, Readonly<Record<string, string>>>>;
+  /** Id of the microcomputer, or `auto`. */
+  readonly device: string;
+  /** Id of its firmware; empty: the usual one. */
+  readonly firmware: string;
+}
+
+/** What a host may set of the page. */
+export interface PageSettings {
+  readonly language: Language;
+  readonly theme: 'system' | 'light' | 'dark';
+  readonly muted: boolean;
+  readonly parts: readonly Part[];
+}
+
+/** A pose on the floor: mm from the arena's lower left corner, degrees counter-clockwise from +x. */
+export interface FloorPose {
+  readonly xMm: number;
+  readonly yMm: number;
+  readonly headingDeg: number;
+}
+
+/** What the page can do: every name that its commands, events and settings take. */
+export interface Abilities {
+  readonly commands: readonly string[];
+  readonly events: readonly string[];
+  readonly devices: readonly string[];
+  readonly robots: readonly string[];
+  readonly languages: readonly Language[];
+  readonly speeds: readonly HostSpeed[];
+  readonly parts: readonly Part[];
+  readonly limits: {
+    readonly files: number;
+    readonly fileBytes: number;
+    readonly serialCharacters: number;
+    readonly waitingCommands: number;
+    readonly snapshotHz: number;
+    readonly outputCharactersPerSecond: number;
+  };
+}
+
+/** The answer to `hello`. */
+export interface Welcome {
+  /** The versions of this dialect that the page speaks. */
+  readonly versions: readonly number[];
+  /** The version of the app. */
+  readonly app: string;
+  /** Another one after every load of the page: a host sees by it that the page was loaded anew. */
+  readonly page: string;
+  readonly abilities: Abilities;
+}
+
+/** Where the run stands now. */
+export interface State {
+  readonly phase: Phase;
+  /** Simulated ms of the run. */
+  readonly atMs: number;
+  /** Id of the board of the next run. */
+  readonly board: string;
+  /** How the program ended, or `null` while it runs and before. */
+  readonly ended: EndedWord | null;
+  readonly snapshot: PlainSnapshot | null;
+  /** Values of sensors that hold for every run, by the sensor's id. */
+  readonly sensors: Readonly<Record<string, number>>;
+  readonly speed: HostSpeed;
+  readonly seed: number;
+  readonly reality: number;
+  readonly arenaSenses: boolean;
+}
+
+/** How a run ended. `panic`: the board itself stopped; `stuck`: inside one endless call, ended by force. */
+export type EndedWord = 'finished' | 'exception' | 'panic' | 'stopped' | 'stuck';
+
+/** The exception that ended a program. */
+export interface PlainException {
+  readonly type: string;
+  readonly message: string;
+  readonly line: number | null;
+  readonly traceback: string;
+}
+
+/** The robot's figures, as the command line reports them. */
+export interface PlainRobot extends FloorPose {
+  readonly type: string;
+  /** Since the start, counter-clockwise positive, not wrapped. */
+  readonly turnedDeg: number;
+  readonly pathMm: number;
+  readonly collisions: number;
+  readonly leds: { readonly left: number; readonly right: number };
+  readonly rgb: readonly Colour[];
+  /** Degrees by port. */
+  readonly servos: Readonly<Record<string, number>>;
+  /** Duty of the motors, −1 … 1. */
+  readonly motors: { readonly left: number; readonly right: number };
+  /** What the distance sensor faces, or `null`: nothing in range, or no such sensor. */
+  readonly distanceMm: number | null;
+  readonly lineSensors: readonly { readonly name: string; readonly bright: boolean; readonly reading?: number }[];
+}
+
+/** Red, green, blue, 0 … 255 each. */
+export type Colour = readonly [red: number, green: number, blue: number];
+
+/** The run at one moment. */
+export interface PlainSnapshot {
+  /** Simulated ms. */
+  readonly atMs: number;
+  /** Whose time it is: the program's, or after its end the world's. */
+  readonly running: 'program' | 'world';
+  readonly repl: boolean;
+  readonly board: string;
+  /** Digits 0 … 9 per LED, rows parted by colons. */
+  readonly display: string;
+  readonly buttons: { readonly a: boolean; readonly b: boolean };
+  readonly touch: Readonly<Record<string, boolean>>;
+  readonly sensors: Readonly<Record<string, number | string>>;
+  readonly rgb: readonly Colour[];
+  readonly motors: readonly number[];
+  /** Frequency of the tone, or `null`: none. */
+  readonly soundHz: number | null;
+  readonly robot: PlainRobot | null;
+  /** By the object's id. */
+  readonly blocks: Readonly<Record<string, FloorPose>>;
+  readonly movers: Readonly<Record<string, FloorPose>>;
+  readonly verdict: Verdict | null;
+  readonly lights: readonly { readonly pin: string; readonly colors: readonly Colour[] }[];
+}
+
+/** A radio packet that the program sent: as text when `radio.send` made it, else its bytes. */
+export type PlainPacket = { readonly atMs: number } & (
+  { readonly text: string } | { readonly bytes: readonly number[] }
+);
+
+/** Something that happened to the board's data log. */
+export type PlainLogEvent = { readonly atMs: number } & (
+  | { readonly type: 'row'; readonly headings: readonly string[]; readonly values: readonly string[] }
+  | { readonly type: 'clear' }
+  | { readonly type: 'full' }
+);
+
+/** No fields, or no more in the answer than that it was done. */
+export type Nothing = object;
+
+interface Command<Fields, Result> {
+  readonly fields: Fields;
+  readonly result: Result;
+}
+
+/** Every command: what it takes, and what its answer brings. */
+export interface Commands {
+  /** Begins. `session` is any text of the host's own: a second hello with it goes on with the same conversation. */
+  hello: Command<
+    { readonly session?: string; readonly client?: string; readonly versions?: readonly number[] },
+    Welcome
+  >;
+  /** Ends the conversation; the page stays as it is. */
+  bye: Command<Nothing, Nothing>;
+  state: Command<Nothing, State>;
+  subscribe: Command<{ readonly events?: readonly EventName[]; readonly snapshotHz?: number }, Nothing>;
+  'get-project': Command<Nothing, { readonly project: ProjectFile }>;
+  'set-project': Command<{ readonly project: ProjectFile | string }, Nothing>;
+  'get-files': Command<Nothing, { readonly files: readonly SourceFile[] }>;
+  'set-files': Command<{ readonly files: readonly SourceFile[] }, Nothing>;
+  'get-scene': Command<Nothing, { readonly scene: SceneFile }>;
+  'set-scene': Command<{ readonly scene: SceneFile | string }, Nothing>;
+  edit: Command<{ readonly edit: SceneEdit }, Nothing>;
+  'get-robot': Command<Nothing, RobotChoice>;
+  'set-robot': Command<Partial<RobotChoice>, Nothing>;
+  'get-settings': Command<Nothing, PageSettings>;
+  settings: Command<Partial<PageSettings> & { readonly labels?: Readonly<Record<string, string>> }, Nothing>;
+  run: Command<{ readonly paused?: boolean }, Nothing>;
+  stop: Command<Nothing, Nothing>;
+  reset: Command<Nothing, Nothing>;
+  pause: Command<Nothing, Nothing>;
+  resume: Command<Nothing, Nothing>;
+  step: Command<Nothing, Nothing>;
+  speed: Command<{ readonly speed: HostSpeed }, Nothing>;
+  seed: Command<{ readonly seed: number }, Nothing>;
+  reality: Command<{ readonly reality: number }, Nothing>;
+  place: Command<FloorPose, Nothing>;
+  'place-block': Command<FloorPose & { readonly block: string }, Nothing>;
+  press: Command<{ readonly button: 'a' | 'b'; readonly down: boolean }, Nothing>;
+  touch: Command<{ readonly pad: string; readonly down: boolean }, Nothing>;
+  sensor: Command<{ readonly sensor: string; readonly value: number | string }, Nothing>;
+  'arena-senses': Command<{ readonly on: boolean }, Nothing>;
+  serial: Command<{ readonly text: string }, Nothing>;
+  interrupt: Command<Nothing, Nothing>;
+  radio: Command<{ readonly text: string } | { readonly bytes: readonly number[] }, Nothing>;
+  'clear-console': Command<Nothing, Nothing>;
+}
+
+/** Name of a command. */
+export type CommandName = keyof Commands;
+
+/** A command as it is sent. */
+export type CommandMessage<N extends CommandName = CommandName> = {
+  [K in N]: Envelope & { readonly id?: CommandId; readonly type: K } & Commands[K]['fields'];
+}[N];
+
+/** Every event and what it tells. */
+export interface Events {
+  phase: { readonly phase: Phase };
+  started: Nothing;
+  /** The program begins anew within its run (Ctrl-D at the REPL). */
+  'program-restarted': Nothing;
+  ended: {
+    readonly ended: EndedWord;
+    readonly exception: PlainException | null;
+    /** Simulated ms. */
+    readonly atMs: number;
+    readonly robot: PlainRobot | null;
+    readonly display: string;
+    /** How well the course's task was done so far, or `null` where it sets none. */
+    readonly verdict: Verdict | null;
+  };
+  /** What the program and the REPL printed; `omitted`: so many characters came too fast and are left out before it. */
+  output: { readonly text: string; readonly omitted?: number };
+  snapshot: { readonly snapshot: PlainSnapshot };
+  'scene-changed': { readonly name: string; readonly objects: number };
+  'files-changed': { readonly names: readonly string[] };
+  'settings-changed': {
+    readonly settings: PageSettings & RobotChoice & Pick<State, 'speed' | 'seed' | 'reality' | 'arenaSenses'>;
+  };
+  sensed: { readonly sensor: string; readonly value: number | string };
+  radio: { readonly packets: readonly PlainPacket[] };
+  log: { readonly events: readonly PlainLogEvent[] };
+  /** An input that the run did not take. */
+  refused: { readonly message: string };
+  /** The run could not start or broke inside. */
+  failed: { readonly message: string };
+}
+
+/** Name of an event. */
+export type EventName = keyof Events;
+
+/** An event as it is sent. */
+export type EventMessage<N extends EventName = EventName> = {
+  [K in N]: Envelope & { readonly type: K } & Events[K];
+}[N];
+
+/** Why a command was not done. */
+export type RefusalCode =
+  /** The `parcours` of the message is a version that the page does not speak; the answer brings `versions`. */
+  | 'unknown-version'
+  /** The page does not know this host: `hello` comes first, also after the page was loaded anew. */
+  | 'no-hello'
+  | 'unknown-command'
+  /** A field is missing, of the wrong type or out of its range: `path` names it. */
+  | 'wrong-message'
+  /** The message is larger than anything that the command could take. */
+  | 'too-large'
+  /** A project, a course or an edit is not what it should be: `path` is the place in it. */
+  | 'wrong-document'
+  /** The page cannot do it now, or has no such thing: the message says which. */
+  | 'refused'
+  /** Too many commands wait for their turn. */
+  | 'busy'
+  /** The app broke: please report it. */
+  | 'broken';
+
+/** The answer to a command that was done. */
+export type DoneMessage<N extends CommandName = CommandName> = Envelope & {
+  readonly reply: CommandId;
+  readonly ok: true;
+} & Commands[N]['result'];
+
+/** The answer to a command that was not done; nothing has changed then. */
+export interface RefusedMessage extends Envelope {
+  readonly reply: CommandId;
+  readonly ok: false;
+  readonly code: RefusalCode;
+  /** One English sentence. */
+  readonly message: string;
+  /** Place in the message, such as `project.scene.objects[2].at`; empty: the message as a whole. */
+  readonly path: string;
+  /** With `unknown-version`: the ones that are known. */
+  readonly versions?: readonly number[];
+}
+
+/** Everything that the page says in this dialect. */
+export type FromPage = EventMessage | DoneMessage | RefusedMessage;

@@ -1,0 +1,283 @@
+import { Board } from '#board/board';
+import { Clock } from '#core/clock';
+import {
+  defaultProjectSettings,
+  filesByName,
+  MAIN,
+  nameProblem,
+  type Project,
+  type SourceFile,
+} from '#project/project';
+import { editProblem } from '#scene/check-edit';
+import { applyEdit } from '#scene/edit';
+import { defaultScene } from '#scene/scene';
+import { movableIds } from '#simulation/at-once';
+import { chooseHardware, type Hardware } from '#simulation/hardware';
+import type { InputAction } from '#simulation/input';
+import { createInputCheck, type InputCheck } from '#simulation/run-problem';
+import type { Snapshot } from '#simulation/simulation';
+import { boardSnapshot } from '#simulation/take-snapshot';
+
+import {
+  PARTS,
+  type EmbeddedSimulator,
+  type HostSettings,
+  type Phase,
+  type Refusal,
+  type SimulatorEvent,
+} from '../simulator';
+
+/** One thing that a door did to the simulator. Reading is not recorded. */
+export type RecordedCall =
+  | { readonly call: 'openProject'; readonly project: Project }
+  | { readonly call: 'setFiles'; readonly files: readonly SourceFile[] }
+  | { readonly call: 'setScene'; readonly scene: Project['scene'] }
+  | { readonly call: 'edit'; readonly edit: Parameters<EmbeddedSimulator['edit']>[0] }
+  | { readonly call: 'change'; readonly settings: HostSettings }
+  | { readonly call: 'run'; readonly paused: boolean }
+  | { readonly call: 'stop' | 'reset' | 'pause' | 'resume' | 'step' | 'clearConsole' }
+  | { readonly call: 'input'; readonly action: InputAction }
+  | { readonly call: 'onRunAsked'; readonly isSet: boolean };
+
+/** What it is made of; whatever is left out is as on a fresh page. */
+export interface RecordingStart {
+  readonly project?: Project;
+  readonly phase?: Phase;
+  readonly settings?: HostSettings;
+}
+
+/**
+ * A simulator for tests of doors: it keeps the work, the settings and the phase as the app does and refuses what the app
+ * refuses, runs no program, and writes down what it was told. Everything that a program would do comes by `tell`.
+ */
+export class RecordingSimulator implements EmbeddedSimulator {
+  /** What was done to it, in order; refused things are among them. */
+  readonly calls: RecordedCall[] = [];
+  /** How many listen now. */
+  get listenerCount(): number {
+    return this.listeners.size;
+  }
+  /** The host's words for the page. */
+  labels: Readonly<Record<string, string>> = {};
+  private readonly listeners = new Set<(event: SimulatorEvent) => void>();
+  private ask: (() => void) | null = null;
+  private work: Project;
+  private held: ReturnType<EmbeddedSimulator['settings']>;
+  private now: Phase;
+  private rehearsal: Board;
+  private wishes: Readonly<Record<string, number>> = {};
+
+  constructor({ project, phase = 'ready', settings = {} }: RecordingStart = {}) {
+    this.work = project ?? { files: [{ name: MAIN, text: '' }], scene: defaultScene(), course: null };
+    this.held = {
+      ...defaultProjectSettings,
+      ...{ language: 'en', theme: 'system', speed: 1, muted: false, parts: PARTS },
+      ...settings,
+    };
+    this.now = phase;
+    this.rehearsal = this.newBoard();
+  }
+
+  /** What the app would tell everyone who listens. A `phase` is also the phase from now on. */
+  tell(event: SimulatorEvent): void {
+    if (event.type === 'phase') this.now = event.phase;
+    for (const listener of [...this.listeners]) listener(event);
+  }
+
+  /** A person presses the page's Run button. @returns whether a host was asked; else it ran. */
+  pressRun(): boolean {
+    if (this.ask === null) void this.run();
+    else this.ask();
+    return this.ask !== null;
+  }
+
+  phase = (): Phase => this.now;
+  nowUs = (): number => 0;
+  ended = (): null => null;
+  board = (): string => this.hardware().board.id;
+  project = (): Project => ({ ...this.work, settings: projectSettings(this.held) });
+  settings = (): ReturnType<EmbeddedSimulator['settings']> => this.held;
+  sensorWishes = (): Readonly<Record<string, number>> => this.wishes;
+
+  /** The board as its sensors are; `null` while everything is at the start. */
+  snapshot(): Snapshot | null {
+    if (this.now === 'ready') return null;
+    return {
+      ...boardSnapshot(this.rehearsal),
+      ...{ timeUs: 0, running: 'program', repl: false, robot: null, blocks: {}, movers: {} },
+      ...{ verdict: null, lights: [], arenaSenses: false },
+    };
+  }
+
+  openProject(project: Project): Refusal {
+    this.calls.push({ call: 'openProject', project });
+    const problem = filesProblem(project.files);
+    if (problem !== null) return problem;
+    this.over('ready');
+    this.work = project;
+    if (project.settings !== undefined) this.held = { ...this.held, ...project.settings };
+    this.rehearsal = this.newBoard();
+    this.tell({ type: 'files', files: project.files });
+    this.tell({ type: 'scene', scene: project.scene });
+    return null;
+  }
+
+  setFiles(files: readonly SourceFile[]): Refusal {
+    this.calls.push({ call: 'setFiles', files });
+    const problem = filesProblem(files);
+    if (problem !== null) return problem;
+    this.over('ready');
+    this.work = { ...this.work, files };
+    this.rehearsal = this.newBoard();
+    this.tell({ type: 'files', files });
+    return null;
+  }
+
+  setScene(scene: Project['scene']): Refusal {
+    this.calls.push({ call: 'setScene', scene });
+    this.over('ready');
+    this.work = { ...this.work, scene, course: null };
+    this.tell({ type: 'scene', scene });
+    return null;
+  }
+
+  edit(edit: Parameters<EmbeddedSimulator['edit']>[0]): Refusal {
+    this.calls.push({ call: 'edit', edit });
+    const problem = editProblem(this.work.scene, edit);
+    if (problem !== null) return problem.message;
+    this.work = { ...this.work, scene: applyEdit(this.work.scene, edit) };
+    this.tell({ type: 'scene', scene: this.work.scene });
+    return null;
+  }
+
+  change(settings: HostSettings): Refusal {
+    this.calls.push({ call: 'change', settings });
+    const unknown = settings.parts?.find((part) => !PARTS.includes(part));
+    if (unknown !== undefined) return `parts: "${unknown}" is not one of ${PARTS.join(', ')}.`;
+    const { labels, ...kept } = settings;
+    this.labels = labels ?? this.labels;
+    const next = { ...this.held, ...kept };
+    const chosen = chooseHardware(wishOf(this.work, next));
+    if ('problem' in chosen) return chosen.problem;
+    this.held = next;
+    this.rehearsal = this.newBoard();
+    this.tell({ type: 'settings', settings: this.held });
+    return null;
+  }
+
+  async run(paused = false): Promise<Refusal> {
+    this.calls.push({ call: 'run', paused });
+    this.rehearsal = this.newBoard();
+    this.tell({ type: 'phase', phase: 'starting' });
+    this.tell({ type: 'started' });
+    await Promise.resolve();
+    this.tell({ type: 'phase', phase: paused ? 'paused' : 'running' });
+    return null;
+  }
+
+  async stop(): Promise<void> {
+    this.calls.push({ call: 'stop' });
+    await Promise.resolve();
+    this.over('stopped');
+  }
+
+  async reset(): Promise<void> {
+    this.calls.push({ call: 'reset' });
+    await Promise.resolve();
+    this.over('ready');
+  }
+
+  pause = (): Refusal => this.turn('pause', 'running', 'paused');
+  resume = (): Refusal => this.turn('resume', 'paused', 'running');
+
+  step(): Refusal {
+    this.calls.push({ call: 'step' });
+    this.tell({ type: 'phase', phase: 'paused' });
+    return null;
+  }
+
+  input(action: InputAction): Refusal {
+    this.calls.push({ call: 'input', action });
+    const problem = this.inputCheck()(action, this.work.scene, movableIds(new Set(), this.work.scene, this.work.scene));
+    if (problem !== null || action.type !== 'sensor') return problem;
+    this.rehearsal.sensors.set(action.id, action.value);
+    if (typeof action.value === 'number') this.wishes = { ...this.wishes, [action.id]: action.value };
+    return null;
+  }
+
+  clearConsole(): void {
+    this.calls.push({ call: 'clearConsole' });
+  }
+
+  onRunAsked(ask: (() => void) | null): void {
+    this.calls.push({ call: 'onRunAsked', isSet: ask !== null });
+    this.ask = ask;
+  }
+
+  listen(listener: (event: SimulatorEvent) => void): () => void {
+    this.listeners.add(listener);
+    return () => void this.listeners.delete(listener);
+  }
+
+  private turn(call: 'pause' | 'resume', from: Phase, to: Phase): Refusal {
+    this.calls.push({ call });
+    if (this.now !== from) return `This needs a run that is ${from}; it is "${this.now}".`;
+    this.tell({ type: 'phase', phase: to });
+    return null;
+  }
+
+  private over(phase: 'ready' | 'stopped'): void {
+    const isActive = ['starting', 'running', 'paused', 'stopping'].includes(this.now);
+    if (isActive) this.tell({ type: 'phase', phase: 'stopped' });
+    if (phase === 'ready' && this.now !== 'ready') this.tell({ type: 'phase', phase });
+  }
+
+  /** What a run of the present work would have; the first board alone where the course names unknown things. */
+  private hardware(): Pick<Hardware, 'board' | 'firmware' | 'robot'> {
+    const chosen = chooseHardware(wishOf(this.work, this.held));
+    if (!('problem' in chosen)) return chosen;
+    const plain = chooseHardware({ scene: defaultScene(), files: {}, robot: 'none', board: 'auto' });
+    if ('problem' in plain) throw new Error(plain.problem);
+    return plain;
+  }
+
+  /** Made once for each board and course: fuzz tests ask it a million times. */
+  private inputCheck(): InputCheck {
+    const { checked } = this;
+    if (checked?.board === this.rehearsal && checked.scene === this.work.scene) return checked.check;
+    const check = createInputCheck(this.newBoard(), this.work.scene, this.hardware().robot !== null);
+    this.checked = { board: this.rehearsal, scene: this.work.scene, check };
+    return check;
+  }
+  private checked: { readonly board: Board; readonly scene: Project['scene']; readonly check: InputCheck } | null =
+    null;
+
+  private newBoard(): Board {
+    const { board, firmware } = this.hardware();
+    const made = new Board(board, new Clock(), firmware);
+    for (const [id, value] of Object.entries(this.wishes)) {
+      if (made.sensors.ids.includes(id)) made.sensors.set(id, value);
+    }
+    return made;
+  }
+}
+
+function filesProblem(files: readonly SourceFile[]): Refusal {
+  for (const [index, { name }] of files.entries()) {
+    const others = files.filter((_, other) => other !== index);
+    const problem = nameProblem(name, others);
+    if (problem !== null) return `files.${String(index)}.name: "${name}" cannot be the name of a file (${problem}).`;
+  }
+  return files.some(({ name }) => name === MAIN) ? null : `files: ${MAIN} is missing.`;
+}
+
+function wishOf({ scene, files }: Project, settings: ReturnType<EmbeddedSimulator['settings']>) {
+  const { robot, device, robotOptions } = settings;
+  const board = device === 'calliope-mini-2' ? 'calliope-mini-3' : device; // as the app: its programs run on the mini 3
+  return { scene, files: filesByName(files), robot, board, robotOptions: robotOptions[robot] ?? {} };
+}
+
+function projectSettings(settings: ReturnType<EmbeddedSimulator['settings']>) {
+  const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = settings;
+  return { device, firmware, robot, robotOptions, reality, seed, arenaSenses };
+}

@@ -1,0 +1,193 @@
+/**
+ * WebTigerPython's dialect: the page says `pythonReady`, the host sends `files` and `run_code`, and hears what the program
+ * prints. A host may send everything at once and in any order: files that come before a `run_code` are those that run.
+ */
+import * as v from 'valibot';
+
+import { filesOfList, filesOfText } from '#project/webtigerpython-files';
+import { deviceCalled } from '#project/webtigerpython-devices';
+import type { Ended } from '#simulation/simulation';
+
+import type { Door, OpenDoor, Outside } from '../door';
+import {
+  PARTS,
+  type EmbeddedSimulator,
+  type HostSettings,
+  type Part,
+  type Phase,
+  type SimulatorEvent,
+} from '../simulator';
+import { hostMessage, type HostMessage, type PageMessage, type SettingsData } from './messages';
+import { Printed } from './printed';
+import { flagOf, languageOf, partsOfLayout, PICTURE } from './words';
+
+/** How long what looks like the last traceback is held back while the program goes on, in ms. Chosen: its end is told long before, also on a busy machine. */
+const HOLD_MS = 1000;
+
+/** Phases in which no program runs any more. */
+const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
+
+/** Opens the door; the page is ready then, and says so. */
+export const openWebTigerPythonDoor: OpenDoor = (simulator, outside): Door => {
+  const post = (message: PageMessage): void => outside.post(message);
+  const teller = new Teller(simulator, outside, post);
+  const unlisten = simulator.listen((event) => teller.hear(event));
+  let isOpen = true;
+  post({ type: 'pythonReady', data: null });
+  return {
+    receive(message) {
+      const read = isOpen ? judged(message) : null;
+      if (read !== null) obey(read, simulator, teller);
+    },
+    close() {
+      isOpen = false;
+      unlisten();
+    },
+  };
+};
+
+/** What a message is, if it is one of ours. */
+function judged(message: unknown): HostMessage | null {
+  try {
+    const read = v.safeParse(hostMessage, message);
+    return read.success ? read.output : null;
+  } catch {
+    return null; // what throws when it is looked at comes from this very page only; it is none of ours either
+  }
+}
+
+function obey(message: HostMessage, simulator: EmbeddedSimulator, teller: Teller): void {
+  switch (message.type) {
+    case 'files': {
+      const { data } = message;
+      const files = typeof data === 'string' ? filesOfText(data) : filesOfList([data].flat());
+      const problem = files === null ? 'There is no program in it.' : simulator.setFiles(files);
+      if (problem !== null) teller.complain(problem);
+      return;
+    }
+    case 'settings':
+      for (const settings of settingsOf(message.data, simulator.settings().parts)) simulator.change(settings);
+      return;
+    case 'run_code':
+      teller.run();
+      return;
+    default:
+      message satisfies never;
+  }
+}
+
+/** What the fields ask for, apart from each other: one that cannot be done leaves the others alone. */
+function settingsOf(data: SettingsData, shown: readonly Part[]): readonly HostSettings[] {
+  const language = languageOf(data.lang ?? '');
+  const isDark = flagOf(data.dark_mode);
+  const device = data.device === undefined ? null : (deviceCalled(data.device) ?? data.device);
+  const parts = partsOf(data, shown);
+  return [
+    ...(language === undefined ? [] : [{ language }]),
+    ...(isDark === undefined ? [] : [{ theme: isDark ? ('dark' as const) : ('light' as const) }]),
+    ...(device === null ? [] : [{ device }]),
+    ...(parts === null ? [] : [{ parts }]),
+  ];
+}
+
+/** What is shown from now on; `null`: as before. */
+function partsOf(data: SettingsData, shown: readonly Part[]): readonly Part[] | null {
+  const layout = partsOfLayout(data.layout);
+  const isBare = flagOf(data.hide_topbar);
+  const isFull = flagOf(data.full_screen);
+  const asked = layout ?? (isFull === true ? PICTURE : isFull === false ? PARTS : null);
+  if (isBare === true || isFull === true) return (asked ?? shown).filter((part) => part !== 'bar');
+  if (isBare === false) return PARTS.filter((part) => part === 'bar' || (asked ?? shown).includes(part));
+  return asked;
+}
+
+/** Tells the host about the run. */
+class Teller {
+  private printed = new Printed();
+  /** Whether the program runs that the host hears of; afterwards the REPL goes on, which is none of its business. */
+  private isLive = false;
+  private heldSinceMs = 0;
+  private complaints = 0;
+
+  constructor(
+    private readonly simulator: EmbeddedSimulator,
+    private readonly outside: Outside,
+    private readonly post: (message: PageMessage) => void,
+  ) {}
+
+  run(): void {
+    const before = this.complaints;
+    void this.simulator.run().then((problem) => {
+      if (problem !== null && before === this.complaints) this.complain(problem);
+    });
+  }
+
+  complain(problem: string): void {
+    this.complaints += 1;
+    this.post({ type: 'error', data: problem });
+  }
+
+  hear(event: SimulatorEvent): void {
+    switch (event.type) {
+      case 'started':
+        this.end(null);
+        this.post({
+          type: 'code',
+          data: this.simulator.project().files.map(({ name, text }) => ({ name, data: text })),
+        });
+        this.begin();
+        return;
+      case 'program-restarted':
+        this.begin();
+        return;
+      case 'output':
+        if (!this.isLive) return;
+        this.heldSinceMs = this.outside.nowMs();
+        this.say(this.printed.add(event.text));
+        return;
+      case 'snapshot':
+        // While only the world goes on, the program is over: its end is on the way.
+        if (this.isLive && event.snapshot.running === 'program' && this.outside.nowMs() - this.heldSinceMs > HOLD_MS)
+          this.say(this.printed.release());
+        return;
+      case 'program-ended':
+        this.end(event.ended);
+        return;
+      case 'failed':
+        this.complain(event.message);
+        return;
+      case 'phase':
+        if (OVER.includes(event.phase)) this.end(null);
+        return;
+      case 'files':
+      case 'scene':
+      case 'settings':
+      case 'sensed':
+      case 'refused':
+      case 'radio':
+      case 'log':
+        return; // WebTigerPython has no word for it
+      default:
+        event satisfies never;
+    }
+  }
+
+  private begin(): void {
+    this.printed = new Printed();
+    this.isLive = true;
+  }
+
+  private say(text: string): void {
+    if (text !== '') this.post({ type: 'output', data: text });
+  }
+
+  /** The program is over: the rest of what it printed, the exception unless somebody pressed Stop, then all of it again. */
+  private end(ended: Ended | null): void {
+    if (!this.isLive) return;
+    this.isLive = false;
+    const traceback = ended?.exception?.traceback ?? null;
+    this.say(this.printed.end(traceback));
+    if (traceback !== null && ended?.kind !== 'stopped') this.complain(traceback.replaceAll('\r\n', '\n'));
+    this.post({ type: 'full_output', data: this.printed.whole });
+  }
+}

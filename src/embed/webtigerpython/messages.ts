@@ -1,0 +1,91 @@
+/**
+ * The messages of WebTigerPython's dialect, version 2025, both directions: each is `{ type, data }`. What its public
+ * integrations send and wait for is fixed; where they leave the shape of `data` open, the one here is ours.
+ */
+import * as v from 'valibot';
+
+import { FILE_BYTES, NAME_CHARACTERS, projectLimits } from '#project/project';
+
+import { LAYOUT_CHARACTERS } from './words';
+
+/** The state of WebTigerPython's interface that this dialect follows. */
+export const VERSION = '2025';
+
+/** Longest name of a microcomputer or language, in characters. Chosen: several times as long as any. */
+const WORD_CHARACTERS = 100;
+/** The most entries of one level of a layout. Chosen: it has three panes. */
+const LAYOUT_ENTRIES = 20;
+
+const { pipe, description } = v;
+const word = pipe(v.string(), v.maxLength(WORD_CHARACTERS));
+
+/** A list that is looked into only when it is short enough. */
+const listOf = <S extends v.GenericSchema>(item: S, most: number) =>
+  pipe(v.array(v.unknown()), v.minLength(1), v.maxLength(most), v.array(item));
+
+const file = v.object({
+  name: pipe(v.string(), v.maxLength(NAME_CHARACTERS), description('Letters, digits, `_`, `-` and `.`.')),
+  data: pipe(v.string(), v.maxLength(FILE_BYTES), description('Its text.')),
+});
+const programText = pipe(v.string(), v.maxLength(FILE_BYTES), description('The text of `main.py` alone.'));
+
+/** `data` of `files`. */
+export const filesData = pipe(
+  v.union([listOf(file, projectLimits.files), file, programText]),
+  description(
+    'All files of the program as a list; also a single one, or its text. Without a `main.py` the first file is the program.',
+  ),
+);
+
+/** A field that counts as not given where its value makes no sense. */
+const given = <S extends v.GenericSchema>(schema: S, about: string) =>
+  v.optional(v.fallback(pipe(v.union([schema, v.undefined()]), description(about)), undefined));
+const flag = v.union([v.boolean(), v.picklist(['', 'true', 'false', '1', '0'])]);
+
+/** `data` of `settings`. Fields that are not here change nothing. */
+export const settingsData = v.object({
+  device: given(word, '`micro:bit`, `Calliope mini 1/2`, `Calliope mini 3`, `-`, or our id of a microcomputer.'),
+  lang: given(word, '`de`, `fr`, `it` or `en`, also with a region.'),
+  dark_mode: given(flag, 'Dark or light.'),
+  layout: given(
+    v.union([pipe(v.string(), v.maxLength(LAYOUT_CHARACTERS)), listOf(v.unknown(), LAYOUT_ENTRIES)]),
+    'The panes that are shown, as a list or as its JSON: `Editor` (the program), `Canvas` (board and arena), `Console`; nested at will, their places are ours.',
+  ),
+  hide_topbar: given(flag, 'Leaves the bar out.'),
+  full_screen: given(flag, 'Board and arena alone.'),
+});
+
+/** What a host says. */
+export const hostMessage = v.variant('type', [
+  v.object({ type: v.literal('files'), data: filesData }),
+  v.object({ type: v.literal('settings'), data: settingsData }),
+  v.object({ type: v.literal('run_code') }),
+]);
+
+/** A message of a host, judged. */
+export type HostMessage = v.InferOutput<typeof hostMessage>;
+/** What a host set. */
+export type SettingsData = v.InferOutput<typeof settingsData>;
+
+const nothing = pipe(v.null(), description('Nothing.'));
+const text = (about: string) => pipe(v.string(), description(about));
+
+/** `data` of what the page says. */
+export const pageData = {
+  pythonReady: nothing,
+  code: pipe(
+    v.array(v.object({ name: v.string(), data: v.string() })),
+    description('All files of the program, `main.py` first, in the form of `files`.'),
+  ),
+  output: text('The next piece of what the program prints; lines end in `\\n`, a piece may end anywhere.'),
+  error: text('The traceback of the exception that ended the program, or why it could not start.'),
+  full_output: text(`All that the program printed, with the traceback at its end; of a very long one its last part.`),
+} as const;
+
+/** A message of the page. */
+export type PageMessage = {
+  [Name in keyof typeof pageData]: {
+    readonly type: Name;
+    readonly data: v.InferOutput<(typeof pageData)[Name]>;
+  };
+}[keyof typeof pageData];

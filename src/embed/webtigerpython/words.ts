@@ -1,0 +1,50 @@
+/** What WebTigerPython's settings mean here, whether they come in an address or in a message. */
+import { LANGUAGES, type Language } from '#core/texts';
+
+import { PARTS, type Part } from '../simulator';
+
+/** Longest layout that is read as text, in characters. Chosen: no layout of three panes comes near. */
+export const LAYOUT_CHARACTERS = 1000;
+
+/** WebTigerPython's panes and what of ours stands in their places. */
+const PANES: Readonly<Record<string, readonly Part[]>> = {
+  Editor: ['code'],
+  Canvas: ['board', 'arena'],
+  Console: ['console'],
+};
+
+/** What is shown of us where the picture shall fill everything. */
+export const PICTURE: readonly Part[] = ['board', 'arena'];
+
+/**
+ * The parts that a layout shows, with the bar: `["Editor","Canvas"]`, nested at will, as a list or as its JSON. Which
+ * panes there are counts, their places are ours.
+ *
+ * @returns `null` when no pane is in it
+ */
+export function partsOfLayout(layout: unknown): readonly Part[] | null {
+  const names = [typeof layout === 'string' ? valueOf(layout) : layout].flat(LAYOUT_CHARACTERS);
+  const parts = Object.entries(PANES).flatMap(([name, own]) => (names.includes(name) ? own : []));
+  return parts.length === 0 ? null : PARTS.filter((part) => part === 'bar' || parts.includes(part));
+}
+
+function valueOf(json: string): unknown {
+  if (json.length > LAYOUT_CHARACTERS) return null;
+  try {
+    return JSON.parse(json);
+  } catch {
+    return json;
+  }
+}
+
+/** Yes or no, as a truth value or as its text: `dark_mode=true`, or `dark_mode` alone. @returns `undefined`: neither */
+export function flagOf(value: unknown): boolean | undefined {
+  if (value === true || value === '' || value === 'true' || value === '1') return true;
+  return value === false || value === 'false' || value === '0' ? false : undefined;
+}
+
+/** A language by its tag, such as `de` or `de-CH`. @returns `undefined`: one that we do not have */
+export function languageOf(tag: string): Language | undefined {
+  const [language] = tag.toLowerCase().split(/[-_]/);
+  return LANGUAGES.find((one) => one === language);
+}

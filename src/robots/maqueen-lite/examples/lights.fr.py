@@ -1,0 +1,26 @@
+# Lumières
+# Le robot a deux lumières rouges à l'avant et quatre de couleur en dessous.
+from microbit import *
+from mbrobot import *
+
+colors = [(80, 0, 0), (80, 50, 0), (0, 80, 0), (0, 60, 80), (0, 0, 80), (60, 0, 80)]
+
+display.show(Image.HAPPY)
+
+for color in colors:
+    red, green, blue = color
+    fillRGB(red, green, blue)       # les quatre pareilles
+    delay(500)
+
+clearRGB()
+
+for turn in range(3):
+    for position in range(4):       # une lumière tourne en rond
+        clearRGB()
+        setRGB(position, 0, 80, 40)
+        setLED(position % 2, 1 - position % 2)
+        delay(200)
+
+setLED(0)
+clearRGB()
+beep()

@@ -1,0 +1,17 @@
+# Un servo au connecteur S1
+# Une pince y est fixée : 30 est ouvert, 90 est fermé.
+# Sous « Appareil », tu choisis autre chose.
+from mbrobot import *
+
+OPEN = 30
+CLOSED = 90
+
+for turn in range(3):
+    setServo("S1", OPEN)
+    delay(1000)
+    setServo("S1", CLOSED)
+    delay(1000)
+
+for angle in range(CLOSED, OPEN, -5):   # ouvrir lentement
+    setServo("S1", angle)
+    delay(100)

@@ -1,0 +1,55 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import type { HostSettings, Part, SimulatorEvent } from '#embed/simulator';
+
+/** What the address of the page asks for, and the page it stands in. */
+export interface HostWish {
+  /** Settings of this visit; none of them is kept. */
+  readonly settings: HostSettings;
+  /** The dialect that is spoken unasked, or `null`: only who says hello is answered. */
+  readonly dialect: 'microbit' | 'webtigerpython' | null;
+  /** Whether the work of this page is kept in the browser; pages that a host fills forget it. */
+  readonly keepsWork: boolean;
+  /** Origins that may command; empty: the parent, whatever its origin. */
+  readonly origins: readonly string[];
+  /** Colour of the play button of the micro:bit dialect, as CSS has it, or `null`. */
+  readonly color: string | null;
+  /** `flag` parameters of the micro:bit dialect. */
+  readonly flags: readonly string[];
+}
+
+/** The page as it is without any host. */
+export const noHost: HostWish = {
+  settings: {},
+  dialect: null,
+  keepsWork: true,
+  origins: [],
+  color: null,
+  flags: [],
+};
+
+/** What a host has changed about the page, and what it listens to. */
+export class HostView {
+  /** The parts that are shown; `null`: as the pupil has chosen. */
+  readonly parts: ShallowRef<readonly Part[] | null>;
+  /** The host's own words for controls of the board. */
+  readonly labels: ShallowRef<Readonly<Record<string, string>>>;
+  /** What the Run button does instead of running; `null`: it runs. */
+  readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
+  private readonly listeners = new Set<(event: SimulatorEvent) => void>();
+
+  constructor(readonly wish: HostWish) {
+    this.parts = shallowRef(wish.settings.parts ?? null);
+    this.labels = shallowRef(wish.settings.labels ?? {});
+  }
+
+  /** Tells everyone who listens; without a host nobody does. */
+  tell(event: SimulatorEvent): void {
+    for (const listener of this.listeners) listener(event);
+  }
+
+  listen(listener: (event: SimulatorEvent) => void): () => void {
+    this.listeners.add(listener);
+    return () => this.listeners.delete(listener);
+  }
+}

@@ -1,0 +1,32 @@
+import { onMounted, onScopeDispose } from 'vue';
+
+import type { App } from '../composables/use-app';
+
+/** Messages that are kept until the part of the app that understands them has come. Chosen: more than any host sends by then. */
+const MOST_EARLY = 200;
+
+/**
+ * Lets the page that this one stands in command it. What understands the dialects is fetched only in a frame; nothing
+ * that comes before is lost.
+ */
+export function listenToHost(app: App): void {
+  if (window.parent === window) return;
+  const early: MessageEvent<unknown>[] = [];
+  const keep = (event: MessageEvent<unknown>): void => {
+    if (event.source === window.parent && early.length < MOST_EARLY) early.push(event);
+  };
+  let close = (): void => undefined;
+  addEventListener('message', keep);
+  onMounted(() => {
+    void import('./frame')
+      .then(({ openFrame }) => {
+        removeEventListener('message', keep);
+        close = openFrame(app, early);
+      })
+      .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+  });
+  onScopeDispose(() => {
+    removeEventListener('message', keep);
+    close();
+  });
+}

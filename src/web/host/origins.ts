@@ -1,0 +1,27 @@
+/** Name of the `<meta>` with which whoever serves the page says which origins may command it, parted by spaces. */
+export const ORIGINS_META = 'parcours-origins';
+
+/**
+ * Which origins may command the page: those that the page itself names, of these the ones that its address names.
+ * Whoever embeds the page writes the address, so it can only narrow.
+ *
+ * @param ofPage content of the page's `<meta>`; `null`: it has none, then any parent may
+ * @param ofAddress what the address names; empty: it says nothing
+ * @returns `null`: any
+ */
+export function allowedOrigins(ofPage: string | null, ofAddress: readonly string[]): readonly string[] | null {
+  const named = ofPage === null ? null : ofPage.split(/\s+/).filter(Boolean).map(plainOrigin);
+  if (ofAddress.length === 0) return named;
+  const narrowed = ofAddress.map(plainOrigin);
+  return named === null ? narrowed : named.filter((origin) => narrowed.includes(origin));
+}
+
+/** The origin of an address, so that a slash at its end does no harm; what is no address stays and fits nobody but `null`. */
+function plainOrigin(text: string): string {
+  if (text === 'null' || !URL.canParse(text)) return text;
+  const { origin } = new URL(text);
+  return origin === 'null' ? text : origin; // `null` is said, never made
+}
+
+/** An origin that is none (a sandbox, a file) cannot be named when sending. */
+export const nameable = (origin: string): string => (origin === 'null' ? '*' : origin);

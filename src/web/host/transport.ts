@@ -1,0 +1,167 @@
+import type { Door } from '#embed/door';
+
+import { lateDoor, type OpenLate } from './late-door';
+import { nameable } from './origins';
+
+/** What of a `MessageEvent` counts. */
+export interface HostMessage {
+  readonly data: unknown;
+  readonly origin: string;
+  readonly source: unknown;
+  readonly ports: readonly MessagePort[];
+}
+
+/** The page around this one. */
+export interface ParentPage {
+  postMessage(message: object, targetOrigin: string): void;
+}
+
+/** What the gate stands between. */
+export interface GateOptions {
+  readonly parent: ParentPage;
+  /** Origins that may command; `null`: any. */
+  readonly allowed: readonly string[] | null;
+  /** Our own dialect, spoken to who says hello. */
+  readonly openOurs: OpenLate;
+  /** The dialect that is spoken unasked, or `null`. */
+  readonly openUnasked: OpenLate | null;
+  readonly nowMs: () => number;
+  /** The code of a dialect could not be fetched. */
+  readonly onMissing: () => void;
+}
+
+/** The one way in for messages of other pages. */
+export interface Gate {
+  receive(message: HostMessage): void;
+  close(): void;
+}
+
+/**
+ * Lets the parent speak, and nobody else: neither children nor siblings nor who opened the window. The first origin that says hello
+ * in our own dialect is the only one that may from then on; it is answered by name.
+ */
+export function openGate(options: GateOptions): Gate {
+  const { parent, allowed, openOurs, openUnasked, nowMs, onMissing } = options;
+  let partner: Partner | null = null;
+  /** Who hears what is said unasked: everybody who may, until one has spoken. */
+  let audience = allowed?.map(nameable) ?? ['*'];
+  const unasked =
+    openUnasked === null
+      ? null
+      : lateDoor(
+          openUnasked,
+          { post: (message) => audience.forEach((origin) => post(parent, message, origin)), nowMs },
+          onMissing,
+        );
+
+  function takeHello(session: unknown, message: HostMessage): void {
+    const [port, ...more] = message.ports;
+    for (const one of more) one.close();
+    // A host repeats its hello until it is answered: the same conversation goes on.
+    if (partner !== null && typeof session === 'string' && partner.session === session && partner.isOpen()) {
+      port?.close();
+      partner.receive(message.data);
+      return;
+    }
+    partner?.close();
+    const say = { parent, origin: message.origin, port: port ?? null };
+    partner = openPartner(say, session, (send) => lateDoor(openOurs, { post: send, nowMs }, onMissing));
+    partner.receive(message.data);
+  }
+
+  return {
+    receive(message) {
+      if (message.source !== parent || allowed?.includes(message.origin) === false) return;
+      const { data, origin } = message;
+      if (!isOurs(data)) {
+        audience = [nameable(origin)];
+        unasked?.receive(data);
+        return;
+      }
+      if (partner !== null && partner.origin !== origin) return;
+      const { type, session, id } = data;
+      if (type === 'hello') takeHello(session, message);
+      else if (partner === null) answerStranger(parent, id, origin);
+      else if (partner.isOnWindow) partner.receive(data);
+    },
+    close() {
+      partner?.close();
+      unasked?.close();
+    },
+  };
+}
+
+/** The host that has said hello. */
+interface Partner {
+  readonly origin: string;
+  readonly session: unknown;
+  /** Whether it speaks by the window; else by its port alone. */
+  readonly isOnWindow: boolean;
+  isOpen(): boolean;
+  receive(data: unknown): void;
+  close(): void;
+}
+
+interface PartnerWay {
+  readonly parent: ParentPage;
+  readonly origin: string;
+  readonly port: MessagePort | null;
+}
+
+function openPartner(
+  { parent, origin, port }: PartnerWay,
+  session: unknown,
+  open: (send: (message: object) => void) => Door,
+): Partner {
+  const target = nameable(origin);
+  let isOpen = true;
+  const door = open((message) => (port === null ? post(parent, message, target) : postTo(port, message)));
+  const close = (): void => {
+    isOpen = false;
+    door.close();
+    port?.close();
+  };
+  if (port !== null) {
+    port.onmessage = (event: MessageEvent<unknown>) => door.receive(event.data);
+    // Where browsers tell it: the host is gone and may come back with another hello.
+    port.addEventListener('close', close);
+  }
+  return {
+    origin,
+    session,
+    isOnWindow: port === null,
+    isOpen: () => isOpen,
+    receive: (data) => door.receive(data),
+    close,
+  };
+}
+
+/** After the page was loaded anew its host goes on speaking: it is told to begin again. */
+function answerStranger(parent: ParentPage, id: unknown, origin: string): void {
+  if (typeof id !== 'number' && (typeof id !== 'string' || id.length > LONGEST_ID)) return;
+  const message = { parcours: 1, reply: id, ok: false, code: 'no-hello', message: 'Say hello first.', path: '' };
+  post(parent, message, nameable(origin));
+}
+
+/** As `limits.idCharacters` of the dialect, whose code is not there yet. */
+const LONGEST_ID = 100;
+
+/** Whether it is a message of our own dialect, of whatever version. */
+const isOurs = (data: unknown): data is Readonly<Record<'type' | 'session' | 'id', unknown>> =>
+  typeof data === 'object' && data !== null && 'parcours' in data && typeof data.parcours === 'number';
+
+function post(parent: ParentPage, message: object, target: string): void {
+  try {
+    parent.postMessage(message, target);
+  } catch {
+    // Something that cannot be cloned: a host that hears nothing is better than a page that breaks.
+  }
+}
+
+function postTo(port: MessagePort, message: object): void {
+  try {
+    port.postMessage(message);
+  } catch {
+    // Likewise.
+  }
+}

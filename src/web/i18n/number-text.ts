@@ -1,0 +1,40 @@
+import type { Language } from '#core/texts';
+
+import { localeOf } from './locale';
+
+/** Made once each: making one takes far longer than using it. */
+const formats = new Map<string, Intl.NumberFormat>();
+
+/**
+ * A number as it is written in a language: `1.5` in German-speaking and Italian-speaking Switzerland, `1,5` in
+ * French-speaking. Without marks for thousands, which would differ and which nothing here is large enough for.
+ *
+ * @param decimals so many, neither more nor fewer; without it as many as the number has, at most three
+ */
+export function numberText(value: number, language: Language, decimals?: number): string {
+  const key = `${language} ${String(decimals)}`;
+  let format = formats.get(key);
+  if (format === undefined) {
+    format = new Intl.NumberFormat(localeOf(language), {
+      useGrouping: false,
+      minimumFractionDigits: decimals ?? 0,
+      maximumFractionDigits: decimals ?? 3,
+    });
+    formats.set(key, format);
+  }
+  return format.format(value + 0); // + 0 makes −0 a 0
+}
+
+/** What stands between the whole of a number and its decimals. */
+export const decimalSign = (language: Language): string => numberText(0.5, language, 1).charAt(1);
+
+/** A day and a time of day, as they are written in a language: `21.11.2026, 23:04`. */
+export const dateText = (atMs: number, language: Language): string =>
+  new Date(atMs).toLocaleString(localeOf(language), { dateStyle: 'medium', timeStyle: 'short' });
+
+/** What was typed as a number, with a point or a comma and either minus sign; `null`: it is none. */
+export function readNumber(text: string): number | null {
+  const plain = text.trim().replace(',', '.').replace('\u2212', '-');
+  const value = Number(plain);
+  return plain !== '' && Number.isFinite(value) ? value : null;
+}

@@ -1,0 +1,11 @@
+import type { Texts } from '#core/texts';
+
+/** A message about the page itself, at its foot; one that asks something stays until it is answered. */
+export interface PageMessage {
+  /** A message takes the place of an earlier one of its kind. */
+  readonly kind: 'update' | 'no-storage' | 'may-be-refused';
+  readonly text: Texts;
+  readonly actions: readonly { readonly text: Texts; readonly run: () => void }[];
+  /** What the button says that takes the message away. */
+  readonly close: Texts;
+}

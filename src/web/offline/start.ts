@@ -1,0 +1,29 @@
+import { keepOffline } from './keep-offline';
+import { offlineTexts as words } from './offline-texts';
+import { showPageBar } from './page-bar';
+
+/**
+ * What the page does about networks and storage once it has nothing more urgent to do.
+ *
+ * @param keepsWork whether the work is to be kept here, and not by a page around this one
+ */
+export async function startOffline(keepsWork: boolean): Promise<void> {
+  if (keepsWork && !canStore()) {
+    showPageBar({ kind: 'no-storage', text: words.noStorage, actions: [], close: words.close });
+  }
+  await keepOffline();
+}
+
+/** Whether the browser lets this page keep anything: frames and private windows may not. */
+function canStore(): boolean {
+  const KEY = 'parcours.probe';
+  try {
+    for (const store of [sessionStorage, localStorage]) {
+      store.setItem(KEY, '');
+      store.removeItem(KEY);
+    }
+    return true;
+  } catch {
+    return false;
+  }
+}

@@ -1,0 +1,90 @@
+/// <reference types="w3c-web-serial" />
+import type { Port } from './port';
+import { PutError } from './problem';
+
+/** micro:bit and Calliope mini: both carry ARM's DAPLink (usb.org: 0x0d28 is ARM's, 0x0204 DAPLink's). */
+const BOARDS: readonly SerialPortFilter[] = [{ usbVendorId: 0x0d28, usbProductId: 0x0204 }];
+/** Of MicroPython on the micro:bit and most other boards. */
+const BAUD = 115_200;
+
+/** Whether this browser, here, has serial lines. */
+export type SerialAbility = 'yes' | 'browser' | 'frame';
+
+/** The page's line, when the browser has one. */
+function serial(): Serial | null {
+  return (navigator as { readonly serial?: Serial }).serial ?? null;
+}
+
+/** Whether the page can reach a device: the browser may not know serial lines, or the frame around the page not allow them. */
+export function serialAbility(): SerialAbility {
+  if (serial() === null) return 'browser';
+  const { featurePolicy } = document as { readonly featurePolicy?: { allowsFeature?(name: string): boolean } };
+  return featurePolicy?.allowsFeature?.('serial') === false ? 'frame' : 'yes';
+}
+
+/**
+ * Lets the pupil choose a device and opens its line. Must be called by a click.
+ *
+ * @param which boards that we know, or any serial line
+ * @returns the open line; `null` when nothing was chosen
+ * @throws PutError `frame`, `line-in-use`
+ */
+export async function chooseSerialPort(which: 'boards' | 'any'): Promise<Port | null> {
+  const line = serial();
+  if (line === null) return null;
+  let port: SerialPort;
+  try {
+    port = await line.requestPort(which === 'boards' ? { filters: [...BOARDS] } : {});
+  } catch (error) {
+    if (error instanceof DOMException && error.name === 'SecurityError') throw new PutError({ kind: 'frame' });
+    return null;
+  }
+  try {
+    await port.open({ baudRate: BAUD });
+  } catch {
+    throw new PutError({ kind: 'line-in-use' });
+  }
+  return portOf(port);
+}
+
+/** An open line of the browser as a port. */
+export function portOf(port: SerialPort): Port {
+  let reader: ReadableStreamDefaultReader<Uint8Array> | null = null;
+  let isClosing = false;
+  return {
+    async write(bytes) {
+      const writer = port.writable?.getWriter();
+      if (writer === undefined) throw new Error('The line is closed.');
+      try {
+        await writer.write(bytes);
+      } finally {
+        writer.releaseLock();
+      }
+    },
+    async read() {
+      // A reader fails for good after a bad byte, while the line goes on: the port then has a new stream.
+      while (port.readable !== null && !isClosing) {
+        reader ??= port.readable.getReader();
+        try {
+          const { value, done } = await reader.read();
+          if (!done) return value;
+        } catch {
+          // Whether the line is gone shows in `port.readable`.
+        }
+        reader.releaseLock();
+        reader = null;
+      }
+      return null;
+    },
+    async close() {
+      isClosing = true;
+      try {
+        await reader?.cancel();
+        await Promise.resolve(); // the read that was under way lets go of its lock
+        await port.close();
+      } catch {
+        // A device that is gone has nothing to close.
+      }
+    },
+  };
+}

@@ -1,0 +1,13 @@
+/** What the single-file build puts into the page (`vite.single.config.ts`). */
+
+/** The worker as a classic script. */
+declare module 'single:worker' {
+  const code: string;
+  export default code;
+}
+
+/** The VM: gzip, base64. */
+declare module 'single:firmware' {
+  const packed: string;
+  export default packed;
+}
