@@ -12,6 +12,6 @@ export function sayMayBeRefused(): boolean {
 
 async function say(): Promise<void> {
   const [{ showPageBar }, { offlineTexts }] = await Promise.all([import('./page-bar'), import('./offline-texts')]);
-  const { mayBeRefused: text, close } = offlineTexts;
-  showPageBar({ kind: 'may-be-refused', text, actions: [], close });
+  const { close } = offlineTexts;
+  showPageBar({ kind: 'may-be-refused', text: offlineTexts.mayBeRefused, actions: [], close });
 }
