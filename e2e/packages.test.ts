@@ -47,6 +47,9 @@ test('a worksheet with the element from its package: own buttons, console and ve
   await expect.poll(() => app.text('#state')).toBe('Running');
   await app.click('#stop');
   await expect.poll(() => app.text('#state')).toBe('Stopped');
+  // Its height is the page's own, and it is not wider for that.
+  expect(await app.evaluate(() => document.documentElement.scrollWidth - innerWidth)).toBeLessThanOrEqual(0);
+  expect(await app.evaluate(() => simulator.offsetWidth - (simulator.nextElementSibling?.clientWidth ?? 0))).toBe(0);
   // The keyboard goes in by a call, and the frame has the name that the page gives it.
   const focused = await app.evaluate(() => {
     simulator.focus();
@@ -146,7 +149,7 @@ test('an element loads when it comes into view, with its project, and has the wo
     simulator.remove();
     const far = document.createElement('parcours-simulator');
     far.id = 'far';
-    far.style.marginTop = '5000px';
+    Object.assign(far.style, { marginTop: '5000px', height: 'auto' });
     far.setAttribute('project', URL.createObjectURL(new Blob([JSON.stringify(file)])));
     Object.assign(far, { src, show: 'code' });
     document.body.append(far);
@@ -177,7 +180,7 @@ test('an element loads when it comes into view, with its project, and has the wo
     second: '# of the pupil',
     code: 'wrong-document',
   });
-  expect(seen.ratio).toBeGreaterThan(1);
+  expect(seen.ratio).toBeCloseTo(1.6, 1);
 });
 
 test('the packages bring the app, its licences and types that hold without the repository', async ({ app }, info) => {

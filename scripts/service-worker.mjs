@@ -1,50 +1,48 @@
 // The service worker, with the list of all files that it keeps: the last step of the app's build (decision 0017).
 import { createHash } from 'node:crypto';
-import { mkdtemp, readFile, rm, writeFile } from 'node:fs/promises';
-import { tmpdir } from 'node:os';
+import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { build } from 'vite';
-import { injectManifest } from 'workbox-build';
 import { main, note, root } from './progress.mjs';
 
 const SOURCE = 'src/web/offline/sw.ts';
-/** The largest file that is kept, in bytes. Chosen: far above the VM's 0.9 MB. */
-const LARGEST_BYTES = 20_000_000;
+/** Where the list of files goes in the built script. */
+const PLACE = 'self.__WB_MANIFEST';
+/** Not kept: the service worker itself, and pages for frames that have no storage. */
+const LEFT_OUT = /^sw\.js$|\.single\.html$/;
+/** Files whose name changes with what is in them. */
+const NAMED_BY_CONTENT = /^assets\/.*-[\w-]{8}\.\w+$/;
 
 /**
  * Writes `sw.js` into a folder that holds the built app.
  *
  * @param {string} [folder]
  * @returns {Promise<{ count: number, bytes: number }>} what it keeps
- * @throws Error where a file cannot be listed
  */
 export async function buildServiceWorker(folder = 'dist/app') {
   const app = resolve(root, folder);
-  const place = await mkdtemp(join(tmpdir(), 'parcours-sw-'));
-  const bare = join(place, 'sw.js');
-  try {
-    await writeFile(bare, await bareServiceWorker());
-    const { count, size, warnings } = await injectManifest({
-      swSrc: bare,
-      swDest: join(app, 'sw.js'),
-      globDirectory: app,
-      globPatterns: ['**/*'],
-      globIgnores: ['sw.js', '*.single.html'],
-      dontCacheBustURLsMatching: /^assets\/.*-[\w-]{8}\.\w+$/,
-      maximumFileSizeToCacheInBytes: LARGEST_BYTES,
-      manifestTransforms: [async (entries) => ({ manifest: await Promise.all(entries.map((it) => sealed(app, it))) })],
-    });
-    if (warnings.length > 0) throw new Error(warnings.join('\n'));
-    return { count, bytes: size };
-  } finally {
-    await rm(place, { recursive: true });
-  }
+  const all = await readdir(app, { recursive: true, withFileTypes: true });
+  const paths = all.filter((it) => it.isFile()).map((it) => join(it.parentPath, it.name));
+  const urls = paths
+    .map((path) => path.slice(app.length + 1).replaceAll('\\', '/'))
+    .filter((url) => !LEFT_OUT.test(url));
+  const entries = await Promise.all(urls.sort().map((url) => listed(app, url)));
+  const script = await bareServiceWorker();
+  if (script.split(PLACE).length !== 2) throw new Error(`${PLACE} must stand in the service worker once.`);
+  const manifest = entries.map(({ url, revision, integrity }) => ({ url, revision, integrity }));
+  await writeFile(
+    join(app, 'sw.js'),
+    script.replace(PLACE, () => JSON.stringify(manifest)),
+  );
+  return { count: entries.length, bytes: entries.reduce((sum, { bytes }) => sum + bytes, 0) };
 }
 
-/** A host may be in the middle of changing its files: one that is not the listed one is refused. */
-async function sealed(folder, entry) {
-  const hash = createHash('sha256').update(await readFile(join(folder, entry.url)));
-  return { ...entry, integrity: `sha256-${hash.digest('base64')}` };
+/** A host may be in the middle of changing its files: one that is not the listed one is refused by its hash. */
+async function listed(folder, url) {
+  const content = await readFile(join(folder, url));
+  const hash = createHash('sha256').update(content).digest('base64');
+  const revision = NAMED_BY_CONTENT.test(url) ? null : hash;
+  return { url, revision, integrity: `sha256-${hash}`, bytes: content.length };
 }
 
 /** The service worker as one classic script: not every browser takes modules for it. */

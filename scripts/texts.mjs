@@ -1,6 +1,6 @@
 // Checks the texts of the app: all languages, the same places for values, nothing left untranslated, nothing unused.
 import { readdir, readFile } from 'node:fs/promises';
-import { join } from 'node:path';
+import { basename, join } from 'node:path';
 import ts from 'typescript';
 import { Failure, main, note, root } from './progress.mjs';
 import { sameWords } from './texts-same.mjs';
@@ -216,11 +216,12 @@ function freeMembers({ type, initializer }) {
   return own.length > 0 && own.every(([, value]) => textsIn(value) !== null) ? own.map(([name]) => name) : [];
 }
 
-/** Where an object may be named: its own file, and those that import it, by the name it has there. */
+/** Where an object may be named: its own file, and those that import it, at once or late, by the name it has there. */
 function usersOf(name, home, files) {
+  const stem = basename(home, '.ts');
   const imported = new RegExp(`import \\{[^}]*\\b${name}\\b(?: as (\\w+))?[^}]*\\}`);
   return [...files].flatMap(([path, text]) => {
-    if (path === home) return [{ alias: name, text }];
+    if (path === home || text.includes(`/${stem}')`)) return [{ alias: name, text }];
     const found = imported.exec(text);
     return found === null ? [] : [{ alias: found[1] ?? name, text }];
   });

@@ -56,6 +56,8 @@ describe('a text that brings its languages along', () => {
       'src/web/B.vue': "<script setup>\nimport { words as own } from './a';\n</script>\n{{ own.title }}",
     };
     expect(problems({ 'src/web/a.ts': idle, ...shown })).toEqual(['src/web/a.ts words.idle: used nowhere']);
+    const late = { 'src/web/b.ts': "const { words } = await import('./a'); show(words.idle, words.used);" };
+    expect(problems({ 'src/web/a.ts': idle, ...shown, ...late })).toEqual([]);
   });
 });
 

@@ -6,6 +6,7 @@ const simulator = at('simulator');
 simulator.src = new URLSearchParams(location.search).get('parcours') ?? './parcours/';
 
 const PHASES = { ready: 'Ready', starting: 'Starting …', running: 'Running', paused: 'Paused', stopping: 'Stopping …' };
+const ENDS = { finished: 'The program has ended', exception: 'An error: see below', stopped: 'Stopped' };
 const VERDICTS = { open: '', passed: 'Well done: the block is in the field.', failed: 'Not this time. Start again.' };
 
 const tell = (text) => (at('state').textContent = text);
@@ -32,4 +33,7 @@ simulator.addEventListener('started', () => {
 });
 simulator.addEventListener('output', ({ detail }) => at('console').append(detail.text));
 simulator.addEventListener('snapshot', ({ detail }) => judge(detail.snapshot.verdict));
-simulator.addEventListener('ended', ({ detail }) => judge(detail.verdict));
+simulator.addEventListener('ended', ({ detail }) => {
+  tell(ENDS[detail.ended] ?? 'The microcomputer has stopped');
+  judge(detail.verdict);
+});

@@ -35,8 +35,10 @@ type OtherEvents = Exclude<keyof HTMLElementEventMap, keyof ParcoursSimulatorEve
 
 /** Another value of these is another page: the frame is loaded anew. */
 const LOADED_ANEW: readonly string[] = ['src', 'world', 'task', 'sandboxed'];
+/** As wide as there is room: with a height alone the ratio would make it wider than that. */
 const STYLE =
-  ':host{display:block;position:relative;min-width:200px;min-height:160px;aspect-ratio:16/10}' +
+  ':host{display:block;box-sizing:border-box;position:relative;width:100%;aspect-ratio:16/10}' +
+  ':host{min-width:200px;min-height:160px}' +
   ':host([hidden]){display:none}' +
   'iframe{position:absolute;inset:0;width:100%;height:100%;border:0}';
 /** The page may make sound and go full screen where this page may. */
