@@ -1,11 +1,12 @@
 import { expect, test, type App } from './app';
-import { violationsOn } from './axe';
-import { consoleIn, isThere, on, openApp, pasteProgram } from './page';
+import { violationsIn, violationsOn } from './axe';
+import { appAddress, hostPage, isInFrame, type HostPage } from './hosts';
+import { consoleIn, on, openApp, pasteProgram } from './page';
+import { by, until } from './parts';
+import { courseMenu, fromMenu, toolButton } from './pupil';
 
 /** It fills the radio panel, the data log and the console, and ends with an error. */
 const PROGRAM = ['import radio, log', 'radio.on()', 'radio.send("hello")', 'log.add(n=1)', 'print(nn)'];
-
-const until = (app: App, css: string): Promise<void> => expect.poll(() => isThere(app, css)).toBe(true);
 
 /** Runs the program on a board; afterwards the error is explained in the console, and the REPL waits. */
 async function runOn(app: App, module: string): Promise<void> {
@@ -16,9 +17,12 @@ async function runOn(app: App, module: string): Promise<void> {
   await expect.poll(() => consoleIn(app)).toContain('>>>');
 }
 
-for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out of the page and its menus, ${theme}`, async ({ app }) => {
-    await openApp(app, { theme });
+for (const { theme, language } of [
+  { theme: 'light', language: 'de' },
+  { theme: 'dark', language: 'fr' },
+] as const) {
+  test(`axe finds nothing that shuts people out of the page and its menus, ${language}, ${theme}`, async ({ app }) => {
+    await openApp(app, { theme, language });
     expect(await violationsOn(app), 'as it opens').toEqual([]);
 
     await pasteProgram(app, 'from microbit import *\n');
@@ -33,14 +37,14 @@ for (const theme of ['light', 'dark'] as const) {
   });
 }
 
-for (const { theme, module, drawing } of [
-  { theme: 'light', module: 'microbit', drawing: 'svg.microbit' },
-  { theme: 'dark', module: 'calliopemini', drawing: 'svg.calliope' },
+for (const { theme, language, module, drawing } of [
+  { theme: 'light', language: 'it', module: 'microbit', drawing: 'svg.microbit' },
+  { theme: 'dark', language: 'en', module: 'calliopemini', drawing: 'svg.calliope' },
 ] as const) {
-  test(`axe finds nothing that shuts people out after a run of ${module}, with every panel, ${theme}`, async ({
+  test(`axe finds nothing that shuts people out after a run of ${module}, with every panel, ${language}, ${theme}`, async ({
     app,
   }) => {
-    await openApp(app, { theme });
+    await openApp(app, { theme, language });
     await runOn(app, module);
     await until(app, drawing);
     expect(await violationsOn(app), 'with an error and the REPL').toEqual([]);
@@ -58,3 +62,163 @@ for (const { theme, module, drawing } of [
     }
   });
 }
+
+let host: HostPage | null = null;
+
+test.afterEach(() => {
+  host?.close();
+  host = null;
+});
+
+/** Opens a part of the app in a frame of another site, and waits for something in it. */
+async function openFramed(app: App, path: string, sign: string): Promise<void> {
+  host = await hostPage(
+    `<iframe src="${appAddress()}${path}" title="Simulator" style="display:block;border:0;width:590px;height:410px"></iframe>`,
+  );
+  await app.goto(host.url);
+  await expect.poll(() => isInFrame(app, sign)).toBe(true);
+}
+
+const fromMainMenu = (app: App, entry: string, dialog: string): Promise<void> =>
+  fromMenu(app, by('menu'), by(entry), () => app.evaluate((css) => document.querySelector(css) !== null, by(dialog)));
+
+/** Closes what lies over the page; the keyboard's focus is in it. */
+async function leave(app: App, what: string): Promise<void> {
+  await expect(async () => {
+    await app.press('Escape');
+    await expect.poll(() => app.evaluate((css) => document.querySelector(css) === null, what), { timeout: 2000 }).toBe(true); // prettier-ignore
+  }).toPass();
+}
+
+/** Opens something; what leads away from the page comes last in a list. */
+const SCREENS = {
+  greeting: (app: App) => until(app, by('welcome')),
+  tour: async (app: App) => {
+    await app.click(by('welcome-tour'));
+    await until(app, `${by('tour')} ${by('tour-next')}`);
+  },
+  'main menu': async (app: App) => {
+    await app.click(by('menu'));
+    await until(app, by('menu-help'));
+  },
+  'list of courses': async (app: App) => {
+    await app.click('header .course');
+    await until(app, by('all-courses'));
+  },
+  'link to share': async (app: App) => {
+    await fromMainMenu(app, 'menu-share', 'share-dialog');
+    await until(app, by('share-link'));
+  },
+  'link to open': (app: App) => fromMainMenu(app, 'menu-open-link', 'open-link-dialog'),
+  'real device': (app: App) => fromMainMenu(app, 'menu-real-device', 'real-device-zip'),
+  help: async (app: App) => {
+    await app.click(by('help'));
+    await until(app, by('guide-search'));
+  },
+  'list of objects': async (app: App) => {
+    await until(app, toolButton('pen'));
+    await courseMenu(app, 'list');
+    await until(app, `${by('panel-list')} .item`);
+  },
+  print: async (app: App) => {
+    await until(app, toolButton('pen'));
+    await fromMenu(app, by('course-more'), by('editor-print'), () =>
+      app.evaluate((css) => document.querySelector(css) !== null, by('print-dialog')),
+    );
+    await until(app, by('picture-preview'));
+  },
+  'all courses': async (app: App) => {
+    await app.goto('./#courses');
+    await until(app, by('course-slalom'));
+  },
+  'a course': async (app: App) => {
+    await app.goto('./#courses/slalom');
+    await until(app, by('open-slalom'));
+  },
+  'all robots': async (app: App) => {
+    await app.goto('./#robots');
+    await until(app, by('card-maqueen-lite'));
+  },
+  'a robot': async (app: App) => {
+    await app.goto('./#robots/maqueen-lite');
+    await until(app, '.gallery .sheet');
+  },
+} as const;
+
+type Screen = keyof typeof SCREENS;
+
+/** What Escape closes, so that the next screen finds the page as it was. */
+const CLOSES: Readonly<Partial<Record<Screen, string>>> = {
+  tour: by('tour'),
+  'main menu': '[role=menu]',
+  'list of courses': '[role=menu]',
+  'link to share': by('share-dialog'),
+  'link to open': by('open-link-dialog'),
+  'real device': by('real-device-dialog'),
+  help: by('guide'),
+  'list of objects': by('panel-list'),
+  print: by('print-dialog'),
+};
+
+/** Each screen in two languages; all four over all screens. */
+const LOOKS: readonly {
+  readonly language: 'de' | 'fr' | 'it' | 'en';
+  readonly theme: 'light' | 'dark';
+  readonly screens: readonly Screen[];
+}[] = [
+  {
+    language: 'de',
+    theme: 'dark',
+    screens: [
+      'greeting',
+      'tour',
+      'main menu',
+      'real device',
+      'link to share',
+      'help',
+      'print',
+      'all courses',
+      'a course',
+    ],
+  },
+  {
+    language: 'fr',
+    theme: 'light',
+    screens: ['list of courses', 'real device', 'link to share', 'all robots', 'a robot'],
+  },
+  {
+    language: 'it',
+    theme: 'light',
+    screens: ['greeting', 'tour', 'main menu', 'link to open', 'help', 'list of objects', 'all courses', 'a course'],
+  },
+  {
+    language: 'en',
+    theme: 'dark',
+    screens: ['list of courses', 'link to open', 'print', 'list of objects', 'all robots', 'a robot'],
+  },
+];
+
+for (const { language, theme, screens } of LOOKS) {
+  test(`axe finds nothing that shuts people out of what opens over the page, ${language}, ${theme}`, async ({
+    app,
+  }) => {
+    await openApp(app, { language, theme, welcomed: !screens.includes('greeting') });
+    for (const screen of screens) {
+      await SCREENS[screen](app);
+      expect(await violationsOn(app), screen).toEqual([]);
+      const closes = CLOSES[screen];
+      if (closes !== undefined) await leave(app, closes);
+    }
+  });
+}
+
+for (const { path, sign } of [
+  { path: 'simulator.html?lang=fr', sign: '.play-button' },
+  { path: 'simulator.html?lang=it&dialect=none&show=board,arena&theme=dark', sign: '[role=application]' },
+  { path: '?lang=de&show=code,console', sign: '.code-editor .cm-content' },
+  { path: '?lang=en&show=bar,arena&theme=dark', sign: '[role=application]' },
+])
+  test(`axe finds nothing that shuts people out of a framed part, ${path}`, async ({ app }) => {
+    await openFramed(app, path, sign);
+    expect(await violationsIn(app, 'iframe')).toEqual([]);
+  });

@@ -16,9 +16,17 @@ interface WithAxe {
 }
 
 /** What axe finds on the page as it is now: one line for each rule broken, with the places. */
-export async function violationsOn(app: App): Promise<readonly string[]> {
-  if (!(await app.evaluate(() => 'axe' in window))) await app.evaluate(`(() => { ${source} })()`);
-  const violations = await app.evaluate(async () => {
+export const violationsOn = (app: App): Promise<readonly string[]> => violationsBy((code) => app.evaluate(code));
+
+/** The same in the page of a frame. */
+export const violationsIn = (app: App, frame: string): Promise<readonly string[]> =>
+  violationsBy((code) => app.inFrame(frame, code));
+
+async function violationsBy(
+  evaluate: <R>(code: string | (() => R | Promise<R>)) => Promise<R>,
+): Promise<readonly string[]> {
+  if (!(await evaluate(() => 'axe' in window))) await evaluate(`(() => { ${source} })()`);
+  const violations = await evaluate(async () => {
     // What fades in or out would be judged by a colour that is gone in a moment.
     const running = document.getAnimations().filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity);
     await Promise.all(running.map(({ finished }) => finished.catch(() => null)));

@@ -9,7 +9,7 @@ let host: HostPage | null = null;
 /** Opens a page of another site with the app in a frame. */
 async function openIn(app: App, sandbox: string, path: string, size = 'width:1200px;height:720px'): Promise<void> {
   host = await hostPage(
-    `<button id="before">before</button><iframe src="${appAddress()}${path}" sandbox="${sandbox}" style="display:block;border:0;${size}"></iframe><button id="after">after</button>`,
+    `<script>const heard = []; addEventListener('message', ({ data }) => heard.push(data));</script><button id="before">before</button><iframe src="${appAddress()}${path}" sandbox="${sandbox}" style="display:block;border:0;${size}"></iframe><button id="after">after</button>`,
   );
   await app.goto(host.url);
 }
@@ -76,6 +76,35 @@ test('in a frame without an origin the single file runs a program, drives and as
       ),
     ),
   ).toBe('refused');
+});
+
+/** What the frame has said to the page around it, in the words of one dialect: `kind` or `type`. */
+const heard = (app: App, word: 'kind' | 'type', which: string): Promise<readonly unknown[]> =>
+  app.evaluate(
+    ([key, name]) =>
+      (window.eval('heard') as Record<string, unknown>[]).filter((it) => it[key] === name).map(({ data }) => data),
+    [word, which] as const,
+  );
+
+const say = (app: App, script: string): Promise<void> =>
+  app.evaluate((code) => void window.eval(`frames[0].postMessage(${code}, '*')`), script);
+
+test('in a frame without an origin the single file takes the place of the micro:bit simulator', async ({ app }) => {
+  await openIn(app, 'allow-scripts', 'simulator.single.html', 'width:400px;height:330px');
+  await expect.poll(() => heard(app, 'kind', 'ready')).toHaveLength(1);
+  await pressInFrame(app, '.play-button');
+  await expect.poll(() => heard(app, 'kind', 'request_flash')).toHaveLength(1);
+  await say(app, `{ kind: 'flash', filesystem: { 'main.py': new TextEncoder().encode('print(6 * 7)') } }`);
+  await expect.poll(async () => (await heard(app, 'kind', 'serial_output')).join('')).toContain('42\r\n');
+  await untilInFrame(app, '#LEDsOn');
+});
+
+test('in a frame without an origin the single file takes the place of WebTigerPython', async ({ app }) => {
+  await openIn(app, 'allow-scripts', 'parcours.single.html');
+  await expect.poll(() => heard(app, 'type', 'pythonReady')).toHaveLength(1);
+  await say(app, `{ type: 'files', data: [{ name: 'main.py', data: 'print(6 * 7)' }] }`);
+  await say(app, `{ type: 'run_code' }`);
+  await expect.poll(async () => (await heard(app, 'type', 'output')).join('')).toContain('42');
 });
 
 test('the single file says that nothing can be saved there, and throws nowhere', async ({ app }) => {

@@ -39,10 +39,10 @@ test('a worksheet with the element from its package: own buttons, console and ve
   await app.click('#run');
   await expect.poll(() => app.text('#verdict'), { timeout: 60_000 }).toBe('Well done: the block is in the field.');
   expect(await printed(app)).toContain('off we go');
-  await setProgram(app, 'import time\nwhile True:\n    print("on")\n    time.sleep(1)\n');
+  await setProgram(app, 'import time\nwhile True:\n    print("still there")\n    time.sleep(1)\n');
   await app.evaluate(() => void (simulator.speed = 1));
   await app.click('#run');
-  await expect.poll(() => printed(app)).toContain('on');
+  await expect.poll(() => printed(app)).toContain('still there');
   expect(await printed(app)).not.toContain('off we go');
   await expect.poll(() => app.text('#state')).toBe('Running');
   await app.click('#stop');
@@ -158,6 +158,11 @@ test('an element loads when it comes into view, with its project, and has the wo
     const ready = new Promise((done) => far.addEventListener('parcours-ready', done, { once: true }));
     far.scrollIntoView();
     await ready;
+    const loaded = far.frame;
+    far.world = 'tour';
+    far.world = null; // as it was: no reason to load anew
+    await new Promise((done) => setTimeout(done, 50));
+    const isSame = loaded === far.frame;
     const [first] = await far.getFiles();
     await far.setFiles([{ name: 'main.py', text: '# of the pupil' }]);
     await new Promise((done) => setTimeout(done, 1500)); // a pupil pauses
@@ -172,10 +177,18 @@ test('an element loads when it comes into view, with its project, and has the wo
     far.project = '{ "no": "project" }';
     const { code } = (await refused) as { readonly code: string };
     const box = far.getBoundingClientRect();
-    return { isLazy: before === null, first: first?.text, second: second?.text, code, ratio: box.width / box.height };
+    return {
+      isLazy: before === null,
+      isSame,
+      first: first?.text,
+      second: second?.text,
+      code,
+      ratio: box.width / box.height,
+    };
   }, appAddress());
   expect(seen).toMatchObject({
     isLazy: true,
+    isSame: true,
     first: '# of the project',
     second: '# of the pupil',
     code: 'wrong-document',

@@ -1,7 +1,9 @@
-// npm run screenshots: takes the pictures of the README from the running app, with the Chromium that the tests use.
+// npm run screenshots: takes the pictures of the README and of docs/first-hour.md from the running app, with the Chromium
+// that the tests use.
 import { mkdir } from 'node:fs/promises';
 import { chromium } from '@playwright/test';
 import { engines } from './browsers.mjs';
+import { browserTests } from './e2e.mjs';
 import { Failure, main, note, root } from './progress.mjs';
 import { serve } from './serve.mjs';
 import { buildApp, setUp } from './setup.mjs';
@@ -51,6 +53,13 @@ async function take(browser, url, { name, width, height, dark, tool }) {
   note(`docs/images/${name}.png`);
 }
 
+/** A pupil's first hour in every language: the test that goes this way keeps a picture of each step. */
+async function takeFirstHours() {
+  process.env['PARCOURS_PICTURES'] = `${root}docs/images`;
+  const rows = await browserTests(['first-hour', '--project=chromium', '--workers=1']);
+  if (rows.some(({ failed }) => failed > 0)) throw new Failure('The first hour failed.');
+}
+
 await main(import.meta.url, async () => {
   await setUp();
   await buildApp();
@@ -62,4 +71,5 @@ await main(import.meta.url, async () => {
   for (const picture of PICTURES) await take(browser, server.url, picture);
   await browser.close();
   await server.close();
+  await takeFirstHours();
 });

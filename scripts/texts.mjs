@@ -21,17 +21,37 @@ const KEYED = { 'src/web/i18n/': '', 'src/web/i18n/error-': 'error.' };
  * @returns {string[]}
  */
 export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
-  const trees = new Map(
-    [...files].filter(([path]) => !path.endsWith('.json')).map(([path, text]) => [path, treeOf(path, text)]),
-  );
+  const trees = treesOf(files);
   const catalogues = cataloguesIn(trees);
-  const entries = [...catalogues.flatMap(({ entries }) => entries), ...inlineIn(trees), ...courseTexts(files)];
+  const entries = entriesIn(files, trees, catalogues);
   return [
     ...entries.flatMap((entry) => wrongIn(entry, same)),
     ...unusedKeys(catalogues, trees, files),
     ...unusedMembers(trees, files),
   ];
 }
+
+/**
+ * Every text of the app and of the courses, in its languages.
+ *
+ * @returns {Promise<Entry[]>}
+ */
+export async function allTexts() {
+  const files = await sourceFiles();
+  const trees = treesOf(files);
+  return entriesIn(files, trees, cataloguesIn(trees));
+}
+
+/** Path → syntax tree of every source among the files. */
+const treesOf = (files) =>
+  new Map([...files].filter(([path]) => !path.endsWith('.json')).map(([path, text]) => [path, treeOf(path, text)]));
+
+/** @returns {Entry[]} */
+const entriesIn = (files, trees, catalogues) => [
+  ...catalogues.flatMap(({ entries }) => entries),
+  ...inlineIn(trees),
+  ...courseTexts(files),
+];
 
 /** The script of a file; of a component what stands in its <script>. */
 function treeOf(path, text) {

@@ -5,6 +5,8 @@ import type { Sensors } from './sensors';
 const SAMPLE_US = 20_000; // codal-core Accelerometer.cpp: samplePeriod
 const HISTORY = 16; // microbit_accelerometer.c: GESTURE_LIST_SIZE 8, two gestures a byte
 const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
+/** The farthest that a program can make the accelerometer reach, in g. */
+export const WIDEST_G = RANGES_G[2];
 const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
 
 /**
@@ -19,6 +21,7 @@ export class Motion {
   private raw: { x: number; y: number; z: number } = { x: 0, y: 0, z: 0 };
   private latest: Acceleration = { x: 0, y: 0, z: 0 };
   private samples = 0;
+  private reachMg = 2000;
   private canFall = false;
   private recogniser = this.createRecogniser();
   private lastGesture: Gesture = '';
@@ -44,11 +47,16 @@ export class Motion {
     return Math.floor(Math.sqrt(x * x + y * y + z * z));
   }
 
+  /** How far each axis reaches either way, mg. */
+  get rangeMg(): number {
+    return this.reachMg;
+  }
+
   /** Rounds up to 2, 4 or 8 g (beyond that: 8), which is also how far the three sensors then reach. */
   setRange(g: number): void {
     this.catchUp();
-    const rangeMg = (RANGES_G.find((range) => range >= g) ?? 8) * 1000;
-    for (const id of Object.keys(AXES)) this.sensors.limit(id, -rangeMg, rangeMg);
+    this.reachMg = (RANGES_G.find((range) => range >= g) ?? WIDEST_G) * 1000;
+    for (const id of Object.keys(AXES)) this.sensors.limit(id, -this.reachMg, this.reachMg);
     this.readSensors();
   }
 

@@ -104,6 +104,12 @@ export class Sensors {
     this.values.set(id, Math.max(min, Math.min(max, this.values.get(id) ?? range.start)));
   }
 
+  /** The value within the sensor's present range that comes nearest to this one; what has no range stays as it is. */
+  nearest(id: string, value: number | string): number | string {
+    const range = this.ranges.get(id);
+    return range === undefined || typeof value !== 'number' ? value : Math.max(range.min, Math.min(range.max, value));
+  }
+
   /** What there is to set, and within which bounds now: for panels and files. In the order of `ids`. */
   describe(): readonly SensorInfo[] {
     return this.ids.map((id) => {

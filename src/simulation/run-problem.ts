@@ -1,4 +1,5 @@
 import { Board } from '#board/board';
+import { WIDEST_G } from '#board/motion';
 import { Clock } from '#core/clock';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
@@ -69,6 +70,7 @@ export type InputCheck = (action: InputAction, course: Scene, movable: ReadonlyS
  * @param began the course that the run begins with
  */
 export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boolean): InputCheck {
+  rehearsal.motion.setRange(WIDEST_G); // what the program sets it to is known only then; what is beyond reads as its end
   return (action, course, movable) => {
     switch (action.type) {
       case 'button':

@@ -212,6 +212,28 @@ describe('input from outside', { timeout: 30_000 }, () => {
     expect((await runFor(program, 200, { inputs })).takeConsole()).toBe('10\n');
   });
 
+  it('takes accelerations beyond 2 g, which the program feels as far as it has set the range, and so does the replay', async () => {
+    const program = lines(
+      'from microbit import *',
+      'sleep(30)',
+      'print(accelerometer.get_x())',
+      'accelerometer.set_range(8)',
+      'microphone.set_threshold(SoundEvent.LOUD, 200)',
+      'sleep(100)',
+      'print(accelerometer.get_x(), accelerometer.get_y())',
+    );
+    const inputs = [{ timeUs: 0, action: { type: 'sensor', id: 'accelerometerX', value: 7000 } } as const];
+    const live = await start(program, { inputs });
+    live.advanceTo(50_000);
+    live.input({ type: 'sensor', id: 'accelerometerY', value: -7500 });
+    live.advanceTo(300_000);
+    expect(live.takeConsole()).toBe('2000\n2000 -7500\n');
+    expect(live.snapshot()).toMatchObject({ accelerometerRangeMg: 8000, soundThresholds: { quiet: 75, loud: 200 } });
+    const replayed = await runFor(program, 300, { inputs: live.inputLog });
+    expect(replayed.takeConsole()).toBe('2000\n2000 -7500\n');
+    expect(() => live.input({ type: 'sensor', id: 'accelerometerX', value: 8001 })).toThrow('within -8000 … 8000 mg');
+  });
+
   it('puts the robot and blocks where the hand puts them', async () => {
     const scene = sceneWith({ id: 'box', type: 'block', at: [500, 450], size: [50, 50] });
     const simulation = await start('', { scene });

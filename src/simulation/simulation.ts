@@ -306,7 +306,8 @@ export class Simulation {
       case 'serial':
         return this.vm.feed(action.text);
       case 'sensor':
-        return this.board.sensors.set(action.id, action.value);
+        // Beyond the range that the program has set, the sensor is at its end.
+        return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
       case 'place':
         return this.mounted?.chassis.place(poseOf(action.pose));
       case 'place-block':

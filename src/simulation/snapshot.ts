@@ -19,6 +19,10 @@ export interface BoardSnapshot {
   readonly microphoneOn: boolean;
   /** What every sensor feels now, by its id. */
   readonly sensors: Readonly<Record<string, number | string>>;
+  /** How far each axis of the accelerometer reaches either way, in mg: 2000, or as the program has set it. */
+  readonly accelerometerRangeMg: number;
+  /** From which level down the microphone calls it quiet and from which on loud, 0 … 255. */
+  readonly soundThresholds: { readonly quiet: number; readonly loud: number };
   readonly power: 'on' | 'asleep' | 'off';
   readonly radio: { readonly on: boolean; readonly group: number; readonly channel: number };
   /** Nothing more fits into the data log. */

@@ -13,6 +13,8 @@ export function boardSnapshot(board: Board): BoardSnapshot {
     motors: board.motors.map(({ duty }) => duty),
     microphoneOn: board.microphone.isListening,
     sensors: Object.fromEntries(board.sensors.ids.map((id) => [id, board.sensors.get(id)])),
+    accelerometerRangeMg: board.motion.rangeMg,
+    soundThresholds: board.microphone.threshold,
     power: board.power.state,
     radio: { on: board.radio.isOn, group: board.radio.group, channel: board.radio.channel },
     logFull: board.dataLog.isFull,

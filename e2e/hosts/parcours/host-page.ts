@@ -34,7 +34,7 @@ async function clientScript(): Promise<string> {
 export async function parcoursHost(query = '?lang=en&dialect=none', body = ''): Promise<HostPage> {
   bundled ??= clientScript();
   return hostPage(`
-    <iframe id="parcours" src="${appAddress()}${query}" style="width: 1100px; height: 700px; border: 0"></iframe>
+    <iframe id="parcours" src="${appAddress()}${query}" sandbox="allow-scripts allow-same-origin" style="width: 1100px; height: 700px; border: 0"></iframe>
     ${body}
     <script type="module">${await bundled}</script>`);
 }

@@ -133,4 +133,12 @@ describe('the client for host pages', () => {
     await expect(parcours.stop()).rejects.toMatchObject({ code: 'closed' });
     await vi.waitFor(() => expect(page.simulator().listenerCount).toBe(0));
   });
+
+  it('takes whatever a page says that is not what it should be, and throws nowhere but in answers', async () => {
+    const { port1, port2 } = new MessageChannel();
+    port2.onmessage = ({ data }: MessageEvent<{ id: number }>) =>
+      port2.postMessage({ parcours: 1, reply: data.id, ok: false, code: {}, message: { toString: 1, valueOf: 1 } });
+    ends.push(() => port1.close());
+    await expect(connect(port1)).rejects.toThrow(ParcoursError);
+  });
 });

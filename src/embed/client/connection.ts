@@ -182,8 +182,11 @@ interface Answer {
   readonly path?: string;
 }
 
-const errorOf = ({ code = 'broken', message = '', path = '' }: Answer): ParcoursError =>
-  new ParcoursError(code, message, path);
+/** A page that is not what it should be may send anything in the place of a text. */
+function errorOf({ code, message, path }: Answer): ParcoursError {
+  const textOf = (value: unknown): string => (typeof value === 'string' ? value : '');
+  return new ParcoursError(typeof code === 'string' ? code : 'broken', textOf(message), textOf(path));
+}
 
 const isMessage = (data: unknown): data is Readonly<Record<string, unknown>> =>
   typeof data === 'object' && data !== null && (data as { parcours?: unknown }).parcours === 1;

@@ -67,6 +67,8 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
   private isMissing = false;
   private watch: IntersectionObserver | null = null;
   private isAnewPlanned = false;
+  /** What the frame was loaded for. */
+  private shown = '';
   /** Attributes that have changed since the frame got its address. */
   private readonly changed = new Set<string>();
 
@@ -181,6 +183,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
       tell: (event, detail) => void this.hear(event, detail),
     });
     this.page = page;
+    this.shown = this.wanted();
     this.changed.clear();
     this.promised ??= promise();
     this.inside.replaceChildren(page.frame);
@@ -228,16 +231,21 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     page?.close();
   }
 
-  /** Several attributes often change together: the page is loaded once. */
+  /** Several attributes often change together, and with the element's first moment: the page is loaded once. */
   private planAnew(): void {
     if (this.isAnewPlanned || !this.isConnected) return;
     this.isAnewPlanned = true;
     queueMicrotask(() => {
       this.isAnewPlanned = false;
+      if (this.page !== null && this.shown === this.wanted()) return;
       this.work.forget();
       this.close();
       this.openWhenSeen();
     });
+  }
+
+  private wanted(): string {
+    return LOADED_ANEW.map((name) => this.getAttribute(name)).join('\n');
   }
 
   private openWhenSeen(): void {

@@ -112,7 +112,8 @@ describe('flash', () => {
     const { simulator, door, news } = opened();
     news();
     const before = simulator.calls.length;
-    for (const filesystem of [null, 'print(1)', { 'main.py': 'print(1)' }, { 'main.py': [112] }, undefined])
+    const buffers = [[], new Uint8Array(0), new Uint8Array(200_000_000)]; // whose keys would be as many texts
+    for (const filesystem of [null, 'print(1)', { 'main.py': 'print(1)' }, { 'main.py': [112] }, undefined, ...buffers])
       door.receive({ kind: 'flash', filesystem });
     await settled();
     expect(simulator.calls.length).toBe(before);
@@ -240,6 +241,50 @@ describe('what the program does', () => {
     expect(news()).toEqual([{ kind: 'state_change', change: { radio: { type: 'radio', enabled: true, group: 7 } } }]);
   });
 
+  it('sets the range of the accelerometer: the host hears of it once, and values beyond 2 g are taken until it ends', async () => {
+    const { simulator, door, news, flash } = opened();
+    await flash();
+    news();
+    door.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
+    expect(simulator.sensorWishes()).toEqual({});
+    const snapshot = { ...simulator.snapshot()!, accelerometerRangeMg: 8000 };
+    simulator.tell({ type: 'snapshot', snapshot });
+    simulator.tell({ type: 'snapshot', snapshot });
+    const axis = { type: 'range', min: -8000, max: 8000, unit: 'mg', value: 0 };
+    expect(news()).toEqual([
+      {
+        kind: 'state_change',
+        change: {
+          accelerometerX: { ...axis, id: 'accelerometerX' },
+          accelerometerY: { ...axis, id: 'accelerometerY' },
+          accelerometerZ: { ...axis, id: 'accelerometerZ' },
+        },
+      },
+    ]);
+    door.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
+    door.receive({ kind: 'set_value', id: 'accelerometerY', value: 8001 });
+    expect(simulator.sensorWishes()).toEqual({ accelerometerX: 7000 });
+    simulator.tell({ type: 'snapshot', snapshot: { ...snapshot, accelerometerRangeMg: 4000 } });
+    expect(news()).toMatchObject([{ change: { accelerometerX: { max: 4000, value: 4000 } } }]);
+    door.receive({ kind: 'stop' });
+    await settled();
+    expect(news()).toMatchObject([{ change: { accelerometerX: { min: -2000, max: 2000, value: 2000 } } }]);
+  });
+
+  it('sets what is loud and what is quiet: the host hears of it once', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    const snapshot = { ...simulator.snapshot()!, soundThresholds: { quiet: 20, loud: 200 } };
+    simulator.tell({ type: 'snapshot', snapshot });
+    simulator.tell({ type: 'snapshot', snapshot: { ...snapshot, soundThresholds: { quiet: 20, loud: 200 } } });
+    expect(news()).toMatchObject([
+      { kind: 'state_change', change: { soundLevel: { lowThreshold: 20, highThreshold: 200, min: 0, max: 255 } } },
+    ]);
+    await flash();
+    expect(news()[0]).toMatchObject({ change: { soundLevel: { lowThreshold: 75, highThreshold: 150 } } });
+  });
+
   it('that cannot start is told as an error', () => {
     const { simulator, news } = opened();
     news();
@@ -307,11 +352,10 @@ describe('set_value', () => {
     expect(news()).toEqual([]);
   });
 
-  it('counts a press that is down and up in one breath, and one more that comes without an up', async () => {
+  it('passes on a press that is down and up in one breath, and one more that comes without an up', async () => {
     const { simulator, door, flash } = opened();
     await flash();
     for (const value of [1, 0, '1', '1']) door.receive({ kind: 'set_value', id: 'buttonA', value });
-    for (let ms = 0; ms < 500; ms += 16) simulator.tell({ type: 'snapshot', snapshot: { ...simulator.snapshot()!, timeUs: ms * 1000 } }); // prettier-ignore
     const values = sensed(simulator).map((action) => (action.type === 'sensor' ? action.value : null));
     expect(values).toEqual([1, 0, 1, 0, 1]);
   });

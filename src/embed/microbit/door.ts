@@ -9,8 +9,7 @@ import type { Door, Outside } from '../door';
 import type { EmbeddedSimulator, HostSettings, Part, Phase, SimulatorEvent } from '../simulator';
 import { filesOf } from './files';
 import { LogColumns } from './log-columns';
-import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent } from './messages';
-import { Presses } from './presses';
+import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent, type MicrobitState } from './messages';
 import { pressedId, StateModel } from './state';
 
 /** As the official simulator is: a new board, without the pupil's own settings of other pages. */
@@ -40,7 +39,6 @@ export function openMicrobitDoor(simulator: EmbeddedSimulator, outside: Outside,
 class MicrobitDoor implements Door {
   private readonly state: StateModel;
   private readonly columns = new LogColumns();
-  private readonly presses: Presses;
   private readonly unlisten: () => void;
   /** A stop was asked for, or another start: what the program still prints is not told. */
   private isQuiet = false;
@@ -57,7 +55,6 @@ class MicrobitDoor implements Door {
   ) {
     this.state = new StateModel(simulator.sensorWishes());
     this.isActive = isActive(simulator.phase());
-    this.presses = new Presses((id, down) => this.press(id, down));
     simulator.change({ ...PLAIN, parts: BOARD_ALONE, ...wish });
     simulator.onRunAsked(() => this.say({ kind: 'request_flash' }));
     this.unlisten = simulator.listen((event) => this.hear(event));
@@ -177,17 +174,13 @@ class MicrobitDoor implements Door {
   private setValue(id: string, given: number | string): void {
     const value = this.state.read(id, given);
     if (value === null) return;
-    if (isPressable(id)) {
-      this.state.set(id, value);
-      this.presses.set(id, Number(value) >= 0.5, this.simulator.nowUs());
-      if (!isActive(this.simulator.phase())) this.presses.settle();
-    } else if (this.simulator.input({ type: 'sensor', id, value }) === null) {
-      this.state.set(id, value);
-    }
+    // Down again without an up is another press.
+    if (isPressable(id) && Number(value) >= 0.5 && this.state.isDown(id)) this.feel(id, 0);
+    this.feel(id, value);
   }
 
-  private press(id: string, down: boolean): void {
-    this.simulator.input({ type: 'sensor', id, value: down ? 1 : 0 });
+  private feel(id: string, value: number | string): void {
+    if (this.simulator.input({ type: 'sensor', id, value }) === null) this.state.set(id, value);
   }
 
   private hear(event: SimulatorEvent): void {
@@ -198,7 +191,6 @@ class MicrobitDoor implements Door {
       case 'started':
         this.isQuiet = false;
         this.endsWithReturn = false;
-        this.presses.settle();
         break;
       case 'output':
         this.print(event.text);
@@ -239,16 +231,14 @@ class MicrobitDoor implements Door {
     const was = this.isActive;
     this.isActive = phase === 'stopping' ? was : isActive(phase);
     if (phase === 'stopping') this.isQuiet = true;
-    if (!was || this.isActive) return;
-    this.presses.settle();
-    this.sayAll();
+    if (was && !this.isActive) this.sayAll();
   }
 
-  private hearSnapshot({ timeUs, radio, logFull }: Extract<SimulatorEvent, { type: 'snapshot' }>['snapshot']): void {
-    this.presses.advance(timeUs);
+  private hearSnapshot(snapshot: Extract<SimulatorEvent, { type: 'snapshot' }>['snapshot']): void {
     if (this.isQuiet) return;
-    if (this.state.setRadio(radio.on, radio.group)) this.sayChange('radio');
-    if (this.state.setLogFull(logFull)) this.sayChange('dataLogging');
+    if (this.state.setRadio(snapshot.radio.on, snapshot.radio.group)) this.sayChange('radio');
+    if (this.state.setLogFull(snapshot.logFull)) this.sayChange('dataLogging');
+    this.sayChange(...this.state.setLimits(snapshot));
   }
 
   /** A person on the page: a host's own values are not echoed. */
@@ -285,12 +275,12 @@ class MicrobitDoor implements Door {
   }
 
   private sayAll(): void {
-    this.state.setRadio(false, 0);
+    this.state.rest();
     this.say({ kind: 'state_change', change: this.state.whole(this.simulator.board()) });
   }
 
-  private sayChange(id: string): void {
-    const change = this.state.only(id);
+  private sayChange(...ids: readonly string[]): void {
+    const change = Object.assign({}, ...ids.map((id) => this.state.only(id))) as MicrobitState;
     if (Object.keys(change).length > 0) this.say({ kind: 'state_change', change });
   }
 

@@ -7,6 +7,8 @@ import * as v from 'valibot';
 
 import { FILE_BYTES } from '#project/project';
 
+import { isPlainObject } from '../plain-object';
+
 /** Version of what is written here: the first that hosts of the official simulator's v0.1 understand. */
 export const MICROBIT_VERSION = '0.1';
 
@@ -26,12 +28,13 @@ export const microbitLimits = {
 
 const text = (characters: number) => v.pipe(v.string(), v.maxLength(characters));
 
-/** A record with at most so many entries: counted before anything in it is looked at. */
+/**
+ * A record with at most so many entries: counted before anything in it is looked at. Lists and bytes are none: counting
+ * theirs would make a text of every one of millions of places.
+ */
 const record = <T extends v.GenericSchema>(value: T, most: number) =>
   v.pipe(
-    v.custom<Record<string, v.InferInput<T>>>(
-      (input) => typeof input === 'object' && input !== null && Object.keys(input).length <= most,
-    ),
+    v.custom<Record<string, v.InferInput<T>>>((input) => isPlainObject(input) && Object.keys(input).length <= most),
     v.record(v.string(), value),
   );
 
@@ -84,7 +87,7 @@ const setValue = v.object({
   id: v.pipe(text(microbitLimits.idCharacters), about('A key of the state, such as `temperature` or `buttonA`.')),
   value: v.pipe(
     v.union([v.number(), text(microbitLimits.idCharacters)]),
-    about('A number, also as text, or the name of a gesture. What is out of range changes nothing.'),
+    about('A number, also as text, or the name of a gesture. What is out of its present range changes nothing.'),
   ),
 });
 
@@ -195,7 +198,8 @@ export const microbitMessages = [
     name: 'state_change',
     direction: 'out',
     schema: stateChange,
-    about: 'Somebody pressed something on the page, the radio or the log changed, or a program ended.',
+    about:
+      'Somebody pressed something on the page; the radio, the log, the range of the accelerometer or the thresholds of the microphone changed; or a program ended.',
   },
   { name: 'serial_output', direction: 'out', schema: serialOutput, about: 'Something was printed.' },
   { name: 'radio_output', direction: 'out', schema: radioOutput, about: 'The program sent a packet by radio.' },

@@ -11,6 +11,13 @@ const PRESSED: Readonly<Record<string, string>> = { a: 'buttonA', b: 'buttonB' }
 /** The id of a button or a touch pad in the state. @param key `a`, `b`, `pinLogo`, `pin0` … */
 export const pressedId = (key: string): string => PRESSED[key] ?? key;
 
+/** What a program can change about sensors. */
+export interface SensorLimits {
+  /** How far each axis of the accelerometer reaches either way, in mg. */
+  readonly accelerometerRangeMg: number;
+  readonly soundThresholds: { readonly quiet: number; readonly loud: number };
+}
+
 interface Range {
   readonly min: number;
   readonly max: number;
@@ -21,10 +28,16 @@ interface Range {
 }
 
 const PRESSABLE: Range = { min: 0, max: 1, start: 0 };
-const ACCELERATION: Range = { min: -2000, max: 2000, start: 0, unit: 'mg' };
+const ACCELERATION = { start: 0, unit: 'mg' } as const;
+const AXES: readonly string[] = ['accelerometerX', 'accelerometerY', 'accelerometerZ'];
+const SOUND = { min: 0, max: 255, start: 0 } as const;
+const START_LIMITS: SensorLimits = { accelerometerRangeMg: 2000, soundThresholds: { quiet: 75, loud: 150 } };
 const FIELD: Range = { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' };
 
-/** Ranges in the order of the official simulator's state, with the names between them that are no range (its src/board/). */
+/**
+ * Ranges in the order of the official simulator's state (its src/board/), with the names between them that are no range, or one
+ * that programs change.
+ */
 const ORDER: readonly (readonly [id: string, range: Range | null])[] = [
   ['radio', null],
   ['buttonA', PRESSABLE],
@@ -34,9 +47,9 @@ const ORDER: readonly (readonly [id: string, range: Range | null])[] = [
   ['pin1', PRESSABLE],
   ['pin2', PRESSABLE],
   ['pin3', PRESSABLE],
-  ['accelerometerX', ACCELERATION],
-  ['accelerometerY', ACCELERATION],
-  ['accelerometerZ', ACCELERATION],
+  ['accelerometerX', null],
+  ['accelerometerY', null],
+  ['accelerometerZ', null],
   ['gesture', null],
   ['compassX', FIELD],
   ['compassY', FIELD],
@@ -45,7 +58,7 @@ const ORDER: readonly (readonly [id: string, range: Range | null])[] = [
   ['lightLevel', { min: 0, max: 255, start: 127 }],
   ['dataLogging', null],
   ['temperature', { min: -5, max: 50, start: 21, unit: '°C' }],
-  ['soundLevel', { min: 0, max: 255, start: 0, lowThreshold: 75, highThreshold: 150 }],
+  ['soundLevel', null],
 ];
 
 /** The state as a host has it: sensor values that outlive programs, and what the present program has made of radio and log. */
@@ -54,6 +67,7 @@ export class StateModel {
   private gesture = 'none';
   private radio = { enabled: false, group: 0 };
   private logFull = false;
+  private limits = START_LIMITS;
 
   /** @param values of sensors that were set already, by id */
   constructor(values: Readonly<Record<string, number>>) {
@@ -71,11 +85,6 @@ export class StateModel {
     return ORDER.some(([known]) => known === id) ? { [id]: this.entry(id) } : {};
   }
 
-  /** What the sensor is set to. */
-  valueOf(id: string): number | undefined {
-    return this.values[id] ?? rangeOf(id)?.start;
-  }
-
   /**
    * What `value` means for the sensor `id`: texts are whole numbers for all but the gesture.
    *
@@ -83,7 +92,7 @@ export class StateModel {
    */
   read(id: string, value: number | string): number | string | null {
     if (id === 'gesture') return GESTURES.some((name) => name === value) ? value : null;
-    const range = rangeOf(id);
+    const range = this.rangeOf(id);
     if (range === undefined) return null;
     const number = typeof value === 'number' ? value : Number.parseInt(value, 10);
     return number >= range.min && number <= range.max ? number : null;
@@ -92,6 +101,28 @@ export class StateModel {
   set(id: string, value: number | string): void {
     if (id === 'gesture') this.gesture = String(value);
     else if (typeof value === 'number') this.values = { ...this.values, [id]: value };
+  }
+
+  /** Whether a finger is on the button or pad. */
+  isDown(id: string): boolean {
+    return (this.values[id] ?? 0) >= 0.5;
+  }
+
+  /** What the program has made of its sensors; a value beyond comes within. @returns ids of those that are others now */
+  setLimits({ accelerometerRangeMg, soundThresholds: { quiet, loud } }: SensorLimits): readonly string[] {
+    const before = this.limits;
+    const isFurther = before.accelerometerRangeMg !== accelerometerRangeMg;
+    const isOtherSound = before.soundThresholds.quiet !== quiet || before.soundThresholds.loud !== loud;
+    if (!isFurther && !isOtherSound) return [];
+    this.limits = { accelerometerRangeMg, soundThresholds: { quiet, loud } };
+    if (isFurther) this.bringWithin(accelerometerRangeMg);
+    return [...(isFurther ? AXES : []), ...(isOtherSound ? ['soundLevel'] : [])];
+  }
+
+  /** A program is over, and with it what it has made of radio and sensors. */
+  rest(): void {
+    this.setRadio(false, 0);
+    this.setLimits(START_LIMITS);
   }
 
   /** @returns whether that is news */
@@ -112,11 +143,23 @@ export class StateModel {
     if (id === 'radio') return { type: 'radio', ...this.radio };
     if (id === 'dataLogging') return { type: 'dataLogging', logFull: this.logFull };
     if (id === 'gesture') return { type: 'enum', id, choices: [...GESTURES], value: this.gesture };
-    const { start, ...range } = rangeOf(id) ?? PRESSABLE;
+    const { start, ...range } = this.rangeOf(id) ?? PRESSABLE;
     return { type: 'range', id, ...range, value: this.values[id] ?? start };
   }
-}
 
-function rangeOf(id: string): Range | undefined {
-  return ORDER.find(([known]) => known === id)?.[1] ?? undefined;
+  private bringWithin(rangeMg: number): void {
+    const axes = AXES.flatMap((id): readonly [string, number][] => {
+      const value = this.values[id];
+      return value === undefined ? [] : [[id, Math.max(-rangeMg, Math.min(rangeMg, value))]];
+    });
+    this.values = { ...this.values, ...Object.fromEntries(axes) };
+  }
+
+  private rangeOf(id: string): Range | undefined {
+    const { accelerometerRangeMg, soundThresholds } = this.limits;
+    if (AXES.includes(id)) return { ...ACCELERATION, min: -accelerometerRangeMg, max: accelerometerRangeMg };
+    if (id === 'soundLevel')
+      return { ...SOUND, lowThreshold: soundThresholds.quiet, highThreshold: soundThresholds.loud };
+    return ORDER.find(([known]) => known === id)?.[1] ?? undefined;
+  }
 }

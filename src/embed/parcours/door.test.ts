@@ -222,6 +222,7 @@ describe('commands of our own dialect', () => {
     ['a message that holds itself', () => { const own: { self?: unknown } = {}; own.self = own; return { project: own }; }, 'too-large'], // prettier-ignore
     ['lists of lists of lists that are all the same', () => { let list: unknown = []; for (let level = 0; level < 30; level += 1) list = [list, list]; return { project: { list } }; }, 'too-large'], // prettier-ignore
     ['a list as long as can be', () => ({ edit: new Array<number>(4_000_000_000) }), 'too-large'],
+    ['a list whose names hold what is far too large', () => ({ edit: Object.assign([], { objects: 'x'.repeat(limits.documentCharacters + 1) }) }), 'too-large'], // prettier-ignore
     ['a buffer', () => ({ project: new Uint8Array(5_000_000) }), 'wrong-message'],
     ['a map', () => ({ project: new Map([['a', 1]]) }), 'wrong-message'],
     ['a date', () => ({ text: new Date(0) }), 'wrong-message'],

@@ -31,9 +31,11 @@ const COMMANDS: Readonly<Record<CommandName, string>> = {
   reality: 'Chooses how much the robot is like a used one.',
   place: 'The hand puts the robot somewhere during a run. The start is moved by `edit`.',
   'place-block': 'The hand puts a movable block somewhere during a run.',
-  press: 'Presses a button of the board or lets it go, during a run.',
-  touch: 'Puts a finger on a pad of the board or takes it away, during a run.',
-  sensor: 'Sets what a sensor feels. A number holds for later runs as well; a gesture needs a run.',
+  press:
+    'Presses a button of the board or lets it go, during a run. However soon one follows the other, the board notices both.',
+  touch: 'Puts a finger on a pad of the board or takes it away, during a run; likewise.',
+  sensor:
+    'Sets what a sensor feels. A number holds for later runs as well; a gesture needs a run. Accelerations go up to ±8000 mg; beyond the range that the program has set, the sensor is at its end.',
   'arena-senses': 'Chooses whether the board on the robot feels the arena or what is set by hand.',
   serial: 'Types text into the serial line, for `input()` or the REPL.',
   interrupt: 'KeyboardInterrupt in the program, as Ctrl-C.',

@@ -1,3 +1,5 @@
+import { isPlainObject } from '../plain-object';
+
 /** How much a message may hold before anyone looks at what it says. */
 export interface DataRoom {
   readonly values: number;
@@ -21,8 +23,10 @@ export function dataProblem(message: object, room: DataRoom): 'not-plain' | 'too
       if (typeof value === 'string') characters -= value.length;
       if (typeof value === 'function' || typeof value === 'symbol' || typeof value === 'bigint') return 'not-plain';
       if (typeof value !== 'object' || value === null) continue;
-      if (!isPlain(value)) return 'not-plain';
-      const inner: readonly unknown[] = Array.isArray(value) ? value : Object.values(value);
+      if (!Array.isArray(value) && !isPlainObject(value)) return 'not-plain';
+      if (Array.isArray(value) && value.length > values) return 'too-large';
+      // A list may have names as well: they are looked at with its entries.
+      const inner: readonly unknown[] = Object.values(value);
       values -= inner.length;
       if (!Array.isArray(value)) for (const key of Object.keys(value)) characters -= key.length;
       if (values < 0 || characters < 0) return 'too-large';
@@ -32,11 +36,4 @@ export function dataProblem(message: object, room: DataRoom): 'not-plain' | 'too
     level = next;
   }
   return null;
-}
-
-/** Whether a value is an object or a list as JSON has them. Buffers, maps, dates and the like are not. */
-function isPlain(value: object): boolean {
-  if (Array.isArray(value)) return true;
-  const prototype: unknown = Object.getPrototypeOf(value);
-  return prototype === null || prototype === Object.prototype;
 }

@@ -1,13 +1,6 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
-import {
-  defaultProjectSettings,
-  filesByName,
-  MAIN,
-  nameProblem,
-  type Project,
-  type SourceFile,
-} from '#project/project';
+import { defaultProjectSettings, filesByName, MAIN, type Project, type SourceFile } from '#project/project';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit } from '#scene/edit';
 import { defaultScene } from '#scene/scene';
@@ -18,6 +11,7 @@ import { createInputCheck, type InputCheck } from '#simulation/run-problem';
 import type { Snapshot } from '#simulation/simulation';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
+import { filesProblem } from '../files-problem';
 import {
   PARTS,
   type EmbeddedSimulator,
@@ -200,7 +194,8 @@ export class RecordingSimulator implements EmbeddedSimulator {
     this.calls.push({ call: 'input', action });
     const problem = this.inputCheck()(action, this.work.scene, movableIds(new Set(), this.work.scene, this.work.scene));
     if (problem !== null || action.type !== 'sensor') return problem;
-    this.rehearsal.sensors.set(action.id, action.value);
+    const { sensors } = this.rehearsal;
+    sensors.set(action.id, sensors.nearest(action.id, action.value));
     if (typeof action.value === 'number') this.wishes = { ...this.wishes, [action.id]: action.value };
     return null;
   }
@@ -256,19 +251,10 @@ export class RecordingSimulator implements EmbeddedSimulator {
     const { board, firmware } = this.hardware();
     const made = new Board(board, new Clock(), firmware);
     for (const [id, value] of Object.entries(this.wishes)) {
-      if (made.sensors.ids.includes(id)) made.sensors.set(id, value);
+      if (made.sensors.ids.includes(id)) made.sensors.set(id, made.sensors.nearest(id, value));
     }
     return made;
   }
-}
-
-function filesProblem(files: readonly SourceFile[]): Refusal {
-  for (const [index, { name }] of files.entries()) {
-    const others = files.filter((_, other) => other !== index);
-    const problem = nameProblem(name, others);
-    if (problem !== null) return `files.${String(index)}.name: "${name}" cannot be the name of a file (${problem}).`;
-  }
-  return files.some(({ name }) => name === MAIN) ? null : `files: ${MAIN} is missing.`;
 }
 
 function wishOf({ scene, files }: Project, settings: ReturnType<EmbeddedSimulator['settings']>) {

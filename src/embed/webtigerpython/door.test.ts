@@ -132,10 +132,25 @@ describe('the door of WebTigerPython', () => {
     b.send('run_code');
     await aMoment();
     expect(b.said()).toEqual([{ type: 'error', data: 'Broken.' }]);
-    b.simulator.run = () => Promise.resolve('The run could not start.');
+    b.simulator.run = () => {
+      b.simulator.tell({ type: 'phase', phase: 'failed' });
+      return Promise.resolve('The run could not start.');
+    };
     b.send('run_code');
     await aMoment();
     expect(b.said()).toEqual([{ type: 'error', data: 'The run could not start.' }]);
+  });
+
+  it('says nothing of a run that was stopped before it began', async () => {
+    const b = bench();
+    b.said();
+    b.simulator.run = () => {
+      b.simulator.tell({ type: 'phase', phase: 'stopped' });
+      return Promise.resolve('The run was stopped before it began.');
+    };
+    b.send('run_code');
+    await aMoment();
+    expect(b.said()).toEqual([]);
   });
 
   it('takes settings by the names of the address; what it does not know changes nothing', () => {
@@ -180,5 +195,15 @@ describe('the door of WebTigerPython', () => {
     expect(b.said()).toEqual([]);
     expect(b.simulator.calls).toEqual([]);
     expect(b.simulator.listenerCount).toBe(0);
+  });
+
+  it('says nothing of a run that was asked for and fails only after it is closed', async () => {
+    const b = bench();
+    b.said();
+    b.simulator.run = () => Promise.resolve('The run could not start.');
+    b.send('run_code');
+    b.door.close();
+    await aMoment();
+    expect(b.said()).toEqual([]);
   });
 });

@@ -29,10 +29,12 @@ const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
 
 /** Opens the door; the page is ready then, and says so. */
 export const openWebTigerPythonDoor: OpenDoor = (simulator, outside): Door => {
-  const post = (message: PageMessage): void => outside.post(message);
+  let isOpen = true;
+  const post = (message: PageMessage): void => {
+    if (isOpen) outside.post(message);
+  };
   const teller = new Teller(simulator, outside, post);
   const unlisten = simulator.listen((event) => teller.hear(event));
-  let isOpen = true;
   post({ type: 'pythonReady', data: null });
   return {
     receive(message) {
@@ -118,7 +120,9 @@ class Teller {
   run(): void {
     const before = this.complaints;
     void this.simulator.run().then((problem) => {
-      if (problem !== null && before === this.complaints) this.complain(problem);
+      // A run that was stopped before it began has not failed: whoever stopped it knows.
+      const isBroken = ['failed', 'killed'].includes(this.simulator.phase());
+      if (problem !== null && isBroken && before === this.complaints) this.complain(problem);
     });
   }
 

@@ -104,6 +104,10 @@ describe('messages of any shape to the door of WebTigerPython', () => {
     door.receive({ type: 'files', data: Array.from({ length: 100_000 }, () => curious) });
     door.receive({ type: 'files', data: 'x'.repeat(FILE_BYTES + 1) });
     door.receive({ type: 'settings', data: { layout: Array.from({ length: 100_000 }, () => curious) } });
+    const own: unknown[] = ['Canvas'];
+    own.push(own, own);
+    door.receive({ type: 'settings', data: { layout: own } });
+    expect(simulator.calls.splice(0)).toEqual([{ call: 'change', settings: { parts: ['bar', 'board', 'arena'] } }]);
     const trap = { get type(): string { throw new Error('looked at'); } }; // prettier-ignore
     door.receive(trap);
     expect(looked).toBe(0);

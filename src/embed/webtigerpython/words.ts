@@ -6,6 +6,9 @@ import { PARTS, type Part } from '../simulator';
 /** Longest layout that is read as text, in characters. Chosen: no layout of three panes comes near. */
 export const LAYOUT_CHARACTERS = 1000;
 
+/** About how many values of a layout are looked at, lists among them. Chosen: three panes, nested at will, are a dozen. */
+const LAYOUT_VALUES = 200;
+
 /** WebTigerPython's panes and what of ours stands in their places. */
 const PANES: Readonly<Record<string, readonly Part[]>> = {
   Editor: ['code'],
@@ -23,9 +26,19 @@ export const PICTURE: readonly Part[] = ['board', 'arena'];
  * @returns `null` when no pane is in it
  */
 export function partsOfLayout(layout: unknown): readonly Part[] | null {
-  const names = [typeof layout === 'string' ? valueOf(layout) : layout].flat(LAYOUT_CHARACTERS);
+  const names = namesIn(typeof layout === 'string' ? valueOf(layout) : layout);
   const parts = Object.entries(PANES).flatMap(([name, own]) => (names.includes(name) ? own : []));
   return parts.length === 0 ? null : PARTS.filter((part) => part === 'bar' || parts.includes(part));
+}
+
+/** What stands in a nested list. Lists may hold themselves and each other: after so many values nothing more is looked at. */
+function namesIn(layout: unknown): readonly unknown[] {
+  const values = [layout];
+  for (let place = 0; place < values.length && values.length < LAYOUT_VALUES; place += 1) {
+    const value = values[place];
+    if (Array.isArray(value)) values.push(...(value as readonly unknown[]).slice(0, LAYOUT_VALUES));
+  }
+  return values;
 }
 
 function valueOf(json: string): unknown {

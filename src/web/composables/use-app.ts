@@ -22,6 +22,7 @@ import { SoundPlayer } from '../sound/sound-player';
 import { createWorker } from '../worker/create-worker';
 import { compileFirmware } from '../worker/firmware';
 import { keepWork, storedWork } from './keep-work';
+import { fittingInputs } from './fitting-inputs';
 import { mispluggedNotice, tableOf } from './misplugged';
 import { ConsoleModel } from './use-console';
 import { useCourseEditor, type CourseEditorModel } from './use-course-editor';
@@ -252,7 +253,7 @@ function setupOf({ work, hand, settings }: RunParts, sensed: readonly InputEvent
   const hardware = hardwareNow({ work, settings });
   const { device, robot, reality, arenaSenses } = settings.current.value;
   const placed = hand.pose.value;
-  const inputs: InputEvent[] = [...sensed];
+  const inputs: InputEvent[] = hardware === null ? [] : fittingInputs(sensed, hardware.board);
   if (hardware !== null && hardware.robot !== null) {
     if (placed !== null) inputs.push({ timeUs: 0, action: { type: 'place', pose: placed } });
     if (arenaSenses) inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });

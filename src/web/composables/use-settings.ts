@@ -8,6 +8,8 @@ const KEY = 'parcours.settings';
 /** The settings, kept per tab; a new tab starts with the ones changed last. */
 export interface SettingsModel {
   readonly current: Readonly<Ref<Settings>>;
+  /** The pupil's own, without what only this visit has. */
+  readonly own: Readonly<Ref<Settings>>;
   change(part: Partial<Settings>): void;
   /** Sets something for this visit only, as a host or an address wishes; it holds until the pupil changes it. */
   hold(part: Partial<Settings>): void;
@@ -28,6 +30,7 @@ export function useSettings(held: Partial<Settings> = {}): SettingsModel {
     }
   });
   return {
+    own,
     current: computed(() => ({ ...own.value, ...visit.value })),
     change: (part) => {
       own.value = { ...own.value, ...part };

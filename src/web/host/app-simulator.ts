@@ -1,16 +1,11 @@
 import { watch } from 'vue';
 
-import { Board } from '#board/board';
-import { Clock } from '#core/clock';
+import { filesProblem } from '#embed/files-problem';
 import type { EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
-import { MAIN, nameProblem, type Project, type SourceFile } from '#project/project';
+import type { Project } from '#project/project';
 import { editProblem } from '#scene/check-edit';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { movableIds } from '#simulation/at-once';
-import type { Hardware } from '#simulation/hardware';
-import type { InputAction } from '#simulation/input';
-import { createInputCheck } from '#simulation/run-problem';
 
 import { stampSettings } from '../composables/stamp-settings';
 import { hardwareNow, type App } from '../composables/use-app';
@@ -20,7 +15,9 @@ import { isSameWork } from '../project/history';
 import { travelling } from '../project/travelling';
 import { presentProject } from '../share/save-work';
 import { heldSettings } from './held-settings';
+import { hostInputs } from './host-inputs';
 import { settingsProblem } from './settings-problem';
+import { startRun } from './start-run';
 
 /** The app as its host sees it. Whatever a host does goes the way that the page's own controls go. */
 export function appSimulator(app: App): EmbeddedSimulator {
@@ -61,7 +58,8 @@ function hostWork(
   function nameOfOwn(): string | null {
     const { project } = work.work.value;
     if (!host.wish.keepsWork || isOurs(project) || (brought !== null && isSameWork(project, brought))) return null;
-    stampSettings(app);
+    // What the host has set before it brought anything is none of the pupil's.
+    stampSettings(app, brought === null ? app.settings.own.value : app.settings.current.value);
     return workName(app);
   }
   function open(project: Project): void {
@@ -96,15 +94,6 @@ function hostWork(
   };
 }
 
-function filesProblem(files: readonly SourceFile[]): Refusal {
-  for (const [index, { name }] of files.entries()) {
-    const others = files.filter((_, other) => other !== index);
-    const problem = nameProblem(name, others);
-    if (problem !== null) return `files.${index}.name: "${name}" cannot be the name of a file (${problem}).`;
-  }
-  return files.some(({ name }) => name === MAIN) ? null : `files: ${MAIN} is missing.`;
-}
-
 function changeSettings({ settings, host }: App, wish: HostSettings): Refusal {
   const problem = settingsProblem(wish);
   if (problem !== null) return problem;
@@ -123,7 +112,7 @@ function hostRuns(app: App): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 
     return null;
   };
   return {
-    run: (paused = false) => started(app, paused),
+    run: (paused = false) => startRun(app, paused),
     stop: () => run.stop(),
     async reset() {
       hand.reset();
@@ -136,51 +125,6 @@ function hostRuns(app: App): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 
       return null;
     },
   };
-}
-
-/** Starts the program and waits until it runs. */
-function started({ run, host }: App, paused: boolean): Promise<Refusal> {
-  return new Promise((resolve) => {
-    let message = 'The run could not start.';
-    const unlisten = host.listen((event) => {
-      if (event.type === 'failed') ({ message } = event);
-    });
-    void run.start(paused);
-    const unwatch = watch(run.phase, (phase) => {
-      if (phase === 'starting') return;
-      unwatch();
-      unlisten(); // watchers come after the news of a failure
-      resolve(phase === 'failed' || phase === 'killed' ? message : null);
-    });
-  });
-}
-
-/** What a host does to the run, told apart from what a person does on the page: it needs no echo. */
-function hostInputs(app: App): { take(action: InputAction): Refusal; isOwn(): boolean } {
-  let isOwn = false;
-  return {
-    isOwn: () => isOwn,
-    take(action) {
-      const hardware = hardwareNow(app);
-      if (hardware === null) return 'The course names a board or a robot that this app does not have.';
-      const problem = inputProblem(action, hardware, app.work.scene.value);
-      if (problem !== null) return problem;
-      isOwn = true;
-      try {
-        if (action.type === 'sensor' && typeof action.value === 'number') app.sensors.set(action.id, action.value);
-        else app.run.input(action);
-      } finally {
-        isOwn = false;
-      }
-      return null;
-    },
-  };
-}
-
-/** What the run itself would say: a page without a run refuses the same. */
-function inputProblem(action: InputAction, { board, firmware, robot }: Hardware, scene: Scene): Refusal {
-  const check = createInputCheck(new Board(board, new Clock(), firmware), scene, robot !== null);
-  return check(action, scene, movableIds(new Set(), scene, scene));
 }
 
 function settingsOf({ settings: { current }, layout }: App): ReturnType<EmbeddedSimulator['settings']> {

@@ -1,4 +1,4 @@
-import type { HostSettings } from '#embed/simulator';
+import { PARTS, type HostSettings, type Part } from '#embed/simulator';
 
 import type { Settings } from '../project/settings';
 
@@ -7,6 +7,12 @@ export function heldSettings(wish: HostSettings): Partial<Settings> {
   const { parts, ...others } = wish;
   const own = Object.entries(others).filter(([name]) => name !== 'labels');
   const shown: Partial<Settings> =
-    parts === undefined ? {} : { showBoard: true, showArena: true, showTools: parts.includes('tools') };
+    parts === undefined ? {} : { showBoard: true, showArena: true, showTools: toolsIn(parts) };
   return { ...Object.fromEntries(own), ...shown };
 }
+
+/** Everything but the bar says nothing about the tools: they are unfolded where they have room, as without a host. */
+const toolsIn = (parts: readonly Part[]): boolean | null => {
+  const isWhole = PARTS.every((part) => part === 'bar' || parts.includes(part));
+  return isWhole ? null : parts.includes('tools');
+};

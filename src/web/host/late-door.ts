@@ -11,14 +11,21 @@ export function lateDoor(open: OpenLate, outside: Outside, onMissing: () => void
   const waiting: unknown[] = [];
   let door: Door | null = null;
   let isClosed = false;
-  open(outside).then((opened) => {
-    if (isClosed) {
-      opened.close();
-      return;
-    }
-    door = opened;
-    for (const message of waiting.splice(0)) opened.receive(message);
-  }, onMissing);
+  open(outside).then(
+    (opened) => {
+      if (isClosed) {
+        opened.close();
+        return;
+      }
+      door = opened;
+      for (const message of waiting.splice(0)) opened.receive(message);
+    },
+    () => {
+      isClosed = true;
+      waiting.length = 0;
+      onMissing();
+    },
+  );
   return {
     receive(message) {
       if (door !== null) door.receive(message);

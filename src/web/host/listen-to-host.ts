@@ -21,7 +21,7 @@ export function listenToHost(app: App): void {
     void import('./frame')
       .then(({ openFrame }) => {
         removeEventListener('message', keep);
-        close = openFrame(app, early);
+        close = openFrame(app, early.splice(0));
       })
       .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
   });

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import type { HostSettings } from '#embed/simulator';
+import { PARTS, type HostSettings } from '#embed/simulator';
 import { heldSettings } from './held-settings';
 import { settingsProblem } from './settings-problem';
 
@@ -29,5 +29,12 @@ describe('what a host sets', () => {
   it('reaches the settings of the app; parts and labels are the page’s own affair', () => {
     expect(heldSettings({ language: 'it', labels: { 'button-a': 'A' } })).toEqual({ language: 'it' });
     expect(heldSettings({ parts: ['arena'] })).toEqual({ showBoard: true, showArena: true, showTools: false });
+  });
+
+  it('unfolds the tools only where it says so: a page without its bar is otherwise as it is', () => {
+    const withoutBar = PARTS.filter((part) => part !== 'bar');
+    expect(heldSettings({ parts: withoutBar })).toMatchObject({ showTools: null });
+    expect(heldSettings({ parts: PARTS })).toMatchObject({ showTools: null });
+    expect(heldSettings({ parts: ['arena', 'tools'] })).toMatchObject({ showTools: true });
   });
 });

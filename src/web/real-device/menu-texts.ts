@@ -4,6 +4,6 @@ import type { Texts } from '#core/texts';
 export const toDevice: Texts = {
   de: 'Aufs Gerät laden …',
   fr: 'Charger sur l’appareil…',
-  it: 'Carica sul dispositivo…',
+  it: 'Carica sul dispositivo …',
   en: 'Put on the device …',
 };

@@ -50,11 +50,12 @@ export async function chooseSerialPort(which: 'boards' | 'any'): Promise<Port | 
 /** An open line of the browser as a port. */
 export function portOf(port: SerialPort): Port {
   let reader: ReadableStreamDefaultReader<Uint8Array> | null = null;
+  let writer: WritableStreamDefaultWriter<Uint8Array> | null = null;
   let isClosing = false;
   return {
     async write(bytes) {
-      const writer = port.writable?.getWriter();
-      if (writer === undefined) throw new Error('The line is closed.');
+      writer = port.writable?.getWriter() ?? null;
+      if (writer === null) throw new Error('The line is closed.');
       try {
         await writer.write(bytes);
       } finally {
@@ -81,6 +82,7 @@ export function portOf(port: SerialPort): Port {
       try {
         await reader?.cancel();
         await Promise.resolve(); // the read that was under way lets go of its lock
+        writer?.releaseLock(); // a device that takes nothing any more must not keep the line open
         await port.close();
       } catch {
         // A device that is gone has nothing to close.

@@ -53,8 +53,12 @@ export function useRealDevice() {
       else if (signal.aborted) await port.close();
       else state.value = endOf(await transfer(port, signal));
     } catch (error) {
-      if (!(error instanceof PutError)) throw error;
-      state.value = { kind: 'failed', problem: error.problem };
+      if (error instanceof PutError) {
+        state.value = { kind: 'failed', problem: error.problem };
+        return;
+      }
+      state.value = { kind: 'ready' }; // our own mistake: it is reported, and the dialog stays of use
+      throw error;
     }
   }
 

@@ -21,10 +21,10 @@ export const tourTexts = {
     en: 'The tour waits for you: in the menu, under “Go on with the tour”.',
   },
   inMenu: {
-    de: 'Hier findest du es im Menü.',
-    fr: 'Tu le trouves ici, dans le menu.',
-    it: 'Lo trovi qui, nel menu.',
-    en: 'You find it here, in the menu.',
+    de: 'Das findest du hier im Menü.',
+    fr: 'C’est ici, dans le menu.',
+    it: 'Si trova qui, nel menu.',
+    en: 'This is here, in the menu.',
   },
   welcome: {
     de: 'Willkommen! Womit möchtest du beginnen?',

@@ -1,0 +1,38 @@
+import { describe, expect, it } from 'vitest';
+
+import { Board } from '#board/board';
+import { boardTypes } from '#board/boards/index';
+import { Clock } from '#core/clock';
+import { defaultScene } from '#scene/scene';
+import type { InputEvent } from '#simulation/input';
+import { checkRun } from '#simulation/run-problem';
+import type { RunSetup } from '#simulation/run-setup';
+
+import { fittingInputs } from './fitting-inputs';
+import { SensorsModel } from './use-sensors';
+
+function setupFor(board: string, inputs: readonly InputEvent[]): RunSetup {
+  return { scene: defaultScene(), files: { 'main.py': '' }, robot: 'none', board, seed: 1, reality: 0, inputs };
+}
+
+describe('what holds for every run', () => {
+  it('starts a run on every board, also what was set for another one or in a wider range', () => {
+    const sensors = new SensorsModel({ input: () => undefined });
+    for (const id of ['pin3', 'pinLogo', 'buttonA', 'lightLevel']) sensors.set(id, 1);
+    sensors.set('accelerometerX', 7000); // in a run that had set the range to 8 g
+    for (const type of boardTypes) {
+      const inputs = fittingInputs(sensors.startInputs(), type);
+      expect(checkRun(setupFor(type.id, inputs)), type.id).not.toHaveProperty('problem');
+    }
+    expect(checkRun(setupFor('microbit-v2', sensors.startInputs()))).toHaveProperty('problem');
+  });
+
+  it('is all of it where the board has everything', () => {
+    for (const type of boardTypes) {
+      const sensors = new SensorsModel({ input: () => undefined });
+      const infos = new Board(type, new Clock()).sensors.describe();
+      for (const info of infos) if (info.kind === 'range') sensors.set(info.id, info.start);
+      expect(fittingInputs(sensors.startInputs(), type)).toEqual(sensors.startInputs());
+    }
+  });
+});

@@ -1,0 +1,56 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+
+import { defaultScene } from '#scene/scene';
+
+import type { App } from '../composables/use-app';
+import { useHand } from '../composables/use-hand';
+import { useSettings } from '../composables/use-settings';
+import { WorkModel } from '../composables/use-work';
+import { appSimulator } from './app-simulator';
+import { fakeRun } from './testing/fake-run';
+
+const main = (text: string) => [{ name: 'main.py', text }];
+
+/** A page with a program of the pupil's own, who has chosen the robot Maqueen Lite. */
+function page() {
+  const { run, host } = fakeRun();
+  const project = { files: main('mine'), scene: { ...defaultScene(), name: 'Mine' }, course: null };
+  const work = new WorkModel({ project, open: 'main.py', previous: [] }, () => 1000);
+  const settings = useSettings();
+  settings.change({ robot: 'maqueen-lite', seed: 7 });
+  const app = { run, host, work, settings, hand: useHand() } as unknown as App;
+  return { work, settings, simulator: appSimulator(app) };
+}
+
+describe('what a host does to the page', () => {
+  beforeEach(() => vi.stubGlobal('navigator', { languages: ['de'] }));
+  afterEach(() => vi.unstubAllGlobals());
+
+  it('puts the pupil’s work aside with the robot that the pupil had chosen, not with the host’s', () => {
+    const { work, settings, simulator } = page();
+    expect(simulator.change({ robot: 'none', seed: 3 })).toBeNull();
+    expect(simulator.setFiles(main('theirs'))).toBeNull();
+    const [kept] = work.work.value.previous;
+    expect(kept?.project.files).toEqual(main('mine'));
+    expect(kept?.project.settings).toMatchObject({ robot: 'maqueen-lite', seed: 7 });
+    expect(settings.current.value).toMatchObject({ robot: 'none', seed: 3 });
+    expect(settings.own.value).toMatchObject({ robot: 'maqueen-lite', seed: 7 });
+  });
+
+  it('and what the pupil has made of the host’s work with what that runs on', () => {
+    const { work, simulator } = page();
+    simulator.setFiles(main('theirs'));
+    simulator.change({ robot: 'none' });
+    work.setText('main.py', 'theirs, changed');
+    simulator.setFiles(main('the next'));
+    const [kept] = work.work.value.previous;
+    expect(kept?.project).toMatchObject({ files: main('theirs, changed'), settings: { robot: 'none' } });
+  });
+
+  it('takes no more files than a project has', () => {
+    const { work, simulator } = page();
+    const many = Array.from({ length: 21 }, (_, place) => ({ name: place === 0 ? 'main.py' : `a${place}.py`, text: '' })); // prettier-ignore
+    expect(simulator.setFiles(many)).toContain('the limit is 20');
+    expect(work.files.value).toEqual(main('mine'));
+  });
+});

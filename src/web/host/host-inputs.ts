@@ -1,0 +1,111 @@
+import { watch } from 'vue';
+
+import { Board } from '#board/board';
+import { Clock } from '#core/clock';
+import type { Refusal } from '#embed/simulator';
+import type { Scene } from '#scene/scene';
+import { movableIds } from '#simulation/at-once';
+import type { Hardware } from '#simulation/hardware';
+import type { InputAction } from '#simulation/input';
+import { createInputCheck } from '#simulation/run-problem';
+
+import { slownessOf } from '../composables/board-press';
+import type { App } from '../composables/use-app';
+import { hardwareOf } from '../project/hardware';
+import { SpacedPresses } from './spaced-presses';
+
+/** A running run that has sent no picture for this long is not being drawn, in ms at full speed. Chosen: many frames. */
+const BLIND_MS = 300;
+
+/** What a host does to the run, told apart from what a person does on the page: it needs no echo. */
+export interface HostInputs {
+  take(action: InputAction): Refusal;
+  /** Whether what is done to the run at this moment is the host's. */
+  isOwn(): boolean;
+}
+
+/** Takes what a host does to the run of this app. Buttons and pads stay down as long as the board needs to notice. */
+export function hostInputs(app: Pick<App, 'run' | 'work' | 'settings' | 'sensors' | 'host'>): HostInputs {
+  let isOwn = false;
+  const act = (action: InputAction): void => {
+    isOwn = true;
+    try {
+      if (action.type === 'sensor' && typeof action.value === 'number') app.sensors.set(action.id, action.value);
+      else app.run.input(action);
+    } finally {
+      isOwn = false;
+    }
+  };
+  const presses = followRun(app);
+  return {
+    isOwn: () => isOwn,
+    take(action) {
+      const hardware = hardwareOf(app.work.work.value.project, app.settings.current.value);
+      if (hardware === null) return 'The course names a board or a robot that this app does not have.';
+      const problem = inputProblem(action, hardware, app.work.scene.value);
+      if (problem !== null) return problem;
+      const press = app.run.isActive.value ? pressOf(action) : null;
+      if (press === null) act(action);
+      else presses.set(press.id, press.down, () => act(action));
+      return null;
+    },
+  };
+}
+
+/** The presses of the run that is under way, which go on as its time does. */
+function followRun({ run, settings, host }: Pick<App, 'run' | 'settings' | 'host'>): Pick<SpacedPresses, 'set'> {
+  const presses = new SpacedPresses();
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const wait = (): void => {
+    clearTimeout(timer);
+    if (!presses.isWaiting || run.phase.value !== 'running') return;
+    timer = setTimeout(
+      () => {
+        presses.advanceBlindly();
+        wait();
+      },
+      BLIND_MS * slownessOf(settings.current.value.speed),
+    );
+  };
+  const atOnce = { flush: 'sync' } as const;
+  watch(
+    run.snapshot,
+    (snapshot) => {
+      if (snapshot === null) return;
+      presses.advance(snapshot.timeUs);
+      wait();
+    },
+    atOnce,
+  );
+  watch(
+    run.phase,
+    () => {
+      if (!run.isActive.value) presses.settle();
+      wait();
+    },
+    atOnce,
+  );
+  host.listen(({ type }) => {
+    if (type === 'started') presses.settle();
+  });
+  return {
+    set(id, down, tell) {
+      presses.set(id, down, tell);
+      wait();
+    },
+  };
+}
+
+/** The button or pad that an action presses or lets go; `null`: it does something else. */
+function pressOf(action: InputAction): { readonly id: string; readonly down: boolean } | null {
+  if (action.type === 'button') return { id: action.button === 'a' ? 'buttonA' : 'buttonB', down: action.down };
+  if (action.type === 'touch') return { id: action.pad, down: action.down };
+  if (action.type !== 'sensor' || typeof action.value !== 'number' || !/^(button|pin)/.test(action.id)) return null;
+  return { id: action.id, down: action.value >= 0.5 };
+}
+
+/** What the run itself would say: a page without a run refuses the same. */
+function inputProblem(action: InputAction, { board, firmware, robot }: Hardware, scene: Scene): Refusal {
+  const check = createInputCheck(new Board(board, new Clock(), firmware), scene, robot !== null);
+  return check(action, scene, movableIds(new Set(), scene, scene));
+}

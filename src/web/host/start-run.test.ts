@@ -1,0 +1,40 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+
+import { startRun } from './start-run';
+import { fakeRun, settled } from './testing/fake-run';
+
+beforeEach(() => {
+  vi.stubGlobal('requestAnimationFrame', () => 0);
+  vi.stubGlobal('cancelAnimationFrame', () => undefined);
+});
+afterEach(() => vi.unstubAllGlobals());
+
+describe('a run that a host starts', () => {
+  it.each([false, true])('is answered when it is under way (standing still: %s)', async (paused) => {
+    const { run, host, say } = fakeRun();
+    const answer = startRun({ run, host }, paused);
+    await settled();
+    expect(run.phase.value).toBe('starting');
+    say({ type: 'started' });
+    expect(await answer).toBeNull();
+    expect(run.phase.value).toBe(paused ? 'paused' : 'running');
+  });
+
+  it('and somebody stops before it began is answered as stopped, not as done', async () => {
+    for (const end of ['stop', 'reset'] as const) {
+      const { run, host } = fakeRun();
+      const answer = startRun({ run, host }, false);
+      await settled();
+      await run[end]();
+      expect(await answer).toBe('The run was stopped before it began.');
+    }
+  });
+
+  it('that could not start is answered with the reason', async () => {
+    const { run, host, say } = fakeRun();
+    const answer = startRun({ run, host }, false);
+    await settled();
+    say({ type: 'failed', message: 'The robot stands in a wall.' });
+    expect(await answer).toBe('The robot stands in a wall.');
+  });
+});

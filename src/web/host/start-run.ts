@@ -1,0 +1,28 @@
+import { watch } from 'vue';
+
+import type { Refusal } from '#embed/simulator';
+
+import type { App } from '../composables/use-app';
+
+/**
+ * Starts the program, also while a run is under way.
+ *
+ * @param paused it stands still at its start
+ * @returns when the run is under way: `null`; else why it did not begin
+ */
+export function startRun({ run, host }: Pick<App, 'run' | 'host'>, paused: boolean): Promise<Refusal> {
+  return new Promise((resolve) => {
+    let failure = 'The run could not start.';
+    const unlisten = host.listen((event) => {
+      if (event.type === 'failed') failure = event.message;
+    });
+    void run.start(paused);
+    const unwatch = watch(run.phase, (phase) => {
+      if (phase === 'starting') return;
+      unwatch();
+      unlisten(); // watchers come after the news of a failure
+      if (phase === 'running' || phase === 'paused') resolve(null);
+      else resolve(phase === 'failed' || phase === 'killed' ? failure : 'The run was stopped before it began.');
+    });
+  });
+}
