@@ -1,5 +1,8 @@
 import { defineConfig } from '@playwright/test';
 
+/** What is the same in every engine and takes long, within a file that runs in all of them. */
+const TESTS_IN_CHROMIUM_ALONE = /@chromium/;
+
 /** What needs Playwright's own `page`: the network, the console. And what takes long and is the same in every engine. */
 const IN_CHROMIUM_ALONE = '**/*.chromium.test.ts';
 
@@ -35,6 +38,7 @@ export default defineConfig({
     {
       name: 'firefox',
       testIgnore: IN_CHROMIUM_ALONE,
+      grepInvert: TESTS_IN_CHROMIUM_ALONE,
       use: {
         browserName: 'firefox',
         channel: 'moz-firefox', // drives an unpatched Firefox over WebDriver BiDi
@@ -42,6 +46,11 @@ export default defineConfig({
         launchOptions: { executablePath: process.env['PARCOURS_FIREFOX'] ?? '/usr/bin/firefox-esr' },
       },
     },
-    { name: 'webkit', testIgnore: IN_CHROMIUM_ALONE, use: { browserName: 'webkit' } }, // e2e/webkit.ts drives WebKitGTK; Playwright never starts it
+    {
+      name: 'webkit',
+      testIgnore: IN_CHROMIUM_ALONE,
+      grepInvert: TESTS_IN_CHROMIUM_ALONE,
+      use: { browserName: 'webkit' }, // e2e/webkit.ts drives WebKitGTK; Playwright never starts it
+    },
   ],
 });

@@ -1,7 +1,7 @@
 import {
   test as base,
   chromium,
-  expect,
+  expect as playwrightExpect,
   firefox,
   type Browser,
   type BrowserContextOptions,
@@ -10,7 +10,16 @@ import {
 import { startScreen, type Screen } from './screen';
 import { WebKitSession, type PageCode } from './webkit';
 
-export { expect };
+const pollQuickly: typeof playwrightExpect.poll = (actual, how) =>
+  playwrightExpect.poll(actual, { intervals: [50, 100, 250], ...(typeof how === 'string' ? { message: how } : how) });
+
+/**
+ * Playwright's `expect`, whose `poll` looks again every 250 ms: left alone it soon looks once a second only, and that
+ * adds up over hundreds of tests.
+ */
+export const expect = new Proxy(playwrightExpect, {
+  get: (target, name) => (name === 'poll' ? pollQuickly : (Reflect.get(target, name) as unknown)),
+});
 
 /** A place in the window, in CSS px from its upper left corner. */
 export interface Place {

@@ -1,4 +1,4 @@
-import { violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsOn } from './axe';
 import { middleOf, paintOf, robotAt, seenFrom } from './arena';
 import { expect, test, type App } from './app';
 import { distance, drive, ends, sceneOf } from './course';
@@ -196,30 +196,32 @@ test('a Maqueen on a Calliope mini: the arena says in a sentence what is plugged
 });
 
 for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out of options, lights and what the arena shows, ${theme}`, async ({
-    app,
-  }) => {
-    const robotOptions = { callibot: { S1: 'claw', bumper: 'always' } };
-    await openApp(app, { theme, language: 'en', robot: 'callibot', robotOptions, reality: 0.5, trace: true });
-    await pasteProgram(app, `from calliopemini import *\n${RING.split('\n').slice(1).join('\n')}`);
-    await app.click(on('run'));
-    await until(app, `${by('lights')} canvas`);
-    expect(await violationsOn(app), 'a ring').toEqual([]);
-    await enter(app, `${by('lights')} [aria-label="Change form and place"]`);
-    await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-    expect(await violationsOn(app), 'its form and place').toEqual([]);
-    await app.press('Escape');
-    await gone(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-    await enter(app, by('show'));
-    await until(app, by('show-trace'));
-    expect(await violationsOn(app), 'what the arena shows').toEqual([]);
-    await app.press('Escape');
-    await gone(app, by('show-trace'));
-    await app.click(by('device'));
-    await until(app, `.device-card ${by('options-reset')}`);
-    await until(app, `.device-card ${by('seed')}`);
-    expect(await violationsOn(app), 'options of a used robot').toEqual([]);
-  });
+  test(
+    `axe finds nothing that shuts people out of options, lights and what the arena shows, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      const robotOptions = { callibot: { S1: 'claw', bumper: 'always' } };
+      await openApp(app, { theme, language: 'en', robot: 'callibot', robotOptions, reality: 0.5, trace: true });
+      await pasteProgram(app, `from calliopemini import *\n${RING.split('\n').slice(1).join('\n')}`);
+      await app.click(on('run'));
+      await until(app, `${by('lights')} canvas`);
+      expect(await violationsOn(app), 'a ring').toEqual([]);
+      await enter(app, `${by('lights')} [aria-label="Change form and place"]`);
+      await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+      expect(await violationsOn(app), 'its form and place').toEqual([]);
+      await app.press('Escape');
+      await gone(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+      await enter(app, by('show'));
+      await until(app, by('show-trace'));
+      expect(await violationsOn(app), 'what the arena shows').toEqual([]);
+      await app.press('Escape');
+      await gone(app, by('show-trace'));
+      await app.click(by('device'));
+      await until(app, `.device-card ${by('options-reset')}`);
+      await until(app, `.device-card ${by('seed')}`);
+      expect(await violationsOn(app), 'options of a used robot').toEqual([]);
+    },
+  );
 }
 
 const PROBE = process.env['PARCOURS_PROBE'] ?? '';

@@ -1,5 +1,5 @@
 import { expect, test, type App } from './app';
-import { violationsIn, violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsIn, violationsOn } from './axe';
 import { appAddress, hostPage, isInFrame, type HostPage } from './hosts';
 import { consoleIn, on, openApp, pasteProgram } from './page';
 import { by, until } from './parts';
@@ -199,17 +199,19 @@ const LOOKS: readonly {
 ];
 
 for (const { language, theme, screens } of LOOKS) {
-  test(`axe finds nothing that shuts people out of what opens over the page, ${language}, ${theme}`, async ({
-    app,
-  }) => {
-    await openApp(app, { language, theme, welcomed: !screens.includes('greeting') });
-    for (const screen of screens) {
-      await SCREENS[screen](app);
-      expect(await violationsOn(app), screen).toEqual([]);
-      const closes = CLOSES[screen];
-      if (closes !== undefined) await leave(app, closes);
-    }
-  });
+  test(
+    `axe finds nothing that shuts people out of what opens over the page, ${language}, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      await openApp(app, { language, theme, welcomed: !screens.includes('greeting') });
+      for (const screen of screens) {
+        await SCREENS[screen](app);
+        expect(await violationsOn(app), screen).toEqual([]);
+        const closes = CLOSES[screen];
+        if (closes !== undefined) await leave(app, closes);
+      }
+    },
+  );
 }
 
 for (const { path, sign } of [
@@ -218,7 +220,7 @@ for (const { path, sign } of [
   { path: '?lang=de&show=code,console', sign: '.code-editor .cm-content' },
   { path: '?lang=en&show=bar,arena&theme=dark', sign: '[role=application]' },
 ])
-  test(`axe finds nothing that shuts people out of a framed part, ${path}`, async ({ app }) => {
+  test(`axe finds nothing that shuts people out of a framed part, ${path}`, IN_ONE_ENGINE, async ({ app }) => {
     await openFramed(app, path, sign);
     expect(await violationsIn(app, 'iframe')).toEqual([]);
   });

@@ -1,6 +1,6 @@
 import { robotAt } from './arena';
 import { expect, test, type App } from './app';
-import { violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsOn } from './axe';
 import {
   buildMaze,
   buildMazeAndMeetWall,
@@ -192,7 +192,7 @@ async function lookAt(app: App, panel: string): Promise<readonly string[]> {
 }
 
 for (const theme of ['light', 'dark'] as const)
-  test(`axe finds nothing that shuts people out of the course editor, ${theme}`, async ({ app }) => {
+  test(`axe finds nothing that shuts people out of the course editor, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
     await openApp(app, { theme, language: 'en' });
     await until(app, toolButton('pen'));
     const pupil = withMouse(app);

@@ -1,5 +1,5 @@
 import { expect, test, type App } from './app';
-import { violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsOn } from './axe';
 import { attribute, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 
@@ -92,13 +92,17 @@ test('a number makes the same maze for everyone: typed, changed and opened', asy
 });
 
 for (const theme of ['light', 'dark'] as const)
-  test(`axe finds nothing that shuts people out of the gallery of courses, ${theme}`, async ({ app }) => {
-    await openApp(app, { theme });
-    await app.goto('./#courses');
-    await until(app, by('course-slalom'));
-    expect(await violationsOn(app), 'with all courses').toEqual([]);
-    await app.goto('./#courses/track-m-4711');
-    await until(app, by('show-solution'));
-    await app.click(by('show-solution'));
-    expect(await violationsOn(app), 'with a random one').toEqual([]);
-  });
+  test(
+    `axe finds nothing that shuts people out of the gallery of courses, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      await openApp(app, { theme });
+      await app.goto('./#courses');
+      await until(app, by('course-slalom'));
+      expect(await violationsOn(app), 'with all courses').toEqual([]);
+      await app.goto('./#courses/track-m-4711');
+      await until(app, by('show-solution'));
+      await app.click(by('show-solution'));
+      expect(await violationsOn(app), 'with a random one').toEqual([]);
+    },
+  );

@@ -1,5 +1,5 @@
 import { expect, test, type App } from './app';
-import { violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsOn } from './axe';
 import { isAt, tabTo } from './keys';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until as there } from './parts';
@@ -151,7 +151,7 @@ test('the greeting is there on a first visit only, and goes with the first run',
 });
 
 for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out of greeting and tour, ${theme}`, async ({ app }) => {
+  test(`axe finds nothing that shuts people out of greeting and tour, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
     await openApp(app, { theme, language: 'fr', welcomed: false });
     await there(app, by('welcome'));
     expect(await violationsOn(app), 'with the greeting').toEqual([]);
@@ -162,7 +162,7 @@ for (const theme of ['light', 'dark'] as const) {
     expect(await violationsOn(app), 'with the tour').toEqual([]);
   });
 
-  test(`axe finds nothing that shuts people out of the help, ${theme}`, async ({ app }) => {
+  test(`axe finds nothing that shuts people out of the help, ${theme}`, IN_ONE_ENGINE, async ({ app }) => {
     await openApp(app, { theme, language: 'fr' });
     await app.click(by('help'));
     await there(app, by('guide-search'));

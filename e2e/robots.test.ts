@@ -1,5 +1,5 @@
 import { expect, test, type App } from './app';
-import { violationsOn } from './axe';
+import { IN_ONE_ENGINE, violationsOn } from './axe';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, choose, gone, until } from './parts';
 
@@ -180,19 +180,23 @@ const numberOf = (app: App): Promise<string | null> =>
   app.evaluate((css) => document.querySelector<HTMLInputElement>(css)?.value ?? null, `${by('seed')} input`);
 
 for (const theme of ['light', 'dark'] as const) {
-  test(`axe finds nothing that shuts people out of the gallery and the device panel, ${theme}`, async ({ app }) => {
-    await openApp(app, { theme, language: 'en', robot: 'maqueen-lite', device: 'calliope-mini-3', reality: 0.5 });
-    await openDevice(app);
-    await until(app, `.device-card ${by('misplugged')}`);
-    await until(app, by('seed'));
-    expect(await violationsOn(app), 'the device panel').toEqual([]);
-    await app.click(by('gallery'));
-    await until(app, by('card-maqueen-lite'));
-    await expect.poll(() => isAt(app, '.gallery h2')).toBe(true); // it has faded in
-    expect(await violationsOn(app), 'all robots').toEqual([]);
-    await app.click(by('more-maqueen-lite'));
-    await until(app, '.gallery .sheet');
-    await app.evaluate(() => document.querySelectorAll('details').forEach((fold) => fold.setAttribute('open', '')));
-    expect(await violationsOn(app), 'a robot').toEqual([]);
-  });
+  test(
+    `axe finds nothing that shuts people out of the gallery and the device panel, ${theme}`,
+    IN_ONE_ENGINE,
+    async ({ app }) => {
+      await openApp(app, { theme, language: 'en', robot: 'maqueen-lite', device: 'calliope-mini-3', reality: 0.5 });
+      await openDevice(app);
+      await until(app, `.device-card ${by('misplugged')}`);
+      await until(app, by('seed'));
+      expect(await violationsOn(app), 'the device panel').toEqual([]);
+      await app.click(by('gallery'));
+      await until(app, by('card-maqueen-lite'));
+      await expect.poll(() => isAt(app, '.gallery h2')).toBe(true); // it has faded in
+      expect(await violationsOn(app), 'all robots').toEqual([]);
+      await app.click(by('more-maqueen-lite'));
+      await until(app, '.gallery .sheet');
+      await app.evaluate(() => document.querySelectorAll('details').forEach((fold) => fold.setAttribute('open', '')));
+      expect(await violationsOn(app), 'a robot').toEqual([]);
+    },
+  );
 }

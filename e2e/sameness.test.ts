@@ -18,6 +18,8 @@ const read = (path: string): string => readFileSync(new URL(`../courses/${path}`
 const { runs } = JSON.parse(read('golden.json')) as { readonly runs: readonly GoldenRun[] };
 const PROBE = process.env['PARCOURS_PROBE'] ?? '';
 
+test.describe.configure({ retries: 0 }); // what differs once is not the same run everywhere
+
 for (const { folder, program, forMs, seed, traceHash } of runs) {
   test(`${folder} is driven bit for bit as in Node`, async ({ app }) => {
     const parsed = parseScene(read(`${folder}/scene.json`));

@@ -70,11 +70,21 @@ export class WebKitSession {
     }
   }
 
+  /**
+   * Clicks the middle of an element, as Playwright does: scrolls it into the window, waits until it stands still, is
+   * enabled and uncovered, and clicks again where the press went beside it because the page moved in between.
+   * @throws Error when it could not be hit within 20 s
+   */
   async click(css: string): Promise<void> {
-    await this.find(css);
-    await this.canBeHit(css);
     await this.retried(async () => {
-      await this.command('POST', `/element/${await this.find(css)}/click`, {});
+      const middle = await this.evaluate(readyToBeHit, css);
+      if (typeof middle === 'string') throw new Error(`${css} ${middle}.`);
+      await this.mouse([
+        { type: 'pointerMove', origin: 'viewport', ...middle, duration: 0 },
+        { type: 'pointerDown', button: 0 },
+        { type: 'pointerUp', button: 0 },
+      ]);
+      if (!(await this.evaluate(wasHit))) throw new Error(`The click on ${css} missed it.`);
     });
   }
 
@@ -182,23 +192,6 @@ export class WebKitSession {
     await this.command('POST', '/actions', { actions: [source] });
   }
 
-  /** Waits, as Playwright does, until an element no longer moves and can be hit: a menu that glides in cannot. */
-  private canBeHit(css: string): Promise<void> {
-    return this.evaluate(async (selector: string) => {
-      const element = document.querySelector(selector);
-      if (element === null) return;
-      let before = '';
-      for (let look = 0; look < 60; look += 1) {
-        const { x, y, width, height } = element.getBoundingClientRect();
-        const now = [x, y, width, height].join();
-        const hit = document.elementFromPoint(x + width / 2, y + height / 2);
-        if (now === before && (hit === null || element.contains(hit))) return; // null: beyond the window
-        before = now;
-        await new Promise((done) => setTimeout(done, 32)); // frames stand still in a window that is covered
-      }
-    }, css);
-  }
-
   private find(css: string): Promise<string> {
     return this.retried(async () => {
       const found = await this.command('POST', '/element', { using: 'css selector', value: css });
@@ -217,6 +210,70 @@ export class WebKitSession {
       }
     }
   }
+}
+
+/** What the page remembers between aiming at an element and the press. */
+interface Aimed {
+  aimedAt?: { hit: boolean | null };
+}
+
+/**
+ * Waits until an element can be hit, and listens where the next press goes. Runs in the page.
+ *
+ * @returns the middle of the element in CSS px of the window, or why it cannot be hit
+ */
+async function readyToBeHit(css: string): Promise<{ x: number; y: number } | string> {
+  let before = '';
+  let problem = 'is not there';
+  for (let look = 0; look < 40; look += 1) {
+    await frames();
+    const element = document.querySelector(css);
+    if (!element) continue;
+    if (look % 4 === 0) element.scrollIntoView({ block: look % 8 ? 'center' : 'nearest', behavior: 'instant' });
+    const { x: left, y: top, width, height } = element.getBoundingClientRect();
+    const [x, y] = [Math.floor(left + width / 2), Math.floor(top + height / 2)];
+    const now = [left, top, width, height].join();
+    const hit = document.elementFromPoint(x, y);
+    if (element.matches(':disabled')) problem = 'is disabled';
+    else if (!hit || !element.contains(hit)) problem = `is covered by ${hit?.outerHTML.slice(0, 100) ?? 'the edge'}`;
+    else if (now !== before || glides(element)) problem = 'does not stand still';
+    else return aim(x, y);
+    before = now;
+  }
+  return problem;
+
+  /** Two frames; in a window that draws none for a while, no longer than 100 ms. */
+  async function frames() {
+    const drawn = new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)));
+    await Promise.race([drawn, new Promise((done) => setTimeout(done, 100))]);
+  }
+
+  /** Whether it, or what it lies in, is on its way in or out: a menu that has not begun to move stands still as well. */
+  function glides(element: Element): boolean {
+    if (element.closest('[class*="-enter-"], [class*="-leave-"]') !== null) return true;
+    return document.getAnimations().some(({ effect }) => {
+      if (!(effect instanceof KeyframeEffect) || effect.getComputedTiming().endTime === Infinity) return false;
+      return effect.target?.contains(element) ?? false;
+    });
+  }
+
+  function aim(x: number, y: number) {
+    const aimed: { hit: boolean | null } = { hit: null };
+    (window as Aimed).aimedAt = aimed;
+    const press = (event: Event) => {
+      const target = event.composedPath()[0];
+      aimed.hit = target instanceof Element && target.closest(css) !== null;
+    };
+    window.addEventListener('pointerdown', press, { capture: true, once: true });
+    return { x, y };
+  }
+}
+
+/** Whether the press went to the element; a page that is new since then was left by it. Runs in the page. */
+async function wasHit(): Promise<boolean> {
+  const aimed = (window as Aimed).aimedAt;
+  for (let look = 0; aimed?.hit === null && look < 30; look += 1) await new Promise((done) => setTimeout(done, 10));
+  return aimed?.hit ?? aimed === undefined;
 }
 
 async function send(base: string, method: string, path: string, body?: unknown): Promise<unknown> {
