@@ -1,48 +1,36 @@
 # Labyrinthe avec pare-chocs
-# Le pare-chocs dit quand le robot touche un mur. À chaque mur, il recule et essaie à gauche.
-# S'il y a tout de suite un mur, il va de l'autre côté. L'arrivée est une ligne noire.
-from calliopemini import running_time
+# Le robot va toujours un peu à droite, jusqu'à ce qu'il touche un mur.
+# Alors il recule et tourne un peu à gauche.
+# Il suit ainsi à tâtons le mur de droite, à chaque coin. L'arrivée est une ligne noire.
 from callibot import *
 
-QUARTER_TURN = 357      # millisecondes pour 90 degrés avec setSpeed(20)
-SHORT = 1500            # millisecondes : un mur qui vient si vite ferme le chemin
-
-def turn(direction):
-    direction()         # gauche ou droite
-    delay(QUARTER_TURN)
-    stop()
-    delay(200)
+RADIUS = 0.15           # mètres : le rayon de son virage à droite
+BACK = 250              # millisecondes pour quitter le mur
+AWAY = 250              # millisecondes : il se détourne du mur d'autant
 
 def is_touching():
     return tsValue() or tsLeftValue() or tsRightValue()
 
-def drive():
-    """Roule jusqu'au prochain mur. Donne les millisecondes du trajet, ou 0 à l'arrivée."""
-    start = running_time()
-    forward()
-    while True:
-        is_dark = irLeftValue() == 0 and irRightValue() == 0
-        if is_touching():   # quand le pare-chocs est pressé, les valeurs des capteurs de ligne ne veulent rien dire
-            way = running_time() - start
-            backward()
-            delay(250)
-            stop()
-            delay(200)
-            return way
-        if is_dark:
-            stop()
-            return 0
-        delay(10)
+def is_dark():
+    return irLeftValue() == 0 and irRightValue() == 0
+
+def at_finish():
+    """L'arrivée est sombre. Avec le pare-chocs pressé, tout paraît sombre aussi : alors s'arrêter et regarder encore."""
+    if not is_dark():
+        return False
+    stop()
+    delay(100)
+    return is_dark() and not is_touching()
 
 setSpeed(20)
-way = drive()
 
-while way > 0:
-    turn(left)
-    way = drive()
-    if 0 < way < SHORT:
-        turn(left)      # deux quarts de tour : l'autre chemin
-        turn(left)
-        way = drive()
+while not at_finish():
+    rightArc(RADIUS)
+    if is_touching():
+        backward()
+        delay(BACK)
+        left()
+        delay(AWAY)
 
+stop()
 setLED(1)               # réussi !

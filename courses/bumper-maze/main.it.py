@@ -1,48 +1,36 @@
 # Labirinto con il paraurti
-# Il paraurti dice quando il robot tocca un muro. A ogni muro indietreggia e prova a sinistra.
-# Se c'è subito un muro, va dall'altra parte. L'arrivo è una linea nera.
-from calliopemini import running_time
+# Il robot va sempre un po' a destra, finché tocca un muro.
+# Allora indietreggia e gira un po' a sinistra.
+# Così segue a tentoni il muro di destra, a ogni angolo. L'arrivo è una linea nera.
 from callibot import *
 
-QUARTER_TURN = 357      # millisecondi per 90 gradi con setSpeed(20)
-SHORT = 1500            # millisecondi: un muro che arriva così presto chiude la via
-
-def turn(direction):
-    direction()         # sinistra o destra
-    delay(QUARTER_TURN)
-    stop()
-    delay(200)
+RADIUS = 0.15           # metri: il raggio della sua curva a destra
+BACK = 250              # millisecondi per lasciare il muro
+AWAY = 250              # millisecondi: di tanto si gira via dal muro
 
 def is_touching():
     return tsValue() or tsLeftValue() or tsRightValue()
 
-def drive():
-    """Va fino al prossimo muro. Dà i millisecondi del tragitto, o 0 all'arrivo."""
-    start = running_time()
-    forward()
-    while True:
-        is_dark = irLeftValue() == 0 and irRightValue() == 0
-        if is_touching():   # finché il paraurti è premuto, i valori dei sensori di linea non dicono niente
-            way = running_time() - start
-            backward()
-            delay(250)
-            stop()
-            delay(200)
-            return way
-        if is_dark:
-            stop()
-            return 0
-        delay(10)
+def is_dark():
+    return irLeftValue() == 0 and irRightValue() == 0
+
+def at_finish():
+    """L'arrivo è scuro. Con il paraurti premuto pare scuro tutto: allora fermarsi e guardare ancora."""
+    if not is_dark():
+        return False
+    stop()
+    delay(100)
+    return is_dark() and not is_touching()
 
 setSpeed(20)
-way = drive()
 
-while way > 0:
-    turn(left)
-    way = drive()
-    if 0 < way < SHORT:
-        turn(left)      # due quarti di giro: l'altra via
-        turn(left)
-        way = drive()
+while not at_finish():
+    rightArc(RADIUS)
+    if is_touching():
+        backward()
+        delay(BACK)
+        left()
+        delay(AWAY)
 
+stop()
 setLED(1)               # fatto!

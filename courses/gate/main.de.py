@@ -5,6 +5,10 @@ from mbrobot import *
 
 FREE = 50               # Zentimeter: so weit weg ist das Tor nie
 
+def distance():
+    """Die kleinste von drei Messungen: geht ein Echo verloren, gibt getDistance() 255."""
+    return min(getDistance(), getDistance(), getDistance())
+
 setSpeed(60)
 
 forward()
@@ -13,9 +17,9 @@ while irLeft.read_digital() == 1:
 stop()
 
 setLED(1)
-while getDistance() > FREE:     # offen, aber wie lange noch?
+while distance() > FREE:        # offen, aber wie lange noch?
     delay(20)
-while getDistance() < FREE:     # zu
+while distance() < FREE:        # zu
     delay(20)
 setLED(0)
 

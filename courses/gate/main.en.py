@@ -5,6 +5,10 @@ from mbrobot import *
 
 FREE = 50               # centimetres: the gate is never so far away
 
+def distance():
+    """The smallest of three measurements: when an echo is lost, getDistance() gives 255."""
+    return min(getDistance(), getDistance(), getDistance())
+
 setSpeed(60)
 
 forward()
@@ -13,9 +17,9 @@ while irLeft.read_digital() == 1:
 stop()
 
 setLED(1)
-while getDistance() > FREE:     # open, but for how long?
+while distance() > FREE:        # open, but for how long?
     delay(20)
-while getDistance() < FREE:     # closed
+while distance() < FREE:        # closed
     delay(20)
 setLED(0)
 

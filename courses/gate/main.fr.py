@@ -5,6 +5,10 @@ from mbrobot import *
 
 FREE = 50               # centimètres : la porte n'est jamais si loin
 
+def distance():
+    """La plus petite de trois mesures : si un écho se perd, getDistance() donne 255."""
+    return min(getDistance(), getDistance(), getDistance())
+
 setSpeed(60)
 
 forward()
@@ -13,9 +17,9 @@ while irLeft.read_digital() == 1:
 stop()
 
 setLED(1)
-while getDistance() > FREE:     # ouverte, mais pour combien de temps ?
+while distance() > FREE:        # ouverte, mais pour combien de temps ?
     delay(20)
-while getDistance() < FREE:     # fermée
+while distance() < FREE:        # fermée
     delay(20)
 setLED(0)
 

@@ -5,6 +5,10 @@ from mbrobot import *
 
 FREE = 50               # centimetri: la porta non è mai così lontana
 
+def distance():
+    """La più piccola di tre misure: se un'eco si perde, getDistance() dà 255."""
+    return min(getDistance(), getDistance(), getDistance())
+
 setSpeed(60)
 
 forward()
@@ -13,9 +17,9 @@ while irLeft.read_digital() == 1:
 stop()
 
 setLED(1)
-while getDistance() > FREE:     # aperta, ma per quanto?
+while distance() > FREE:        # aperta, ma per quanto?
     delay(20)
-while getDistance() < FREE:     # chiusa
+while distance() < FREE:        # chiusa
     delay(20)
 setLED(0)
 

@@ -1,7 +1,7 @@
 import { closeSync, existsSync, openSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
-import { chooseHardware, isMisplugged, type Hardware } from '#simulation/hardware';
+import { chooseHardware, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
@@ -31,7 +31,7 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
   const { robot, board, firmware, seed, reality, robotOptions } = options;
-  if (hardware) tellMisplugged(hardware, terminal);
+  if (hardware) tellUnfit(hardware, read, terminal);
   const outcome = await supervise(
     {
       setup: { ...read, robot, board, firmware, seed, reality, robotOptions, keepTrace: trace !== null },
@@ -81,9 +81,18 @@ async function strictFailure(
   return { ...nothingYet, ended: 'exception', exception };
 }
 
-/** A robot on a board that it does not fit answers to nothing: the program will meet the device's error, and this says why. */
-function tellMisplugged(hardware: Hardware, terminal: Terminal): void {
+/**
+ * A robot on a board that it does not fit answers to nothing, another robot than the program's answers otherwise: the
+ * program will meet the device's error or drive oddly, and this says why.
+ */
+function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal): void {
   const { board, robot } = hardware;
+  const meant = robotMeant(files, robot);
+  if (meant !== null) {
+    const here = robot === null ? 'there is no robot here' : `the robot here is the ${robot.name}`;
+    terminal.message(`parcours: the program is for the ${meant.name}, but ${here}. Choose --robot ${meant.id}.`);
+    return;
+  }
   if (robot === null || !isMisplugged(hardware)) return;
   const fitting = findBoard(robot.board);
   terminal.message(

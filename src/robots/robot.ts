@@ -44,7 +44,10 @@ export interface RobotType {
   readonly body: ChassisType;
   /** Names of the Python modules it brings along. Importing one of them hints at this robot, nothing more. */
   readonly modules: readonly string[];
-  /** Names under which drivers by others go around, small and without underscores: hints like `modules`. */
+  /**
+   * Names under which drivers by others go around: hints like `modules`. Small and without underscores a name stands for all
+   * its spellings; spelled otherwise it stands for itself and comes first.
+   */
   readonly driverNames?: readonly string[];
   /** What can be chosen about it; those of its servo ports are called like the ports. */
   readonly options: readonly Option[];

@@ -121,10 +121,12 @@ const isFor = ({ modules }: RobotType, imported: ReadonlySet<string>): boolean =
  * the first that carries the board, if that was named, or of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
-  const driverNames = new Set(Array.from(imported, (name) => name.toLowerCase().replaceAll('_', '')));
+  const goesBy = (named: (driver: string) => boolean) => robotTypes.find((type) => type.driverNames?.some(named));
+  const plain = new Set(Array.from(imported, (name) => name.toLowerCase().replaceAll('_', '')));
   const byImport =
     robotTypes.find((type) => isFor(type, imported)) ??
-    robotTypes.find((type) => type.driverNames?.some((name) => driverNames.has(name)));
+    goesBy((driver) => imported.has(driver)) ??
+    goesBy((driver) => plain.has(driver));
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }
 

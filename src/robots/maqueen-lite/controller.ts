@@ -10,13 +10,13 @@
  *      0x15      RW      servo S2 angle
  *      0x32      R       length of the version text
  *      0x33 …    R       version text, ASCII
- *      others            writes are ignored, reads give 0
+ *      others            those of the V5: see v5.ts; else writes are ignored, reads give 0
  *
  * Sources: DFRobot pxt-maqueen `maqueen.ts` (3-byte motor writes, servo writes, `IR_read_version`), Tiger-Jython
  * Robotics-Libraries `mbrobot.py` (one 5-byte write for both motors).
  */
 import type { I2cTarget } from '#board/i2c-bus';
-import { createRegisterMachine, memoryRegisters, textRegisters } from '#devices/i2c-registers';
+import { createRegisterMachine, memoryRegisters, textRegisters, type RegisterPart } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot pxt-maqueen: IIC address of the motor driver
 
@@ -42,8 +42,8 @@ export interface ControllerOutputs {
   servo(port: 'S1' | 'S2', angleDeg: number): void;
 }
 
-/** Makes the controller, both motors standing. Register contents start at 0. */
-export function createController(outputs: ControllerOutputs): I2cTarget {
+/** Makes the controller, both motors standing. Register contents start at 0. `more` are the registers of further parts. */
+export function createController(outputs: ControllerOutputs, more: readonly RegisterPart[] = []): I2cTarget {
   return createRegisterMachine([
     memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
       outputs.motors({ direction: dirL, speed: speedL }, { direction: dirR, speed: speedR }),
@@ -51,5 +51,6 @@ export function createController(outputs: ControllerOutputs): I2cTarget {
     memoryRegisters(SERVO_S1, 1, ([angle = 0]) => outputs.servo('S1', angle)),
     memoryRegisters(SERVO_S2, 1, ([angle = 0]) => outputs.servo('S2', angle)),
     textRegisters(VERSION_REGISTER, VERSION),
+    ...more,
   ]);
 }

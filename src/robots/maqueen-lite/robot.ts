@@ -1,8 +1,8 @@
 /**
- * DFRobot Maqueen Lite (micro:Maqueen V4): its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md;
+ * DFRobot Maqueen Lite (micro:Maqueen V3, V4 and V5): its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md;
  * NOE = NoeSchaller/TS_Maqueen, ETH = Tiger-Jython/Robotics-Libraries, DF = DFRobot pxt-maqueen.
  *
- *      P0  buzzer              P8   red LED left       I2C 0x10  motors, servos S1 S2, version
+ *      P0  buzzer              P8   red LED left       I2C 0x10  motors, servos S1 S2, version; what the V5 added: v5.ts
  *      P1  ultrasonic trigger  P12  red LED right
  *      P2  ultrasonic echo     P13  line sensor left
  *      P15 four RGB LEDs       P14  line sensor right
@@ -24,6 +24,7 @@ import mbled from './library/mbled.py?raw';
 import mbrobot from './library/mbrobot.py?raw';
 import mbrobotmot from './library/mbrobotmot.py?raw';
 import { maqueenLite as type, SERVO_PORTS } from './type';
+import { mountV5 } from './v5';
 
 const LINE_LEFT: Vec = { x: 34, y: 7 }; // NOE
 const LINE_RIGHT: Vec = { x: 34, y: -7 }; // NOE
@@ -44,11 +45,15 @@ function attach(context: RobotContext): Robot {
   const { board, chassis, clock, scale } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
   const motors = mountMotors(chassis);
-  const controller = createController({
-    motors: (left, right) =>
-      motors.drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
-    servo: (port, angleDeg) => servos.set(port, angleDeg),
-  });
+  const v5 = mountV5(context, motors, { left: LINE_LEFT, right: LINE_RIGHT, spotRadiusMm: LINE_SPOT_RADIUS_MM });
+  const controller = createController(
+    {
+      motors: (left, right) =>
+        motors.drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
+      servo: (port, angleDeg) => servos.set(port, angleDeg),
+    },
+    v5.registers,
+  );
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
   const see = (spot: Vec) => (): number => context.ground(scaled(spot, scale), LINE_SPOT_RADIUS_MM * scale);
 
@@ -70,7 +75,7 @@ function attach(context: RobotContext): Robot {
   ];
 
   const state = (): RobotState => ({
-    leds: { left: leds.left.isLit(), right: leds.right.isLit() },
+    leds: { left: leds.left.isLit() || v5.isLit(0) ? 1 : 0, right: leds.right.isLit() || v5.isLit(1) ? 1 : 0 },
     rgb: underglow.colors(),
     lineSensors: [
       { name: 'left', atMm: LINE_LEFT, bright: lineLeft.isBright() },
@@ -85,6 +90,7 @@ function attach(context: RobotContext): Robot {
   const step = (): void => {
     lineLeft.sample();
     lineRight.sample();
+    v5.step();
     servos.step();
   };
   return { state, step, detach: () => stops.forEach((stop) => stop()) };

@@ -24,10 +24,10 @@ import squareEn from './examples/square.en.py?raw';
 export const maqueenLiteSheet: RobotSheet = {
   robot: 'maqueen-lite',
   about: {
-    de: 'Der kleine Roboter von DFRobot, den viele Schulen haben. Er hat zwei Motoren, zwei Liniensensoren, Ultraschall, rote und farbige Lichter und zwei Anschlüsse für Servos.',
-    fr: 'Le petit robot de DFRobot que beaucoup d’écoles possèdent. Il a deux moteurs, deux capteurs de ligne, des ultrasons, des lumières rouges et colorées et deux connecteurs pour servos.',
-    it: 'Il piccolo robot di DFRobot che molte scuole possiedono. Ha due motori, due sensori di linea, ultrasuoni, luci rosse e colorate e due connettori per servo.',
-    en: 'The small robot by DFRobot that many schools have. It has two motors, two line sensors, an ultrasonic sensor, red and coloured lights and two servo ports.',
+    de: 'Der kleine Roboter von DFRobot, den viele Schulen haben. Er hat zwei Motoren, zwei Liniensensoren, Ultraschall, rote und farbige Lichter und zwei Anschlüsse für Servos. Programme für seine Ausgaben V3, V4 und V5 laufen.',
+    fr: 'Le petit robot de DFRobot que beaucoup d’écoles possèdent. Il a deux moteurs, deux capteurs de ligne, des ultrasons, des lumières rouges et colorées et deux connecteurs pour servos. Les programmes pour ses versions V3, V4 et V5 fonctionnent.',
+    it: 'Il piccolo robot di DFRobot che molte scuole possiedono. Ha due motori, due sensori di linea, ultrasuoni, luci rosse e colorate e due connettori per servo. Funzionano i programmi per le sue versioni V3, V4 e V5.',
+    en: 'The small robot by DFRobot that many schools have. It has two motors, two line sensors, an ultrasonic sensor, red and coloured lights and two servo ports. Programs for its issues V3, V4 and V5 run.',
   },
   examples: [
     {
@@ -224,6 +224,26 @@ export const maqueenLiteSheet: RobotSheet = {
           },
         },
         {
+          register: '0x0B, 0x0C',
+          access: 'RW',
+          meaning: {
+            de: 'V5: Farbe des Lichts links, rechts: 1 rot, 2 grün, 3 gelb, 4 blau, 5 violett, 6 türkis, 7 weiss, 8 aus',
+            fr: 'V5 : couleur de la lumière gauche, droite : 1 rouge, 2 vert, 3 jaune, 4 bleu, 5 violet, 6 cyan, 7 blanc, 8 éteint',
+            it: 'V5: colore della luce sinistra, destra: 1 rosso, 2 verde, 3 giallo, 4 blu, 5 viola, 6 ciano, 7 bianco, 8 spento',
+            en: 'V5: colour of the left, right light: 1 red, 2 green, 3 yellow, 4 blue, 5 purple, 6 cyan, 7 white, 8 off',
+          },
+        },
+        {
+          register: '0x0D … 0x12',
+          access: 'RW',
+          meaning: {
+            de: 'V5: wie oft und wie schnell diese Lichter blinken und die Farbe wechseln',
+            fr: 'V5 : combien de fois et à quelle vitesse ces lumières clignotent et changent de couleur',
+            it: 'V5: quante volte e con che velocità queste luci lampeggiano e cambiano colore',
+            en: 'V5: how often and how fast these lights flash and change their colour',
+          },
+        },
+        {
           register: '0x14',
           access: 'RW',
           meaning: {
@@ -244,6 +264,46 @@ export const maqueenLiteSheet: RobotSheet = {
           },
         },
         {
+          register: '0x1D',
+          access: 'R',
+          meaning: {
+            de: 'V5: Liniensensoren: Bit 2 links, Bit 1 Mitte, Bit 0 rechts; 1 auf Schwarz',
+            fr: 'V5 : capteurs de ligne : bit 2 gauche, bit 1 milieu, bit 0 droite ; 1 sur du noir',
+            it: 'V5: sensori di linea: bit 2 sinistra, bit 1 centro, bit 0 destra; 1 sul nero',
+            en: 'V5: line sensors: bit 2 left, bit 1 middle, bit 0 right; 1 on black',
+          },
+        },
+        {
+          register: '0x20 … 0x25',
+          access: 'R',
+          meaning: {
+            de: 'V5: Helligkeit am Boden links, Mitte, rechts, je zwei Bytes, das hohe zuerst',
+            fr: 'V5 : luminosité du sol à gauche, au milieu, à droite, deux octets chacune, le fort en premier',
+            it: 'V5: luminosità del pavimento a sinistra, al centro, a destra, due byte ciascuna, prima quello alto',
+            en: 'V5: brightness of the ground left, middle, right, two bytes each, high byte first',
+          },
+        },
+        {
+          register: '0x29 … 0x2C',
+          access: 'R',
+          meaning: {
+            de: 'V5: Licht von links, von rechts, je zwei Bytes, das hohe zuerst',
+            fr: 'V5 : lumière venant de gauche, de droite, deux octets chacune, le fort en premier',
+            it: 'V5: luce da sinistra, da destra, due byte ciascuna, prima quello alto',
+            en: 'V5: light from the left, from the right, two bytes each, high byte first',
+          },
+        },
+        {
+          register: '0x2D, 0x2E',
+          access: 'RW',
+          meaning: {
+            de: 'V5: Art der Batterie (0 Lithium, 1 Alkali) und wie voll sie ist, in %',
+            fr: 'V5 : type de pile (0 lithium, 1 alcaline) et son niveau, en %',
+            it: 'V5: tipo di batteria (0 litio, 1 alcalina) e quanto è carica, in %',
+            en: 'V5: kind of battery (0 lithium, 1 alkaline) and how full it is, in %',
+          },
+        },
+        {
           register: '0x32',
           access: 'R',
           meaning: {
@@ -257,6 +317,26 @@ export const maqueenLiteSheet: RobotSheet = {
           register: '0x33 …',
           access: 'R',
           meaning: { de: 'Versionstext', fr: 'texte de version', it: 'testo di versione', en: 'version text' },
+        },
+        {
+          register: '0x46',
+          access: 'W',
+          meaning: {
+            de: 'V5: Neustart: Lichter und Linienfolgen aus',
+            fr: 'V5 : redémarrage : lumières et suivi de ligne éteints',
+            it: 'V5: riavvio: luci e inseguimento della linea spenti',
+            en: 'V5: start anew: lights and line following off',
+          },
+        },
+        {
+          register: '0x47, 0x48',
+          access: 'RW',
+          meaning: {
+            de: 'V5: folgt von selbst einer Linie (1 ein, 0 aus) und wie schnell (1–3)',
+            fr: 'V5 : suit tout seul une ligne (1 oui, 0 non), et sa vitesse (1–3)',
+            it: 'V5: segue da solo una linea (1 sì, 0 no) e a che velocità (1–3)',
+            en: 'V5: follows a line by itself (1 on, 0 off) and how fast (1–3)',
+          },
         },
       ],
     },

@@ -240,3 +240,11 @@ describe('Maqueen Plus V1: the rest', () => {
     expect(chassis.wheelSpeedMmPerS(0)).toBeCloseTo(0, 6);
   });
 });
+
+describe('Maqueen Plus V1: infrared receiver', () => {
+  it('holds P16 high, as no remote control is heard, also against the pull-down of read_digital()', () => {
+    const { board } = onTheFloor();
+    board.wire('P16').connect('test').pull('down');
+    expect(board.wire('P16').level).toBe(1);
+  });
+});

@@ -4,10 +4,11 @@
  *
  *      P0  buzzer                I2C 0x10  motors, pulses, speed control, colour lights, servos S1 S2 S3,
  *      P1  ultrasonic trigger              line sensors, version
- *      P2  ultrasonic echo
+ *      P2  ultrasonic echo       P16       infrared receiver
  */
 import type { Vec } from '#core/geometry';
 import { attachHcSr04 } from '#devices/hc-sr04';
+import { attachIrReceiver } from '#devices/ir-receiver';
 import type { Rgb } from '#devices/ws2812';
 import { STEP_US } from '#world/world';
 import { mountLineRow, type LinePlace } from '../line-row';
@@ -69,6 +70,7 @@ function attach(context: RobotContext): Robot {
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P1'), echo: board.wire('P2') }, () => sonar.distanceMm()),
+    attachIrReceiver(board.wire('P16')),
     servos.stop,
     drive.stop,
   ];

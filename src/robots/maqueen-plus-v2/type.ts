@@ -145,7 +145,7 @@ export const maqueenPlusV2: RobotType = {
   board: 'microbit-v2',
   body,
   modules: ['mbrobot_plusV2'],
-  driverNames: ['maqueenplusv2', 'maqueenplus'],
+  driverNames: ['maqueenplusv2', 'maqueen_plus'], // the latter: almasy
   options,
   mountMm: { x: 78.5, y: 0 },
   drawing,

@@ -1,0 +1,28 @@
+import { describe, expect, it } from 'vitest';
+import { parcours, useFolder } from './testing/parcours';
+
+const { file } = useFolder();
+
+describe('parcours run with a robot that does not fit', { timeout: 60_000 }, () => {
+  const forLite = file('lite.py', 'from mbrobot import *\nstop()\n');
+
+  it('says for which robot the program is when another one is chosen', () => {
+    expect(parcours('run', forLite, '--robot', 'maqueen-plus-v2').err).toContain(
+      'the program is for the Maqueen Lite, but the robot here is the Maqueen Plus V2. Choose --robot maqueen-lite.',
+    );
+  });
+
+  it('says so too when there is no robot at all', () => {
+    expect(parcours('run', forLite, '--robot', 'none').err).toContain('but there is no robot here');
+  });
+
+  it('says on which microcomputer the robot belongs when it stands on the other', () => {
+    const { err } = parcours('run', forLite, '--robot', 'maqueen-lite', '--board', 'calliope-mini-3');
+    expect(err).toContain('made for the micro:bit V2');
+  });
+
+  it('says nothing when all fits, or when nobody can tell', () => {
+    expect(parcours('run', forLite).err).toBe('');
+    expect(parcours('run', file('bare.py', 'from microbit import *\n'), '--robot', 'callibot').err).toBe('');
+  });
+});

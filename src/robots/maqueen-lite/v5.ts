@@ -1,0 +1,185 @@
+/**
+ * What the Maqueen V5 added to the controller. The registers lie where those of earlier robots are empty, so one Maqueen
+ * Lite stands for all of them: a program for the V5 finds here what it asks for, one for the V3 or V4 never notices.
+ *
+ *      register      access  meaning
+ *      0x0B, 0x0C    RW      colour of the left, right car light: 1 red … 7 white, 8 or 0 off
+ *      0x0D, 0x0F    RW      how many times the left, right one flashes
+ *      0x0E, 0x10    RW      how fast: 1 … 5
+ *      0x11, 0x12    RW      the left, right one goes through the colours: 1 … 5
+ *      0x1D          R       line sensors: bit 2 left, bit 1 middle, bit 0 right; 1 on black
+ *      0x1E … 0x27   R       five ADC channels, two bytes each, high byte first: the second left, the third middle, the
+ *                            fourth right; the others 0
+ *      0x29 … 0x2C   R       light on the left, on the right, two bytes each, high byte first
+ *      0x2D          RW      kind of cells: 0 lithium, 1 alkaline
+ *      0x2E          R       how full they are, 0 … 100 %
+ *      0x46          W       starts anew: lights and line following off
+ *      0x47          RW      line following by itself: 1 on, 0 off
+ *      0x48          RW      its speed, 1 … 3
+ *
+ * Sources: DFRobot pxt-maqueen `maqueen.ts`, namespace Maqueen_V5; humpda/maqueenliteV5_micropython `mbrobotv5.py`. Values
+ * that neither tells: SOURCES.md.
+ */
+import type { Vec } from '#core/geometry';
+import { liveRegisters, memoryRegisters, type RegisterPart } from '#devices/i2c-registers';
+import type { Motors } from '../mounting';
+import { mountLineRow, type LineRow } from '../line-row';
+import type { RobotContext } from '../robot';
+import { createCarLight, type CarLight } from './car-light';
+import { createLineWalker } from './line-walking';
+
+const CAR_LIGHTS = 0x0b;
+const LINE_BITS = 0x1d;
+const LINE_VALUES = 0x1e;
+const LIGHT = 0x29;
+const BATTERY_KIND = 0x2d;
+const BATTERY = 0x2e;
+const START_ANEW = 0x46;
+const LINE_WALKING = 0x47;
+
+type LineName = 'left' | 'middle' | 'right';
+
+/** Bits from 0 on: DFRobot, readPatrol. */
+const BITS: readonly LineName[] = ['right', 'middle', 'left'];
+/** ADC channels: DFRobot, readPatrolData. */
+const CHANNELS: readonly (LineName | null)[] = [null, 'left', 'middle', 'right', null];
+
+/** Chosen: as on the Maqueen Plus V1, also 12 bits; a public program takes 1000 … 4095 for a sign that a V5 is there. */
+const BRIGHTNESS = { black: 1000, floor: 3500 } as const;
+
+/** Chosen: 12 bits again; a torch reads 2040, as public programs turn to a light from a sum of 3000 on. */
+const LIGHT_PER_LEVEL = 8;
+
+/** What is full and what is empty, in mV, by kind of cells: chosen, one lithium cell behind a converter, three alkaline cells. */
+const CELLS_MV = [
+  { empty: 3300, full: 4200 },
+  { empty: 3300, full: 4500 },
+] as const;
+
+const FULL_BYTE = 255;
+
+/** The V5's parts on one robot. */
+export interface V5 {
+  readonly registers: readonly RegisterPart[];
+  isLit(side: 0 | 1): boolean;
+  /** To be called after each step of the world. */
+  step(): void;
+}
+
+/** Where the line sensors look and how wide, in mm on the real robot. */
+export interface V5Line {
+  readonly left: Vec;
+  readonly right: Vec;
+  readonly spotRadiusMm: number;
+}
+
+/** Mounts them. A robot that is never asked for its V5 side looks at no more ground than before. */
+export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, places: V5Line): V5 {
+  const line = lineOnDemand(context, places);
+  const lights = [createCarLight(context.clock), createCarLight(context.clock)] as const;
+  const walker = createLineWalker();
+  let isWalking = false;
+  let grade = 1;
+
+  const walk = (isOn: boolean): void => {
+    if (isWalking && !isOn) motors.drive(0, 0);
+    isWalking = isOn;
+  };
+  const sees = (name: LineName): boolean => !line.now().isBright(name);
+  const level = (): number => context.board.sensors.get('lightLevel') * LIGHT_PER_LEVEL;
+  return {
+    registers: [
+      ...lightRegisters(lights),
+      liveRegisters(LINE_BITS, 1, () => BITS.reduce((bits, name, bit) => (sees(name) ? bits | (1 << bit) : bits), 0)),
+      wordRegisters(LINE_VALUES, CHANNELS.length, (channel) => {
+        const name = CHANNELS[channel] ?? null;
+        return name === null ? 0 : line.now().reading(name);
+      }),
+      wordRegisters(LIGHT, 2, level),
+      ...batteryRegisters(context.supplyMv),
+      memoryRegisters(START_ANEW, 1, () => {
+        for (const light of lights) light.colour(0);
+        walk(false);
+      }),
+      memoryRegisters(LINE_WALKING, 2, ([isOn = 0, speed = 0]) => {
+        grade = speed;
+        walk(isOn === 1);
+      }),
+    ],
+    isLit: (side) => lights[side].isLit(),
+    step: () => {
+      line.moved();
+      if (!isWalking) return;
+      const { left, right } = walker.next({ left: sees('left'), middle: sees('middle'), right: sees('right') }, grade);
+      motors.drive(left / FULL_BYTE, right / FULL_BYTE);
+    },
+  };
+}
+
+/** Line sensors that look at the ground at most once per step, and only when somebody asks. */
+function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Line) {
+  let row: LineRow<LineName> | null = null;
+  let isStale = false;
+  const places = [
+    { name: 'left', atMm: left },
+    { name: 'middle', atMm: { x: (left.x + right.x) / 2, y: (left.y + right.y) / 2 } },
+    { name: 'right', atMm: right },
+  ] as const;
+  return {
+    moved: (): void => {
+      isStale = true;
+    },
+    now: (): LineRow<LineName> => {
+      if (row === null) row = mountLineRow<LineName>(context, places, { spotRadiusMm, ...BRIGHTNESS });
+      else if (isStale) row.sample();
+      isStale = false;
+      return row;
+    },
+  };
+}
+
+function lightRegisters([left, right]: readonly [CarLight, CarLight]): RegisterPart[] {
+  const acts = [
+    (byte: number) => left.colour(byte),
+    (byte: number) => right.colour(byte),
+    (byte: number) => left.flash(byte),
+    (byte: number) => left.flashGrade(byte),
+    (byte: number) => right.flash(byte),
+    (byte: number) => right.flashGrade(byte),
+    (byte: number) => left.change(byte),
+    (byte: number) => right.change(byte),
+  ];
+  const bytes = new Uint8Array(acts.length);
+  return [
+    {
+      first: CAR_LIGHTS,
+      count: acts.length,
+      read: (offset) => bytes[offset] ?? 0,
+      write: (offset, byte) => {
+        bytes[offset] = byte;
+        acts[offset]?.(byte);
+      },
+    },
+  ];
+}
+
+function batteryRegisters(supplyMv: () => number): RegisterPart[] {
+  let kind = 0;
+  return [
+    memoryRegisters(BATTERY_KIND, 1, ([byte = 0]) => {
+      kind = byte;
+    }),
+    liveRegisters(BATTERY, 1, () => {
+      const { empty, full } = CELLS_MV[kind === 1 ? 1 : 0];
+      return Math.round(Math.min(Math.max((supplyMv() - empty) / (full - empty), 0), 1) * 100);
+    }),
+  ];
+}
+
+/** Words that can only be read, high byte first. */
+function wordRegisters(first: number, words: number, read: (word: number) => number): RegisterPart {
+  return liveRegisters(first, 2 * words, (offset) => {
+    const word = read(offset >> 1);
+    return (offset % 2 === 0 ? word >> 8 : word) & 0xff;
+  });
+}

@@ -1,0 +1,30 @@
+import { describe, expect, it } from 'vitest';
+
+import { defaultScene } from '#scene/scene';
+import { AUTO, chooseHardware } from './hardware';
+
+/** The robot that a program gets which imports a driver by others, and nobody has chosen one. */
+function robotFor(module: string): string | null {
+  const files = { 'main.py': `from microbit import *\nimport ${module}`, [`${module}.py`]: '' };
+  const hardware = chooseHardware({ scene: defaultScene(), files, robot: AUTO, board: AUTO });
+  return 'problem' in hardware ? hardware.problem : (hardware.robot?.id ?? null);
+}
+
+describe('the robot for a driver that somebody else wrote', () => {
+  it('is the Maqueen Plus V2 for its usual names, with or without underscores and capitals', () => {
+    for (const name of ['maqueenplusv2', 'maqueenplus_v2', 'maqueen_plus_v2', 'maqueenPlusV2'])
+      expect([name, robotFor(name)]).toEqual([name, 'maqueen-plus-v2']);
+  });
+
+  it('is the Maqueen Plus V1 for maqueenplus (lawther) and Maqueen_Plus (Koraze), the V2 for maqueen_plus (almasy)', () => {
+    expect(['maqueenplus', 'Maqueen_Plus', 'maqueen_plus'].map(robotFor)).toEqual([
+      'maqueen-plus-v1',
+      'maqueen-plus-v1',
+      'maqueen-plus-v2',
+    ]);
+  });
+
+  it('is the Maqueen Lite for maqueen, whatever its capitals', () => {
+    expect(['maqueen', 'Maqueen', 'maqueen_lite'].map(robotFor)).toEqual(Array(3).fill('maqueen-lite'));
+  });
+});
