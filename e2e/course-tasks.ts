@@ -187,6 +187,7 @@ export async function saveReloadLoad(pupil: Pupil): Promise<void> {
   await until(app, by('course-more'));
   await expect.poll(() => programIn(app)).toBe('print("mine")');
   expect(await listOf(app)).toEqual(rows);
+  expect(await canUndo(app)).toBe(true); // what was built before can still be taken back
 
   await clearAll(app);
   expect(await listOf(app)).toHaveLength(1);

@@ -131,8 +131,8 @@ describe('maze', () => {
         ],
       },
     ]);
-    expect(mazeTool.marks?.(drag([220, 310], [600, 310]), context, true)).toEqual([
-      { type: 'grid', cellMm: 150, edge: null },
-    ]);
+    const bare = [{ type: 'grid', cellMm: 150, edge: null }];
+    expect(mazeTool.marks?.(drag([220, 310], [600, 310]), context, true)).toEqual(bare);
+    expect(mazeTool.marksAtRest?.(context)).toEqual(bare);
   });
 });

@@ -47,6 +47,7 @@ export const mazeTool: Tool = {
     const [edge] = isTap(tap) ? tappedEdges(tap, context) : [];
     return [{ type: 'grid', cellMm, edge: edge ? endsOf(edge, cellMm, scene.size) : null }];
   },
+  marksAtRest: ({ options }) => [{ type: 'grid', cellMm: cellOf(options), edge: null }],
 };
 
 /** The side of a cell in mm: never so small that a drag would go along thousands of edges. */

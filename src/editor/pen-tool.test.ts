@@ -69,6 +69,15 @@ describe('pen', () => {
     expect(drawn(along(path)).points).toHaveLength(2);
   });
 
+  it('does not keep the tremble of a finger, and stays within 2 mm and the rounding of where it went', () => {
+    const rng = createRng(1);
+    const shaken = circle(300, 400).map(({ x, y }) => ({ x: x + 2.4 * (rng.unit() - 0.5), y: y + 2.4 * (rng.unit() - 0.5) })); // prettier-ignore
+    const mouse = drawn(freely(along(shaken))).points;
+    const finger = drawn(freely({ ...along(shaken), reachMm: 35 })).points;
+    expect(finger.length).toBeLessThan(mouse.length / 2);
+    for (const place of shaken) expect(farFrom(place, finger)).toBeLessThan(2.8);
+  });
+
   it('closes a track whose end comes back to its start within reach', () => {
     const { points } = drawn(along(circle(200, 200).slice(0, 199)));
     expect(points[points.length - 1]).toEqual(points[0]);

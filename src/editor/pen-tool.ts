@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import { boundsMeet, boundsOfOutline } from '#scene/outline';
 import { sceneLimits, type Point, type Scene } from '#scene/scene';
-import { simplified, TOLERANCE_MM } from '#scene/simplify';
+import { FINGER_TOLERANCE_MM, simplified, TOLERANCE_MM } from '#scene/simplify';
 import { endOf, isTap, startOf } from './drag';
 import { adding, roomIn } from './edits';
 import { freeIds } from './ids';
@@ -36,7 +36,7 @@ function pointsOf(drag: Drag, context: ToolContext): readonly Point[] {
   // A short mark is what was drawn; only what is hidden under the pen's own width is a dot.
   if (isTap({ ...drag, reachMm: Math.min(drag.reachMm, penWidth / 2) })) return [toPoint(startOf(drag))];
   const line = closedLine(drag.path.map(kept), drag, penWidth);
-  return thinned(penShape === 'curve' ? smooth(line) : line, roomIn(context.scene).points);
+  return thinned(penShape === 'curve' ? smooth(line) : line, toleranceOf(drag), roomIn(context.scene).points);
 }
 
 function straightPoints(drag: Drag, context: ToolContext): readonly Point[] {
@@ -73,14 +73,21 @@ function closedLine(path: readonly Vec[], { free, reachMm }: Drag, widthMm: numb
 }
 
 /** A line with as few points as needed, and never more than there is room for: then it gets coarser, but no gap. */
-function thinned(line: readonly Vec[], room: number): readonly Point[] {
+function thinned(line: readonly Vec[], finestMm: number, room: number): readonly Point[] {
   if (room < 2) return [];
-  for (let toleranceMm = TOLERANCE_MM; ; toleranceMm *= 2) {
+  for (let toleranceMm = finestMm; ; toleranceMm *= 2) {
     const points = simplified(line, toleranceMm);
     if (points.length <= room) return points;
     if (toleranceMm > COARSEST_MM) return evenlyOf(points, room);
   }
 }
+
+/** A finger reaches further than a mouse and trembles more: what it did not mean is not kept, nor carried in a link. */
+const toleranceOf = ({ reachMm }: Drag): number =>
+  Math.min(FINGER_TOLERANCE_MM, Math.max(TOLERANCE_MM, reachMm / REACHES));
+
+/** Chosen: 1.4 px of a finger at its usual reach of 22 px, half a pixel of a mouse. */
+const REACHES = 16;
 
 /** Coarser than that a line is not simplified, but given every so manyth point. */
 const COARSEST_MM = 500;

@@ -101,6 +101,8 @@ export interface Tool {
   ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
   /** What is to be seen besides; `drag` is a single place while the pointer only hovers. */
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
+  /** What is to be seen as long as the tool is chosen and nothing points: fingers never hover. */
+  marksAtRest?(context: ToolContext): readonly Mark[];
   /** What is selected after the drag is over; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
 }

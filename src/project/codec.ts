@@ -1,9 +1,16 @@
-import { DamagedBytes, WORDS, type ColumnReader, type ColumnWriter } from './columns';
+import { DamagedBytes, WORDS } from './columns';
+import type { ValueReader, ValueWriter } from './values';
 
 /** One description of a value for both directions, so that writing and reading cannot part. */
 export interface Codec<T> {
-  write(out: ColumnWriter, value: T): void;
-  read(from: ColumnReader): T;
+  write(out: ValueWriter, value: T): void;
+  read(from: ValueReader): T;
+}
+
+/** A whole number of either sign, with what is known about it before. */
+export interface NearCodec {
+  write(out: ValueWriter, value: number, near: readonly number[]): void;
+  read(from: ValueReader, near: readonly number[]): number;
 }
 
 /**
@@ -28,6 +35,17 @@ export class Columns {
   int(): Codec<number> {
     const column = this.next();
     return { write: (out, value) => out.int(column, value), read: (from) => from.int(column) };
+  }
+
+  /** A whole number of either sign whose likely values the caller knows something about. */
+  near(): NearCodec {
+    const column = this.next();
+    return {
+      write: (out, value, near) => {
+        out.int(column, value, near);
+      },
+      read: (from, near) => from.int(column, near),
+    };
   }
 
   /** A whole number of mm: the cm as their difference from those before, and the mm beyond, which things on a grid do not have. */
@@ -185,7 +203,7 @@ export function mapped<T, U>(codec: Codec<U>, from: (value: T) => U, to: (value:
 export const constant = <const T>(value: T): Codec<T> => ({ write: () => undefined, read: () => value });
 
 /** A count of things that take at least a byte each, so that a hostile count costs no memory. */
-function countOf(from: ColumnReader, length: number, things: number): number {
+function countOf(from: ValueReader, length: number, things: number): number {
   const count = from.uint(length);
   if (count > from.left(things)) throw new DamagedBytes();
   return count;

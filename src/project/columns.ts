@@ -7,6 +7,8 @@
  *     words:   column 0
  */
 
+import type { ValueReader, ValueWriter } from './values';
+
 /** The column of all words. */
 export const WORDS = 0;
 
@@ -17,14 +19,14 @@ export interface Bytes {
 }
 
 /** Longest varint: 5 bytes hold 35 bits, far more than any coordinate or length. */
-const VARINT_BYTES = 5;
+export const VARINT_BYTES = 5;
 const VARINT_END = 34_359_738_368; // 2³⁵
 
 /** What is read does not fit what was written. */
 export class DamagedBytes extends Error {}
 
 /** Writes values into columns. */
-export class ColumnWriter {
+export class ColumnWriter implements ValueWriter {
   private readonly columns: number[][] = [[]];
   private readonly last: number[] = [];
   private readonly words = new Map<string, number>();
@@ -88,6 +90,13 @@ function push(to: number[], value: number): void {
   to.push(rest);
 }
 
+/** How many bytes a whole number from 0 takes as a varint. */
+export function varintBytes(value: number): number {
+  let bytes = 1;
+  for (let rest = value; rest >= 0x80; rest = Math.floor(rest / 0x80)) bytes += 1;
+  return bytes;
+}
+
 /** A column as it is read. */
 interface Column {
   readonly bytes: Uint8Array;
@@ -98,7 +107,7 @@ interface Column {
 }
 
 /** Reads what a `ColumnWriter` wrote, in the same order. Throws `DamagedBytes` for anything else. */
-export class ColumnReader {
+export class ColumnReader implements ValueReader {
   private readonly columns: readonly Column[];
   private readonly words: string[] = [];
 

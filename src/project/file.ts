@@ -1,4 +1,4 @@
-import { findJsonError } from '#scene/json-position';
+import { readJsonFile, summaryOf } from '#scene/json-file';
 import { parseSceneValue } from '#scene/parse';
 import { shown } from '#scene/problem';
 import { Reader, type Fields } from '#scene/reader';
@@ -49,23 +49,8 @@ export function projectToText({ files, scene, course, settings }: Project): stri
 
 /** Reads a project file. Never throws; a file with a problem loads nothing. */
 export function parseProject(text: string): ParsedProject {
-  const { textCharacters } = projectLimits;
-  if (text.length > textCharacters) {
-    const params = { length: text.length, max: textCharacters };
-    const message = `The project file has ${String(text.length)} characters; the limit is ${String(textCharacters)}. Is it the right file?`;
-    return failed([{ code: 'too-long', path: '', value: '', params, message }]);
-  }
-  const json = text.startsWith('\ufeff') ? text.slice(1) : text;
-  let value: unknown;
-  try {
-    value = JSON.parse(json);
-  } catch {
-    const { line, column } = findJsonError(json) ?? { line: 1, column: 1 };
-    const near = json.split('\n', line)[line - 1]?.slice(column - 1, column + 19) ?? '';
-    const message = `The project file is not JSON: line ${String(line)}, column ${String(column)}${near === '' ? ', where it ends' : `, at ${JSON.stringify(near)}`}.`;
-    return failed([{ code: 'not-json', path: '', value: '', params: { line, column, near }, message }]);
-  }
-  return parseProjectValue(value);
+  const read = readJsonFile(text, 'project', projectLimits.textCharacters);
+  return 'problem' in read ? failed([read.problem]) : parseProjectValue(read.value);
 }
 
 /** Reads a project that is already a JavaScript value, for instance out of a message. Never throws. */
@@ -83,11 +68,7 @@ export const isProjectFile = (value: unknown): value is Fields => formatOf(value
 const isFields = (value: unknown): value is Fields =>
   typeof value === 'object' && value !== null && !Array.isArray(value);
 
-function failed(problems: readonly ProjectProblem[]): ParsedProject {
-  const more = problems.length - 1;
-  const first = problems[0]?.message ?? '';
-  return { problem: more > 0 ? `${first} (and ${String(more)} more)` : first, problems };
-}
+const failed = (problems: readonly ProjectProblem[]): ParsedProject => ({ problem: summaryOf(problems), problems });
 
 /** Format and version come first: a newer file must not be judged by older rules. */
 function currentVersion(value: unknown): { readonly fields: Fields } | { readonly problem: ProjectProblem } {

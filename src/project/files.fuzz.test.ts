@@ -2,11 +2,11 @@ import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
 import { sceneLimits } from '#scene/scene';
+import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 
 import { parseProject, projectToText } from './file';
 import { openJson } from './opened';
 import { projectLimits, type Project } from './project';
-import { mutatedText, mutatedValue } from './testing/mutate';
 import { fullProject } from './testing/projects';
 
 /** How many files are tried: `npm run fuzz` tries a million. */
@@ -32,7 +32,7 @@ describe('randomly changed project files and levels', () => {
       for (let seed = 1; seed <= RUNS; seed += 1) {
         const rng = createRng(seed);
         const value = values[seed % 3 === 0 ? 1 + (seed % 2) : 0];
-        const file = rng.unit() < 0.3 ? mutatedText(text, rng) : JSON.stringify(mutatedValue(value, rng));
+        const file = rng.unit() < 0.3 ? mutatedText(text, rng) : (JSON.stringify(mutatedTree(value, rng, false)) ?? '');
         const opened = openJson(file);
         counts[opened.kind] += 1;
         if (opened.kind === 'problem') expect(opened.problem, `seed ${String(seed)}`).not.toBe('');

@@ -5,12 +5,14 @@ import { describe, expect, it } from 'vitest';
 import { createRng } from '#core/rng';
 import { defaultScene, type Scene } from '#scene/scene';
 
-import { toBase64Url } from './base64';
-import { ColumnWriter } from './columns';
-import { packed } from './deflate';
+import { ColumnWriter, type Bytes } from './columns';
 import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, projectOfLink, type ReadLink } from './link';
+import { deflatedBytes } from './link-bytes';
+import { deflatedContent, modelledContent } from './link-content';
+import { MODELLED_BYTES, ModelWriter } from './modelled';
 import type { Project } from './project';
-import { FORTY_LINES, fullProject, largeProject, penScribble, penTrack } from './testing/projects';
+import { drawings, drawn, wildDrawings } from './testing/drawings';
+import { FORTY_LINES, fortyObjects, fullProject, largeProject } from './testing/projects';
 
 const none = (): null => null;
 const ready: Scene = { ...defaultScene(), name: 'Fertig', objects: [{ type: 'wall', id: 'w', from: [0, 0], to: [9, 9], thickness: 10 }] }; // prettier-ignore
@@ -23,6 +25,11 @@ const projectIn = (fragment: string): Project | null => {
   const read = projectOfLink(fragment, courses);
   return 'project' in read ? read.project : null;
 };
+
+function withDrawing(of: (typeof drawings)[string], seed: number): Project {
+  const project = largeProject(seed);
+  return { ...project, scene: { ...project.scene, objects: [...drawn(of, seed), ...fortyObjects(seed)] } };
+}
 
 describe('a link', () => {
   it('opens the same project: every type of object, all options, all files', () => {
@@ -39,18 +46,26 @@ describe('a link', () => {
   });
 
   it('has only characters that collectors of links accept', () => {
-    expect(link(fullProject())).toMatch(/^p=1\.[A-Za-z0-9_-]+$/);
+    expect(link(fullProject())).toMatch(/^p=2\.[A-Za-z0-9_-]+$/);
     expect(isProjectLink(`#${link(small)}`)).toBe(true);
     expect(isProjectLink('#robots')).toBe(false);
   });
 
-  it('stays within 2.7 kB for 5,000 pen points, 40 objects and a program of 40 lines', () => {
-    for (const seed of [1, 2, 3]) {
-      const track = link(largeProject(penTrack(seed), seed));
-      const scribble = link(largeProject(penScribble(seed), seed));
-      expect(track.length).toBeLessThan(1_800); // 1,703 … 1,752
-      expect(scribble.length).toBeLessThan(2_500); // 2,423 … 2,484
-      expect(projectIn(scribble)).toEqual(largeProject(penScribble(seed), seed));
+  it('stays within 2.7 kB for 5,000 pen points, 40 objects and a program of 40 lines, whatever a hand draws', () => {
+    for (const [name, of] of Object.entries(drawings))
+      for (const seed of [1, 2, 3]) {
+        const project = withDrawing(of, seed);
+        const made = link(project);
+        expect(made.length, `${name} ${String(seed)}`).toBeLessThan(2_700);
+        expect(projectIn(made)).toEqual(project);
+      }
+  });
+
+  it('of a drawing that nobody draws on purpose is not much longer', () => {
+    for (const of of Object.values(wildDrawings)) {
+      const project = withDrawing(of, 1);
+      expect(link(project).length).toBeLessThan(5_500);
+      expect(projectIn(link(project))).toEqual(project);
     }
   });
 
@@ -121,6 +136,7 @@ describe('a link that is not whole', () => {
       'p=',
       '#p=1.',
       '#p=1.AA',
+      '#p=2.AA',
       whole.slice(0, -1),
       whole.slice(0, length / 2),
       `${whole}AA`,
@@ -142,20 +158,30 @@ describe('a link that is not whole', () => {
 
   it('of a newer version asks to reload the page', () => {
     const read = projectOfLink('#p=3.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 3; this app reads version 1. Reload the page to update.'); // prettier-ignore
+    expect('problem' in read && read.problem.message).toBe('The link is of version 3; this app reads version 2. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
 
 describe('a hostile link', () => {
   it('is given up as soon as it unpacks to more than 4 MB', () => {
-    const bomb = (figures: Uint8Array, words: Uint8Array): string => linkOfBytes({ figures, words });
+    const bomb = (figures: Uint8Array, words: Uint8Array): string => deflatedLink({ figures, words });
     const huge = new Uint8Array(40_000_000);
     expect(bomb(huge, new Uint8Array()).length).toBeLessThan(60_000);
     expect(codeOf(projectOfLink(bomb(huge, new Uint8Array()), courses))).toBe('too-large');
     expect(codeOf(projectOfLink(bomb(Uint8Array.of(0), huge), courses))).toBe('too-large');
     const half = new Uint8Array(2_500_000);
     expect(codeOf(projectOfLink(bomb(half, half), courses))).toBe('too-large');
+  });
+
+  it('is given up as soon as a model has read 64 kB of it', () => {
+    const endless = new ModelWriter();
+    const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
+    const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
+    const content = { files: [], course: null, settings: null, scene: { whole: { ...ready, objects } } };
+    modelledContent.codec.write(endless, content);
+    const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
+    expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
 
   it('is not read when it is too long', () => {
@@ -165,9 +191,12 @@ describe('a hostile link', () => {
   it('that counts more than it holds is damaged, without taking memory', () => {
     const out = new ColumnWriter();
     for (let column = 1; column < 60; column += 1) out.uint(column, 34_000_000_000);
-    expect(codeOf(projectOfLink(linkOfBytes(out.bytes()), courses))).toBe('damaged');
-    const figures = packed(Uint8Array.of(255, 255, 255, 255, 127));
-    expect(codeOf(projectOfLink(`p=1.${toBase64Url(figures)}`, courses))).toBe('damaged');
+    expect(codeOf(projectOfLink(deflatedLink(out.bytes()), courses))).toBe('damaged');
+    const figures = Uint8Array.of(255, 255, 255, 255, 127);
+    expect(codeOf(projectOfLink(deflatedLink({ figures, words: Uint8Array.of() }), courses))).toBe('damaged');
+    const modelled = new ModelWriter();
+    for (let column = 1; column < 60; column += 1) modelled.uint(column, 34_000_000_000);
+    expect(codeOf(projectOfLink(linkOfBytes({ version: 2, bytes: modelled.bytes() }), courses))).toBe('damaged');
   });
 
   it('with values that no file may have says which', () => {
@@ -178,14 +207,46 @@ describe('a hostile link', () => {
   });
 });
 
+/** As version 1 made links. */
+const deflatedLink = (bytes: Bytes): string => linkOfBytes({ version: 1, bytes: deflatedBytes(bytes) });
+
 describe('a link of version 1', () => {
-  const kept = readFileSync(new URL('kept/link-v1.txt', import.meta.url), 'utf8').trim();
+  const kept = keptLink(1);
 
   it('opens as it always did', () => {
     expect(projectIn(kept)).toEqual(fullProject());
   });
 
   it('is still made so: the order of columns and the likely words are the format', () => {
-    expect(link(fullProject())).toBe(kept);
+    const { files, course, scene, settings } = fullProject();
+    const out = new ColumnWriter();
+    deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+    expect(deflatedLink(out.bytes())).toBe(kept);
+  });
+
+  it('is made for what is too large for a model', () => {
+    const project = { ...small, files: [{ name: 'main.py', text: 'x = 1\n'.repeat(MODELLED_BYTES / 6) }] };
+    expect(link(project)).toMatch(/^p=1\./);
+    expect(projectIn(link(project))).toEqual(project);
   });
 });
+
+describe('a link of version 2', () => {
+  const kept = keptLink(2);
+
+  it('opens as it always did', () => {
+    expect(projectIn(kept)).toEqual(fullProject());
+  });
+
+  it('is still made so: the order of columns, the likely words and all that the model learns by are the format', () => {
+    expect(link(fullProject())).toBe(kept);
+  });
+
+  it('takes a tenth less than one of version 1 for a course without a drawing', () => {
+    expect(kept.length).toBeLessThan(0.9 * keptLink(1).length);
+  });
+});
+
+function keptLink(version: number): string {
+  return readFileSync(new URL(`kept/link-v${String(version)}.txt`, import.meta.url), 'utf8').trim();
+}

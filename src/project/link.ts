@@ -2,10 +2,8 @@
  * A project as the part of an address behind `#`: it opens on another device without any server, because browsers keep
  * that part to themselves.
  *
- *     p=1.<base64url>        1: version of all that follows
- *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), length of the deflated
- *                            figures (3 bytes, lowest first), figures and words, each deflated (RFC 1951)
- *     figures, words         `columns.ts`; in which order: `contentCodec` below and `scene-codec.ts`
+ *     p=2.<base64url>        2: version of all that follows; 1 for what is large
+ *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * A ready course that was not changed is named only. Only A–Z a–z 0–9 - _ . = occur, which collectors of links accept.
  */
@@ -13,23 +11,18 @@ import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '#scene/sc
 import { serializeScene } from '#scene/serialize';
 
 import { fromBase64Url, toBase64Url } from './base64';
-import { mapped, record, type Codec } from './codec';
-import { ColumnReader, ColumnWriter, DamagedBytes, type Bytes } from './columns';
-import { packed, unpacked } from './deflate';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from './file';
+import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
+import { checksum, sceneChecksum, type Content } from './link-content';
+import { MODELLED_BYTES } from './modelled';
 import type { ProjectProblem } from './problem';
-import { defaultProjectSettings, MAIN, projectLimits, type Project, type ProjectSettings } from './project';
-import { dictionary, sceneCodec, sharedCodecs, type SharedCodecs } from './scene-codec';
-import { LIKELY_WORDS } from './words';
+import { MAIN, type Project } from './project';
 
-/** The version of links this app makes, and the newest it reads. */
-export const LINK_VERSION = 1;
+/** The newest version of links that this app makes and reads. */
+export const LINK_VERSION = 2;
 
 /** What a link's content is called in the fragment. */
 export const LINK_NAME = 'p';
-
-/** The most a link may unpack to, in bytes. */
-export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** Longest link that is made and read. Chosen: Chromium takes two million characters, others less. */
 export const LINK_CHARACTERS = 500_000;
@@ -64,16 +57,6 @@ export interface LinkProblem {
   readonly params: Readonly<Record<string, string | number>>;
   /** What is wrong with the content of a link that is whole but makes no project. */
   readonly problems: readonly ProjectProblem[];
-}
-
-/** The course as it stands in a link: all of it, or the ready one of the project's `course` with its checksum. */
-type LinkScene = { readonly ready: number } | { readonly whole: Scene };
-
-interface Content {
-  readonly files: readonly { readonly name: string; readonly text: string }[];
-  readonly course: string | null;
-  readonly settings: ProjectSettings | null;
-  readonly scene: LinkScene;
 }
 
 /**
@@ -112,28 +95,20 @@ function makeLink({ files, scene, course, settings }: Project, courses: ReadyCou
     settings: settings ?? null,
     scene: ready !== null && isSame(ready, scene) ? { ready: sceneChecksum(scene) } : { whole: scene },
   };
-  const out = new ColumnWriter();
-  contentCodec.codec.write(out, content);
-  const bytes = out.bytes();
-  if (bytes.figures.length + bytes.words.length > UNPACKED_BYTES) return null;
-  const link = linkOfBytes(bytes);
-  return link.length > LINK_CHARACTERS ? null : link;
+  const bytes = bytesOfContent(content);
+  const link = bytes === null ? null : linkOfBytes(bytes);
+  return link === null || link.length > LINK_CHARACTERS ? null : link;
 }
 
 const SUM_BYTES = 4;
-const HEAD_BYTES = SUM_BYTES + 3;
 
 /** The link that holds these bytes. */
-export function linkOfBytes({ figures, words }: Bytes): string {
-  const deflated = packed(figures);
-  const deflatedWords = packed(words, LIKELY_WORDS);
-  const all = new Uint8Array(HEAD_BYTES + deflated.length + deflatedWords.length);
-  all.set([deflated.length & 0xff, (deflated.length >>> 8) & 0xff, deflated.length >>> 16], SUM_BYTES);
-  all.set(deflated, HEAD_BYTES);
-  all.set(deflatedWords, HEAD_BYTES + deflated.length);
-  const sum = checksum(all.subarray(SUM_BYTES));
+export function linkOfBytes({ version, bytes }: LinkBytes): string {
+  const all = new Uint8Array(SUM_BYTES + bytes.length);
+  all.set(bytes, SUM_BYTES);
+  const sum = checksum(bytes);
   all.set([sum & 0xff, (sum >>> 8) & 0xff, (sum >>> 16) & 0xff, sum >>> 24]);
-  return `${LINK_NAME}=${String(LINK_VERSION)}.${toBase64Url(all)}`;
+  return `${LINK_NAME}=${String(version)}.${toBase64Url(all)}`;
 }
 
 /** Whether the part of an address behind `#` says that it is a link to a project. */
@@ -152,39 +127,21 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const all = Number(version) === LINK_VERSION ? fromBase64Url(data) : null;
-  if (all === null) return damaged();
-  const bytes = unpackedBytes(all);
-  if (bytes === 'too-large') {
-    const max = UNPACKED_BYTES;
+  const all = version === '1' || version === '2' ? fromBase64Url(data) : null;
+  if (all === null || !isWhole(all)) return damaged();
+  const isModelled = version === '2';
+  const content = contentOfBytes({ version: isModelled ? 2 : 1, bytes: all.subarray(SUM_BYTES) });
+  if (content === 'too-large') {
+    const max = isModelled ? MODELLED_BYTES : UNPACKED_BYTES;
     return failed('too-large', `The link unpacks to more than ${String(max)} bytes. It is not opened.`, { max });
   }
-  return bytes === 'damaged' ? damaged() : readBytes(bytes, courses);
+  return content === 'damaged' ? damaged() : readContent(content, courses);
 }
 
-/** Takes apart what `linkOfBytes` put together; both parts together stay within the limit. */
-function unpackedBytes(all: Uint8Array): Bytes | 'damaged' | 'too-large' {
-  const [a = 0, b = 0, c = 0, d = 0, low = 0, middle = 0, high = 0] = all;
-  const end = HEAD_BYTES + (low | (middle << 8) | (high << 16));
-  const sum = (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
-  if (all.length <= end || checksum(all.subarray(SUM_BYTES)) !== sum) return 'damaged';
-  const figures = unpacked(all.subarray(HEAD_BYTES, end), UNPACKED_BYTES);
-  if (typeof figures === 'string') return figures;
-  const words = unpacked(all.subarray(end), UNPACKED_BYTES - figures.length, LIKELY_WORDS);
-  return typeof words === 'string' ? words : { figures, words };
-}
-
-function readBytes(bytes: Bytes, courses: ReadyCourses): ReadLink {
-  let content: Content;
-  try {
-    const reader = new ColumnReader(bytes, contentCodec.columns);
-    content = contentCodec.codec.read(reader);
-    if (!reader.isAtEnd) return damaged();
-  } catch (error) {
-    if (error instanceof DamagedBytes) return damaged();
-    throw error;
-  }
-  return readContent(content, courses);
+/** Whether what follows the checksum has it. */
+function isWhole(all: Uint8Array): boolean {
+  const [a = 0, b = 0, c = 0, d = 0] = all;
+  return all.length > SUM_BYTES && checksum(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
 }
 
 function readContent({ files, course, settings, scene }: Content, courses: ReadyCourses): ReadLink {
@@ -225,74 +182,3 @@ function failed(
 
 const damaged = (): ReadLink =>
   failed('damaged', 'The link is damaged: a part of it is missing or changed. Copy it again, whole.', {});
-
-/** What a link holds. The order is the format: see `scene-codec.ts`. */
-const contentCodec = makeContentCodec();
-
-function makeContentCodec(): { readonly codec: Codec<Content>; readonly columns: number } {
-  const shared = sharedCodecs();
-  const { columns, text, word } = shared;
-  const scene = linkSceneCodec(shared);
-  const file = record<Content['files'][number]>({ name: word, text });
-  const codec = record<Content>({
-    course: columns.optional(word),
-    scene,
-    settings: columns.optional(settingsCodec(shared)),
-    files: columns.list(file, projectLimits.files),
-  });
-  return { codec, columns: columns.used };
-}
-
-function linkSceneCodec(shared: SharedCodecs): Codec<LinkScene> {
-  const isReady = shared.columns.flag();
-  const sum = shared.columns.uint();
-  const scene = sceneCodec(shared);
-  return {
-    write(out, value) {
-      isReady.write(out, 'ready' in value);
-      if ('ready' in value) sum.write(out, value.ready);
-      else scene.write(out, value.whole);
-    },
-    read: (from) => (isReady.read(from) ? { ready: sum.read(from) } : { whole: scene.read(from) }),
-  };
-}
-
-/** The usual settings are a single flag. */
-function settingsCodec({ columns, word, options }: SharedCodecs): Codec<ProjectSettings> {
-  const chosen = record<ProjectSettings>({
-    device: word,
-    firmware: word,
-    robot: word,
-    robotOptions: dictionary(columns, word, options, projectLimits.options),
-    reality: columns.number(),
-    seed: columns.uint(),
-    arenaSenses: columns.flag(),
-  });
-  return mapped(
-    columns.optional(chosen),
-    (settings) => (isUsual(settings) ? null : settings),
-    (settings) => settings ?? defaultProjectSettings,
-  );
-}
-
-function isUsual(settings: ProjectSettings): boolean {
-  const { robotOptions, ...rest } = settings;
-  const keys = Object.keys(rest) as (keyof typeof rest)[];
-  return Object.keys(robotOptions).length === 0 && keys.every((key) => rest[key] === defaultProjectSettings[key]);
-}
-
-/** A checksum of a course that later versions of the course's file do not change. */
-function sceneChecksum(scene: Scene): number {
-  const out = new ColumnWriter();
-  checkedScene.write(out, scene);
-  const { figures, words } = out.bytes();
-  return checksum(words, checksum(figures));
-}
-const checkedScene = sceneCodec(sharedCodecs());
-
-/** FNV-1a, 32 bits: enough to tell chance damage, not meant against anybody. */
-function checksum(bytes: Uint8Array, before = 0x811c9dc5): number {
-  let sum = before;
-  for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
-  return sum >>> 0;
-}

@@ -2,14 +2,18 @@ import LZString from 'lz-string';
 import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
+import { mutatedText } from '#scene/testing/mutate';
 
 import { fromBase64Url } from './base64';
+import { ColumnWriter, type Bytes } from './columns';
 import { packed, unpacked } from './deflate';
-import { linkOf, linkOfBytes, projectOfLink, UNPACKED_BYTES } from './link';
-import { mutatedBytes, mutatedText } from './testing/mutate';
-import { fullProject, largeProject, penTrack } from './testing/projects';
+import { linkOf, linkOfBytes, projectOfLink } from './link';
+import { deflatedBytes } from './link-bytes';
+import { deflatedContent } from './link-content';
+import type { Project } from './project';
+import { mutatedBytes } from './testing/mutate';
+import { fullProject, largeProject } from './testing/projects';
 import { programOfLink } from './webtigerpython';
-import { LIKELY_WORDS } from './words';
 
 /** How many links are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
@@ -17,39 +21,53 @@ const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 
 const courses = (): null => null;
-const linkFor = (project: Parameters<typeof linkOf>[0]): string =>
-  linkOf(project, { courses, program: true })?.fragment ?? '';
+const linkFor = (project: Project): string => linkOf(project, { courses, program: true })?.fragment ?? '';
 
-/** The parts of a link as it holds them. */
-function partsOf(link: string): { figures: Uint8Array; words: Uint8Array } {
-  const all = fromBase64Url(link.slice(4)) ?? new Uint8Array();
-  const end = 7 + (all[4] ?? 0) + 256 * (all[5] ?? 0);
-  const figures = unpacked(all.subarray(7, end), UNPACKED_BYTES);
-  const words = unpacked(all.subarray(end), UNPACKED_BYTES, LIKELY_WORDS);
-  if (typeof figures === 'string' || typeof words === 'string') throw new Error('not a whole link');
-  return { figures, words };
+/** A few metres of a drawing among forty objects. */
+function drawingProject(): Project {
+  const scene = largeProject().scene;
+  const objects = scene.objects.map((it) => (it.type === 'stroke' ? { ...it, points: it.points.slice(0, 99) } : it));
+  return { ...fullProject(), scene: { ...scene, objects } };
 }
 
-/** A link whose checksum is right although what it holds is not. */
-function forged(parts: ReturnType<typeof partsOf>, rng: Rng): string {
-  const { figures, words } = parts;
-  return rng.unit() < 0.7
-    ? linkOfBytes({ figures: mutatedBytes(figures, rng), words })
-    : linkOfBytes({ figures, words: mutatedBytes(words, rng) });
+/** A project as version 1 writes it, before it is deflated. */
+function columnsOf({ files, course, settings, scene }: Project): Bytes {
+  const out = new ColumnWriter();
+  deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+  return out.bytes();
+}
+
+/** A link of version 1 whose checksum is right although what it holds is not. */
+function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
+  const parts =
+    rng.unit() < 0.7 ? { figures: mutatedBytes(figures, rng), words } : { figures, words: mutatedBytes(words, rng) };
+  return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
+}
+
+/** The same of version 2: from the changed place on the model takes every bit for something else. */
+function forgedModel(link: string, rng: Rng): string {
+  const bytes = fromBase64Url(link.slice(4)) ?? new Uint8Array();
+  return linkOfBytes({ version: 2, bytes: mutatedBytes(bytes.subarray(4), rng) });
 }
 
 describe('randomly changed links', () => {
   it(
     `open as a valid project or give a message, never an exception (${String(RUNS)} links)`,
     () => {
-      const links = [linkFor(fullProject()), linkFor({ ...fullProject(), scene: largeProject(penTrack().slice(0, 99)).scene })]; // prettier-ignore
-      const parts = links.map(partsOf);
+      const projects = [fullProject(), drawingProject()];
+      const links = projects.map(linkFor);
+      const columns = projects.map(columnsOf);
       const codes = new Map<string, number>();
       for (let seed = 1; seed <= RUNS; seed += 1) {
         const rng = createRng(seed);
         const index = seed % 2;
-        const isForged = rng.unit() < 0.7;
-        const link = isForged ? forged(parts[index]!, rng) : mutatedText(links[index]!, rng);
+        const way = rng.unit();
+        const link =
+          way < 0.4
+            ? forgedColumns(columns[index]!, rng)
+            : way < 0.7
+              ? forgedModel(links[index]!, rng)
+              : mutatedText(links[index]!, rng);
         const read = projectOfLink(link, courses);
         const code = 'problem' in read ? read.problem.code : 'opened';
         codes.set(code, (codes.get(code) ?? 0) + 1);

@@ -1,7 +1,8 @@
 import { sceneLimits, type Point } from '#scene/scene';
 
 import type { Codec, Columns } from './codec';
-import { DamagedBytes, type ColumnReader } from './columns';
+import type { ValueReader } from './values';
+import { DamagedBytes } from './columns';
 
 /**
  * The points of a line that was drawn by hand: each as its step from the one before, seen from where that one led. The
@@ -12,7 +13,7 @@ import { DamagedBytes, type ColumnReader } from './columns';
 export function pathCodec(columns: Columns, start: Codec<Point>): Codec<readonly Point[]> {
   const count = columns.uint();
   const [along, across] = [columns.int(), columns.int()];
-  const pointsRead = new WeakMap<ColumnReader, number>();
+  const pointsRead = new WeakMap<ValueReader, number>();
   return {
     write(out, points) {
       count.write(out, points.length);

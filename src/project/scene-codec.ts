@@ -20,8 +20,7 @@ import {
 } from '#scene/scene';
 
 import { Columns, constant, mapped, record, type Codec } from './codec';
-import type { ColumnReader, ColumnWriter } from './columns';
-import { pathCodec } from './path-codec';
+import type { ValueReader, ValueWriter } from './values';
 
 /** Codecs that several parts of a project share, and their columns. */
 export interface SharedCodecs {
@@ -55,8 +54,11 @@ export function dictionary<T>(
   return mapped(columns.list(entry, max), (it) => Object.entries(it), Object.fromEntries<T>);
 }
 
+/** How the points of a line are written, given the codec of its first: each version of links has its own way. */
+export type PathCodec = (columns: Columns, start: Codec<Point>) => Codec<readonly Point[]>;
+
 /** The codec of a course. */
-export function sceneCodec({ columns, text, word, options }: SharedCodecs): Codec<Scene> {
+export function sceneCodec({ columns, text, word, options }: SharedCodecs, paths: PathCodec): Codec<Scene> {
   const size = pairOf(columns.uint(), columns.uint());
   const place = pairOf(columns.coordinate(), columns.coordinate());
   const heading = columns.number();
@@ -83,7 +85,7 @@ export function sceneCodec({ columns, text, word, options }: SharedCodecs): Code
     robot,
     task,
     background: columns.optional(background),
-    objects: columns.list(objectCodec(columns, { text, word, size, place }), sceneLimits.objects),
+    objects: columns.list(objectCodec(columns, { text, word, size, place, paths }), sceneLimits.objects),
   });
 }
 
@@ -92,6 +94,7 @@ interface Parts {
   readonly word: Codec<string>;
   readonly size: Codec<Point>;
   readonly place: Codec<Point>;
+  readonly paths: PathCodec;
 }
 
 /** New types of objects go to the end. */
@@ -123,7 +126,7 @@ function objectCodec(columns: Columns, parts: Parts): Codec<SceneObject> {
 
 type CodecsByType = { readonly [T in SceneObject['type']]: Codec<Extract<SceneObject, { readonly type: T }>> };
 
-function codecsByType(columns: Columns, { text, word, size, place }: Parts) {
+function codecsByType(columns: Columns, { text, word, size, place, paths }: Parts) {
   const id = idCodec(columns, word);
   const turn = columns.uint();
   const box = { id, at: place, size, turn };
@@ -133,7 +136,7 @@ function codecsByType(columns: Columns, { text, word, size, place }: Parts) {
     stroke: record<Stroke>({
       type: constant('stroke'),
       id,
-      points: pathCodec(columns, place),
+      points: paths(columns, place),
       width: columns.uint(),
       color: columns.choice(strokeColors),
     }),
@@ -171,8 +174,8 @@ function pairOf(x: Codec<number>, y: Codec<number>): Codec<Point> {
 /** An id such as `wall-12`: the word before the number, then the number as its step from the one expected next. */
 function idCodec(columns: Columns, word: Codec<string>): Codec<string> {
   const step = columns.uint();
-  const numbers = new WeakMap<ColumnWriter | ColumnReader, Map<string, number>>();
-  const nextOf = (of: ColumnWriter | ColumnReader): Map<string, number> => {
+  const numbers = new WeakMap<ValueWriter | ValueReader, Map<string, number>>();
+  const nextOf = (of: ValueWriter | ValueReader): Map<string, number> => {
     const known = numbers.get(of) ?? new Map<string, number>();
     numbers.set(of, known);
     return known;

@@ -4,6 +4,8 @@
  * described nowhere: what is recognised is a list like the one above, a dictionary of names and texts, and either of them
  * below `files`; the text of a file may be called `data`, `content`, `text` or `code`, its name also `path`.
  */
+import { isRecord } from '#core/record';
+
 import { MAIN, type SourceFile } from './project';
 
 /** The names under which a file's text and name may stand. */
@@ -65,8 +67,5 @@ function withMainFirst(files: readonly SourceFile[]): readonly SourceFile[] {
   const others = files.filter((file) => file !== main);
   return main === undefined ? files : [{ name: MAIN, text: main.text }, ...others];
 }
-
-const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
 
 const asRecord = (value: unknown): Readonly<Record<string, unknown>> => (isRecord(value) ? value : {});

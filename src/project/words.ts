@@ -1,10 +1,10 @@
 import { ColumnWriter, WORDS } from './columns';
 
 /**
- * What programs and courses are likely to say: deflate's dictionary for the words of a link, which then only name the
- * place. Part of version 1 of links (`link.ts`): no character may ever change.
+ * What programs and courses are likely to say: in version 1 of links deflate's dictionary for the words, which then only
+ * name the place; in version 2 what their model has read before the first word. No character may ever change.
  */
-const LIKELY = `import music
+export const LIKELY_TEXT = `import music
 import radio
 import neopixel
 import random
@@ -59,7 +59,7 @@ from mbrobot import *
 `;
 
 /** The dictionary as bytes, a varint a character as the words themselves. */
-export const LIKELY_WORDS: Uint8Array = bytesOf(LIKELY);
+export const LIKELY_WORDS: Uint8Array = bytesOf(LIKELY_TEXT);
 
 function bytesOf(text: string): Uint8Array {
   const out = new ColumnWriter();

@@ -1,4 +1,4 @@
-import { findJsonError } from './json-position';
+import { readJsonFile, summaryOf } from './json-file';
 import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
 import { courseKeys, readCourseChanges, readRobotChanges, readTypeId } from './read-course';
@@ -20,25 +20,8 @@ export type ParsedScene =
 
 /** Reads a course file. Never throws; a file with a problem loads nothing. */
 export function parseScene(text: string): ParsedScene {
-  const reader = new Reader();
-  const { textCharacters } = sceneLimits;
-  if (text.length > textCharacters) {
-    const what = `The course file has ${text.length} characters; the limit is ${textCharacters}. Is it the right file?`;
-    reader.report('too-long', '', undefined, what, { length: text.length, max: textCharacters });
-    return failed(reader.problems);
-  }
-  const json = text.startsWith('\ufeff') ? text.slice(1) : text;
-  let value: unknown;
-  try {
-    value = JSON.parse(json);
-  } catch {
-    const { line, column } = findJsonError(json) ?? { line: 1, column: 1 };
-    const near = json.split('\n', line)[line - 1]?.slice(column - 1, column + 19) ?? '';
-    const what = `The course file is not JSON: line ${line}, column ${column}${near === '' ? ', where it ends' : `, at ${JSON.stringify(near)}`}.`;
-    reader.report('not-json', '', undefined, what, { line, column, near });
-    return failed(reader.problems);
-  }
-  return parseSceneValue(value);
+  const read = readJsonFile(text, 'course', sceneLimits.textCharacters);
+  return 'problem' in read ? failed([read.problem]) : parseSceneValue(read.value);
 }
 
 /**
@@ -53,11 +36,7 @@ export function parseSceneValue(value: unknown): ParsedScene {
   return reader.problems.length > 0 ? failed(reader.problems) : { scene };
 }
 
-function failed(problems: readonly SceneProblem[]): ParsedScene {
-  const more = problems.length - 1;
-  const first = problems[0]?.message ?? '';
-  return { problem: more > 0 ? `${first} (and ${more} more)` : first, problems };
-}
+const failed = (problems: readonly SceneProblem[]): ParsedScene => ({ problem: summaryOf(problems), problems });
 
 /** Format and version come first: a newer file must not be judged by older rules. `null`: not ours. */
 function newestFile(value: unknown, reader: Reader): Fields | null {

@@ -6,6 +6,12 @@ import type { Point } from './scene';
 export const TOLERANCE_MM = 1;
 
 /**
+ * The coarsest for a finger, which trembles by more than a millimetre and is reported in whole pixels. Chosen: less than
+ * the radius of the spot that a line sensor sees (2.5 mm on all robots here), so that no sensor can tell.
+ */
+export const FINGER_TOLERANCE_MM = 2;
+
+/**
  * A drawn line with as few points as needed: no place of the drawing is further from the result than the tolerance and
  * the rounding to whole mm (Ramer, Douglas and Peucker). First and last place stay, one after the other never the same.
  *

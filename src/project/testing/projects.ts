@@ -1,42 +1,9 @@
 /** Projects that tests pack, mutate and read again. */
-import { exactCos, exactSin } from '#core/exact-math';
-import type { Vec } from '#core/geometry';
 import { createRng, type Rng } from '#core/rng';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
-import { simplified } from '#scene/simplify';
 
 import { defaultProjectSettings, type Project } from '../project';
-
-const TURN = 2 * Math.PI;
-const PEN_POINTS = 5_000;
-
-/** 5,000 points of a pen as a hand draws a closed track: three loops of about 13.4 m in all, jitter ±0.6 mm. */
-export function penTrack(seed = 1): readonly Vec[] {
-  const rng = createRng(seed);
-  return Array.from({ length: PEN_POINTS }, (_, index): Vec => {
-    const angle = (index / PEN_POINTS) * 3 * TURN;
-    const radius = 1 + 0.18 * exactSin(2.3 * angle) + 0.07 * exactCos(5.1 * angle);
-    const shake = (): number => (rng.unit() - 0.5) * 1.2;
-    return {
-      x: 1000 + 760 * radius * exactCos(angle) + shake(),
-      y: 750 + 560 * radius * exactSin(angle) + shake(),
-    };
-  });
-}
-
-/** 5,000 points of a pen that scribbles: a walk of 15 m in steps of 3 mm that turns at random and stays in the arena. */
-export function penScribble(seed = 1): readonly Vec[] {
-  const rng = createRng(seed);
-  let [x, y, heading, bend] = [1000, 750, 0, 0];
-  return Array.from({ length: PEN_POINTS }, (): Vec => {
-    bend = 0.9 * bend + (rng.unit() - 0.5) * 0.1;
-    heading += bend;
-    x += 3 * exactCos(heading);
-    y += 3 * exactSin(heading);
-    if (x < 60 || x > 1940 || y < 60 || y > 1440) heading += 0.4;
-    return { x, y };
-  });
-}
+import { drawn, track } from './drawings';
 
 /** Forty things of all kinds that are no strokes, as a course would have them. */
 export function fortyObjects(seed = 1): readonly SceneObject[] {
@@ -122,14 +89,13 @@ while True:
     delay(20)
 `;
 
-/** What the issue gives a link room for: a pen track, forty objects and a program of forty lines. */
-export function largeProject(pen: readonly Vec[], seed = 1): Project {
-  const stroke: SceneObject = { type: 'stroke', id: 'stroke-1', points: simplified(pen), width: 20, color: 'black' };
+/** A course with a pen track, forty objects and a program of forty lines. */
+export function largeProject(seed = 1): Project {
   const scene: Scene = {
     ...defaultScene(),
     name: 'Meine Strecke',
     size: [2000, 1500],
-    objects: [stroke, ...fortyObjects(seed)],
+    objects: [...drawn(track, seed), ...fortyObjects(seed)],
   };
   return { files: [{ name: 'main.py', text: FORTY_LINES }], scene, course: null, settings: defaultProjectSettings };
 }

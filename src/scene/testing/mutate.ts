@@ -53,11 +53,11 @@ export function mutatedTree(original: unknown, rng: Rng, isMessage: boolean): un
   return root.value;
 }
 
-/** Every place of a tree that holds something, not deeper than 50 levels. */
+/** Every place of a tree that holds something, not deeper than 50 levels; bytes count as one thing. */
 function slotsOf(root: unknown): readonly Slot[] {
   const slots: Slot[] = [];
   const visit = (value: unknown, depth: number): void => {
-    if (typeof value !== 'object' || value === null || depth > 50) return;
+    if (typeof value !== 'object' || value === null || ArrayBuffer.isView(value) || depth > 50) return;
     for (const key of Object.keys(value).slice(0, 500)) {
       const holder = value as Record<string, unknown>;
       slots.push({ holder, key });

@@ -1,0 +1,144 @@
+import { sceneLimits, type Point } from '#scene/scene';
+
+import type { Codec, Columns } from './codec';
+import type { ValueReader } from './values';
+import { DamagedBytes } from './columns';
+import { joined } from './likelihood';
+
+/**
+ * The points of a line drawn by hand, for links with a model (`value-model.ts`): each as its step from the one before.
+ * A step is two whole numbers: how far it goes along the axis that the step before was nearest to, and how far it misses
+ * the place where that one would have led, to the left. What the hand did before says a lot about both: who drew long
+ * straight pieces goes on so, who bends to the left bends on. So the last lengths and bends are the contexts.
+ */
+export function handCodec(columns: Columns, start: Codec<Point>): Codec<readonly Point[]> {
+  const count = columns.uint();
+  const [along, aside] = [columns.near(), columns.near()];
+  const pointsRead = new WeakMap<ValueReader, number>();
+  return {
+    write(out, points) {
+      count.write(out, points.length);
+      let before: Point | null = null;
+      const hand = new Hand();
+      for (const point of points) {
+        if (before === null) start.write(out, point);
+        else {
+          const step: Point = [point[0] - before[0], point[1] - before[1]];
+          const [ahead, left] = hand.seen(step);
+          along.write(out, ahead, hand.nearAlong());
+          aside.write(out, left, hand.nearAside(ahead));
+          hand.goOn(step);
+        }
+        before = point;
+      }
+    },
+    read(from) {
+      const length = count.read(from);
+      const all = (pointsRead.get(from) ?? 0) + length;
+      if (all > sceneLimits.points) throw new DamagedBytes();
+      pointsRead.set(from, all);
+      const points: Point[] = [];
+      let before: Point | null = null;
+      const hand = new Hand();
+      for (let index = 0; index < length; index += 1) {
+        if (before === null) before = start.read(from);
+        else {
+          const ahead = along.read(from, hand.nearAlong());
+          const step = hand.unseen([ahead, aside.read(from, hand.nearAside(ahead))]);
+          before = [before[0] + step[0], before[1] + step[1]];
+          hand.goOn(step);
+        }
+        points.push(before);
+      }
+      return points;
+    },
+  };
+}
+
+/** Where a hand is going and how it went. */
+class Hand {
+  /** The step before, in whole mm; never of no length. */
+  private x = 1;
+  private y = 0;
+  /** Lengths of the last two steps. */
+  private lengths: readonly [number, number] = [0, 0];
+  /** How far the last two steps led to the left of those before them, in mm. */
+  private bends: readonly [number, number] = [0, 0];
+  /** The sine of the last bend. */
+  private sine = 0;
+
+  /** A step as the hand sees it: how far ahead, and how far to the left of where that should have led. */
+  seen([x, y]: Point): Point {
+    const ahead = this.isSteep ? y * this.sign : x * this.sign;
+    return [ahead, this.side * ((this.isSteep ? x : y) - this.expected(ahead)) + 0];
+  }
+
+  /** The step that `seen` sees so. Adding 0 leaves no negative zero. */
+  unseen([ahead, left]: Point): Point {
+    const [one, other] = [ahead * this.sign + 0, this.side * left + this.expected(ahead) + 0];
+    return this.isSteep ? [other, one] : [one, other];
+  }
+
+  /** What is known about how far the next step goes ahead. */
+  nearAlong(): readonly number[] {
+    const [last, before] = [sizeOf(this.lengths[0]), sizeOf(this.lengths[1])];
+    const [bend, bendBefore] = [sizeOf(this.bends[0]), sizeOf(this.bends[1])];
+    const both = joined(last, before);
+    return [0, joined(1, last), joined(2, both), joined(joined(3, last), bend), joined(joined(4, both), joined(bend, bendBefore))]; // prettier-ignore
+  }
+
+  /** What is known about how far the next step goes aside, once it is known how far it goes ahead. */
+  nearAside(ahead: number): readonly number[] {
+    const far = sizeOf(ahead);
+    const [bend, bendBefore] = [sizeOf(this.bends[0]), sizeOf(this.bends[1])];
+    const likely = sizeOf(Math.round(this.sine * Math.abs(ahead)));
+    const signs = joined(Math.sign(bend), Math.sign(bendBefore));
+    return [
+      0,
+      joined(1, far),
+      joined(joined(2, far), likely),
+      joined(joined(3, far), bend),
+      joined(joined(4, far), joined(bend, bendBefore)),
+      joined(joined(5, signs), joined(far, sizeOf(this.lengths[0]))),
+    ];
+  }
+
+  /** Takes in a step; one of no length leaves everything as it was. */
+  goOn([x, y]: Point): void {
+    if (x === 0 && y === 0) return;
+    const [length, lengthBefore] = [Math.sqrt(x * x + y * y), Math.sqrt(this.x * this.x + this.y * this.y)];
+    const left = (this.x * y - this.y * x) / lengthBefore;
+    this.lengths = [Math.round(length), this.lengths[0]];
+    this.bends = [Math.round(left), this.bends[0]];
+    this.sine = left / length;
+    this.x = x;
+    this.y = y;
+  }
+
+  private get isSteep(): boolean {
+    return Math.abs(this.y) > Math.abs(this.x);
+  }
+
+  /** Which way of its axis the hand goes. */
+  private get sign(): number {
+    return (this.isSteep ? this.y : this.x) < 0 ? -1 : 1;
+  }
+
+  /** Which way of the other axis is its left. */
+  private get side(): number {
+    return this.isSteep ? -this.sign : this.sign;
+  }
+
+  private expected(ahead: number): number {
+    return Math.round((this.isSteep ? this.x / Math.abs(this.y) : this.y / Math.abs(this.x)) * ahead);
+  }
+}
+
+/** A length in mm as one of fourteen sizes, with its sign: lengths within a third of each other are alike. */
+function sizeOf(mm: number): number {
+  const length = Math.abs(mm);
+  let size = 0;
+  while (size < SIZES.length && length >= (SIZES[size] ?? 0)) size += 1;
+  return mm < 0 ? -size : size;
+}
+const SIZES = [1, 2, 3, 4, 6, 9, 13, 19, 28, 40, 60, 90, 150];

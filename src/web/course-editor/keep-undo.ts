@@ -1,0 +1,30 @@
+import { effectScope, watch } from 'vue';
+
+import type { App } from '../composables/use-app';
+
+/** Where the steps are in the tab's own storage. */
+export const UNDO_KEY = 'parcours.undo';
+
+/**
+ * Keeps what can be taken back while the page is loaded anew, for this tab alone. Where the work is not kept here, the way
+ * begins with the page. What does it is fetched once there is something to keep.
+ */
+export function keepUndo(app: Pick<App, 'work' | 'host' | 'editor'>): void {
+  if (!app.host.wish.keepsWork) return;
+  const scope = effectScope();
+  const begin = (): void => {
+    import('./store-undo')
+      .then(({ storeUndo }) => scope.active && scope.run(() => storeUndo(app)))
+      .catch(() => undefined);
+  };
+  if (hasKept()) begin();
+  else watch(() => app.work.way, begin, { once: true });
+}
+
+function hasKept(): boolean {
+  try {
+    return sessionStorage.getItem(UNDO_KEY) !== null;
+  } catch {
+    return false; // the browser keeps nothing
+  }
+}
