@@ -14,12 +14,12 @@ test.afterEach(() => {
 });
 
 /** Opens the host page with simulators in frames of another site, and waits until they are ready. */
-async function open(app: App, parameters: readonly string[] = ['?color=%236c4bc1&flag=sw']): Promise<void> {
+async function open(app: App, parameters: readonly string[] = ['?color=%236c4bc1&flag=sw'], more = ''): Promise<void> {
   host = await microbitHost();
   const query = parameters
     .map((one) => `simulator=${encodeURIComponent(`${appAddress()}simulator.html${one}`)}`)
     .join('&');
-  await app.goto(`${host.url}?${query}`);
+  await app.goto(`${host.url}?${query}${more}`);
   for (const index of parameters.keys())
     await expect.poll(() => app.evaluate((at) => (window as never as Host).simulators?.[at]?.status ?? '', index)).toBe('connected'); // prettier-ignore
 }
@@ -47,16 +47,22 @@ const send = (app: App, message: object): Promise<void> =>
   app.evaluate((one) => (window as never as Host).simulators[0]!.send(one), message);
 
 /** Brings a program without any click, as hosts with their own Run button do. */
-const flash = (app: App, source: string, index = 0): Promise<void> =>
+const flash = (app: App, source: string, index = 0, more: Readonly<Record<string, string>> = {}): Promise<void> =>
   app.evaluate(
-    ({ text, at }) => {
+    ({ text, at, others }) => {
       const simulator = (window as never as Host).simulators[at]!;
-      simulator.files = { 'main.py': text };
+      simulator.files = { ...others, 'main.py': text };
       simulator.serial = '';
       simulator.flash();
     },
-    { text: source, at: index },
+    { text: source, at: index, others: more },
   );
+/** Types on the serial line, and waits for what comes back. */
+async function type(app: App, data: string, answer: RegExp): Promise<void> {
+  await app.evaluate(() => void ((window as never as Host).simulators[0]!.serial = ''));
+  await send(app, { kind: 'serial_input', data });
+  await expect.poll(() => serial(app), JSON.stringify(data)).toMatch(answer);
+}
 
 /** Whether the lights of the board are to be seen, by the name that the editor's own tests look for. */
 const isLit = (app: App): Promise<boolean> =>
@@ -160,6 +166,98 @@ test('sensors are what the editor sets, without an echo, and what a finger does 
   expect((await kept(app)).kinds.filter((kind) => kind === 'state_change')).toHaveLength(2);
 });
 
+test('what the editor holds down and sets before a program runs is so for it and outlives it', async ({ app }) => {
+  await open(app);
+  for (const [id, value] of Object.entries({
+    buttonA: 1,
+    pin0: '1',
+    lightLevel: '33',
+    soundLevel: 200,
+    compassHeading: 90,
+    accelerometerX: -500,
+  }))
+    // prettier-ignore
+    await send(app, { kind: 'set_value', id, value });
+  const reads = 'from microbit import *\nsleep(100)\nprint(button_a.is_pressed(), pin0.is_touched(), display.read_light_level(), microphone.sound_level(), compass.heading(), accelerometer.get_x())\nwhile True: sleep(20)\n'; // prettier-ignore
+  const expected = 'True True 33 200 90 -500\r\n';
+  await flash(app, reads);
+  await expect.poll(() => serial(app)).toBe(expected);
+  await send(app, { kind: 'stop' });
+  await expect.poll(async () => (await kept(app)).kinds.at(-1)).toBe('state_change');
+  const { state } = await kept(app);
+  expect(state['buttonA']).toMatchObject({ value: 1 });
+  expect(state['compassHeading']).toMatchObject({ value: 90, unit: 'deg' });
+  await flash(app, reads);
+  await expect.poll(() => serial(app)).toBe(expected);
+  // A gesture of the editor lasts half a second and is taken back.
+  await flash(app, 'from microbit import *\nprint("wait")\nwhile not accelerometer.is_gesture("freefall"): sleep(20)\nprint("falls")\nwhile accelerometer.is_gesture("freefall"): sleep(20)\nprint("lies")\n'); // prettier-ignore
+  await expect.poll(() => serial(app)).toContain('wait');
+  await send(app, { kind: 'set_value', id: 'gesture', value: 'freefall' });
+  await expect.poll(() => serial(app)).toContain('falls');
+  await send(app, { kind: 'set_value', id: 'gesture', value: 'none' });
+  await expect.poll(() => serial(app)).toContain('lies');
+});
+
+test('the terminal of the editor interrupts, pastes, speaks the raw REPL and starts again', async ({ app }) => {
+  await open(app);
+  await flash(app, 'from microbit import *\nprint("go")\nwhile True: sleep(20)\n');
+  await expect.poll(() => serial(app)).toBe('go\r\n');
+  await type(
+    app,
+    '\x03',
+    /^Traceback \(most recent call last\):\r\n {2}File "main.py", line 3[^]*KeyboardInterrupt[^]*\r\n>>> $/,
+  );
+  await type(app, '\x05for i in range(3):\r\n    print("p", i)\r\n\x04', /=== \r\np 0\r\np 1\r\np 2\r\n>>> $/);
+  await type(app, '\x01print("raw")\x04', /raw REPL; CTRL-B to exit\r\n>OKraw\r\n\x04\x04>$/);
+  await type(app, '\x02', /MicroPython v[^]*>>> $/);
+  await type(app, `x = "${'ü'.repeat(2000)}"\rlen(x)\r`, /\r\n2000\r\n>>> $/);
+  await type(app, '\x04', /^\r\nMPY: soft reboot\r\ngo\r\n$/);
+});
+
+test('many programs in one breath end in one run of the last; flash and reset together in one run', async ({ app }) => {
+  await open(app);
+  await app.evaluate(() => {
+    const simulator = (window as never as Host).simulators[0]!;
+    for (let run = 0; run < 30; run += 1) {
+      simulator.files = { 'main.py': `print("run", ${String(run)})\nwhile True: pass\n` };
+      simulator.flash();
+      if (run % 3 === 0) simulator.send({ kind: 'stop' });
+      if (run % 4 === 0) simulator.send({ kind: 'reset' });
+    }
+  });
+  await expect.poll(() => serial(app)).toBe('run 29\r\n');
+  await app.evaluate(() => {
+    const simulator = (window as never as Host).simulators[0]!;
+    simulator.serial = '';
+    simulator.files = { 'main.py': 'print("once")\n' };
+    simulator.flash();
+    simulator.send({ kind: 'reset' });
+  });
+  await expect.poll(() => serial(app)).toMatch(/^once\r\nMicroPython/);
+});
+
+test('files that the page cannot hold are left out and told of; the program runs', async ({ app }) => {
+  await open(app);
+  const others = Object.fromEntries(
+    Array.from({ length: 40 }, (_, at) => [`mod${String(at)}.py`, `x = ${String(at)}\n`]),
+  );
+  await flash(app, 'import mod3\nprint(mod3.x)\nimport mod39\n', 0, others);
+  await expect.poll(() => serial(app)).toMatch(/^3\r\nTraceback[^]*no module named 'mod39'/);
+  expect((await kept(app)).errors).toEqual([expect.stringContaining('"mod19.py" is left out')]);
+  await flash(app, '#'.repeat(300_000));
+  await expect.poll(async () => (await kept(app)).errors.at(-1)).toContain('main.py has 300000 bytes');
+});
+
+test('a frame that is not shown yet is ready, and runs', async ({ app }) => {
+  await open(app, [''], '&hidden');
+  await flash(app, 'import radio\nradio.on()\nradio.config(group=7)\nprint("unseen")\nradio.send("hi")\n');
+  await expect.poll(() => serial(app)).toMatch(/^unseen\r\n/);
+  await expect.poll(async () => (await kept(app)).radio).toEqual(['hi']);
+  const { kinds, state } = await kept(app);
+  expect(state['radio']).toEqual({ type: 'radio', enabled: true, group: 7 });
+  expect(kinds.indexOf('state_change')).toBeLessThan(kinds.indexOf('radio_output'));
+});
+
 test('two boards hear each other by radio, and what comes too early is lost without harm', async ({ app }) => {
   await open(app, ['', '']);
   await app.evaluate(() => (window as never as Host).simulators[1]!.sendRadio('too early'));
@@ -185,6 +283,15 @@ test('the data log comes row by row, and is empty after a flash', async ({ app }
   await flash(app, 'import log\nlog.add(z=1)\n');
   await expect.poll(async () => (await kept(app)).log.headings).toContain('z');
   expect((await kept(app)).log.rows).toHaveLength(1);
+  // Full, and after the next flash not any more.
+  await flash(app, 'import log\ntry:\n  while True: log.add(a="x" * 200)\nexcept OSError:\n  print("full")\n');
+  await expect.poll(() => serial(app)).toContain('full');
+  const isFull = async (): Promise<unknown> => (await kept(app)).state['dataLogging']?.['logFull'];
+  await expect.poll(isFull).toBe(true);
+  await flash(app, 'import log\nlog.add(a=1)\nlog.delete()\nprint("empty")\n');
+  await expect.poll(() => serial(app)).toContain('empty');
+  await expect.poll(isFull).toBe(false);
+  await expect.poll(async () => (await kept(app)).log).toEqual({ headings: [], rows: [] });
 });
 
 test('language, words and sound are the editor’s', async ({ app }) => {

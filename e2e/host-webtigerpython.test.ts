@@ -46,6 +46,7 @@ test('a worksheet for WebTigerPython runs its programs when only the address is 
   expect(await printed(app)).toBe('number 0\nnumber 1\nnumber 2\n');
   expect(await said(app, 'full_output')).toEqual(['number 0\nnumber 1\nnumber 2\n']);
   expect(await said(app, 'code')).toEqual([[{ name: 'main.py', data: PROGRAM }]]);
+  expect((await messages(app)).map(({ type }) => type).slice(-2)).toEqual(['full_output', 'program_finished']);
   expect((await messages(app)).every((message) => Object.keys(message).join() === 'type,data')).toBe(true);
   // Once more, with an error in it.
   await app.evaluate((source) => runProgram(source), 'print("before")\nprint(1 / 0)\n');
@@ -70,6 +71,18 @@ test('a worksheet that waits for nothing is served as well', async ({ app }) => 
   await expect.poll(async () => JSON.stringify((await said(app, 'code')).at(-1))).toContain('while True');
   await app.evaluate((source) => runAtOnce(source), 'print("after")\n');
   await expect.poll(async () => (await said(app, 'full_output')).at(-1)).toBe('after\n');
+});
+
+test('a worksheet that sends its program once, when the frame has loaded, finds it in the editor', async ({ app }) => {
+  // As most public pages do it: nobody waits for `pythonReady`.
+  await openWorksheet(app, '?lang=fr');
+  const program = (): Promise<string> =>
+    app.inFrame('iframe', () => document.querySelector('.code-editor .cm-content')?.textContent ?? '');
+  await expect.poll(program).toBe('print("with load")');
+  await pressInFrame(app, 'button.run');
+  await untilOver(app);
+  expect(await said(app, 'code')).toEqual([[{ name: 'main.py', data: 'print("with load")' }]]);
+  expect(await said(app, 'full_output')).toEqual(['with load\n']);
 });
 
 test('who presses Run or Stop in the frame is heard by the worksheet', async ({ app }) => {

@@ -40,7 +40,8 @@ export type SimulatorEvent =
   | { readonly type: 'output'; readonly text: string }
   | { readonly type: 'program-ended'; readonly ended: Ended; readonly verdict: Verdict | null }
   | { readonly type: 'program-restarted' }
-  | { readonly type: 'radio'; readonly packets: readonly RadioPacket[] }
+  /** `dropped`: packets before these that nobody kept, for the program sends faster than anyone could read. */
+  | { readonly type: 'radio'; readonly packets: readonly RadioPacket[]; readonly dropped?: number }
   | { readonly type: 'log'; readonly events: readonly TimedLogEvent[] }
   /** About once a frame while something moves. */
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot }

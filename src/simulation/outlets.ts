@@ -6,6 +6,8 @@ import type { WayPoint } from './way';
 export interface RadioPacket {
   /** Simulated time. */
   readonly timeUs: number;
+  /** 0 … 255; only boards in the same group hear it. */
+  readonly group: number;
   /** As it is on the air: `radio.send` puts 1, 0, 1 before the UTF-8 of its text. */
   readonly bytes: readonly number[];
 }

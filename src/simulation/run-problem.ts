@@ -4,9 +4,9 @@ import { Clock } from '#core/clock';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import { isHeap, MOST_STUCK_PAIRS } from '#scene/overlaps';
 import { placementProblems } from '#scene/placement';
-import type { Background, Scene } from '#scene/scene';
+import { DAMAGED_BACKGROUND, runRefusal } from '#scene/run-refusal';
+import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import { chooseHardware, type Hardware } from './hardware';
 import type { InputAction, PlacedPose } from './input';
@@ -29,12 +29,8 @@ function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): st
     return `Reality ${String(setup.reality)} is not within 0 (ideal) … 1 (like a used school robot).`;
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
-  if (isHeap(setup.scene.objects)) return HEAP;
-  const movers = setup.scene.objects.filter(({ type }) => type === 'mover').length;
-  if (movers > MOST_MOVERS)
-    return `objects: ${movers} moving obstacles are too many for a run; the limit is ${MOST_MOVERS}. Remove some.`;
-  const { background } = setup.scene;
-  if (background !== null && isDamaged(background)) return DAMAGED;
+  const refusal = runRefusal(setup.scene);
+  if (refusal !== null) return refusal.message;
   return inputsProblem(setup, new Board(board, new Clock(), firmware), robot !== null);
 }
 
@@ -96,21 +92,13 @@ export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boole
   };
 }
 
-/** Chosen: each looks out for all it might push. A hundred are far beyond any lesson; two thousand take a second for a step. */
-const MOST_MOVERS = 100;
-
-const HEAP = `objects: blocks stand inside each other or inside other things at more than ${MOST_STUCK_PAIRS} places. Move them apart, or remove some.`;
-
-const DAMAGED = 'background.levels: the picture on the floor is damaged. Take it in anew, or remove it.';
-
-const isDamaged = (background: Background): boolean => unpackLevels(background) === null;
-
 /** A damaged picture would show only when its levels are unpacked, in the midst of the run. */
 function editInWords(course: Scene, edit: SceneEdit): string | null {
   const problem = editProblem(course, edit);
   if (problem !== null) return `edit${problem.path === '' ? ': ' : '.'}${problem.message}`;
   const { background } = applyEdit(course, edit);
-  return background !== null && background !== course.background && isDamaged(background) ? `edit: ${DAMAGED}` : null;
+  const isNew = background !== null && background !== course.background;
+  return isNew && unpackLevels(background) === null ? `edit: ${DAMAGED_BACKGROUND}` : null;
 }
 
 const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0 && value <= 255;

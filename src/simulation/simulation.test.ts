@@ -289,6 +289,7 @@ describe('what a run tells the outside', { timeout: 30_000 }, () => {
     const program = lines(
       'import radio',
       'from microbit import *',
+      'radio.config(group=7)',
       'while True:',
       '  text = radio.receive()',
       '  if text:',
@@ -301,6 +302,7 @@ describe('what a run tells the outside', { timeout: 30_000 }, () => {
     });
     simulation.advanceTo(300_000);
     expect(packets.map(({ bytes }) => String.fromCharCode(...bytes))).toEqual(['\x01\x00\x01go!']);
+    expect(packets[0]?.group).toBe(7);
     expect(packets[0]?.timeUs).toBeGreaterThan(100_000);
     expect(packets[0]?.timeUs).toBeLessThan(120_000);
   });

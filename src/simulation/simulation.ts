@@ -63,6 +63,7 @@ export class Simulation {
   private output: string[] = [];
   private end: Ended | null = null;
   private isFresh = true;
+  private isStopped = false;
 
   /**
    * Builds a run and loads its program, which begins with the first `advanceTo`.
@@ -184,12 +185,13 @@ export class Simulation {
   }
 
   /**
-   * Does something from outside. It takes effect at the next step of the world, is stamped with that time and logged.
+   * Does something from outside. It takes effect at the next step of the world at or after `timeUs`, is stamped with that
+   * time and logged.
    *
+   * @param timeUs simulated time, not before now
    * @throws RangeError for a sensor, pad, block or object that is not there and a value out of range; nothing is done then
    */
-  input(action: InputAction): void {
-    const timeUs = this.nowUs;
+  input(action: InputAction, timeUs = this.nowUs): void {
     const problem = this.problemOf(action, timeUs);
     if (problem !== null) throw new RangeError(problem);
     const place = this.waiting.findIndex((event) => event.timeUs > timeUs);
@@ -199,6 +201,12 @@ export class Simulation {
   /** KeyboardInterrupt in the program, at the next step of the world. */
   interrupt(): void {
     this.input({ type: 'interrupt' });
+  }
+
+  /** Ends the program: an interrupt whose traceback is not printed. What it prints in its `finally` is. */
+  stop(): void {
+    this.isStopped = true;
+    this.interrupt();
   }
 
   /** The whole run now. */
@@ -233,7 +241,10 @@ export class Simulation {
   private tell({ sound, radio, log }: RunOutlets): void {
     const { board } = this;
     if (sound) board.sound.onEvent(sound);
-    if (radio) board.radio.onSend((packet) => radio({ timeUs: this.nowUs, bytes: Array.from(packet) }));
+    if (radio)
+      board.radio.onSend((packet) =>
+        radio({ timeUs: this.nowUs, group: board.radio.group, bytes: Array.from(packet) }),
+      );
     if (log) board.dataLog.onEvent((event) => log({ ...event, timeUs: this.nowUs }));
   }
 
@@ -319,7 +330,7 @@ export class Simulation {
       case 'arena-senses':
         return this.mounted?.senses.switch(action.on);
       case 'interrupt':
-        return this.vm.interrupt();
+        return this.isStopped ? this.vm.stop() : this.vm.interrupt();
       default:
         action satisfies never;
     }

@@ -9,6 +9,7 @@ import App from './App.vue';
 import { forgetful, openTabStorage } from './composables/keep-work';
 import { storedSettings } from './composables/use-settings';
 import { hostWish } from './host/address';
+import { keepEarlyMessages } from './host/listen-to-host';
 import { setLanguage } from './i18n';
 import { vuetify } from './vuetify';
 
@@ -21,6 +22,8 @@ const OFFLINE_AFTER_MS = 4000;
  */
 async function start(): Promise<void> {
   const wish = hostWish(location, document.documentElement.dataset);
+  // The styles look at what is spoken, not at what this page speaks unless told otherwise.
+  document.documentElement.dataset['dialect'] = wish.dialect ?? 'none';
   const language = wish.settings.language ?? storedSettings().language;
   const [storage] = await Promise.all([wish.keepsWork ? openTabStorage() : forgetful, setLanguage(language)]);
   createApp(App, { storage, wish }).use(vuetify).mount('#app');
@@ -29,4 +32,5 @@ async function start(): Promise<void> {
   }, OFFLINE_AFTER_MS);
 }
 
+keepEarlyMessages();
 void start();

@@ -25,6 +25,8 @@ class Simulator {
     this.iframe.scrolling = 'no';
     this.iframe.frameBorder = 'no';
     this.iframe.src = address;
+    // Lessons that show the frame only when its program is wanted.
+    if (new URLSearchParams(location.search).has('hidden')) this.iframe.style.display = 'none';
     window.addEventListener('message', (event) => {
       if (event.source !== this.iframe.contentWindow || !event.data.kind) return;
       this.kinds.push(event.data.kind);
@@ -60,7 +62,8 @@ class Simulator {
         this.log = { headings: [], rows: [] };
         break;
       case 'internal_error':
-        this.errors.push(message.error.message);
+        // Hosts hand it on to what gathers errors, which looks at its class.
+        this.errors.push(message.error instanceof Error ? message.error.message : 'unknown error');
         break;
     }
   }

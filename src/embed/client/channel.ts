@@ -1,3 +1,5 @@
+import { nameable } from '../nameable';
+
 /** What the page is reached by: the frame that shows it, its window, or a port that leads to it. */
 export type Target = HTMLIFrameElement | Window | MessagePort;
 
@@ -45,9 +47,6 @@ function originOf(frame: HTMLIFrameElement): string | null {
   const { protocol, origin } = new URL(frame.src);
   return protocol === 'https:' || protocol === 'http:' ? origin : null;
 }
-
-/** An origin that is none (a sandbox, a file) cannot be named when sending. */
-const nameable = (origin: string | null): string => (origin === null || origin === 'null' ? '*' : origin);
 
 function windowChannel(page: PageWindow, hear: Hear): Channel {
   const listen = (event: MessageEvent<unknown>): void => {

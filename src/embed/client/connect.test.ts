@@ -92,6 +92,21 @@ describe('the client for host pages', () => {
     parcours.close();
   });
 
+  it('takes no answer to another client of the same page for its own', async () => {
+    const { port1, port2 } = new MessageChannel();
+    const asked: { readonly id: unknown; readonly type: string }[] = [];
+    port2.onmessage = ({ data }: MessageEvent<(typeof asked)[number]>) => {
+      asked.push(data);
+      if (data.type === 'hello') port2.postMessage({ parcours: 1, reply: data.id, ok: true, page: 'p' });
+      // What somebody else was answered who counts alike.
+      else for (const reply of [1, 2, 3]) port2.postMessage({ parcours: 1, reply, ok: true });
+    };
+    const parcours = await connect(port1, { commandTimeoutMs: 100 });
+    ends.push(() => parcours.close());
+    await expect(parcours.stop()).rejects.toMatchObject({ code: 'timeout' });
+    expect(new Set(asked.map(({ id }) => id)).size).toBe(asked.length);
+  });
+
   it('gives up after the time it was given', async () => {
     const page = pageBehindPort({ isThere: false });
     await expect(connect(page.port, { timeoutMs: 50 })).rejects.toMatchObject({ code: 'timeout' });
@@ -113,6 +128,25 @@ describe('the client for host pages', () => {
     page.simulator().tell({ type: 'snapshot', snapshot: page.simulator().snapshot()! });
     await quiet();
     expect(heard).toEqual([{ snapshot: expect.objectContaining({ running: 'program' }) }]);
+  });
+
+  it('does not connect with a wish that the page refuses, and forgets one that it refuses later', async () => {
+    const page = pageBehindPort();
+    const wrong = { subscribe: { snapshotHz: NaN } };
+    await expect(connect(page.port, wrong)).rejects.toMatchObject({ code: 'wrong-message', path: 'snapshotHz' });
+    const { page: other, parcours } = await connected({ subscribe: { snapshotHz: 60 } });
+    await expect(parcours.subscribe({ snapshotHz: -1 })).rejects.toMatchObject({ code: 'wrong-message' });
+    const restarted = vi.fn();
+    parcours.on('restarted', restarted);
+    other.load();
+    await expect(parcours.getState()).rejects.toMatchObject({ code: 'restarted' });
+    await vi.waitFor(() => expect(restarted).toHaveBeenCalledOnce());
+    const heard: object[] = [];
+    parcours.on('snapshot', (data) => heard.push(data));
+    await parcours.run();
+    other.simulator().tell({ type: 'snapshot', snapshot: other.simulator().snapshot()! });
+    await quiet();
+    expect(heard.length).toBe(1);
   });
 
   it('sends what a framework has wrapped, and says when something cannot be sent', async () => {

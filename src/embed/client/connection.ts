@@ -19,11 +19,11 @@ type Listener = (data: never) => void;
 export class Connection {
   /** What the page said last. */
   welcome: Welcome | null = null;
-  private readonly waiting = new Map<number, Waiting>();
+  private readonly waiting = new Map<string, Waiting>();
   private readonly listeners = new Map<string, Set<Listener>>();
   private readonly session = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
   private greeting: Promise<Welcome> | null = null;
-  private readonly helloIds = new Set<number>();
+  private readonly helloIds = new Set<string>();
   private heardHello: (answer: Answer) => void = () => undefined;
   private endGreeting: (error: ParcoursError) => void = () => undefined;
   private wish: Commands['subscribe']['fields'];
@@ -53,10 +53,8 @@ export class Connection {
   /** Sends a command. @returns its answer @throws ParcoursError (as a rejection) when it was not done */
   send<N extends CommandName>(type: N, fields: Commands[N]['fields']): Promise<Commands[N]['result']> {
     if (this.isClosed) return Promise.reject(new ParcoursError('closed', 'The connection is closed.'));
-    if (type === 'subscribe') this.wish = { ...this.wish, ...fields };
-    this.lastId += 1;
-    const id = this.lastId;
-    return new Promise<object>((done, failed) => {
+    const id = this.nextId();
+    const answer = new Promise<object>((done, failed) => {
       const limitMs = this.options.commandTimeoutMs ?? COMMAND_TIMEOUT_MS;
       const timer = setTimeout(() => this.fail(id, 'timeout', `No answer to "${type}" in time.`), limitMs);
       this.waiting.set(id, { done, failed, timer });
@@ -66,12 +64,21 @@ export class Connection {
         this.fail(id, 'not-plain', `"${type}" holds something other than plain data.`);
       }
     });
+    // What the page refuses is not asked of it again after it was loaded anew.
+    if (type === 'subscribe') answer.then(() => (this.wish = { ...this.wish, ...fields })).catch(() => undefined);
+    return answer;
   }
 
   on<E extends keyof ClientEvents>(event: E, listener: (data: ClientEvents[E]) => void): () => void {
     const all = this.listeners.get(event) ?? new Set();
     this.listeners.set(event, all.add(listener));
     return () => void all.delete(listener);
+  }
+
+  /** Two clients of one page hear each other's answers: an id is no other one's. */
+  private nextId(): string {
+    this.lastId += 1;
+    return `${this.session}-${String(this.lastId)}`;
   }
 
   /** Takes what the page said. */
@@ -96,10 +103,10 @@ export class Connection {
     const { client, timeoutMs = HELLO_TIMEOUT_MS } = this.options;
     return new Promise((done, failed) => {
       const hello = (): void => {
-        this.lastId += 1;
-        this.helloIds.add(this.lastId);
+        const id = this.nextId();
+        this.helloIds.add(id);
         const own = client === undefined ? {} : { client };
-        this.channel.hello({ parcours: 1, id: this.lastId, type: 'hello', session: this.session, ...own });
+        this.channel.hello({ parcours: 1, id, type: 'hello', session: this.session, ...own });
       };
       const end = (act: () => void): void => {
         clearInterval(again);
@@ -119,14 +126,19 @@ export class Connection {
     });
   }
 
-  private begin(said: Welcome): Welcome {
+  /** @throws ParcoursError (as a rejection) with `wrong-message` when the page does not know what is subscribed to */
+  private async begin(said: Welcome): Promise<Welcome> {
     const { versions, app, page, abilities } = said;
     const before = this.welcome;
     this.welcome = { versions, app, page, abilities };
     if (before !== null && before.page === page) return this.welcome;
     if (before !== null) this.failAll('restarted', 'The page was loaded anew before it answered.');
-    if (Object.keys(this.wish).length > 0) this.send('subscribe', this.wish).catch(() => undefined);
-    if (before !== null) this.emit('restarted', this.welcome);
+    const subscribed = Object.keys(this.wish).length > 0 ? this.send('subscribe', this.wish) : Promise.resolve();
+    const isSubscribed = subscribed.catch((error: unknown) => {
+      if (before === null && error instanceof ParcoursError && error.code === 'wrong-message') throw error;
+    });
+    if (before === null) await isSubscribed;
+    else this.emit('restarted', this.welcome);
     return this.welcome;
   }
 
@@ -161,7 +173,7 @@ export class Connection {
     }
   }
 
-  private fail(id: number, code: ErrorCode, message: string): void {
+  private fail(id: string, code: ErrorCode, message: string): void {
     const waiting = this.waiting.get(id);
     if (waiting === undefined) return;
     clearTimeout(waiting.timer);
@@ -175,7 +187,7 @@ export class Connection {
 }
 
 interface Answer {
-  readonly reply: number;
+  readonly reply: string;
   readonly ok: boolean;
   readonly code?: ErrorCode;
   readonly message?: string;

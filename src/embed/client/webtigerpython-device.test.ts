@@ -84,6 +84,24 @@ describe('the simulator as a device of WebTigerPython', { timeout: 30_000 }, () 
     await until(() => b.heard.at(-1) === 'ready');
   });
 
+  it('stops a program that is only starting, and that is no error', async () => {
+    const b = bench();
+    let end = (_problem: string): void => undefined;
+    b.simulator.run = () => new Promise((resolve) => (end = resolve));
+    const stop = b.simulator.stop.bind(b.simulator);
+    b.simulator.stop = () => {
+      end('The run was stopped before it began.');
+      return stop();
+    };
+    b.device.runCode('print(1)');
+    b.device.stopCode();
+    await until(() => b.calls().includes('stop'));
+    b.simulator.run = () => Promise.resolve('There is no VM.');
+    b.device.runCode('print(2)');
+    await until(() => b.heard.some((text) => text.startsWith('error')));
+    expect(b.heard.filter((text) => text.startsWith('error'))).toEqual(['error There is no VM.']);
+  });
+
   it('shows what looks like the end but is not, after a moment', async () => {
     const b = bench();
     b.device.runCode('');

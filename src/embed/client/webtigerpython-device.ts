@@ -2,10 +2,10 @@
  * The simulator as a device of WebTigerPython, or of any page with the same device interface: what the device's buttons
  * do there happens in a frame with Parcours.
  */
-import { Printed } from '../webtigerpython/printed';
+import { HOLD_MS, Printing } from '../webtigerpython/printing';
 import { connect } from './connect';
 import { ParcoursError } from './parcours-error';
-import type { Events, Parcours } from './types';
+import type { ClientEvents, Events, Parcours } from './types';
 
 /** A device as WebTigerPython knows it. Functions that a device does not have are greyed out there. */
 export interface DeviceInterface {
@@ -68,9 +68,6 @@ export interface ParcoursDevice extends DeviceInterface {
   exportCode(code: string): void;
 }
 
-/** How long what looks like the last traceback is held back while the program goes on, in ms. Chosen: its end is told long before, also on a busy machine. */
-const HOLD_MS = 1000;
-
 /** Name of an exported file. */
 const EXPORT_NAME = 'main.parcours.json';
 
@@ -90,15 +87,12 @@ export function createParcoursDevice(options: ParcoursDeviceOptions): ParcoursDe
   return {
     registerDevice: () => link.open(),
     disconnectDevice: () => link.close(),
-    cleanUp: () => link.whenOpen((parcours) => parcours.reset()),
+    cleanUp: () => link.end((parcours) => parcours.reset()),
     runCode(code) {
       link.open();
-      link.whenOpen(async (parcours) => {
-        await parcours.setFiles([{ name: 'main.py', text: code }]);
-        await parcours.run();
-      });
+      link.run(code);
     },
-    stopCode: () => link.whenOpen((parcours) => parcours.stop()),
+    stopCode: () => link.end((parcours) => parcours.stop()),
     exportCode(code) {
       link.open();
       link.whenOpen(async (parcours) => {
@@ -117,7 +111,7 @@ class DeviceLink {
   /** Ends with `null` when the page does not answer. */
   private connected: Promise<Parcours | null> | null = null;
   private last: Promise<void> = Promise.resolve();
-  private printed: Printed | null = null;
+  private readonly printing = new Printing((text) => this.options.onOutput?.(text));
 
   constructor(private readonly options: ParcoursDeviceOptions) {}
 
@@ -131,7 +125,7 @@ class DeviceLink {
           parcours.close();
           return null;
         }
-        this.listen(parcours);
+        this.listen(parcours, () => this.connected === connected);
         await this.setUp(parcours);
         if (this.connected === connected) this.tell('ready');
         return parcours;
@@ -159,12 +153,31 @@ class DeviceLink {
     });
   }
 
+  /** Runs this as `main.py`. What comes after need not wait until it has begun: the page may never come to that. */
+  run(code: string): void {
+    const { ends } = this;
+    this.whenOpen(async (parcours) => {
+      await parcours.setFiles([{ name: 'main.py', text: code }]);
+      parcours.run().catch((error: unknown) => {
+        if (ends === this.ends) this.complain(error);
+      });
+    });
+  }
+
+  /** Ends what runs or is about to: that it never began is no error then. */
+  end(act: (parcours: Parcours) => Promise<void>): void {
+    this.ends += 1;
+    this.whenOpen(act);
+  }
+  /** How often an end was asked for. */
+  private ends = 0;
+
   close(): void {
     const { connected, own } = this;
     if (connected === null) return;
     this.connected = null;
     this.own = null;
-    this.printed = null;
+    this.printing.forget();
     own?.remove();
     void connected.then(async (parcours) => {
       // A frame that the host shows stays, with nothing running in it; our own is gone already.
@@ -208,61 +221,60 @@ class DeviceLink {
     }
   }
 
-  private listen(parcours: Parcours): void {
-    parcours.on('started', () => this.begin());
-    parcours.on('program-restarted', () => this.begin());
-    parcours.on('output', ({ text }) => this.print(parcours, text));
-    parcours.on('ended', (ended) => this.end(ended));
-    parcours.on('failed', ({ message }) => this.options.onError?.(message));
-    parcours.on('phase', ({ phase }) => {
+  /** @param isOpen whether this connection is still the device's: its last words come after the host has left */
+  private listen(parcours: Parcours, isOpen: () => boolean): void {
+    const on = <E extends keyof ClientEvents>(event: E, act: (data: ClientEvents[E]) => void): void =>
+      void parcours.on(event, (data) => {
+        if (isOpen()) act(data);
+      });
+    on('started', () => this.begin());
+    on('program-restarted', () => this.begin());
+    on('output', ({ text }) => this.print(parcours, text));
+    on('ended', (ended) => this.finish(ended));
+    on('failed', ({ message }) => this.options.onError?.(message));
+    on('phase', ({ phase }) => {
       if (phase === 'running' || phase === 'paused') this.tell('running');
       if (['ready', 'stopped', 'killed', 'failed'].includes(phase)) {
-        this.end(null);
+        this.finish(null);
         this.tell('ready');
       }
     });
-    parcours.on('restarted', () => {
-      this.end(null);
-      void this.setUp(parcours).then(() => this.tell('ready'));
+    on('restarted', () => {
+      this.finish(null);
+      void this.setUp(parcours).then(() => isOpen() && this.tell('ready'));
     });
   }
 
   private begin(): void {
-    this.end(null);
-    this.printed = new Printed();
+    this.finish(null);
+    this.printing.begin();
     this.tell('running');
   }
 
   /** The program is over; what the REPL prints from now on is none of the host's business. */
-  private end(ended: Events['ended'] | null): void {
-    if (this.printed === null) return;
+  private finish(ended: Events['ended'] | null): void {
     const traceback = ended?.exception?.traceback ?? null;
-    this.say(this.printed.end(traceback));
-    this.printed = null;
+    const printed = this.printing.end({ traceback, isStopped: ended?.ended === 'stopped' });
+    if (printed === null) return;
     if (ended !== null) this.tell('ended');
-    if (traceback !== null && ended?.ended !== 'stopped') this.options.onError?.(traceback.replaceAll('\r\n', '\n'));
+    if (printed.error !== null) this.options.onError?.(printed.error);
   }
 
   private print(parcours: Parcours, text: string): void {
-    const { printed } = this;
-    if (printed === null) return;
-    this.say(printed.add(text));
+    if (!this.printing.isLive) return;
+    this.printing.add(text);
     clearTimeout(this.timer);
     this.timer = setTimeout(() => {
       void parcours.getState().then(
         ({ snapshot }) => {
           // While only the world goes on, the program is over: its end is on the way.
-          if (printed === this.printed && snapshot?.running !== 'world') this.say(printed.release());
+          if (snapshot?.running !== 'world') this.printing.release();
         },
         () => undefined, // the page is gone
       );
     }, HOLD_MS);
   }
   private timer: ReturnType<typeof setTimeout> | undefined;
-
-  private say(text: string): void {
-    if (text !== '') this.options.onOutput?.(text);
-  }
 
   private tell(state: DeviceState): void {
     if (state === this.state) return;

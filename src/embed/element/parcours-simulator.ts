@@ -4,7 +4,7 @@ import type { ClientEvents, Parcours, ProjectFile, SceneFile, Welcome } from '..
 import { pageAddress } from './address';
 import { ParcoursAttributes, takeEarlyProperties } from './attributes';
 import { PageFrame } from './page-frame';
-import { ABOVE_PROJECT, wishes } from './wishes';
+import { ABOVE_PROJECT, snapshotHzOf, wishes } from './wishes';
 import { projectFile, Work, type Given } from './work';
 
 /** What the element tells, by the name of the event, and what its `detail` is. */
@@ -179,7 +179,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
       title: this.frameTitle(),
       allow: this.getAttribute('allow') ?? ALLOW,
       isSandboxed: this.sandboxed,
-      subscribe: { snapshotHz: Number(this.snapshotHz ?? 0) },
+      subscribe: { snapshotHz: snapshotHzOf(this.snapshotHz) },
       tell: (event, detail) => void this.hear(event, detail),
     });
     this.page = page;

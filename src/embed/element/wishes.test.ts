@@ -39,6 +39,19 @@ describe('an attribute that changes while the page is there', () => {
     expect(await said('snapshot-hz', null)).toEqual(['subscribe', { snapshotHz: 0 }]);
   });
 
+  it('asks for no more pictures than the page gives, and for none where the number is none', async () => {
+    const hz = async (value: string): Promise<unknown> => (await said('snapshot-hz', value))[1];
+    for (const [value, snapshotHz] of [
+      ['12.5', 12.5],
+      ['1e9', 60],
+      ['Infinity', 60],
+      ['-3', 0],
+      ['many', 0],
+    ] as const)
+      // prettier-ignore
+      expect(await hz(value)).toEqual({ snapshotHz });
+  });
+
   it('takes numbers as they are written', async () => {
     expect(await said('speed', '0.25')).toEqual(['setSpeed', 0.25]);
     expect(await said('speed', 'max')).toEqual(['setSpeed', 'max']);

@@ -1,4 +1,5 @@
 import type { Parcours } from '../client/types';
+import { limits } from '../parcours/limits';
 import { PARTS, type HostSpeed } from '../simulator';
 import { isOn } from './address';
 
@@ -28,8 +29,14 @@ export const wishes: Readonly<Record<string, Wish>> = {
   board: (parcours, value) => parcours.setRobot({ device: value ?? 'auto' }),
   seed: (parcours, value) => parcours.setSeed(Number(value ?? 1)),
   reality: (parcours, value) => parcours.setReality(Number(value ?? 0)),
-  'snapshot-hz': (parcours, value) => parcours.subscribe({ snapshotHz: Number(value ?? 0) }),
+  'snapshot-hz': (parcours, value) => parcours.subscribe({ snapshotHz: snapshotHzOf(value) }),
 };
+
+/** Snapshots per second that the attribute asks for, 0 … 60; what is no number asks for none. */
+export function snapshotHzOf(value: string | null): number {
+  const hz = Number(value ?? 0);
+  return Number.isNaN(hz) ? 0 : Math.min(limits.snapshotHz, Math.max(0, hz));
+}
 
 /** Those of them that a project brings as well: where an attribute says something, it counts. */
 export const ABOVE_PROJECT = ['robot', 'board', 'seed', 'reality'] as const;

@@ -4,6 +4,7 @@ import { LANGUAGES, type Language } from '#core/texts';
 import { filesByName, MAIN, type SourceFile } from '#project/project';
 import { NO_ROBOT, robotMeant } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
+import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 
 import type { Door, Outside } from '../door';
 import type { EmbeddedSimulator, HostSettings, Part, Phase, SimulatorEvent } from '../simulator';
@@ -118,12 +119,12 @@ class MicrobitDoor implements Door {
 
   private flash(filesystem: Readonly<Record<string, Uint8Array>>): void {
     const read = filesOf(filesystem);
-    const problem = 'problem' in read ? read.problem : this.load(read.files);
+    if ('problem' in read) return this.sayError(read.problem);
+    const problem = this.load(read.files);
     if (problem !== null) return this.sayError(problem);
     this.endRun();
-    this.columns.clear();
-    this.state.setLogFull(false);
-    this.say({ kind: 'log_delete' });
+    this.emptyLog();
+    if (read.leftOut !== null) this.sayError(read.leftOut);
     this.start();
   }
 
@@ -202,8 +203,7 @@ class MicrobitDoor implements Door {
         this.sayAll();
         break;
       case 'radio':
-        if (!this.isQuiet)
-          for (const { bytes } of event.packets) this.say({ kind: 'radio_output', data: Uint8Array.from(bytes) });
+        if (!this.isQuiet) for (const packet of event.packets) this.tellPacket(packet);
         break;
       case 'log':
         if (!this.isQuiet) for (const one of event.events) this.tellLog(one);
@@ -258,10 +258,34 @@ class MicrobitDoor implements Door {
     }
   }
 
-  private tellLog(event: Parameters<LogColumns['messageOf']>[0]): void {
-    const message = this.columns.messageOf(event);
-    if (message !== null) this.say(message);
-    if (event.type !== 'row' && this.state.setLogFull(event.type === 'full')) this.sayChange('dataLogging');
+  /** A packet, after the group it went to: pictures, which also tell that, may come later or, while the page is hidden, never. */
+  private tellPacket({ group, bytes }: RadioPacket): void {
+    if (this.state.setRadio(true, group)) this.sayChange('radio');
+    this.say({ kind: 'radio_output', data: Uint8Array.from(bytes) });
+  }
+
+  private tellLog(event: TimedLogEvent): void {
+    switch (event.type) {
+      case 'clear':
+        return this.emptyLog();
+      case 'full':
+        if (this.state.setLogFull(true)) this.sayChange('dataLogging');
+        return;
+      case 'row': {
+        const message = this.columns.rowMessage(event.headings, event.values);
+        if (message !== null) this.say(message);
+        return;
+      }
+      default:
+        event satisfies never;
+    }
+  }
+
+  /** The log has room again before the host's table is empty, in the order of the official simulator. */
+  private emptyLog(): void {
+    this.columns.clear();
+    if (this.state.setLogFull(false)) this.sayChange('dataLogging');
+    this.say({ kind: 'log_delete' });
   }
 
   /** Lines end as on the board's serial line. */
@@ -285,7 +309,7 @@ class MicrobitDoor implements Door {
   }
 
   private sayError(message: string): void {
-    this.say({ kind: 'internal_error', error: { name: 'Error', message } });
+    this.say({ kind: 'internal_error', error: new Error(message) });
   }
 
   private say(message: MicrobitEvent): void {

@@ -1,29 +1,45 @@
-import { FILE_BYTES, MAIN, projectLimits, type SourceFile } from '#project/project';
+import { FILE_BYTES, MAIN, nameProblem, projectLimits, type SourceFile } from '#project/project';
+
+/** The files of a `flash` as the page has them. */
+export interface FlashedFiles {
+  /** `main.py` first. */
+  readonly files: readonly SourceFile[];
+  /** Which ones the page cannot hold, in English sentences; `null`: none. */
+  readonly leftOut: string | null;
+}
 
 /**
  * The files of a `flash` as the page has them: `main.py` first; where it is missing an empty one, after which the REPL
- * comes at once as on the board.
+ * comes at once as on the board. The page keeps what a program is made of as text, in files of usual names: others are
+ * left out, so that the program runs as far as it does without them.
  *
- * @returns a problem in one English sentence when there are too many or too large ones, or one that is no text: the page
- * shows and keeps what a program is made of as text
+ * @returns a problem in one English sentence when it is `main.py` itself that the page cannot hold
  */
-export function filesOf(
-  filesystem: Readonly<Record<string, Uint8Array>>,
-): { readonly files: readonly SourceFile[] } | { readonly problem: string } {
-  const names = Object.keys(filesystem);
-  if (names.length > projectLimits.files)
-    return { problem: `There are ${names.length} files; the limit is ${projectLimits.files}.` };
-  const files: SourceFile[] = [];
+export function filesOf(filesystem: Readonly<Record<string, Uint8Array>>): FlashedFiles | { readonly problem: string } {
+  const main = fileOf(MAIN, filesystem[MAIN] ?? new Uint8Array(), []);
+  if (typeof main === 'string') return { problem: `${MAIN} ${main}.` };
+  const files = [main];
+  const leftOut: string[] = [];
   for (const [name, bytes] of Object.entries(filesystem)) {
-    if (bytes.length > FILE_BYTES)
-      return { problem: `${quoted(name)} has ${bytes.length} bytes; the limit is ${FILE_BYTES}.` };
-    const text = textOf(bytes);
-    if (text === null) return { problem: `${quoted(name)} is no UTF-8 text.` };
-    if (name === MAIN) files.unshift({ name, text });
-    else files.push({ name, text });
+    if (name === MAIN) continue;
+    const file = fileOf(name, bytes, files);
+    if (typeof file !== 'string') files.push(file);
+    else if (leftOut.length < MOST_NAMED) leftOut.push(`${quoted(name)} is left out: it ${file}.`);
   }
-  if (files[0]?.name !== MAIN) files.unshift({ name: MAIN, text: '' });
-  return { files };
+  return { files, leftOut: leftOut.length === 0 ? null : leftOut.join(' ') };
+}
+
+/** Files that are left out and told of by name. Chosen: the first tell what is wrong with all. */
+const MOST_NAMED = 5;
+
+/** One file, or why the page cannot hold it beside `others`: what it is or has, in words that go on after its name. */
+function fileOf(name: string, bytes: Uint8Array, others: readonly SourceFile[]): SourceFile | string {
+  if (others.length >= projectLimits.files) return `is one too many; the limit is ${String(projectLimits.files)}`;
+  const problem = nameProblem(name, others);
+  if (problem !== null) return `has a name that cannot be (${problem})`;
+  if (bytes.length > FILE_BYTES) return `has ${String(bytes.length)} bytes; the limit is ${String(FILE_BYTES)}`;
+  const text = textOf(bytes);
+  return text === null ? 'is no UTF-8 text' : { name, text };
 }
 
 const quoted = (name: string): string => JSON.stringify(name.length > 60 ? `${name.slice(0, 60)}…` : name);

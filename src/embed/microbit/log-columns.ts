@@ -1,8 +1,6 @@
-import type { TimedLogEvent } from '#simulation/outlets';
-
 import type { MicrobitEvent } from './messages';
 
-type LogMessage = Extract<MicrobitEvent, { kind: 'log_output' | 'log_delete' }>;
+type RowMessage = Extract<MicrobitEvent, { kind: 'log_output' }>;
 
 /**
  * The columns that the host knows. Its table outlives resets of the board, as the log on the board does: columns of a
@@ -16,22 +14,8 @@ export class LogColumns {
     this.columns = [];
   }
 
-  /** What the host is told of something that happened to the log; `null`: nothing. */
-  messageOf(event: TimedLogEvent): LogMessage | null {
-    switch (event.type) {
-      case 'clear':
-        this.clear();
-        return { kind: 'log_delete' };
-      case 'full':
-        return null; // the state says it
-      case 'row':
-        return this.row(event.headings, event.values);
-      default:
-        return event satisfies never;
-    }
-  }
-
-  private row(headings: readonly string[], values: readonly string[]): LogMessage | null {
+  /** What the host is told of a row that was logged, its values in the order of `headings`; `null`: nothing. */
+  rowMessage(headings: readonly string[], values: readonly string[]): RowMessage | null {
     const added = headings.filter((heading) => !this.columns.includes(heading));
     // A timestamp that comes before anything is logged stands first; the log itself puts it there.
     this.columns = [...this.columns, ...added];

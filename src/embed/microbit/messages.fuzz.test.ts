@@ -2,7 +2,7 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
-import { mutatedValue } from '#project/testing/mutate';
+import { mutatedTree } from '#scene/testing/mutate';
 
 import { RecordingSimulator, type RecordedCall } from '../testing/recording-simulator';
 import { openMicrobitDoor } from './door';
@@ -39,16 +39,22 @@ function message(rng: Rng): unknown {
   const usual = USUAL[rng.u32() % USUAL.length];
   const way = rng.unit();
   if (way < 0.25) return usual;
-  const mutated = mutatedValue(usual, rng);
+  const mutated = mutatedTree(usual, rng, false);
   return way < 0.6 ? withBytes(mutated, rng) : mutated;
 }
 
-function withBytes(value: unknown, rng: Rng): unknown {
+/** What is there a thousand times over is changed once: a thousand thousand objects would be most of the time. */
+function withBytes(value: unknown, rng: Rng, known = new Map<object, unknown>()): unknown {
   if (typeof value !== 'object' || value === null) return value;
+  if (!known.has(value)) known.set(value, changed(value, rng, known));
+  return known.get(value);
+}
+
+function changed(value: object, rng: Rng, known: Map<object, unknown>): unknown {
   const values = Object.values(value);
   if (values.length > 0 && values.every((one) => typeof one === 'number'))
     return Uint8Array.from({ length: rng.u32() % 40 }, () => rng.u32());
-  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, withBytes(one, rng)]));
+  return Object.fromEntries(Object.entries(value).map(([key, one]) => [key, withBytes(one, rng, known)]));
 }
 
 /** Everything that a host of this dialect may do, by kind. */

@@ -56,7 +56,9 @@ const flash = v.object({
   kind: v.literal('flash'),
   filesystem: v.pipe(
     record(v.instance(Uint8Array), microbitLimits.files),
-    about('The files by name, UTF-8 as Uint8Array. Without `main.py` the REPL comes at once.'),
+    about(
+      'The files by name, UTF-8 as Uint8Array. Without `main.py` the REPL comes at once. Files that the page cannot hold are left out, and named by `internal_error`: more than 20, larger than 256 KiB, no text, or names with spaces and the like.',
+    ),
   ),
 });
 
@@ -159,7 +161,7 @@ const internalError = v.object({
   kind: v.literal('internal_error'),
   error: v.pipe(
     v.object({ name: v.string(), message: v.string() }),
-    about('What could not be done, in one English sentence.'),
+    about('An `Error`: what could not be done, in English sentences.'),
   ),
 });
 

@@ -1,47 +1,13 @@
-import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { projectToText } from '#project/file';
-import { defaultProjectSettings } from '#project/project';
 import { fullProject } from '#project/testing/projects';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
-import { RecordingSimulator } from '../testing/recording-simulator';
+import { greeted, hostAt, settled } from '../testing/host-at';
 import { commandNames } from './command-schemas';
-import { openParcoursDoor } from './door';
-import { answerSchemas, eventSchemas } from './event-schemas';
 import { limits } from './limits';
-import type { EventName } from './protocol';
-
-const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
-
-type Message = Readonly<Record<string, unknown>>;
-
-/** A host at the door of a page that runs nothing. */
-function hostAt(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
-  const simulator = new RecordingSimulator(start);
-  const heard: Message[] = [];
-  const time = { ms: 0 };
-  const outside = { post: (message: object) => void heard.push(message as Message), nowMs: () => time.ms };
-  const door = openParcoursDoor(simulator, outside, facts);
-  let id = 0;
-  const say = (type: string, fields: object = {}): number => {
-    id += 1;
-    door.receive({ parcours: 1, id, type, ...fields });
-    return id;
-  };
-  const answerTo = (asked: number): Message | undefined => heard.find(({ reply }) => reply === asked);
-  const ask = (type: string, fields: object = {}): Message | undefined => answerTo(say(type, fields));
-  const events = (type: EventName): readonly Message[] => heard.filter((message) => message['type'] === type);
-  return { simulator, heard, time, door, say, ask, answerTo, events };
-}
-
-function greeted(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
-  const host = hostAt(start);
-  host.ask('hello');
-  return host;
-}
 
 describe('our own dialect', () => {
   it('says nothing before hello, and does nothing', () => {
@@ -192,13 +158,13 @@ describe('commands of our own dialect', () => {
 
   it('are answered in their order, also behind one that takes its time', async () => {
     const { simulator, heard, say } = greeted();
-    const ids = [say('run', { paused: true }), say('state'), say('nonsense'), say('resume'), say('stop'), say('state')];
+    const ids = [say('run', { paused: true }), say('state'), say('nonsense'), say('resume'), say('state')];
     expect(heard.filter(({ reply }) => ids.includes(Number(reply)))).toEqual([]);
     await settled();
     const answers = heard.filter(({ reply }) => ids.includes(Number(reply)));
     expect(answers.map(({ reply }) => reply)).toEqual(ids);
-    expect(answers.map((answer) => answer['phase'] ?? answer['ok'])).toEqual([true, 'paused', false, true, true, 'stopped']); // prettier-ignore
-    expect(simulator.calls.map(({ call }) => call)).toEqual(['run', 'resume', 'stop']);
+    expect(answers.map((answer) => answer['phase'] ?? answer['ok'])).toEqual([true, 'paused', false, true, 'running']); // prettier-ignore
+    expect(simulator.calls.map(({ call }) => call)).toEqual(['run', 'resume']);
   });
 
   it('are refused as busy when far too many wait, and go on afterwards', async () => {
@@ -251,122 +217,3 @@ describe('commands of our own dialect', () => {
     expect(heard.length).toBe(before);
   });
 });
-
-describe('events of our own dialect', () => {
-  it('tell of phases, output and the end with what became of it', () => {
-    const { simulator, heard, events } = greeted({ phase: 'running' });
-    simulator.tell({ type: 'started' });
-    simulator.tell({ type: 'output', text: 'hello\n' });
-    const exception = { type: 'ValueError', message: 'no', line: 3, traceback: 'Traceback' };
-    simulator.tell({
-      type: 'program-ended',
-      ended: { kind: 'exception', exception, timeUs: 2_500_000 },
-      verdict: null,
-    });
-    expect(heard.slice(1).map((message) => message['type'])).toEqual(['started', 'output', 'ended']);
-    expect(events('ended')).toEqual([
-      expect.objectContaining({ ended: 'exception', exception, atMs: 2500, verdict: null, robot: null }),
-    ]);
-  });
-
-  it('call a run that was stopped before its program ended stopped, and one that was killed stuck', () => {
-    for (const [phase, ended] of [
-      ['stopped', 'stopped'],
-      ['killed', 'stuck'],
-    ] as const) {
-      // prettier-ignore
-      const { simulator, events } = greeted();
-      simulator.tell({ type: 'started' });
-      simulator.tell({ type: 'phase', phase });
-      expect(events('ended')).toEqual([expect.objectContaining({ ended, exception: null })]);
-      simulator.tell({ type: 'phase', phase: 'stopped' });
-      expect(events('ended').length).toBe(1);
-    }
-  });
-
-  it('send no snapshots at first, then as many as were asked for, and the last one before things stand still', () => {
-    const { simulator, time, ask, events } = greeted({ phase: 'running' });
-    const snapshot = simulator.snapshot()!;
-    const frame = (ms: number): void => {
-      time.ms = ms;
-      simulator.tell({ type: 'snapshot', snapshot: { ...snapshot, timeUs: ms * 1000 } });
-    };
-    frame(0);
-    expect(events('snapshot')).toEqual([]);
-    expect(ask('subscribe', { snapshotHz: 10 })).toMatchObject({ ok: true });
-    for (let ms = 1000; ms <= 2000; ms += 16) frame(ms);
-    const told = events('snapshot').map((message) => (message['snapshot'] as { atMs: number }).atMs);
-    expect(told.slice(0, 3)).toEqual([1000, 1112, 1224]); // the first frame at least 98 ms later
-    expect(told.length).toBe(9);
-    simulator.tell({ type: 'phase', phase: 'paused' });
-    expect(events('snapshot').at(-1)?.['snapshot']).toMatchObject({ atMs: 1992 });
-    expect(ask('subscribe', { snapshotHz: 61 })).toMatchObject({ code: 'wrong-message', path: 'snapshotHz' });
-  });
-
-  it('leave out output that comes too fast and say how much', () => {
-    const { simulator, time, events } = greeted({ phase: 'running' });
-    const most = limits.outputCharactersPerSecond;
-    for (let times = 0; times < 30; times += 1) simulator.tell({ type: 'output', text: 'x'.repeat(10_000) });
-    const sent = events('output').map((message) => (message['text'] as string).length);
-    expect(sent.reduce((sum, length) => sum + length, 0)).toBeLessThanOrEqual(most);
-    time.ms = 1000;
-    simulator.tell({ type: 'output', text: 'again' });
-    expect(events('output').at(-1)).toMatchObject({ text: 'again', omitted: 300_000 - 10_000 * sent.length });
-  });
-
-  it('come only as far as they are wanted', () => {
-    const { simulator, ask, events } = greeted();
-    ask('subscribe', { events: ['output'] });
-    simulator.tell({ type: 'started' });
-    simulator.tell({ type: 'output', text: 'hi' });
-    expect([events('started').length, events('output').length]).toEqual([0, 1]);
-    expect(ask('subscribe', { events: ['everything'] })).toMatchObject({ code: 'wrong-message', path: 'events.0' });
-  });
-
-  it('tell radio packets as text where they are one', () => {
-    const { simulator, events } = greeted();
-    const packets = [{ timeUs: 5000, bytes: [1, 0, 1, 104, 105] }, { timeUs: 6000, bytes: [7, 255] }]; // prettier-ignore
-    simulator.tell({ type: 'radio', packets });
-    expect(events('radio')).toEqual([{ parcours: 1, type: 'radio', packets: [{ atMs: 5, text: 'hi' }, { atMs: 6, bytes: [7, 255] }] }]); // prettier-ignore
-  });
-
-  it('and answers have the form that the manual promises', async () => {
-    const { simulator, heard, ask, say, answerTo } = greeted({ project: fullProject() });
-    ask('subscribe', { snapshotHz: 60 });
-    const ids = new Map(Object.keys(answerSchemas).map((name) => [name, say(name)]));
-    say('run');
-    await settled();
-    const snapshot = simulator.snapshot()!;
-    simulator.tell({ type: 'snapshot', snapshot });
-    simulator.tell({ type: 'output', text: 'hi' });
-    simulator.tell({ type: 'radio', packets: [{ timeUs: 1, bytes: [1] }] });
-    simulator.tell({ type: 'log', events: [{ type: 'clear', timeUs: 1 }, { type: 'row', headings: ['a'], values: [], timeUs: 2 }] }); // prettier-ignore
-    simulator.tell({ type: 'sensed', action: { type: 'button', button: 'b', down: true } });
-    simulator.tell({ type: 'settings', settings: { ...defaultProjectSettings, ...simulator.settings() } });
-    simulator.tell({ type: 'refused', message: 'No.' });
-    simulator.tell({ type: 'failed', message: 'No.' });
-    simulator.tell({ type: 'program-restarted' });
-    simulator.tell({ type: 'scene', scene: defaultScene() });
-    simulator.tell({ type: 'files', files: simulator.project().files });
-    simulator.tell({ type: 'program-ended', ended: { kind: 'fault', exception: null, timeUs: 7 }, verdict: null });
-    const events = heard.filter((message) => typeof message['type'] === 'string');
-    expect([...new Set(events.map((message) => message['type']))].sort()).toEqual(Object.keys(eventSchemas).sort());
-    for (const event of events) {
-      const type = String(event['type']);
-      expect(() => v.parse(eventSchemas[type as EventName] as v.GenericSchema, ownFields(event)), type).not.toThrow();
-    }
-    for (const [name, id] of ids) {
-      const schema: v.GenericSchema = answerSchemas[name as keyof typeof answerSchemas];
-      expect(() => v.parse(schema, ownFields(answerTo(id) ?? {})), name).not.toThrow();
-    }
-  });
-});
-
-/** What a message says besides what every message has. */
-const ownFields = (message: Message): object =>
-  Object.fromEntries(Object.entries(message).filter(([key]) => !['parcours', 'type', 'reply', 'ok'].includes(key)));
-
-/** Until everything that was promised has come. */
-async function settled(): Promise<void> {
-  for (let times = 0; times < 3000; times += 1) await Promise.resolve();
-}

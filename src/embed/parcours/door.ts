@@ -8,7 +8,8 @@ import { Teller } from './teller';
 
 /**
  * Opens a door that speaks our own dialect (`protocol.ts`). It says nothing before the host has said hello; then every command
- * with an id is answered, one after the other, and events come as the host wants them.
+ * with an id is answered, one after the other, and events come as the host wants them. A `stop` or `reset` ends a `run`
+ * that has not begun yet, whatever waits between them.
  */
 export function openParcoursDoor(simulator: EmbeddedSimulator, outside: Outside, facts: PageFacts): Door {
   return new ParcoursDoor(simulator, outside, facts);
@@ -25,7 +26,8 @@ export const refusedMessage = (id: CommandId, problem: ReturnType<typeof refusal
 class ParcoursDoor implements Door {
   private readonly teller: Teller;
   private unlisten: (() => void) | null = null;
-  private isBusy = false;
+  /** What is being done; the others wait. */
+  private busyWith: Incoming['asked'] | null = null;
   private isClosed = false;
   private readonly waiting: Incoming[] = [];
 
@@ -41,12 +43,19 @@ class ParcoursDoor implements Door {
     if (this.isClosed) return;
     const incoming = read(message);
     if (incoming === null) return;
-    if (this.waiting.length >= limits.waitingCommands) {
+    const isEnd = endsRun(incoming);
+    // However much waits for a run that does not come, it can be given up.
+    if (this.waiting.length >= limits.waitingCommands * (isEnd ? 2 : 1)) {
       this.answer(incoming.id, { refused: refusal('busy', 'Too many commands wait for the one before them.') });
       return;
     }
     this.waiting.push(incoming);
+    if (isEnd && this.isStarting()) void this.simulator.stop().catch(() => undefined);
     this.goOn();
+  }
+
+  private isStarting(): boolean {
+    return this.busyWith !== null && 'type' in this.busyWith && this.busyWith.type === 'run';
   }
 
   close(): void {
@@ -57,7 +66,7 @@ class ParcoursDoor implements Door {
 
   /** One command after the other: an answer is never overtaken. */
   private goOn(): void {
-    while (!this.isBusy && !this.isClosed) {
+    while (this.busyWith === null && !this.isClosed) {
       const next = this.waiting.shift();
       if (next === undefined) return;
       const outcome = this.act(next);
@@ -65,11 +74,11 @@ class ParcoursDoor implements Door {
         this.answer(next.id, outcome);
         continue;
       }
-      this.isBusy = true;
+      this.busyWith = next.asked;
       void outcome
         .catch((error: unknown) => broken(error))
         .then((came) => {
-          this.isBusy = false;
+          this.busyWith = null;
           this.answer(next.id, came);
           this.goOn();
         });
@@ -81,6 +90,9 @@ class ParcoursDoor implements Door {
     if (asked.type === 'hello') this.unlisten ??= this.simulator.listen((event) => this.teller.tell(event));
     if (this.unlisten === null) return { refused: refusal('no-hello', 'Say hello first.') };
     if (asked.type === 'bye') this.fallSilent();
+    // It would be given up at once, as a start is that is already under way.
+    if (asked.type === 'run' && this.waiting.some(endsRun))
+      return { refused: refusal('refused', 'The run was stopped before it began.') };
     try {
       const { simulator, teller, facts } = this;
       return doCommand(asked, { simulator, teller, facts });
@@ -100,6 +112,9 @@ class ParcoursDoor implements Door {
     else this.outside.post({ parcours: PROTOCOL_VERSION, reply: id, ok: true, ...outcome.done });
   }
 }
+
+/** Whether it puts an end to a run, even to one that is still to begin. */
+const endsRun = ({ asked }: Incoming): boolean => 'type' in asked && (asked.type === 'stop' || asked.type === 'reset');
 
 /** `null`: not ours. A message of a page in the same realm may even throw when it is read. */
 function read(message: unknown): Incoming | null {

@@ -112,6 +112,8 @@ const runSettings = {
   arenaSenses: v.boolean(),
 };
 const message = text('One English sentence.');
+const omitted = (what: string) =>
+  v.exactOptional(pipe(v.number(), description(`So many ${what} came too fast and are left out.`)));
 
 /** Fields of every event, by its name. */
 export const eventSchemas = {
@@ -138,7 +140,7 @@ export const eventSchemas = {
   }),
   output: v.strictObject({
     text: text('Lines may end in `\\n` or `\\r\\n`.'),
-    omitted: v.exactOptional(pipe(v.number(), description('So many characters before it came too fast and are left out.'))), // prettier-ignore
+    omitted: omitted('characters before it'),
   }),
   snapshot: v.strictObject({ snapshot: pipe(snapshot, description('The run at one moment.')) }),
   'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('How many objects it has.') }),
@@ -150,8 +152,8 @@ export const eventSchemas = {
     sensor: text('Id of the sensor: `buttonA`, `pinLogo`, `lightLevel`, …'),
     value: pipe(v.union([v.number(), v.string()]), description('1 and 0 for buttons and pads.')),
   }),
-  radio: v.strictObject({ packets: v.array(packet) }),
-  log: v.strictObject({ events: v.array(logEvent) }),
+  radio: v.strictObject({ packets: v.array(packet), omitted: omitted('packets before these') }),
+  log: v.strictObject({ events: v.array(logEvent), omitted: omitted('rows before these') }),
   refused: v.strictObject({ message }),
   failed: v.strictObject({ message }),
 } satisfies { readonly [N in EventName]: v.GenericSchema<unknown, Events[N]> };

@@ -11,7 +11,7 @@ export const limits = {
   labels: 30,
   labelCharacters: 200,
   snapshotHz: 60,
-  /** Output of a program that prints without end: what comes faster is left out and counted. */
+  /** Output of a program that prints without end, likewise its packets and its rows: what comes faster is left out and counted. */
   outputCharactersPerSecond: 200_000,
   /** Values and characters of a message that brings a project, a course or an edit. */
   documentValues: 500_000,

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
 import { projectToText } from '#project/file';
-import { mutatedValue } from '#project/testing/mutate';
+import { mutatedTree } from '#scene/testing/mutate';
 import { fullProject } from '#project/testing/projects';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
@@ -86,7 +86,7 @@ const idOf = (seed: number): string => `command ${String(seed)}.`;
 
 function messageOf(rng: Rng, id: string): unknown {
   const usual = { parcours: 1, id, ...USUAL[rng.u32() % USUAL.length] };
-  return rng.unit() < 0.3 ? usual : mutatedValue(usual, rng);
+  return rng.unit() < 0.3 ? usual : mutatedTree(usual, rng, false);
 }
 
 const fieldsOf = (message: unknown): Readonly<Record<string, unknown>> =>

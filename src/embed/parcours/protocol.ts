@@ -273,8 +273,10 @@ export interface Events {
     readonly settings: PageSettings & RobotChoice & Pick<State, 'speed' | 'seed' | 'reality' | 'arenaSenses'>;
   };
   sensed: { readonly sensor: string; readonly value: number | string };
-  radio: { readonly packets: readonly PlainPacket[] };
-  log: { readonly events: readonly PlainLogEvent[] };
+  /** `omitted`: so many packets before these came too fast and are left out. */
+  radio: { readonly packets: readonly PlainPacket[]; readonly omitted?: number };
+  /** `omitted`: likewise rows. That the log was emptied or is full is always told. */
+  log: { readonly events: readonly PlainLogEvent[]; readonly omitted?: number };
   /** An input that the run did not take. */
   refused: { readonly message: string };
   /** The run could not start or broke inside. */

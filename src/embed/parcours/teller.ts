@@ -1,31 +1,36 @@
+import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/verdict';
 
 import type { Outside } from '../door';
 import type { EmbeddedSimulator, HostSettings, Phase, SimulatorEvent } from '../simulator';
+import { Allowance } from './allowance';
 import { eventNames } from './event-schemas';
-import { limits } from './limits';
 import { displayText, msOf, plainLogEvent, plainPacket, plainRobot, plainSnapshot } from './plain-snapshot';
-import type { Commands, EndedWord, EventName, Events } from './protocol';
+import type { Commands, EndedWord, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
 import { PROTOCOL_VERSION } from './read-command';
 
-/** What a message costs besides its text: a thousand of them a second at most. */
-const MESSAGE_CHARACTERS = 200;
 /** Frames of a screen do not come to the ms: one that is this much early counts. */
 const EARLY_MS = 2;
 
-/** Tells a host what happens, as far as it wants to know. */
+/** What a packet or a row costs besides what it holds, in characters. */
+const ENTRY_CHARACTERS = 50;
+/** What a number of a list costs, likewise. */
+const NUMBER_CHARACTERS = 4;
+
+/**
+ * Tells a host what happens, as far as it wants to know. A host that is slow must not drown in what a program does: its
+ * output, its packets and its rows have a rate of their own each. Everything else comes as often as the page is drawn or
+ * commanded, at most.
+ */
 export class Teller {
   private wanted: ReadonlySet<EventName> = new Set(eventNames);
   private snapshotMs = Infinity;
   private toldMs = -Infinity;
   /** The newest snapshot that was passed over. */
   private passedOver: Snapshot | null = null;
-  /** Output that may be sent now, in characters; it fills up with time. */
-  private room: number = limits.outputCharactersPerSecond;
-  private roomMs: number;
-  private omitted = 0;
+  private readonly rates: Readonly<Record<'output' | 'radio' | 'log', Allowance>>;
   /** Whether the program runs whose end is to be told. */
   private awaitsEnd = false;
 
@@ -33,7 +38,8 @@ export class Teller {
     private readonly simulator: Pick<EmbeddedSimulator, 'snapshot' | 'nowUs'>,
     private readonly outside: Outside,
   ) {
-    this.roomMs = outside.nowMs();
+    const nowMs = outside.nowMs();
+    this.rates = { output: new Allowance(nowMs), radio: new Allowance(nowMs), log: new Allowance(nowMs) };
   }
 
   /** Chooses events and the rate of snapshots; what is left out stays. */
@@ -59,9 +65,9 @@ export class Teller {
         this.awaitsEnd = true;
         return this.send('program-restarted', {});
       case 'radio':
-        return this.send('radio', { packets: event.packets.map(plainPacket) });
+        return this.radio(event.packets, event.dropped ?? 0);
       case 'log':
-        return this.send('log', { events: event.events.map(plainLogEvent) });
+        return this.log(event.events);
       case 'snapshot':
         return this.snapshot(event.snapshot);
       case 'scene':
@@ -82,7 +88,7 @@ export class Teller {
 
   private phase(phase: Phase): void {
     const isOver = phase === 'stopped' || phase === 'killed' || phase === 'failed';
-    if (this.omitted > 0 && phase !== 'running') this.sendOutput('');
+    if (phase !== 'running') this.tellOmitted();
     if (phase !== 'running' && phase !== 'starting') this.catchUp();
     this.send('phase', { phase });
     if (isOver && this.awaitsEnd && phase !== 'failed') {
@@ -94,7 +100,7 @@ export class Teller {
 
   private ended(word: EndedWord, ended: Ended | null, verdict: Verdict | null): void {
     this.awaitsEnd = false;
-    if (this.omitted > 0) this.sendOutput('');
+    this.tellOmitted();
     this.catchUp();
     const snapshot = this.simulator.snapshot();
     const exception = ended?.exception ?? null;
@@ -132,22 +138,47 @@ export class Teller {
     if (last !== null && this.snapshotMs !== Infinity) this.send('snapshot', { snapshot: plainSnapshot(last) });
   }
 
-  /** A host that is slow must not drown: what comes faster than the limit is left out and counted. */
   private output(text: string): void {
-    const nowMs = this.outside.nowMs();
-    const { outputCharactersPerSecond: most } = limits;
-    const passedMs = Math.max(0, nowMs - this.roomMs);
-    this.room = Math.min(most, this.room + (passedMs / 1000) * most);
-    this.roomMs = nowMs;
-    if (this.room < MESSAGE_CHARACTERS + text.length) this.omitted += text.length;
-    else this.sendOutput(text);
+    const { output: rate } = this.rates;
+    if (!this.wanted.has('output')) return;
+    if (rate.hasRoom(this.outside.nowMs()) && rate.take(text.length)) this.send('output', { text, ...rate.send() });
+    else rate.omit(text.length);
   }
 
-  private sendOutput(text: string): void {
-    const { omitted } = this;
-    this.omitted = 0;
-    this.room -= text.length + MESSAGE_CHARACTERS;
-    this.send('output', omitted > 0 ? { text, omitted } : { text });
+  private radio(packets: readonly RadioPacket[], dropped: number): void {
+    const { radio: rate } = this.rates;
+    if (!this.wanted.has('radio')) return;
+    rate.omit(dropped);
+    const plain = packets.map(plainPacket);
+    const hasRoom = rate.hasRoom(this.outside.nowMs());
+    const found = hasRoom ? plain.findIndex((packet) => !rate.take(sizeOf(packet))) : 0;
+    const sent = found < 0 ? plain : plain.slice(0, found);
+    if (sent.length > 0) this.send('radio', { packets: sent, ...rate.send() });
+    rate.omit(plain.length - sent.length);
+  }
+
+  /** That the log was emptied or is full is always told: it says what the rows are worth. */
+  private log(events: readonly TimedLogEvent[]): void {
+    const { log: rate } = this.rates;
+    if (!this.wanted.has('log')) return;
+    let hasRoom = rate.hasRoom(this.outside.nowMs());
+    const sent: PlainLogEvent[] = [];
+    let omitted = 0;
+    for (const event of events.map(plainLogEvent)) {
+      if (event.type === 'row') hasRoom &&= rate.take(rowSize(event));
+      if (event.type !== 'row' || hasRoom) sent.push(event);
+      else omitted += 1;
+    }
+    if (sent.length > 0) this.send('log', { events: sent, ...rate.send() });
+    rate.omit(omitted);
+  }
+
+  /** What was left out last is counted by a message of its own. */
+  private tellOmitted(): void {
+    const { output, radio, log } = this.rates;
+    if (output.hasOmitted) this.send('output', { text: '', ...output.send() });
+    if (radio.hasOmitted) this.send('radio', { packets: [], ...radio.send() });
+    if (log.hasOmitted) this.send('log', { events: [], ...log.send() });
   }
 
   private settings(settings: HostSettings): void {
@@ -162,6 +193,12 @@ export class Teller {
     if (this.wanted.has(type)) this.outside.post({ parcours: PROTOCOL_VERSION, type, ...data });
   }
 }
+
+const sizeOf = (packet: PlainPacket): number =>
+  ENTRY_CHARACTERS + ('text' in packet ? packet.text.length : NUMBER_CHARACTERS * packet.bytes.length);
+
+const rowSize = ({ headings, values }: Extract<PlainLogEvent, { type: 'row' }>): number =>
+  ENTRY_CHARACTERS + [...headings, ...values].join('  ').length;
 
 /** How a program ended, as a word. */
 export const endedWord = ({ kind }: Pick<Ended, 'kind'>): EndedWord => (kind === 'fault' ? 'panic' : kind);

@@ -38,6 +38,8 @@ export interface RecordingStart {
   readonly project?: Project;
   readonly phase?: Phase;
   readonly settings?: HostSettings;
+  /** Its runs never get their VM: they start until they are stopped. */
+  readonly hangs?: boolean;
 }
 
 /**
@@ -60,8 +62,11 @@ export class RecordingSimulator implements EmbeddedSimulator {
   private now: Phase;
   private rehearsal: Board;
   private wishes: Readonly<Record<string, number>> = {};
+  private readonly hangs: boolean;
+  private endStart = (): void => undefined;
 
-  constructor({ project, phase = 'ready', settings = {} }: RecordingStart = {}) {
+  constructor({ project, phase = 'ready', settings = {}, hangs = false }: RecordingStart = {}) {
+    this.hangs = hangs;
     this.work = project ?? { files: [{ name: MAIN, text: '' }], scene: defaultScene(), course: null };
     this.held = {
       ...defaultProjectSettings,
@@ -164,7 +169,12 @@ export class RecordingSimulator implements EmbeddedSimulator {
     this.rehearsal = this.newBoard();
     this.tell({ type: 'phase', phase: 'starting' });
     this.tell({ type: 'started' });
+    if (this.hangs) {
+      await new Promise<void>((end) => (this.endStart = end));
+      return 'The run was stopped before it began.';
+    }
     await Promise.resolve();
+    if (this.phase() !== 'starting') return 'The run was stopped before it began.';
     this.tell({ type: 'phase', phase: paused ? 'paused' : 'running' });
     return null;
   }
@@ -222,6 +232,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   }
 
   private over(phase: 'ready' | 'stopped'): void {
+    this.endStart();
     const isActive = ['starting', 'running', 'paused', 'stopping'].includes(this.now);
     if (isActive) this.tell({ type: 'phase', phase: 'stopped' });
     if (phase === 'ready' && this.now !== 'ready') this.tell({ type: 'phase', phase });

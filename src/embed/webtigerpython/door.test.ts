@@ -82,6 +82,7 @@ describe('the door of WebTigerPython', () => {
       { type: 'output', data: '2\n' },
       { type: 'error', data: traceback },
       { type: 'full_output', data: `1\n2\n${traceback}` },
+      { type: 'program_finished', data: null },
     ]);
     b.simulator.tell({ type: 'program-restarted' });
     b.print('1\r\n');
@@ -90,6 +91,7 @@ describe('the door of WebTigerPython', () => {
     expect(b.said()).toEqual([
       { type: 'output', data: '1\n' },
       { type: 'full_output', data: '1\n' },
+      { type: 'program_finished', data: null },
     ]);
   });
 
@@ -100,10 +102,13 @@ describe('the door of WebTigerPython', () => {
     const interrupt = traceback.replace('NameError: x', 'KeyboardInterrupt: ');
     b.print(interrupt);
     b.simulator.tell(ended('stopped', interrupt));
-    expect(b.said()).toEqual([{ type: 'full_output', data: interrupt }]);
+    expect(b.said()).toEqual([
+      { type: 'full_output', data: interrupt },
+      { type: 'program_finished', data: null },
+    ]);
     b.simulator.tell({ type: 'started' });
     b.simulator.tell({ type: 'phase', phase: 'killed' });
-    expect(b.said().map(({ type }) => type)).toEqual(['code', 'full_output']);
+    expect(b.said().map(({ type }) => type)).toEqual(['code', 'full_output', 'program_finished']);
   });
 
   it('shows a traceback that the program printed itself, when it goes on in silence', () => {
@@ -165,6 +170,18 @@ describe('the door of WebTigerPython', () => {
     b.send('settings', 7);
     b.send('settings');
     expect(settings()).toMatchObject({ language: 'fr', theme: 'light', device: 'auto' });
+  });
+
+  it('takes a program among the settings, as the manual of WebTigerPython shows it', () => {
+    const b = bench();
+    b.said();
+    b.send('settings', { code: 'print("test")', lang: 'fr' });
+    expect(b.files()).toEqual([{ name: MAIN, text: 'print("test")' }]);
+    expect(b.simulator.settings().language).toBe('fr');
+    const files = b.files();
+    for (const code of [7, '', undefined, 'x'.repeat(300_000)]) b.send('settings', { code });
+    expect(b.files()).toBe(files);
+    expect(b.said()).toEqual([]);
   });
 
   it('shows the panes that a host asks for', () => {

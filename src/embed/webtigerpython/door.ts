@@ -18,11 +18,8 @@ import {
   type SimulatorEvent,
 } from '../simulator';
 import { hostMessage, type HostMessage, type PageMessage, type SettingsData } from './messages';
-import { Printed } from './printed';
+import { HOLD_MS, Printing } from './printing';
 import { flagOf, languageOf, partsOfLayout, PICTURE } from './words';
-
-/** How long what looks like the last traceback is held back while the program goes on, in ms. Chosen: its end is told long before, also on a busy machine. */
-const HOLD_MS = 1000;
 
 /** Phases in which no program runs any more. */
 const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
@@ -60,15 +57,11 @@ function judged(message: unknown): HostMessage | null {
 
 function obey(message: HostMessage, simulator: EmbeddedSimulator, teller: Teller): void {
   switch (message.type) {
-    case 'files': {
-      const { data } = message;
-      const files = typeof data === 'string' ? filesOfText(data) : filesOfList([data].flat());
-      const problem = files === null ? 'There is no program in it.' : simulator.setFiles(files);
-      if (problem !== null) teller.complain(problem);
-      return;
-    }
+    case 'files':
+      return bring(message.data, simulator, teller);
     case 'settings':
       for (const settings of settingsOf(message.data, simulator.settings().parts)) simulator.change(settings);
+      if (message.data.code !== undefined) bring(message.data.code, simulator, teller);
       return;
     case 'run_code':
       teller.run();
@@ -76,6 +69,16 @@ function obey(message: HostMessage, simulator: EmbeddedSimulator, teller: Teller
     default:
       message satisfies never;
   }
+}
+
+function bring(
+  program: Extract<HostMessage, { type: 'files' }>['data'],
+  simulator: EmbeddedSimulator,
+  teller: Teller,
+): void {
+  const files = typeof program === 'string' ? filesOfText(program) : filesOfList([program].flat());
+  const problem = files === null ? 'There is no program in it.' : simulator.setFiles(files);
+  if (problem !== null) teller.complain(problem);
 }
 
 /** What the fields ask for, apart from each other: one that cannot be done leaves the others alone. */
@@ -105,9 +108,7 @@ function partsOf(data: SettingsData, shown: readonly Part[]): readonly Part[] | 
 
 /** Tells the host about the run. */
 class Teller {
-  private printed = new Printed();
-  /** Whether the program runs that the host hears of; afterwards the REPL goes on, which is none of its business. */
-  private isLive = false;
+  private readonly printing = new Printing((data) => this.post({ type: 'output', data }));
   private heldSinceMs = 0;
   private complaints = 0;
 
@@ -139,20 +140,19 @@ class Teller {
           type: 'code',
           data: this.simulator.project().files.map(({ name, text }) => ({ name, data: text })),
         });
-        this.begin();
+        this.printing.begin();
         return;
       case 'program-restarted':
-        this.begin();
+        this.printing.begin();
         return;
       case 'output':
-        if (!this.isLive) return;
         this.heldSinceMs = this.outside.nowMs();
-        this.say(this.printed.add(event.text));
+        this.printing.add(event.text);
         return;
       case 'snapshot':
         // While only the world goes on, the program is over: its end is on the way.
-        if (this.isLive && event.snapshot.running === 'program' && this.outside.nowMs() - this.heldSinceMs > HOLD_MS)
-          this.say(this.printed.release());
+        if (event.snapshot.running === 'program' && this.outside.nowMs() - this.heldSinceMs > HOLD_MS)
+          this.printing.release();
         return;
       case 'program-ended':
         this.end(event.ended);
@@ -176,22 +176,13 @@ class Teller {
     }
   }
 
-  private begin(): void {
-    this.printed = new Printed();
-    this.isLive = true;
-  }
-
-  private say(text: string): void {
-    if (text !== '') this.post({ type: 'output', data: text });
-  }
-
   /** The program is over: the rest of what it printed, the exception unless somebody pressed Stop, then all of it again. */
   private end(ended: Ended | null): void {
-    if (!this.isLive) return;
-    this.isLive = false;
     const traceback = ended?.exception?.traceback ?? null;
-    this.say(this.printed.end(traceback));
-    if (traceback !== null && ended?.kind !== 'stopped') this.complain(traceback.replaceAll('\r\n', '\n'));
-    this.post({ type: 'full_output', data: this.printed.whole });
+    const printed = this.printing.end({ traceback, isStopped: ended?.kind === 'stopped' });
+    if (printed === null) return;
+    if (printed.error !== null) this.complain(printed.error);
+    this.post({ type: 'full_output', data: printed.whole });
+    this.post({ type: 'program_finished', data: null });
   }
 }

@@ -21,6 +21,7 @@ const told: readonly (readonly [name: keyof typeof pageData, about: string])[] =
     'The exception that ended the program, as Python shows it; `KeyboardInterrupt` by the Stop button is none. Also, in one English sentence, why files cannot be opened or a run cannot start.',
   ],
   ['full_output', 'The program is over, by itself or by Stop: everything that it printed, once more.'],
+  ['program_finished', 'After that: nothing more comes of this run.'],
 ];
 
 const out: readonly ManualMessage[] = told.map(([name, about]) => ({

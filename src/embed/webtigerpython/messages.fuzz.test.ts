@@ -4,7 +4,7 @@ import { describe, expect, it } from 'vitest';
 import { createRng, type Rng } from '#core/rng';
 import { LANGUAGES } from '#core/texts';
 import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
-import { mutatedValue } from '#project/testing/mutate';
+import { mutatedTree } from '#scene/testing/mutate';
 
 import { PARTS, type SimulatorEvent } from '../simulator';
 import { RecordingSimulator } from '../testing/recording-simulator';
@@ -22,6 +22,7 @@ const MESSAGES: readonly unknown[] = [
   { type: 'files', data: 'print(2)' },
   { type: 'settings', data: { device: 'micro:bit', lang: 'de', dark_mode: true, layout: [['Editor', 'Canvas'], 'Console'] } }, // prettier-ignore
   { type: 'settings', data: { hide_topbar: 'true', full_screen: false, layout: '["Canvas"]', device: '-' } },
+  { type: 'settings', data: { code: 'print(3)', lang: 'fr' } },
   { type: 'run_code' },
   { type: 'run_code', data: null },
   { kind: 'flash', filesystem: {} },
@@ -69,7 +70,7 @@ describe('messages of any shape to the door of WebTigerPython', () => {
         const rng = createRng(seed);
         const before = { project: simulator.project(), settings: simulator.settings() };
         const message = oneOf(MESSAGES, rng);
-        door.receive(rng.unit() < 0.1 ? message : mutatedValue(message, rng));
+        door.receive(rng.unit() < 0.1 ? message : mutatedTree(message, rng, false));
         const did = simulator.calls.splice(0).map(({ call }) => call);
         taken += did.length;
         // A run that is asked for begins after this message.

@@ -44,6 +44,7 @@ const flag = v.union([v.boolean(), v.picklist(['', 'true', 'false', '1', '0'])])
 
 /** `data` of `settings`. Fields that are not here change nothing. */
 export const settingsData = v.object({
+  code: given(pipe(programText, v.nonEmpty()), 'The text of a program, as `files` has it.'),
   device: given(word, '`micro:bit`, `Calliope mini 1/2`, `Calliope mini 3`, `-`, or our id of a microcomputer.'),
   lang: given(word, '`de`, `fr`, `it` or `en`, also with a region.'),
   dark_mode: given(flag, 'Dark or light.'),
@@ -80,6 +81,7 @@ export const pageData = {
   output: text('The next piece of what the program prints; lines end in `\\n`, a piece may end anywhere.'),
   error: text('The traceback of the exception that ended the program, or why it could not start.'),
   full_output: text(`All that the program printed, with the traceback at its end; of a very long one its last part.`),
+  program_finished: nothing,
 } as const;
 
 /** A message of the page. */

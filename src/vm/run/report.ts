@@ -30,6 +30,8 @@ const MACHINE_CODE = /^\s*@micropython\.(asm_thumb|native|viper)\b/;
 export class Report {
   private readonly decoder = new TextDecoder();
   private tracebackFrom: string[] | null = null;
+  /** Somebody has stopped the program: what the console shows of its traceback waits here until its exception is known. */
+  private held: string[] | null = null;
   private end: VmEnd | null = null;
 
   /**
@@ -67,7 +69,13 @@ export class Report {
   write(bytes: Uint8Array): void {
     const text = this.decoder.decode(bytes, { stream: true });
     this.tracebackFrom?.push(text);
-    this.tell(text);
+    if (this.tracebackFrom !== null && this.held !== null) this.held.push(text);
+    else this.tell(text);
+  }
+
+  /** From here on the traceback of a KeyboardInterrupt is not shown: whoever presses Stop has found no error. */
+  hideInterrupt(): void {
+    this.held ??= [];
   }
 
   /** A program begins anew, after a reset. */
@@ -84,11 +92,13 @@ export class Report {
     return {
       report_begin: () => {
         this.tracebackFrom = [];
+        if (this.held !== null) this.held = [];
         return null;
       },
       report_end: (type, message) => {
         const traceback = this.tracebackFrom?.join('') ?? '';
         this.tracebackFrom = null;
+        if (this.held !== null && textOf(type) !== 'KeyboardInterrupt') this.tell(this.held.join(''));
         this.fail(textOf(type), textOf(message), traceback);
         return null;
       },

@@ -21,6 +21,8 @@ export interface Vm {
   readonly isInRepl: boolean;
   /** Raises KeyboardInterrupt in the program; in the REPL it is Ctrl-C. */
   interrupt(): void;
+  /** The same for good: whoever stops the program shall not see the traceback of the interrupt. Any other one is printed. */
+  stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
   /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end those it left. */
@@ -61,6 +63,10 @@ export function createVm(setup: VmSetup): Vm {
     report.restart();
     session = start(kind === 'reset' ? clock.nowUs : startUs);
   };
+  const interrupt = (): void => {
+    if (port.interruptByte !== null || report.ended === null) session.interrupt();
+    else if (!repl.isAsleep) port.feed(CTRL_C);
+  };
   return {
     resume: (limitUs) => {
       // After a panic nothing answers, and time goes on.
@@ -79,9 +85,10 @@ export function createVm(setup: VmSetup): Vm {
     get isInRepl() {
       return report.ended !== null && !isOver && !repl.isAsleep;
     },
-    interrupt: () => {
-      if (port.interruptByte !== null || report.ended === null) session.interrupt();
-      else if (!repl.isAsleep) port.feed(CTRL_C);
+    interrupt,
+    stop: () => {
+      report.hideInterrupt();
+      interrupt();
     },
     feed: (text) => port.feed(text),
     heapFree: () => session.heapFree,

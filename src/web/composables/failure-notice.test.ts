@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 
 import { findRobot } from '#robots/index';
-import { defaultScene, type Scene } from '#scene/scene';
+import { defaultScene, type Background, type Block, type Mover, type Scene } from '#scene/scene';
 import { checkRun } from '#simulation/run-problem';
 import { failureNotice } from './failure-notice';
 
 const empty = defaultScene();
 const callibot = findRobot('callibot');
+const mover: Mover = { type: 'mover', id: 'm', at: [900, 600], to: [900, 800], size: [50, 50], turn: 0, speed: 100, spiked: false }; // prettier-ignore
 const startAt = (x: number, y: number): Scene => ({ ...empty, robot: { ...empty.robot, at: [x, y], heading: 90 } });
 
 /** What the simulation says about this start, and what the page makes of it. */
@@ -32,6 +33,16 @@ describe('the notice about a run that could not begin', () => {
       key: 'notice.robotInside',
       values: { robot: 'Calli:bot', x: 40.5, y: 30 },
     });
+  });
+
+  it('says in the page’s language what else no run can begin with', () => {
+    const heap = Array.from({ length: 300 }, (_, index): Block => ({ type: 'block', id: `b${String(index)}`, at: [900, 600], size: [50, 50], turn: 0 })); // prettier-ignore
+    const movers = Array.from({ length: 101 }, (_, index): Mover => ({ ...mover, id: `m${String(index)}` }));
+    const background: Background = { at: [0, 0], size: [100, 100], cells: [9, 9], levels: 'AAAA', picture: '' };
+    const messageOf = (scene: Partial<Scene>) => noticeAt({ ...startAt(300, 300), ...scene }).values?.['message'];
+    expect(messageOf({ objects: heap })).toMatch(/^An mehr als \d+ Stellen stehen Blöcke ineinander/);
+    expect(messageOf({ objects: movers })).toContain('101 fahrende Hindernisse sind zu viele');
+    expect(messageOf({ background })).toContain('Das Bild am Boden ist beschädigt.');
   });
 
   it('hands on what it has no words for', () => {

@@ -25,8 +25,8 @@ export interface Room {
 const GAP = '8px';
 /** Least sizes that are still of use, in px. */
 const LEAST = { code: 220, board: 180, console: 96, top: 160, arena: 240 } as const;
-/** Height of code and board, stacked, while something is unfolded below the board: room for the drawing and the dials. */
-const TOP_UNFOLDED_PX = 540;
+/** Height of code and board, stacked, while something is unfolded below the board: room for the drawing and the dials, and for an arena in which a robot is seen. Chosen by eye. */
+const TOP_UNFOLDED_PX = 460;
 const BARS_PX = 60 + 8 + 8;
 
 /** The wished sizes, with more height for the board where something is unfolded below it and nobody set a height. */

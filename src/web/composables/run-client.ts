@@ -21,6 +21,14 @@ export interface ClientOptions {
   onKilled(): void;
 }
 
+/** What a run is told between its start and its end. */
+export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
+
+/** Messages that wait for the VM of their run. Chosen: more than anyone does by hand until it is there. */
+const MOST_EARLY = 1000;
+
+const NO_WORKER = 'The worker could not be loaded.';
+
 /** How a run came to its end: by itself, or because its worker gave no answer. */
 export type StopResult = 'stopped' | 'killed';
 
@@ -30,8 +38,12 @@ export type StopResult = 'stopped' | 'killed';
  */
 export class RunClient {
   private current: WorkerPort | null = null;
+  /** Whether the current run has begun: before that there is nothing in it to be asked for. */
+  private hasBegun = false;
   private spare: WorkerPort | null = null;
   private onStopped: (() => void) | null = null;
+  /** What was sent to a run whose VM is still to come; `null`: there is no such run. */
+  private early: ToRun[] | null = null;
   /** Counts starts and stops, so that a start that had to wait for the VM notices that it is no longer wanted. */
   private turn = 0;
 
@@ -42,6 +54,11 @@ export class RunClient {
     if (this.spare !== null) return;
     const worker = this.options.createWorker();
     this.spare = worker;
+    // Its own code could not be loaded: the next run gets another one.
+    worker.onerror = () => {
+      if (this.spare === worker) this.spare = null;
+      worker.terminate();
+    };
     try {
       const firmware = await this.options.firmware();
       if (this.spare === worker || this.current === worker) worker.postMessage({ type: 'prepare', firmware });
@@ -52,30 +69,58 @@ export class RunClient {
     }
   }
 
-  /** Starts a run in the ready worker; the run before, if any, is dropped. */
-  async start(setup: RunSetup, speed: Speed, paused: boolean): Promise<void> {
+  /** A run is about to start; the one before, if any, is dropped. What is sent from here on is for the new one. */
+  expect(): void {
     this.drop();
     this.turn += 1;
+    this.early = [];
+  }
+
+  /**
+   * Starts the run that was expected, in the ready worker. It then gets what was sent to it meanwhile, in order. Nothing
+   * starts when it was stopped before the VM was there.
+   *
+   * @throws Error (as a rejection) when the VM or the worker cannot be had
+   */
+  async start(setup: RunSetup, speed: Speed, paused: boolean): Promise<void> {
     const { turn } = this;
     await this.warmUp();
     await this.options.firmware(); // a worker that is still being made ready gets its VM first
+    if (turn !== this.turn) return;
+    await this.warmUp(); // in the place of one that broke meanwhile
+    if (turn !== this.turn) return;
     const worker = this.spare;
-    if (worker === null || turn !== this.turn) return;
+    if (worker === null) throw new Error(NO_WORKER);
     this.spare = null;
     this.current = worker;
+    this.hasBegun = false;
     worker.onmessage = (event) => this.hear(worker, event.data);
-    worker.onerror = (event) => this.hear(worker, { type: 'failed', message: event.message });
+    worker.onerror = ({ message }) => this.hear(worker, { type: 'failed', message: message || NO_WORKER });
     worker.postMessage({ type: 'run', setup, speed, paused });
+    for (const message of this.early ?? []) worker.postMessage(message);
+    this.early = null;
   }
 
-  /** Sends a message to the run; without a run nothing happens. */
-  send(message: Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>): void {
+  /**
+   * Sends a message to the run; without a run nothing happens. One that is still to start gets it then.
+   *
+   * @returns false: far too much waits already, the message is lost
+   */
+  send(message: ToRun): boolean {
+    if (this.early !== null && this.early.length >= MOST_EARLY) return false;
+    this.early?.push(message);
     this.current?.postMessage(message);
+    return true;
   }
 
-  /** Ends the run: by asking, and by force when there is no answer within `STOP_ANSWER_MS`. */
+  /**
+   * Ends the run: by asking, and by force when there is no answer within `STOP_ANSWER_MS`. One that has not begun ends at
+   * once.
+   */
   stop(): Promise<StopResult> {
     this.turn += 1;
+    this.early = null;
+    if (!this.hasBegun) this.drop();
     const worker = this.current;
     if (worker === null) return Promise.resolve('stopped');
     return new Promise((resolve) => {
@@ -106,6 +151,7 @@ export class RunClient {
 
   private hear(worker: WorkerPort, message: FromWorker): void {
     if (this.current !== worker) return;
+    this.hasBegun ||= message.type === 'started';
     this.options.onMessage(message);
     if (message.type === 'stopped' || message.type === 'failed') this.drop();
   }

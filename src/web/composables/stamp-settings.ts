@@ -1,8 +1,12 @@
 import { travelling } from '../project/travelling';
 import type { App } from './use-app';
 
-/** Writes into the present work what it runs on, so that it comes back with it. @param from the settings as they hold now, or others */
-export function stampSettings({ work, settings }: Pick<App, 'work' | 'settings'>, from = settings.current.value): void {
+/**
+ * Writes into the present work what it runs on, so that it comes back with it. What a host or the address holds belongs to
+ * the work that they brought: work of the pupil's own is kept with the pupil's own choice.
+ */
+export function stampSettings({ work, settings, host }: Pick<App, 'work' | 'settings' | 'host'>): void {
   const { project } = work.work.value;
+  const from = host.hasBrought ? settings.current.value : settings.own.value;
   work.work.value = { ...work.work.value, project: { ...project, settings: travelling(from) } };
 }

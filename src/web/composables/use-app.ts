@@ -214,7 +214,8 @@ function createRun(parts: RunParts): Pick<App, 'run' | 'sensors' | 'radio'> {
       radio.take(events.radio, events.radioDropped);
       parts.dataLog.take(events.log);
       parts.sound.take(events.sound);
-      if (events.radio.length > 0) parts.host.tell({ type: 'radio', packets: events.radio });
+      if (events.radio.length > 0)
+        parts.host.tell({ type: 'radio', packets: events.radio, dropped: events.radioDropped });
       if (events.log.length > 0) parts.host.tell({ type: 'log', events: events.log });
     },
     ...troubles(parts),
@@ -244,7 +245,10 @@ function troubles(parts: RunParts): Pick<RunHost, 'onFailed' | 'onRefused' | 'on
       notices.show({ kind: 'info', key: 'notice.refused', values: { message } });
       host.tell({ type: 'refused', message });
     },
-    onUnavailable: () => notices.show({ kind: 'error', key: 'notice.firmware' }),
+    onUnavailable: () => {
+      notices.show({ kind: 'error', key: 'notice.firmware' });
+      host.tell({ type: 'failed', message: 'A part of the simulator could not be fetched.' });
+    },
     onKilled: () => notices.show({ kind: 'warn', key: 'notice.killed' }),
   };
 }

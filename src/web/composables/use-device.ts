@@ -53,10 +53,10 @@ export function useDevice(app: Parts): DeviceModel {
   const hardware = useHardware(app);
   const change = changing(app);
   const now = (): Settings => settings.current.value;
-  /** Changes something about the robot in use, if there is one. */
-  function changeRobot(wish: (robot: RobotType) => Partial<Settings>): void {
+  /** Changes something about the robot in use, if there is one: of what the pupil has chosen and of what holds now. */
+  function changeRobot(wish: (settings: Settings, robot: RobotType) => Partial<Settings>): void {
     const robot = hardware.value?.robot ?? null;
-    if (robot !== null) change(wish(robot));
+    if (robot !== null) change(wish(now(), robot), wish(settings.own.value, robot));
   }
   return {
     hardware,
@@ -70,8 +70,8 @@ export function useDevice(app: Parts): DeviceModel {
       return robot === null ? {} : startOptions(robot, work.scene.value);
     }),
     chooseOption: (option, choice) =>
-      changeRobot((robot) => withOption(now(), robot, work.scene.value, [option, choice])),
-    resetOptions: () => changeRobot((robot) => withOptions(now(), robot, [])),
+      changeRobot((before, robot) => withOption(before, robot, work.scene.value, [option, choice])),
+    resetOptions: () => changeRobot((before, robot) => withOptions(before, robot, [])),
     chooseReality: (reality) => change({ reality }),
     chooseSeed: (seed) => {
       if (isSeed(seed)) change({ seed });
@@ -86,6 +86,9 @@ function useBringing(
   { settings, work }: Parts,
   hardware: ComputedRef<Hardware | null>,
 ): Pick<DeviceModel, 'allowRobot' | 'bringRobot' | 'setUpForCourse'> {
+  function changeBoth(wish: (before: Settings) => Partial<Settings>): void {
+    settings.change(wish(settings.current.value), wish(settings.own.value));
+  }
   function choose(wish: Pick<Settings, 'robot'> & Partial<Settings>): void {
     settings.change({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
   }
@@ -96,11 +99,11 @@ function useBringing(
     bringRobot: (robot, options = {}) => {
       choose(settingsFor(robot, work.work.value.project, settings.current.value));
       for (const chosen of Object.entries(options))
-        settings.change(withOption(settings.current.value, robot, work.scene.value, chosen));
+        changeBoth((before) => withOption(before, robot, work.scene.value, chosen));
     },
     setUpForCourse: () => {
       const robot = hardware.value?.robot ?? null;
-      if (robot !== null) settings.change(withCourseOptions(settings.current.value, robot, work.scene.value));
+      if (robot !== null) changeBoth((before) => withCourseOptions(before, robot, work.scene.value));
     },
   };
 }
@@ -111,7 +114,7 @@ const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
 
 /** Changes settings. Another device ends the run: that must not look like an accident. */
 function changing({ settings, run, notices }: Parts) {
-  return (wish: Partial<Settings>): void => {
+  return (wish: Partial<Settings>, own = wish): void => {
     const before = settings.current.value;
     const isOther = (parts: typeof deviceSettings): boolean =>
       JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
@@ -119,6 +122,6 @@ function changing({ settings, run, notices }: Parts) {
       const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
       notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });
     }
-    settings.change(wish);
+    settings.change(wish, own);
   };
 }

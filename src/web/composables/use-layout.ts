@@ -2,6 +2,7 @@ import { computed, onScopeDispose, shallowRef, type ComputedRef, type ShallowRef
 
 import { PARTS, type Part } from '#embed/simulator';
 
+import { guide } from '../guide/guide-state';
 import type { HostView } from '../host/host-view';
 import type { SettingsModel } from './use-settings';
 
@@ -55,6 +56,15 @@ const PAIRS: readonly [LayoutKind, string][] = [
   ['narrow', '(min-height: 480px)'],
 ];
 
+/** From this width on the board stays beside the help, too. */
+const HELP: readonly ['all' | 'some', string][] = [['all', '(min-width: 1800px)']];
+
+/** Width of the program where the arena's height leaves it more than is usual, in px. Chosen: the arena stays as large. */
+const CODE_PX: readonly [number, string][] = [
+  [560, '(min-width: 1680px) and (min-height: 440px)'],
+  [460, '(min-width: 1400px) and (min-height: 440px)'],
+];
+
 /** Sizes that suit each layout, from the picture of the app's look. */
 const SUGGESTED: Readonly<Record<LayoutKind, PaneSizes>> = {
   wide: { code: 420, board: 256, console: 212, top: 0 },
@@ -84,16 +94,24 @@ export function useLayout({ current }: SettingsModel, host: Pick<HostView, 'part
     const isSmall = kind.value === 'phone' || kind.value === 'narrow';
     return isSmall && host.parts.value !== null && tabs.value.join() === 'board,arena' ? pair.value : kind.value;
   });
+  const besideHelp = useFirstMatch(HELP, 'some');
+  /** Beside the help program and arena come first. */
+  const isBoardAway = computed(
+    () => guide.isShown.value && besideHelp.value === 'some' && parts.value.includes('arena'),
+  );
   const isShown = computed(() => {
     const has = (pane: Pane): boolean =>
       arrangement.value === 'phone' ? tabNow.value === pane : parts.value.includes(pane);
-    return { code: has('code'), board: has('board'), arena: has('arena'), console: has('console') };
+    const isStacked = arrangement.value === 'phone';
+    const board = has('board') && (isStacked || !isBoardAway.value);
+    return { code: has('code'), board, arena: has('arena'), console: has('console') };
   });
+  const roomyCodePx = useFirstMatch(CODE_PX, 0);
   const sizes = computed(() => {
     const suggested = SUGGESTED[kind.value];
     const { codePx, boardPx, consolePx, topPx, showArena } = current.value;
     return {
-      code: codePx ?? suggested.code,
+      code: codePx ?? Math.max(suggested.code, roomyCodePx.value),
       board: boardPx ?? (showArena ? suggested.board : BOARD_ALONE[kind.value]),
       console: consolePx ?? suggested.console,
       top: topPx ?? suggested.top,
@@ -103,9 +121,9 @@ export function useLayout({ current }: SettingsModel, host: Pick<HostView, 'part
 }
 
 /** The name of the first query that matches the window, now and from now on. */
-function useFirstMatch(queries: readonly [LayoutKind, string][], other: LayoutKind): Readonly<ShallowRef<LayoutKind>> {
+function useFirstMatch<K>(queries: readonly [K, string][], other: K): Readonly<ShallowRef<K>> {
   const lists = queries.map(([kind, query]) => [kind, matchMedia(query)] as const);
-  const measure = (): LayoutKind => lists.find(([, list]) => list.matches)?.[0] ?? other;
+  const measure = (): K => lists.find(([, list]) => list.matches)?.[0] ?? other;
   const kind = shallowRef(measure());
   const follow = (): void => {
     kind.value = measure();

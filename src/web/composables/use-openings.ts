@@ -10,7 +10,7 @@ import { workName } from './work-name';
 
 /** Puts a project in the place of the present one, and brings it back. */
 export function useOpenings(app: App) {
-  const { work, notices } = app;
+  const { work, notices, host } = app;
   const device = useDevice(app);
 
   /**
@@ -22,6 +22,7 @@ export function useOpenings(app: App) {
     if (!isOurs) stampSettings(app);
     void app.run.reset();
     work.openProject(project, isOurs ? null : workName(app));
+    host.hasBrought = false;
     bringSettings(app, project);
     tell(name, isOurs);
   }
@@ -50,6 +51,7 @@ export function useOpenings(app: App) {
     stampSettings(app);
     void app.run.reset();
     work.restore(entry, workName(app));
+    host.hasBrought = false;
     bringSettings(app, entry.project);
     notices.show({ kind: 'ok', key: 'course.restored' });
   }

@@ -9,7 +9,11 @@ function model() {
   const run = { input: (action: InputAction) => sent.push(action), nowUs: shallowRef(2_000_000) };
   return { radio: new RadioModel(run), sent };
 }
-const packet = (text: string, timeUs = 0) => ({ timeUs, bytes: [1, 0, 1, ...new TextEncoder().encode(text)] });
+const packet = (text: string, timeUs = 0) => ({
+  timeUs,
+  group: 0,
+  bytes: [1, 0, 1, ...new TextEncoder().encode(text)],
+});
 
 describe('a radio packet', () => {
   it('is read as text when it begins with 1, 0, 1 as radio.send writes it', () => {

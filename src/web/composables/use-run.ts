@@ -75,6 +75,8 @@ export class RunModel {
   /** Starts anew, also while a run is under way; `paused` starts it standing still. */
   async start(paused = false): Promise<void> {
     this.starts += 1;
+    const { starts } = this;
+    this.client.expect();
     this.phase.value = 'starting';
     this.trail.clear();
     this.snapshot.value = null;
@@ -84,9 +86,12 @@ export class RunModel {
     this.frameAsked = false;
     this.startsPaused = paused;
     this.host.onStart();
+    const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
+    if (!isWanted()) return; // whoever heard of the start has stopped it
     try {
       await this.client.start(this.host.setup(), this.speed, paused);
     } catch {
+      if (!isWanted()) return;
       this.end('failed');
       this.host.onUnavailable();
     }
@@ -95,11 +100,17 @@ export class RunModel {
   /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
   private starts = 0;
 
-  /** Ends the run; the last picture stays. */
-  async stop(): Promise<void> {
-    if (!this.isActive.value || this.phase.value === 'stopping') return;
-    this.phase.value = 'stopping';
-    const { starts } = this;
+  /** Ends the run, or its start; the last picture stays. Done when it is over, also for who asks a second time. */
+  stop(): Promise<void> {
+    if (this.isActive.value && this.phase.value !== 'stopping') {
+      this.phase.value = 'stopping';
+      this.stopping = this.endRun(this.starts);
+    }
+    return this.stopping;
+  }
+  private stopping: Promise<void> = Promise.resolve();
+
+  private async endRun(starts: number): Promise<void> {
     const result = await this.client.stop();
     if (result === 'stopped' && starts === this.starts && this.isActive.value) this.end('stopped');
   }
@@ -132,11 +143,14 @@ export class RunModel {
   /** One piece of simulated time, from standing still or from the start. */
   step(): void {
     if (!this.isActive.value) {
-      void this.start(true).then(() => this.client.send({ type: 'step' }));
+      void this.start(true);
+      this.client.send({ type: 'step' });
       return;
     }
+    if (this.phase.value === 'stopping') return;
     this.client.send({ type: 'step' });
-    this.phase.value = 'paused';
+    this.startsPaused = true;
+    if (this.phase.value !== 'starting') this.phase.value = 'paused';
     this.achieved.value = null;
   }
 
@@ -146,10 +160,11 @@ export class RunModel {
     this.client.send({ type: 'speed', speed: this.speed });
   }
 
-  /** Does something to the run from outside; without a run nothing happens. */
+  /** Does something to the run from outside, to one that starts at its first moment; without a run nothing happens. */
   input(action: InputAction): void {
     this.host.onInput(action);
-    if (this.isActive.value) this.client.send({ type: 'input', action });
+    if (this.isActive.value && !this.client.send({ type: 'input', action }))
+      this.host.onRefused('Too much is done before the program begins.');
   }
 
   private hear(message: FromWorker): void {

@@ -10,7 +10,12 @@ export interface SettingsModel {
   readonly current: Readonly<Ref<Settings>>;
   /** The pupil's own, without what only this visit has. */
   readonly own: Readonly<Ref<Settings>>;
-  change(part: Partial<Settings>): void;
+  /**
+   * The pupil chooses something: it holds from now on and is stored. What is as it was stays the host's, where it was that.
+   *
+   * @param own what is stored, where the pupil has chosen only a part of a value whose rest is the host's
+   */
+  change(part: Partial<Settings>, own?: Partial<Settings>): void;
   /** Sets something for this visit only, as a host or an address wishes; it holds until the pupil changes it. */
   hold(part: Partial<Settings>): void;
 }
@@ -19,6 +24,7 @@ export interface SettingsModel {
 export function useSettings(held: Partial<Settings> = {}): SettingsModel {
   const own = shallowRef(storedSettings());
   const visit = shallowRef(held);
+  const current = computed(() => ({ ...own.value, ...visit.value }));
   watch(own, (settings) => {
     const text = JSON.stringify(settings);
     for (const store of stores()) {
@@ -31,10 +37,20 @@ export function useSettings(held: Partial<Settings> = {}): SettingsModel {
   });
   return {
     own,
-    current: computed(() => ({ ...own.value, ...visit.value })),
-    change: (part) => {
-      own.value = { ...own.value, ...part };
-      const rest = Object.entries(visit.value).filter(([name]) => !(name in part));
+    current,
+    change: (part, stored = part) => {
+      const chosen = Object.entries(part).flatMap(([name, value]) =>
+        isSame(value, current.value[name as keyof Settings]) ? [] : [name],
+      );
+      if (chosen.length === 0) return;
+      const isChosen = ([name]: readonly [string, unknown]): boolean => chosen.includes(name);
+      const before = visit.value;
+      // In this order whoever watches sees no value between the old one and the new one.
+      visit.value = { ...before, ...Object.fromEntries(Object.entries(part).filter(isChosen)) };
+      own.value = { ...own.value, ...Object.fromEntries(Object.entries(stored).filter(isChosen)) };
+      const rest = Object.entries(visit.value).filter(
+        (entry) => !isChosen(entry) || (entry[0] in before && !isSame(entry[1], stored[entry[0] as keyof Settings])),
+      );
       visit.value = Object.fromEntries(rest);
     },
     hold: (part) => {
@@ -42,6 +58,9 @@ export function useSettings(held: Partial<Settings> = {}): SettingsModel {
     },
   };
 }
+
+/** Settings are plain data. */
+const isSame = (one: unknown, other: unknown): boolean => JSON.stringify(one) === JSON.stringify(other);
 
 /** The settings of an earlier visit; on a first one those that suit the browser's language. */
 export function storedSettings(): Settings {

@@ -32,6 +32,17 @@ describe('the history of a course', () => {
     expect([model.canRedo.value, idsOf(model)]).toEqual([false, ['b']]);
   });
 
+  it('takes up a way that was kept, but only where nothing has been done since', () => {
+    const earlier = work();
+    earlier.edit(adding('a'));
+    const later = work();
+    later.setScene(earlier.scene.value, null);
+    later.takeUp({ ...earlier.way, present: later.scene.value });
+    expect([later.undo(), idsOf(later)]).toEqual([true, []]);
+    later.takeUp({ past: [], present: later.scene.value, future: [] });
+    expect(later.canRedo.value).toBe(true);
+  });
+
   it('does not count what changes nothing', () => {
     const model = work();
     expect(model.edit({ type: 'remove', ids: ['nobody'] })).toBe(false);

@@ -103,6 +103,17 @@ export class WorkModel {
     return this.step(redone(this.history.value));
   }
 
+  /** How the course came about, for who keeps it. */
+  get way(): History {
+    return this.history.value;
+  }
+
+  /** Takes up a way that was kept, unless the course has gone on since. */
+  takeUp(way: History): void {
+    const { past, present, future } = this.history.value;
+    if (past.length + future.length === 0 && present === way.present) this.history.value = way;
+  }
+
   /** Opens another course, the files stay; the work so far is put aside when `nameOfOld` is given. */
   setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
     this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);

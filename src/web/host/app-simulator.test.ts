@@ -19,7 +19,7 @@ function page() {
   const settings = useSettings();
   settings.change({ robot: 'maqueen-lite', seed: 7 });
   const app = { run, host, work, settings, hand: useHand() } as unknown as App;
-  return { work, settings, simulator: appSimulator(app) };
+  return { work, settings, host, simulator: appSimulator(app) };
 }
 
 describe('what a host does to the page', () => {
@@ -45,6 +45,19 @@ describe('what a host does to the page', () => {
     simulator.setFiles(main('the next'));
     const [kept] = work.work.value.previous;
     expect(kept?.project).toMatchObject({ files: main('theirs, changed'), settings: { robot: 'none' } });
+  });
+
+  it('and the pupil’s own work that came back with what the pupil has chosen', () => {
+    const { work, simulator, host } = page();
+    simulator.setFiles(main('theirs'));
+    simulator.change({ robot: 'none', seed: 3 });
+    host.hasBrought = false; // the pupil brought earlier work back
+    work.setText('main.py', 'mine again');
+    simulator.setFiles(main('the next'));
+    expect(work.work.value.previous[0]?.project).toMatchObject({
+      files: main('mine again'),
+      settings: { robot: 'maqueen-lite', seed: 7 },
+    });
   });
 
   it('takes no more files than a project has', () => {

@@ -58,8 +58,7 @@ function hostWork(
   function nameOfOwn(): string | null {
     const { project } = work.work.value;
     if (!host.wish.keepsWork || isOurs(project) || (brought !== null && isSameWork(project, brought))) return null;
-    // What the host has set before it brought anything is none of the pupil's.
-    stampSettings(app, brought === null ? app.settings.own.value : app.settings.current.value);
+    stampSettings(app);
     return workName(app);
   }
   function open(project: Project): void {
@@ -67,6 +66,7 @@ function hostWork(
     hand.reset();
     work.openProject(project, nameOfOwn());
     brought = work.work.value.project;
+    host.hasBrought = true;
   }
   return {
     openProject(project) {
@@ -121,6 +121,7 @@ function hostRuns(app: App): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 
     pause: () => onlyWhen('running', () => run.pause()),
     resume: () => onlyWhen('paused', () => run.resume()),
     step() {
+      if (run.phase.value === 'stopping') return 'This needs a run that is not being stopped.';
       run.step();
       return null;
     },

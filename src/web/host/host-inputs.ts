@@ -12,6 +12,7 @@ import { createInputCheck } from '#simulation/run-problem';
 import { slownessOf } from '../composables/board-press';
 import type { App } from '../composables/use-app';
 import { hardwareOf } from '../project/hardware';
+import { pressOf } from '../worker/first-presses';
 import { SpacedPresses } from './spaced-presses';
 
 /** A running run that has sent no picture for this long is not being drawn, in ms at full speed. Chosen: many frames. */
@@ -94,14 +95,6 @@ function followRun({ run, settings, host }: Pick<App, 'run' | 'settings' | 'host
       wait();
     },
   };
-}
-
-/** The button or pad that an action presses or lets go; `null`: it does something else. */
-function pressOf(action: InputAction): { readonly id: string; readonly down: boolean } | null {
-  if (action.type === 'button') return { id: action.button === 'a' ? 'buttonA' : 'buttonB', down: action.down };
-  if (action.type === 'touch') return { id: action.pad, down: action.down };
-  if (action.type !== 'sensor' || typeof action.value !== 'number' || !/^(button|pin)/.test(action.id)) return null;
-  return { id: action.id, down: action.value >= 0.5 };
 }
 
 /** What the run itself would say: a page without a run refuses the same. */

@@ -1,9 +1,23 @@
 import { onMounted, onScopeDispose } from 'vue';
 
 import type { App } from '../composables/use-app';
+import { fetchAgain } from './fetch-again';
 
 /** Messages that are kept until the part of the app that understands them has come. Chosen: more than any host sends by then. */
 const MOST_EARLY = 200;
+
+const early: MessageEvent<unknown>[] = [];
+const keep = (event: MessageEvent<unknown>): void => {
+  if (event.source === window.parent && early.length < MOST_EARLY) early.push(event);
+};
+
+/**
+ * Keeps what the page around this one says until the app listens. To be called at once: hosts speak when the frame's
+ * `load` has come, and that waits neither for the texts of the language nor for the pupil's own work.
+ */
+export function keepEarlyMessages(): void {
+  if (window.parent !== window) addEventListener('message', keep);
+}
 
 /**
  * Lets the page that this one stands in command it. What understands the dialects is fetched only in a frame; nothing
@@ -11,14 +25,10 @@ const MOST_EARLY = 200;
  */
 export function listenToHost(app: App): void {
   if (window.parent === window) return;
-  const early: MessageEvent<unknown>[] = [];
-  const keep = (event: MessageEvent<unknown>): void => {
-    if (event.source === window.parent && early.length < MOST_EARLY) early.push(event);
-  };
   let close = (): void => undefined;
-  addEventListener('message', keep);
+  keepEarlyMessages();
   onMounted(() => {
-    void import('./frame')
+    void fetchAgain(() => import('./frame'))
       .then(({ openFrame }) => {
         removeEventListener('message', keep);
         close = openFrame(app, early.splice(0));

@@ -22,6 +22,3 @@ function plainOrigin(text: string): string {
   const { origin } = new URL(text);
   return origin === 'null' ? text : origin; // `null` is said, never made
 }
-
-/** An origin that is none (a sandbox, a file) cannot be named when sending. */
-export const nameable = (origin: string): string => (origin === 'null' ? '*' : origin);

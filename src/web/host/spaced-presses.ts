@@ -1,5 +1,5 @@
-/** Least simulated time between two changes of a button, in µs. Chosen: the board needs up to 44 ms to notice one. */
-const LEAST_US = 60_000;
+import { LEAST_PRESS_US } from '../worker/first-presses';
+
 /** Changes of one button that wait; more are lost. Chosen: eight presses. */
 const MOST_WAITING = 16;
 /** Pictures that may be older than a change, counted from when it was told: one is under way then. */
@@ -53,7 +53,7 @@ export class SpacedPresses {
     for (const button of this.#buttons.values()) {
       if (button.oldPictures > 0) button.oldPictures -= 1;
       else button.knownUs ??= nowUs;
-      if (button.knownUs === null || nowUs < button.knownUs + LEAST_US) continue;
+      if (button.knownUs === null || nowUs < button.knownUs + LEAST_PRESS_US) continue;
       button.knownUs = -Infinity;
       tellNext(button);
     }

@@ -37,4 +37,12 @@ describe('a run that a host starts', () => {
     say({ type: 'failed', message: 'The robot stands in a wall.' });
     expect(await answer).toBe('The robot stands in a wall.');
   });
+
+  it('and who hears of its start stops at once is answered as stopped', async () => {
+    const { run, host } = fakeRun();
+    host.listen(({ type }) => {
+      if (type === 'started') void run.stop();
+    });
+    expect(await startRun({ run, host }, false)).toBe('The run was stopped before it began.');
+  });
 });

@@ -16,13 +16,23 @@ export function startRun({ run, host }: Pick<App, 'run' | 'host'>, paused: boole
     const unlisten = host.listen((event) => {
       if (event.type === 'failed') failure = event.message;
     });
+    // Watched before it starts: who hears of the start may end it in the same breath.
+    const unwatch = watch(
+      run.phase,
+      (phase) => {
+        if (phase === 'starting') return;
+        unwatch();
+        // The news of a failure comes right after its phase.
+        queueMicrotask(() => {
+          unlisten();
+          if (phase === 'running' || phase === 'paused') resolve(null);
+          else resolve(phase === 'failed' || phase === 'killed' ? failure : STOPPED);
+        });
+      },
+      { flush: 'sync' },
+    );
     void run.start(paused);
-    const unwatch = watch(run.phase, (phase) => {
-      if (phase === 'starting') return;
-      unwatch();
-      unlisten(); // watchers come after the news of a failure
-      if (phase === 'running' || phase === 'paused') resolve(null);
-      else resolve(phase === 'failed' || phase === 'killed' ? failure : 'The run was stopped before it began.');
-    });
   });
 }
+
+const STOPPED = 'The run was stopped before it began.';

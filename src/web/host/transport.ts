@@ -1,7 +1,7 @@
 import type { Door } from '#embed/door';
+import { nameable } from '#embed/nameable';
 
 import { lateDoor, type OpenLate } from './late-door';
-import { nameable } from './origins';
 
 /** What of a `MessageEvent` counts. */
 export interface HostMessage {
@@ -51,7 +51,7 @@ export function openGate(options: GateOptions): Gate {
       : lateDoor(
           openUnasked,
           { post: (message) => audience.forEach((origin) => post(parent, message, origin)), nowMs },
-          onMissing,
+          { onMissing, onLost: () => undefined }, // these dialects have no word for it
         );
 
   function takeHello(session: unknown, message: HostMessage): void {
@@ -65,7 +65,11 @@ export function openGate(options: GateOptions): Gate {
     }
     partner?.close();
     const say = { parent, origin: message.origin, port: port ?? null };
-    partner = openPartner(say, session, (send) => lateDoor(openOurs, { post: send, nowMs }, onMissing));
+    partner = openPartner(say, session, (send) => {
+      const onLost = (lost: unknown, code: 'busy' | 'broken'): void =>
+        refuse(send, isOurs(lost) ? lost.id : null, code);
+      return lateDoor(openOurs, { post: send, nowMs }, { onMissing, onLost });
+    });
     partner.receive(message.data);
   }
 
@@ -81,7 +85,8 @@ export function openGate(options: GateOptions): Gate {
       if (partner !== null && partner.origin !== origin) return;
       const { type, session, id } = data;
       if (type === 'hello') takeHello(session, message);
-      else if (partner === null) answerStranger(parent, id, origin);
+      // After the page was loaded anew its host goes on speaking: it is told to begin again.
+      else if (partner === null) refuse((answer) => post(parent, answer, nameable(origin)), id, 'no-hello');
       else if (partner.isOnWindow) partner.receive(data);
     },
     close() {
@@ -136,11 +141,17 @@ function openPartner(
   };
 }
 
-/** After the page was loaded anew its host goes on speaking: it is told to begin again. */
-function answerStranger(parent: ParentPage, id: unknown, origin: string): void {
+/** Why a command is not even looked at. */
+const REFUSALS = {
+  'no-hello': 'Say hello first.',
+  busy: 'Too many commands wait for the page.',
+  broken: 'A part of the page could not be fetched.',
+} as const;
+
+/** Answers a command of our own dialect whose code is not there. */
+function refuse(send: (message: object) => void, id: unknown, code: keyof typeof REFUSALS): void {
   if (typeof id !== 'number' && (typeof id !== 'string' || id.length > LONGEST_ID)) return;
-  const message = { parcours: 1, reply: id, ok: false, code: 'no-hello', message: 'Say hello first.', path: '' };
-  post(parent, message, nameable(origin));
+  send({ parcours: 1, reply: id, ok: false, code, message: REFUSALS[code], path: '' });
 }
 
 /** As `limits.idCharacters` of the dialect, whose code is not there yet. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { createEventBox } from './event-box';
 
-const packet = (timeUs: number) => ({ timeUs, bytes: [1] });
+const packet = (timeUs: number) => ({ timeUs, group: 0, bytes: [1] });
 
 describe('the box of events', () => {
   it('gives what happened once, in its order, and nothing when nothing happened', () => {

@@ -28,11 +28,11 @@ function bench(
     advanceProgramTo(us: number) {
       run.advanceTo(Math.min(us, Math.max(run.nowUs, options.endsAtUs ?? Infinity)));
     },
-    input(action: unknown) {
+    input(action: unknown, timeUs: number) {
       if (options.inputError !== undefined) throw options.inputError;
-      run.inputs.push(action);
+      run.inputs.push({ action, timeUs });
     },
-    interrupt() {
+    stop() {
       if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };
     },
     snapshot: () => ({ timeUs: run.nowUs }) as Snapshot,
@@ -183,19 +183,28 @@ describe('the runner', () => {
     expect(b.run.disposed).toBe(true);
   });
 
-  it('leaves the traceback of a stop out and keeps what finally printed', async () => {
+  it('does what was done while the run was being created, in order and at time 0', async () => {
     const b = bench();
-    await b.start();
+    b.send({ type: 'prepare', firmware: {} });
+    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    const actions = [
+      { type: 'serial', text: 'Ada\n' },
+      { type: 'sensor', id: 'lightLevel', value: 9 },
+    ] as const;
+    for (const action of actions) b.send({ type: 'input', action });
     await b.pass(100);
-    const traceback = 'Traceback (most recent call last):\nKeyboardInterrupt: \n';
-    b.run.interrupt = () => {
-      b.run.printed = `bye\n${traceback}`;
-      const exception = { type: 'KeyboardInterrupt', message: '', line: null, traceback };
-      b.run.ended = { kind: 'stopped', exception, timeUs: b.run.nowUs };
-    };
+    expect(b.run.inputs).toEqual(actions.map((action) => ({ action, timeUs: 0 })));
+  });
+
+  it('does nothing of it when that run is stopped before it is there', async () => {
+    const b = bench();
+    b.send({ type: 'prepare', firmware: {} });
+    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    b.send({ type: 'input', action: { type: 'serial', text: 'Ada\n' } });
     b.send({ type: 'stop' });
-    const said = b.posted.map((message) => (message.type === 'console' ? message.text : '')).join('');
-    expect(said).toBe('bye\n');
+    await b.pass(100);
+    expect(b.run.inputs).toEqual([]);
+    expect(b.types().at(-1)).toBe('stopped');
   });
 
   it('gives a program that ignores the interrupt 50 ms, then drops it', async () => {

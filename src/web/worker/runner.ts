@@ -4,6 +4,7 @@ import type { RunOutlets } from '#simulation/outlets';
 import type { Ended, Snapshot } from '#simulation/simulation';
 
 import { createEventBox } from './event-box';
+import { createFirstPresses } from './first-presses';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type Speed, type ToWorker } from './protocol';
@@ -15,8 +16,9 @@ export interface Run {
   advanceTo(us: number): void;
   /** Like `advanceTo`, but stops at once when the program ends. */
   advanceProgramTo(us: number): void;
-  input(action: InputAction): void;
-  interrupt(): void;
+  input(action: InputAction, timeUs: number): void;
+  /** Ends the program as Stop does: its `finally` runs, and nobody sees the traceback. */
+  stop(): void;
   snapshot(): Snapshot;
   takeConsole(): string;
   dispose(): void;
@@ -57,6 +59,9 @@ export class Runner {
   private toldEnd: Ended | null = null;
   private ticking = false;
   private aliveAtMs = 0;
+  /** What was done while the run was being created. */
+  private readonly early: InputAction[] = [];
+  private readonly timeOfInput = createFirstPresses();
   private readonly events = createEventBox();
   private readonly meter = createSpeedMeter();
   private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
@@ -127,6 +132,7 @@ export class Runner {
         this.run = created;
         this.anchorHere();
         this.at.post({ type: 'started' });
+        for (const action of this.early.splice(0)) this.input(action);
         if (this.stopped) this.stop();
         else this.schedule(0);
       },
@@ -136,9 +142,14 @@ export class Runner {
 
   private input(action: InputAction): void {
     if (this.stopped) return;
+    const { run } = this;
+    if (run === null) {
+      this.early.push(action);
+      return;
+    }
     this.guarded(() => {
       try {
-        this.run?.input(action);
+        run.input(action, this.timeOfInput(action, run.nowUs));
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
         // Refused: nothing of it is done, and the run is as good as before.
@@ -150,8 +161,8 @@ export class Runner {
   }
 
   /**
-   * Ends the run: interrupt, a moment for its `finally`, all of its output, the last picture. The traceback of this
-   * interrupt is left out: whoever presses Stop has found no error.
+   * Ends the run: the program is interrupted, gets a moment for its `finally`, and all of its output and the last picture
+   * are sent.
    */
   private stop(): void {
     this.stopped = true;
@@ -159,11 +170,10 @@ export class Runner {
     if (run === null) return; // still being created: start() comes back here
     this.guarded(() => {
       if (run.ended === null) {
-        this.outbox.put(run.takeConsole());
-        run.interrupt();
+        run.stop();
         const untilMs = this.at.nowMs() + FAREWELL_MS;
         while (run.ended === null && this.at.nowMs() < untilMs) run.advanceProgramTo(run.nowUs + 4000);
-        this.outbox.put(withoutTraceback(run.takeConsole(), run.ended));
+        this.outbox.put(run.takeConsole());
       }
       this.outbox.flush();
       this.tellEvents();
@@ -266,10 +276,4 @@ export class Runner {
     this.stopped = true;
     this.at.post({ type: 'failed', message: error instanceof Error ? error.message : String(error) });
   }
-}
-
-/** What a stopped program printed at last, without the traceback of the interrupt that stopped it. */
-function withoutTraceback(text: string, ended: Ended | null): string {
-  const traceback = ended?.kind === 'stopped' ? (ended.exception?.traceback ?? '') : '';
-  return traceback !== '' && text.endsWith(traceback) ? text.slice(0, -traceback.length) : text;
 }

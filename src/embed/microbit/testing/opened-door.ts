@@ -1,0 +1,31 @@
+import { RecordingSimulator } from '../../testing/recording-simulator';
+import { openMicrobitDoor } from '../door';
+import type { MicrobitEvent } from '../messages';
+
+/** A text as the bytes of a file. */
+export const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
+
+/** A door on a simulator that records what is done to it, with what the door has said so far. */
+export function opened(wish: Parameters<typeof openMicrobitDoor>[2] = {}) {
+  const simulator = new RecordingSimulator();
+  const said: MicrobitEvent[] = [];
+  const door = openMicrobitDoor(
+    simulator,
+    { post: (message) => void said.push(message as MicrobitEvent), nowMs: () => 0 },
+    wish,
+  );
+  const [start] = said;
+  if (start === undefined) throw new Error('The door has said nothing.');
+  /** What was said since the last time this was asked. */
+  const news = (): MicrobitEvent[] => said.splice(0);
+  const flash = async (source = 'print(1)'): Promise<void> => {
+    door.receive({ kind: 'flash', filesystem: { 'main.py': bytes(source) } });
+    await settled();
+  };
+  return { simulator, door, news, flash, start };
+}
+
+/** Until what was started has come to its next step. */
+export const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+/** The kinds of messages, in their order. */
+export const kinds = (messages: readonly MicrobitEvent[]): string[] => messages.map(({ kind }) => kind);

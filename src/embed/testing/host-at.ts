@@ -1,0 +1,40 @@
+import { openParcoursDoor } from '../parcours/door';
+import type { EventName } from '../parcours/protocol';
+import { RecordingSimulator } from './recording-simulator';
+
+/** What the page says of itself. */
+const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
+
+/** Something that the page says. */
+export type Message = Readonly<Record<string, unknown>>;
+
+/** A host at the door of our own dialect, of a page that runs nothing. */
+export function hostAt(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
+  const simulator = new RecordingSimulator(start);
+  const heard: Message[] = [];
+  const time = { ms: 0 };
+  const outside = { post: (message: object) => void heard.push(message as Message), nowMs: () => time.ms };
+  const door = openParcoursDoor(simulator, outside, facts);
+  let id = 0;
+  const say = (type: string, fields: object = {}): number => {
+    id += 1;
+    door.receive({ parcours: 1, id, type, ...fields });
+    return id;
+  };
+  const answerTo = (asked: number): Message | undefined => heard.find(({ reply }) => reply === asked);
+  const ask = (type: string, fields: object = {}): Message | undefined => answerTo(say(type, fields));
+  const events = (type: EventName): readonly Message[] => heard.filter((message) => message['type'] === type);
+  return { simulator, heard, time, door, say, ask, answerTo, events };
+}
+
+/** The same after its hello. */
+export function greeted(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
+  const host = hostAt(start);
+  host.ask('hello');
+  return host;
+}
+
+/** Until everything that was promised has come. */
+export async function settled(): Promise<void> {
+  for (let times = 0; times < 3000; times += 1) await Promise.resolve();
+}
