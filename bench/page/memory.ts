@@ -22,7 +22,7 @@ export const memorySubject: Subject<Stage> = {
     { what: 'worker memory, 100 restarts', budget: 'flat, <= 80 MB' },
   ],
   measure: (stage) =>
-    withPage(stage, {}, async (opened) => {
+    withPage(stage, { noServiceWorker: true }, async (opened) => {
       noteVms(opened.page);
       await untilUsable(opened.page);
       await settle(opened.page);

@@ -26,6 +26,8 @@ export interface OpenOptions {
   /** Presses Run as soon as the editor is usable. */
   readonly pressRun?: boolean;
   readonly url?: string;
+  /** Leaves the service worker out. The tools keep it alive; otherwise it ends 30 s after its work, and its 30 MB with it. */
+  readonly noServiceWorker?: boolean;
 }
 
 /** Longest wait for anything, in ms. */
@@ -34,12 +36,15 @@ const PATIENCE_MS = 60_000;
 /** Opens the app in a new browser, measures, and ends the browser. */
 export async function withPage<T>(
   stage: Stage,
-  { throttle = 1, pressRun = false, url = stage.url }: OpenOptions,
+  { throttle = 1, pressRun = false, url = stage.url, noServiceWorker = false }: OpenOptions,
   measure: (opened: Opened) => Promise<T>,
 ): Promise<T> {
   const browser = await stage.launch();
   try {
-    const page = await browser.newPage({ viewport: { width: 1280, height: 800 } });
+    const page = await browser.newPage({
+      viewport: { width: 1280, height: 800 },
+      serviceWorkers: noServiceWorker ? 'block' : 'allow',
+    });
     page.setDefaultTimeout(PATIENCE_MS);
     const tools = await page.context().newCDPSession(page);
     await page.addInitScript(watchPage, watchOptions(pressRun));
@@ -71,6 +76,12 @@ export const untilUsable = (page: Page): Promise<void> => until(page, () => wind
 
 /** Waits until the robot has moved. */
 export const untilMoving = (page: Page): Promise<void> => until(page, () => window.bench.movingMs !== null, null);
+
+/** Waits until all files are kept for visits without a network: from then on nothing comes any more. */
+export async function untilKept(page: Page): Promise<void> {
+  await page.evaluate(() => void navigator.serviceWorker.ready.then(() => (window.bench.isKept = true)));
+  await until(page, () => window.bench.isKept, null);
+}
 
 /** Chooses the highest speed in the menu. */
 export async function chooseMaximumSpeed(page: Page): Promise<void> {

@@ -21,6 +21,8 @@ export interface Watch {
   timeUs: number;
   /** When each animation frame began; emptied by whoever measures. */
   frames: number[];
+  /** All files are kept for visits without a network; written by `untilKept`. */
+  isKept: boolean;
 }
 
 /** The things on the page that a measurement touches, as CSS selectors. */
@@ -50,7 +52,15 @@ export const watchOptions = (pressRun: boolean): WatchOptions => ({ places: PLAC
 
 /** Runs in the page before its own code: listens to the frames and to what the workers say, and changes nothing. */
 export function watchPage({ places, movedMm, pressRun }: WatchOptions): void {
-  const watch: Watch = { usableMs: null, movingMs: null, started: 0, snapshots: 0, timeUs: 0, frames: [] };
+  const watch: Watch = {
+    usableMs: null,
+    movingMs: null,
+    started: 0,
+    snapshots: 0,
+    timeUs: 0,
+    frames: [],
+    isKept: false,
+  };
   window.bench = watch;
   let start: { readonly xMm: number; readonly yMm: number } | null = null;
 

@@ -74,7 +74,15 @@ async function workerBytes(ask: Ask): Promise<number> {
 /** Attaches to all workers that are alive, asks each of them, and leaves them again. */
 async function withWorkers<T>(tools: CDPSession, work: (ask: Ask) => Promise<T>): Promise<T[]> {
   const found: string[] = [];
-  const onFound = ({ sessionId }: { readonly sessionId: string }): number => found.push(sessionId);
+  const onFound = ({
+    sessionId,
+    targetInfo,
+  }: {
+    readonly sessionId: string;
+    readonly targetInfo: { type: string };
+  }): void => {
+    if (targetInfo.type === 'worker') found.push(sessionId); // a service worker runs no program
+  };
   const follow = (autoAttach: boolean): Promise<unknown> =>
     tools.send('Target.setAutoAttach', { autoAttach, waitForDebuggerOnStart: false, flatten: false });
   tools.on('Target.attachedToTarget', onFound);

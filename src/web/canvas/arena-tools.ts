@@ -8,7 +8,9 @@ import { tools } from '#editor/tools';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { CourseEditorModel } from '../composables/use-course-editor';
+import { say } from '../i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
+import { canvasTexts } from './canvas-texts';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
 import { floorPx } from './draw-floor';
 import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
@@ -65,6 +67,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     context,
     commit: (edit: SceneEdit, select?: Selection): void => void editor.commit(edit, select),
     select: editor.select.bind(editor),
+    copied: (): void => sources.say(say(canvasTexts.copied)),
     changed: sources.redraw,
   };
   const keys = createSelectionKeys(ports);

@@ -9,6 +9,12 @@ export const canvasTexts = {
     it: 'Comincia a {x} | {y} cm',
     en: 'Starting at {x} | {y} cm',
   },
+  copied: {
+    de: 'Kopiert, Ctrl+V fügt ein',
+    fr: 'Copié, Ctrl+V colle',
+    it: 'Copiato, Ctrl+V incolla',
+    en: 'Copied, Ctrl+V pastes',
+  },
   dropped: { de: 'Verworfen', fr: 'Abandonné', it: 'Scartato', en: 'Dropped' },
   help: {
     de: 'Pfeiltasten bewegen das Fadenkreuz, Eingabe setzt an und ab, Esc verwirft.',

@@ -27,8 +27,8 @@ interface Pill {
   readonly width: number;
 }
 
-/** So many are kept. Chosen: a robot that drives towards a wall shows that many distances in seconds. */
-const MOST = 60;
+/** So many are kept. Chosen: a robot on its rounds shows that many distances, each of them again and again; 1 MB at most. */
+const MOST = 120;
 
 const made = new Map<string, Pill>();
 
@@ -46,21 +46,31 @@ function pillOf(text: string, palette: Palette, ratio: number): Pill {
   return pill;
 }
 
+const FONT = `600 13px ${canvasFont}`;
+
+/** Only measures. */
+let ruler: CanvasRenderingContext2D | null = null;
+
+function widthOf(text: string): number {
+  ruler ??= document.createElement('canvas').getContext('2d');
+  if (ruler === null) return 0;
+  ruler.font = FONT;
+  return Math.ceil(ruler.measureText(text).width) + 2 * SIDE;
+}
+
 function painted(text: string, palette: Palette, ratio: number): Pill {
+  const width = widthOf(text);
   const bitmap = document.createElement('canvas');
-  const context = bitmap.getContext('2d');
-  if (context === null) return { bitmap, width: 1 };
-  const font = `600 13px ${canvasFont}`;
-  context.font = font;
-  const width = Math.ceil(context.measureText(text).width) + 2 * SIDE;
-  bitmap.width = Math.ceil(width * ratio); // this empties it, and forgets the font
+  bitmap.width = Math.ceil(width * ratio); // before there is a context: a canvas that changes its size is made twice
   bitmap.height = Math.ceil(HEIGHT * ratio);
+  const context = bitmap.getContext('2d');
+  if (context === null) return { bitmap, width };
   context.scale(bitmap.width / width, bitmap.height / HEIGHT);
   context.fillStyle = palette.pill;
   context.beginPath();
   context.roundRect(0, 0, width, HEIGHT, HEIGHT / 2);
   context.fill();
-  context.font = font;
+  context.font = FONT;
   context.fillStyle = palette.pillText;
   context.textAlign = 'center';
   context.textBaseline = 'middle';

@@ -8,7 +8,7 @@ import { createSelectionKeys } from './tool-keys';
 const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], turn: 0 };
 
 function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
-  const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0 };
+  const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, copies: 0 };
   const keys = createSelectionKeys({
     context: () => ({ scene: now.scene, selection: now.selection, options: usualToolOptions, footprint: [] }),
     commit(edit, select) {
@@ -17,6 +17,7 @@ function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
       now.steps += 1;
     },
     select: (chosen) => (now.selection = chosen),
+    copied: () => (now.copies += 1),
     changed: () => undefined,
   });
   const blocks = (): unknown => now.scene.objects.map((object) => (object.type === 'block' ? object.at : null));
@@ -50,6 +51,7 @@ describe('keys on what is selected', () => {
   it('copy it, and paste it further away each time', () => {
     const { keys, now, blocks } = keysOverArena();
     keys.keyDown('c', false, true);
+    expect(now.copies).toBe(1); // is said: nothing is to be seen of it
     keys.keyDown('v', false, true);
     keys.keyDown('v', false, true);
     expect(blocks()).toEqual([

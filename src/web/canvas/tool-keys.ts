@@ -28,6 +28,8 @@ export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly select: (selection: Selection) => void;
+  /** What is selected was copied: nothing looks different. */
+  readonly copied: () => void;
   /** Something looks different now. */
   readonly changed: () => void;
 }
@@ -125,6 +127,7 @@ function copy(context: ToolContext, ports: SelectionKeyPorts, cuts: boolean): bo
   clip = taken;
   pastes = 0;
   if (cuts) remove(context, ports);
+  else ports.copied();
   return true;
 }
 

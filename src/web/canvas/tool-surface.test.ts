@@ -140,6 +140,16 @@ describe('a tool in the arena', () => {
     down(px(500, 500), { pans: true });
     expect(surface.picture().marks).toEqual([]);
   });
+
+  it('show what a tool has at rest to those who never hover: before the first touch and after it', () => {
+    const gridTool: Tool = { ...lineTool, marksAtRest: () => [{ type: 'grid', cellMm: 150, edge: null }] };
+    const { surface, down, up } = surfaceOf(gridTool);
+    expect(surface.picture().marks).toEqual([{ type: 'grid', cellMm: 150, edge: null }]);
+    down(px(100, 100), { kind: 'touch' });
+    expect(surface.picture().marks).toMatchObject([{ type: 'measure' }]);
+    up();
+    expect(surface.picture().marks).toContainEqual({ type: 'grid', cellMm: 150, edge: null });
+  });
 });
 
 describe('two fingers on the arena', () => {

@@ -324,7 +324,8 @@ export class ToolSurface {
   #hoverMarks(): readonly Mark[] {
     const at = this.#crosshair ?? this.#hover;
     const tool = this.#ports.tool();
-    if (at === null || tool?.marks === undefined || this.#pinched) return this.#kept;
+    if (at === null) return [...this.#kept, ...(tool?.marksAtRest?.(this.#ports.context()) ?? [])];
+    if (tool?.marks === undefined || this.#pinched) return this.#kept;
     const drag: Drag = { path: [at], free: this.#ports.isFree(), adds: false, reachMm: this.reachMm };
     return [...this.#kept, ...tool.marks(drag, this.#ports.context(), false)];
   }

@@ -1,4 +1,4 @@
-import { onBeforeUnmount, watch } from 'vue';
+import { onScopeDispose, watch } from 'vue';
 import type { Vec } from '#core/geometry';
 import type { ArenaView } from './use-arena-view';
 import { toPx } from './view-transform';
@@ -20,7 +20,10 @@ export interface Followed {
 }
 
 /** Keeps a place in the middle third of the arena's picture while it shall be followed; zooms in when that begins. */
-export function useFollow(picture: ArenaView, { isOn, place }: Followed): void {
+export function useFollow(
+  picture: Pick<ArenaView, 'view' | 'percent' | 'zoomBy' | 'follow'>,
+  { isOn, place }: Followed,
+): void {
   let frame: number | null = null;
   let beforeMs: number | null = null;
   const step = (nowMs: number): void => {
@@ -39,8 +42,13 @@ export function useFollow(picture: ArenaView, { isOn, place }: Followed): void {
     if (on && at !== null && picture.percent.value < NEAR_PERCENT - 50)
       picture.zoomBy(NEAR_PERCENT / picture.percent.value, toPx(picture.view.value, at));
   });
-  watch([isOn, place], () => (frame ??= requestAnimationFrame(step)), { immediate: true });
-  onBeforeUnmount(() => {
+  // Where nothing is followed, a robot that drives asks for no frame.
+  watch(
+    () => (isOn() ? place() : null),
+    (at) => at !== null && (frame ??= requestAnimationFrame(step)),
+    { immediate: true },
+  );
+  onScopeDispose(() => {
     if (frame !== null) cancelAnimationFrame(frame);
   });
 }

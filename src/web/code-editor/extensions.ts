@@ -25,6 +25,7 @@ import { deviceMarks } from './device-marks';
 import type { DeviceMarksOptions } from './device-question';
 import type { HelpOptions } from './help/help-options';
 import { helpSlot } from './help-slot';
+import { wrappedLines } from './wrapped-lines';
 import { wrongLineField } from './wrong-line';
 
 /** Colours come from the page's variables, so one style serves light and dark. */
@@ -46,13 +47,13 @@ const colours = HighlightStyle.define([
 ]);
 
 const look = EditorView.theme({
-  '&': { height: '100%', backgroundColor: 'transparent', color: 'var(--text)', fontSize: '13.5px' },
+  '&': { height: '100%', backgroundColor: 'transparent', color: 'var(--text)', fontSize: 'var(--code)' },
   '&.cm-focused': { outline: 'none' },
-  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: '22px', overscrollBehavior: 'contain' },
+  '.cm-scroller': { fontFamily: 'var(--mono)', lineHeight: 'var(--code-line)', overscrollBehavior: 'contain' },
   '.cm-content': { padding: '8px 0 16px', caretColor: 'var(--text)' },
-  '.cm-line': { padding: '0 16px 0 6px' },
+  '.cm-line': { padding: '0 8px 0 6px' },
   '.cm-gutters': { backgroundColor: 'var(--surface)', border: 'none', color: 'var(--gutter)', fontSize: '12.5px' },
-  '.cm-lineNumbers .cm-gutterElement': { minWidth: '38px', padding: '0 10px 0 4px' },
+  '.cm-lineNumbers .cm-gutterElement': { minWidth: '28px', padding: '0 8px 0 4px' },
   '.cm-activeLine': { backgroundColor: 'transparent' },
   '.cm-activeLineGutter': { backgroundColor: 'transparent' },
   '&.cm-focused .cm-activeLine, &.cm-focused .cm-activeLineGutter': { backgroundColor: 'var(--select)' },
@@ -92,6 +93,7 @@ export function editorExtensions(options: {
     indentUnit.of('    '),
     EditorState.tabSize.of(4),
     wrongLineField,
+    wrappedLines,
     tooltips({ parent: options.popups }),
     helpSlot(options.help),
     deviceMarks(options.device),

@@ -170,7 +170,7 @@ export const fr: Texts = {
     clear: 'Vider les messages',
   },
   dataLog: {
-    pane: 'Journal de données',
+    pane: 'Journal',
     rows: '{count} lignes',
     oneRow: '1 ligne',
     full: 'plein',

@@ -8,7 +8,23 @@ import { FILES_LOCK, isMessage, pageUrl, versionLocks } from './versions';
 
 declare const self: ServiceWorkerGlobalScope & { readonly __WB_MANIFEST: PrecacheEntry[] };
 
-const files = new PrecacheController();
+/**
+ * Rest before each file that is fetched, in ms. Chosen: pupils press Run at once and watch a robot drive while the files come
+ * one after the other. Without the rest Chromium was at work on them with a third of a processor, with it a fifth (measured on a
+ * busy machine); all in all they take 5 s longer.
+ */
+const REST_MS = 25;
+
+const files = new PrecacheController({
+  plugins: [
+    {
+      requestWillFetch: async ({ request }) => {
+        await new Promise((resolve) => setTimeout(resolve, REST_MS));
+        return request;
+      },
+    },
+  ],
+});
 files.addToCacheList(self.__WB_MANIFEST);
 const CACHE = files.strategy.cacheName;
 

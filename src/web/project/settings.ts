@@ -1,4 +1,5 @@
 import type { OptionValues } from '#core/option';
+import { isRecord } from '#core/record';
 import { robotTypes } from '#robots/index';
 
 import { LANGUAGES, type Language } from '../i18n/texts';
@@ -185,6 +186,3 @@ function readRobotOptions(value: unknown): RobotOptions {
   });
   return Object.fromEntries(robots.filter(([, options]) => Object.keys(options).length > 0));
 }
-
-const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
-  typeof value === 'object' && value !== null;

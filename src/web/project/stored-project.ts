@@ -1,3 +1,4 @@
+import { isRecord } from '#core/record';
 import { MAIN, type Project, type ProjectSettings, type SourceFile } from '#project/project';
 import { parseSceneValue } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
@@ -34,9 +35,6 @@ export function unpackProject(value: unknown): Project | null {
   };
   return isSettings(settings) ? { ...project, settings } : project;
 }
-
-const isRecord = (value: unknown): value is Readonly<Record<string, unknown>> =>
-  typeof value === 'object' && value !== null;
 
 function readFile(value: unknown): SourceFile | null {
   if (!isRecord(value)) return null;

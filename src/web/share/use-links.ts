@@ -31,6 +31,7 @@ export function useLinks(app: App): void {
       .then(({ openAddress }) => {
         const problem = openAddress(app, href, 'held');
         hold();
+        host.hasBrought ||= problem === null;
         if (problem !== null) refuse(problem);
         else if (isProject || opened.some((name) => PROGRAMS.includes(name))) showSource();
         else clearAddress();

@@ -33,6 +33,12 @@ describe('the bubble of the tour', () => {
       for (const top of [0, 350, 750]) expect(covers(boxAt(left, top, 120, 44)), `${left} ${top}`).toBe(false);
   });
 
+  it('leaves the beginning of what fills a phone in sight', () => {
+    const phone = { width: 390, height: 844 };
+    const { top } = placeBubble(boxAt(0, 108, 390, 676), { width: 360, height: 200 }, phone);
+    expect(top).toBe(844 - 200 - 8);
+  });
+
   it('is always in the window', () => {
     for (const target of [boxAt(-50, -50, 40, 40), boxAt(990, 790, 80, 80), boxAt(0, 0, 1000, 800), null]) {
       const { left, top } = placeBubble(target, bubble, view);

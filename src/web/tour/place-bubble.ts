@@ -13,11 +13,12 @@ interface Size {
 
 const GAP_PX = 14; // chosen: room for the ring around what is pointed at
 const EDGE_PX = 8; // chosen: as between panes
+const BEGINNING_COUNTS = 2; // chosen: on a phone the bubble stands below the first lines of a program
 
 /**
  * Where a bubble stands that points at something: below it, beside it or above it, wherever it has room without covering
- * it; else in the corner of the window where it covers least of it. Always all of it in the window, as far as that is
- * large enough. Without anything to point at it stands in the middle.
+ * it; else in the corner of the window where it covers least of it, rather the end than the beginning: that is what is read
+ * first. Always all of it in the window, as far as that is large enough. Without anything to point at it stands in the middle.
  */
 export function placeBubble(
   target: Box | null,
@@ -45,7 +46,11 @@ export function placeBubble(
     inside(free.width, 0),
     inside(0, 0),
   ];
-  const covered = around.map((place) => overlap({ ...place, ...bubble }, target));
+  const beginning = { ...target, height: target.height / 2 };
+  const covered = around.map((place) => {
+    const box = { ...place, ...bubble };
+    return overlap(box, target) + BEGINNING_COUNTS * overlap(box, beginning);
+  });
   return around[covered.indexOf(Math.min(...covered))] ?? inside(0, 0);
 }
 

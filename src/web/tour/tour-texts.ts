@@ -7,7 +7,7 @@ export const tourTexts = {
   next: { de: 'Weiter', fr: 'Suivant', it: 'Avanti', en: 'Next' },
   back: { de: 'Zurück', fr: 'Retour', it: 'Indietro', en: 'Back' },
   done: { de: 'Fertig', fr: 'Terminer', it: 'Fine', en: 'Done' },
-  there: { de: 'Zum Knopf', fr: 'Aller au bouton', it: 'Vai al pulsante', en: 'Go to the button' },
+  there: { de: 'Zeig mir, wo', fr: 'Montre-moi où', it: 'Mostrami dove', en: 'Show me where' },
   leave: {
     de: 'Rundgang verlassen',
     fr: 'Quitter la visite guidée',

@@ -5,6 +5,7 @@ import type { Verdict } from '#simulation/verdict';
 /** The words of the verdict bar; they come with it. */
 export const verdictTexts = {
   title: { de: 'Aufgabe', fr: 'Tâche', it: 'Compito', en: 'Task' },
+  notYet: { de: 'Noch nicht geschafft', fr: 'Pas encore réussi', it: 'Non ancora riuscito', en: 'Not done yet' },
   checkpoints: { de: 'Kontrollpunkte', fr: 'Points de contrôle', it: 'Punti di controllo', en: 'Checkpoints' },
   target: { de: 'Ziel', fr: 'Arrivée', it: 'Arrivo', en: 'Target' },
   targets: { de: 'Ziele', fr: 'Arrivées', it: 'Arrivi', en: 'Targets' },

@@ -1,14 +1,14 @@
 import type { Extension } from '@codemirror/state';
 import type { EditorView } from '@codemirror/view';
 
-import type { ReferenceContext } from '#reference/context';
 import type { Language } from '../../i18n';
+import type { Written } from './written-for';
 
-/** What the help needs to know; the functions are asked again every time. */
+/** What the help needs to know; the function is asked again every time. */
 export interface HelpOptions {
   readonly language: Language;
-  /** Board, firmware, libraries and other files of the project, for the file that is shown. */
-  readonly context: () => Omit<ReferenceContext, 'modules'> & { readonly robot: string | null };
+  /** The file that is shown, and what it is written for. */
+  readonly written: () => Written;
 }
 
 /** The help of one language, once it is loaded. */
