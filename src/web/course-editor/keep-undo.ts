@@ -3,7 +3,7 @@ import { effectScope, watch } from 'vue';
 import type { App } from '../composables/use-app';
 
 /** Where the steps are in the tab's own storage. */
-export const UNDO_KEY = 'parcours.undo';
+const UNDO_KEY = 'parcours.undo';
 
 /**
  * Keeps what can be taken back while the page is loaded anew, for this tab alone. Where the work is not kept here, the way
@@ -14,7 +14,7 @@ export function keepUndo(app: Pick<App, 'work' | 'host' | 'editor'>): void {
   const scope = effectScope();
   const begin = (): void => {
     import('./store-undo')
-      .then(({ storeUndo }) => scope.active && scope.run(() => storeUndo(app)))
+      .then(({ storeUndo }) => scope.active && scope.run(() => storeUndo(app, UNDO_KEY)))
       .catch(() => undefined);
   };
   if (hasKept()) begin();

@@ -3,15 +3,18 @@ import { onScopeDispose } from 'vue';
 import { historyFromText, historyToText } from '#scene/kept-history';
 
 import type { App } from '../composables/use-app';
-import { UNDO_KEY } from './keep-undo';
 
 /** The most that is kept, in characters. Chosen: far less than the work itself may take of the browser's five million. */
 const MOST_CHARACTERS = 200_000;
 
-/** Takes up what was kept of the way, and keeps it from now on. Where the browser forbids it or has no room, nothing is kept. */
-export function storeUndo({ work, editor }: Pick<App, 'work' | 'editor'>): void {
+/**
+ * Takes up what was kept of the way, and keeps it from now on. Where the browser forbids it or has no room, nothing is kept.
+ *
+ * @param key where it is in the tab's own storage
+ */
+export function storeUndo({ work, editor }: Pick<App, 'work' | 'editor'>, key: string): void {
   quietly(() => {
-    const text = sessionStorage.getItem(UNDO_KEY);
+    const text = sessionStorage.getItem(key);
     if (text === null) return;
     work.takeUp(historyFromText(text, work.scene.value));
     // What is taken back before the first tool is chosen is to be said, too.
@@ -19,8 +22,8 @@ export function storeUndo({ work, editor }: Pick<App, 'work' | 'editor'>): void 
   });
   const save = (): void =>
     quietly(() => {
-      if (work.way.past.length + work.way.future.length === 0) sessionStorage.removeItem(UNDO_KEY);
-      else sessionStorage.setItem(UNDO_KEY, historyToText(work.way, MOST_CHARACTERS));
+      if (work.way.past.length + work.way.future.length === 0) sessionStorage.removeItem(key);
+      else sessionStorage.setItem(key, historyToText(work.way, MOST_CHARACTERS));
     });
   const hidden = (): void => {
     if (document.visibilityState === 'hidden') save();
