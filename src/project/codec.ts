@@ -1,4 +1,5 @@
-import { DamagedBytes, WORDS } from './columns';
+import { WORDS } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 import type { ValueReader, ValueWriter } from './values';
 
 /** One description of a value for both directions, so that writing and reading cannot part. */

@@ -7,7 +7,8 @@
  *     words:   column 0
  */
 
-import type { ValueReader, ValueWriter } from './values';
+import { DamagedBytes } from './damaged-bytes';
+import { OrderedReader, OrderedWriter } from './values-in-order';
 
 /** The column of all words. */
 export const WORDS = 0;
@@ -22,40 +23,17 @@ export interface Bytes {
 export const VARINT_BYTES = 5;
 const VARINT_END = 34_359_738_368; // 2³⁵
 
-/** What is read does not fit what was written. */
-export class DamagedBytes extends Error {}
-
 /** Writes values into columns. */
-export class ColumnWriter implements ValueWriter {
+export class ColumnWriter extends OrderedWriter {
   private readonly columns: number[][] = [[]];
-  private readonly last: number[] = [];
-  private readonly words = new Map<string, number>();
 
   /** A whole number from 0 to 2³⁵ − 1. */
   uint(column: number, value: number): void {
     push(this.column(column), value);
   }
 
-  /** A whole number of either sign: 0, −1, 1, −2, 2, … are 0, 1, 2, 3, 4, … */
-  int(column: number, value: number): void {
-    this.uint(column, value < 0 ? -2 * value - 1 : 2 * value);
-  }
-
-  /** A whole number as its difference from the one before in its column. */
-  delta(column: number, value: number): void {
-    this.int(column, value - (this.last[column] ?? 0));
-    this.last[column] = value;
-  }
-
   byte(column: number, value: number): void {
     this.column(column).push(value);
-  }
-
-  /** The number of a word that was there before, counted from 1; 0 for a new one. */
-  known(word: string): number {
-    const number = this.words.get(word) ?? 0;
-    if (number === 0) this.words.set(word, this.words.size + 1);
-    return number;
   }
 
   /** All that was written. */
@@ -102,18 +80,16 @@ interface Column {
   readonly bytes: Uint8Array;
   at: number;
   readonly end: number;
-  /** What `delta` gave last. */
-  last: number;
 }
 
 /** Reads what a `ColumnWriter` wrote, in the same order. Throws `DamagedBytes` for anything else. */
-export class ColumnReader implements ValueReader {
+export class ColumnReader extends OrderedReader {
   private readonly columns: readonly Column[];
-  private readonly words: string[] = [];
 
   /** @param columns how many there may be, the words among them */
   constructor({ figures, words }: Bytes, columns: number) {
-    const head: Column = { bytes: figures, at: 0, end: figures.length, last: 0 };
+    super();
+    const head: Column = { bytes: figures, at: 0, end: figures.length };
     const count = uintOf(head);
     if (count >= columns) throw new DamagedBytes();
     const lengths = Array.from({ length: count }, () => uintOf(head));
@@ -121,25 +97,14 @@ export class ColumnReader implements ValueReader {
     const read = lengths.map((length): Column => {
       const at = start;
       start += length;
-      return { bytes: figures, at, end: start, last: 0 };
+      return { bytes: figures, at, end: start };
     });
     if (start !== figures.length) throw new DamagedBytes();
-    this.columns = [{ bytes: words, at: 0, end: words.length, last: 0 }, ...read];
+    this.columns = [{ bytes: words, at: 0, end: words.length }, ...read];
   }
 
   uint(column: number): number {
     return uintOf(this.column(column));
-  }
-
-  int(column: number): number {
-    const value = this.uint(column);
-    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
-  }
-
-  delta(column: number): number {
-    const of = this.column(column);
-    of.last += this.int(column);
-    return of.last;
   }
 
   byte(column: number): number {
@@ -150,18 +115,6 @@ export class ColumnReader implements ValueReader {
   left(column: number): number {
     const of = this.column(column);
     return of.end - of.at;
-  }
-
-  /** The word with a number of `ColumnWriter.known`. */
-  word(number: number): string {
-    const word = this.words[number - 1];
-    if (word === undefined) throw new DamagedBytes();
-    return word;
-  }
-
-  /** Notes a word that is new. */
-  learn(word: string): void {
-    this.words.push(word);
   }
 
   /** Whether everything was read. */

@@ -1,9 +1,8 @@
-import { sceneLimits, type Point } from '#scene/scene';
+import type { Point } from '#scene/scene';
 
 import type { Codec, Columns } from './codec';
-import type { ValueReader } from './values';
-import { DamagedBytes } from './columns';
 import { joined } from './likelihood';
+import { lineCodec } from './line-codec';
 
 /**
  * The points of a line drawn by hand, for links with a model (`value-model.ts`): each as its step from the one before.
@@ -14,45 +13,23 @@ import { joined } from './likelihood';
 export function handCodec(columns: Columns, start: Codec<Point>): Codec<readonly Point[]> {
   const count = columns.uint();
   const [along, aside] = [columns.near(), columns.near()];
-  const pointsRead = new WeakMap<ValueReader, number>();
-  return {
-    write(out, points) {
-      count.write(out, points.length);
-      let before: Point | null = null;
-      const hand = new Hand();
-      for (const point of points) {
-        if (before === null) start.write(out, point);
-        else {
-          const step: Point = [point[0] - before[0], point[1] - before[1]];
-          const [ahead, left] = hand.seen(step);
-          along.write(out, ahead, hand.nearAlong());
-          aside.write(out, left, hand.nearAside(ahead));
-          hand.goOn(step);
-        }
-        before = point;
-      }
-    },
-    read(from) {
-      const length = count.read(from);
-      const all = (pointsRead.get(from) ?? 0) + length;
-      if (all > sceneLimits.points) throw new DamagedBytes();
-      pointsRead.set(from, all);
-      const points: Point[] = [];
-      let before: Point | null = null;
-      const hand = new Hand();
-      for (let index = 0; index < length; index += 1) {
-        if (before === null) before = start.read(from);
-        else {
-          const ahead = along.read(from, hand.nearAlong());
-          const step = hand.unseen([ahead, aside.read(from, hand.nearAside(ahead))]);
-          before = [before[0] + step[0], before[1] + step[1]];
-          hand.goOn(step);
-        }
-        points.push(before);
-      }
-      return points;
-    },
-  };
+  return lineCodec(count, start, () => {
+    const hand = new Hand();
+    return {
+      write(out, step) {
+        const [ahead, left] = hand.seen(step);
+        along.write(out, ahead, hand.nearAlong());
+        aside.write(out, left, hand.nearAside(ahead));
+        hand.goOn(step);
+      },
+      read(from) {
+        const ahead = along.read(from, hand.nearAlong());
+        const step = hand.unseen([ahead, aside.read(from, hand.nearAside(ahead))]);
+        hand.goOn(step);
+        return step;
+      },
+    };
+  });
 }
 
 /** Where a hand is going and how it went. */

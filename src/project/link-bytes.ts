@@ -6,7 +6,8 @@
  *
  * Which values in which order: `link-content.ts` and `scene-codec.ts`. What is too much for a model goes by version 1.
  */
-import { ColumnReader, ColumnWriter, DamagedBytes, type Bytes } from './columns';
+import { ColumnReader, ColumnWriter, type Bytes } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 import { packed, unpacked } from './deflate';
 import { deflatedContent, modelledContent, type Content } from './link-content';
 import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './modelled';

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
-import { DamagedBytes, WORDS } from './columns';
+import { WORDS } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './modelled';
 
 const LARGEST = 2 ** 35 - 1;

@@ -1,7 +1,8 @@
-import type { ValueReader, ValueWriter } from './values';
-import { DamagedBytes, varintBytes, WORDS } from './columns';
+import { varintBytes, WORDS } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 import { RangeDecoder, RangeEncoder } from './range-coder';
 import { ValueModel } from './value-model';
+import { OrderedReader, OrderedWriter } from './values-in-order';
 import { LIKELY_TEXT } from './words';
 
 /**
@@ -14,37 +15,20 @@ export const MODELLED_BYTES = 64 * 1024;
 export class TooManyBytes extends Error {}
 
 /** Writes values one after the other, each as so many bits as it is unlikely (`value-model.ts`). */
-export class ModelWriter implements ValueWriter {
+export class ModelWriter extends OrderedWriter {
   private readonly coder = new RangeEncoder();
   private readonly model = new ValueModel((yes, bit) => {
     this.coder.encode(bit, yes);
     return bit;
   }, taughtModel());
-  private readonly last: number[] = [];
-  private readonly words = new Map<string, number>();
 
   uint(column: number, value: number, near?: readonly number[]): void {
     if (column === WORDS) this.model.unit(value);
     else this.model.uint(column, value, near);
   }
 
-  int(column: number, value: number, near?: readonly number[]): void {
-    this.uint(column, value < 0 ? -2 * value - 1 : 2 * value, near);
-  }
-
-  delta(column: number, value: number): void {
-    this.int(column, value - (this.last[column] ?? 0));
-    this.last[column] = value;
-  }
-
   byte(column: number, value: number): void {
     this.uint(column, value);
-  }
-
-  known(word: string): number {
-    const number = this.words.get(word) ?? 0;
-    if (number === 0) this.words.set(word, this.words.size + 1);
-    return number;
   }
 
   /** All that was written. */
@@ -54,14 +38,13 @@ export class ModelWriter implements ValueWriter {
 }
 
 /** Reads what a `ModelWriter` wrote. Throws `DamagedBytes` for anything else, `TooManyBytes` when it does not end. */
-export class ModelReader implements ValueReader {
+export class ModelReader extends OrderedReader {
   private readonly coder: RangeDecoder;
   private readonly model: ValueModel;
-  private readonly last: number[] = [];
-  private readonly words: string[] = [];
   private room = MODELLED_BYTES;
 
   constructor(bytes: Uint8Array) {
+    super();
     this.coder = new RangeDecoder(bytes);
     this.model = new ValueModel((yes) => this.coder.decode(yes), taughtModel());
   }
@@ -73,17 +56,6 @@ export class ModelReader implements ValueReader {
     return value;
   }
 
-  int(column: number, near?: readonly number[]): number {
-    const value = this.uint(column, near);
-    return value % 2 === 0 ? value / 2 : -(value + 1) / 2;
-  }
-
-  delta(column: number): number {
-    const value = (this.last[column] ?? 0) + this.int(column);
-    this.last[column] = value;
-    return value;
-  }
-
   byte(column: number): number {
     const value = this.uint(column);
     if (value > 0xff) throw new DamagedBytes();
@@ -92,16 +64,6 @@ export class ModelReader implements ValueReader {
 
   left(): number {
     return this.room;
-  }
-
-  word(number: number): string {
-    const word = this.words[number - 1];
-    if (word === undefined) throw new DamagedBytes();
-    return word;
-  }
-
-  learn(word: string): void {
-    this.words.push(word);
   }
 
   /** Whether everything was read. */

@@ -1,8 +1,7 @@
-import { sceneLimits, type Point } from '#scene/scene';
+import type { Point } from '#scene/scene';
 
 import type { Codec, Columns } from './codec';
-import type { ValueReader } from './values';
-import { DamagedBytes } from './columns';
+import { lineCodec } from './line-codec';
 
 /**
  * The points of a line that was drawn by hand: each as its step from the one before, seen from where that one led. The
@@ -13,43 +12,21 @@ import { DamagedBytes } from './columns';
 export function pathCodec(columns: Columns, start: Codec<Point>): Codec<readonly Point[]> {
   const count = columns.uint();
   const [along, across] = [columns.int(), columns.int()];
-  const pointsRead = new WeakMap<ValueReader, number>();
-  return {
-    write(out, points) {
-      count.write(out, points.length);
-      let before: Point | null = null;
-      let step: Point = NO_STEP;
-      for (const point of points) {
-        if (before === null) start.write(out, point);
-        else {
-          const next: Point = [point[0] - before[0], point[1] - before[1]];
-          const [one, other] = mirrored(next, step);
-          along.write(out, one);
-          across.write(out, other);
-          step = next;
-        }
-        before = point;
-      }
-    },
-    read(from) {
-      const length = count.read(from);
-      const all = (pointsRead.get(from) ?? 0) + length;
-      if (all > sceneLimits.points) throw new DamagedBytes();
-      pointsRead.set(from, all);
-      const points: Point[] = [];
-      let before: Point | null = null;
-      let step: Point = NO_STEP;
-      for (let index = 0; index < length; index += 1) {
-        if (before === null) before = start.read(from);
-        else {
-          step = unmirrored([along.read(from), across.read(from)], step);
-          before = [before[0] + step[0], before[1] + step[1]];
-        }
-        points.push(before);
-      }
-      return points;
-    },
-  };
+  return lineCodec(count, start, () => {
+    let last: Point = NO_STEP;
+    return {
+      write(out, step) {
+        const [one, other] = mirrored(step, last);
+        along.write(out, one);
+        across.write(out, other);
+        last = step;
+      },
+      read(from) {
+        last = unmirrored([along.read(from), across.read(from)], last);
+        return last;
+      },
+    };
+  });
 }
 
 const NO_STEP: Point = [1, 0];

@@ -3,7 +3,7 @@
  * 32-bit numbers; each decision keeps the part of it that its probability gives, and leading bytes that low and high
  * end have in common are written out.
  */
-import { DamagedBytes } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 
 /** A probability of yes as a whole number from 1 to `CERTAIN` − 1. */
 export const CERTAIN = 65_536;

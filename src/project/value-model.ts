@@ -1,4 +1,5 @@
-import { DamagedBytes, VARINT_BYTES, WORDS } from './columns';
+import { VARINT_BYTES, WORDS } from './columns';
+import { DamagedBytes } from './damaged-bytes';
 import { joined, Likelihood } from './likelihood';
 
 /**

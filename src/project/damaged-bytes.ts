@@ -1,0 +1,2 @@
+/** What is read does not fit what was written. */
+export class DamagedBytes extends Error {}
