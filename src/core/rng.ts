@@ -1,3 +1,5 @@
+import { FNV_BASIS, fnvOfText } from './fnv';
+
 /** A stream of reproducible random numbers. */
 export interface Rng {
   /** A whole number from 0 to 2³² − 1. */
@@ -38,9 +40,5 @@ function streamOf(seed: number, salt: number): Rng {
   };
 }
 
-/** FNV-1a over the UTF-16 units of a name, begun with a salt: so forks of forks depend on the order of their names. */
-function hashOf(text: string, salt: number): number {
-  let hash = 0x811c9dc5 ^ salt;
-  for (let i = 0; i < text.length; i++) hash = Math.imul(hash ^ text.charCodeAt(i), 0x01000193);
-  return hash | 0;
-}
+/** Begun with a salt: so forks of forks depend on the order of their names. */
+const hashOf = (name: string, salt: number): number => fnvOfText(name, FNV_BASIS ^ salt) | 0;

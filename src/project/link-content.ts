@@ -1,3 +1,4 @@
+import { fnvOfBytes } from '#core/fnv';
 import type { Scene } from '#scene/scene';
 
 import { mapped, record, type Codec } from './codec';
@@ -88,13 +89,6 @@ export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
   checkedScene.write(out, scene);
   const { figures, words } = out.bytes();
-  return checksum(words, checksum(figures));
+  return fnvOfBytes(words, fnvOfBytes(figures));
 }
 const checkedScene = sceneCodec(sharedCodecs(), pathCodec);
-
-/** FNV-1a, 32 bits: enough to tell chance damage, not meant against anybody. */
-export function checksum(bytes: Uint8Array, before = 0x811c9dc5): number {
-  let sum = before;
-  for (const byte of bytes) sum = Math.imul(sum ^ byte, 0x01000193);
-  return sum >>> 0;
-}

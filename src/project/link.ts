@@ -7,13 +7,14 @@
  *
  * A ready course that was not changed is named only. Only A–Z a–z 0–9 - _ . = occur, which collectors of links accept.
  */
+import { fnvOfBytes } from '#core/fnv';
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
 import { fromBase64Url, toBase64Url } from './base64';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from './file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
-import { checksum, sceneChecksum, type Content } from './link-content';
+import { sceneChecksum, type Content } from './link-content';
 import { MODELLED_BYTES } from './modelled';
 import type { ProjectProblem } from './problem';
 import { MAIN, type Project } from './project';
@@ -106,7 +107,7 @@ const SUM_BYTES = 4;
 export function linkOfBytes({ version, bytes }: LinkBytes): string {
   const all = new Uint8Array(SUM_BYTES + bytes.length);
   all.set(bytes, SUM_BYTES);
-  const sum = checksum(bytes);
+  const sum = fnvOfBytes(bytes);
   all.set([sum & 0xff, (sum >>> 8) & 0xff, (sum >>> 16) & 0xff, sum >>> 24]);
   return `${LINK_NAME}=${String(version)}.${toBase64Url(all)}`;
 }
@@ -141,7 +142,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
 /** Whether what follows the checksum has it. */
 function isWhole(all: Uint8Array): boolean {
   const [a = 0, b = 0, c = 0, d = 0] = all;
-  return all.length > SUM_BYTES && checksum(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
+  return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
 }
 
 function readContent({ files, course, settings, scene }: Content, courses: ReadyCourses): ReadLink {

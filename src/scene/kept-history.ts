@@ -1,3 +1,6 @@
+import { fnvOfText } from '#core/fnv';
+import { isRecord } from '#core/record';
+
 import { editProblem, parseEdit } from './check-edit';
 import { applyEdit, type SceneEdit } from './edit';
 import { editBetween } from './edit-between';
@@ -52,10 +55,8 @@ export function historyFromText(text: string, present: Scene): History {
   } catch {
     return none;
   }
-  if (typeof value !== 'object' || value === null) return none;
-  const read = value as { version?: unknown; of?: unknown; back?: unknown; forth?: unknown };
-  if (read.version !== VERSION || read.of !== markOf(present)) return none;
-  return { past: [...scenes(present, read.back)].reverse(), present, future: scenes(present, read.forth) };
+  if (!isRecord(value) || value['version'] !== VERSION || value['of'] !== markOf(present)) return none;
+  return { past: [...scenes(present, value['back'])].reverse(), present, future: scenes(present, value['forth']) };
 }
 
 function scenes(from: Scene, list: unknown): readonly Scene[] {
@@ -70,10 +71,8 @@ function scenes(from: Scene, list: unknown): readonly Scene[] {
   return found;
 }
 
-/** Tells courses apart by chance: the length of the file and a checksum of it (FNV-1a, 32 bits). */
+/** Tells courses apart by chance: the length of the file and a checksum of it. */
 function markOf(scene: Scene): string {
   const text = serializeScene(scene);
-  let sum = 0x811c9dc5;
-  for (let index = 0; index < text.length; index += 1) sum = Math.imul(sum ^ text.charCodeAt(index), 0x01000193);
-  return `${String(text.length)}/${String(sum >>> 0)}`;
+  return `${String(text.length)}/${String(fnvOfText(text))}`;
 }

@@ -1,8 +1,9 @@
+import { freeReference } from '#libraries/reference';
 import { filesByName, type SourceFile } from '#project/project';
 import type { ReferenceContext } from '#reference/context';
+import type { RobotReference } from '#reference/types';
+import { robotReferences } from '#robots/references';
 import type { Hardware } from '#simulation/hardware';
-
-import { modulesFor } from './modules-for';
 
 /** A file of a project, among all its files, and what it is to run on; `null`: nobody knows. */
 export interface Written {
@@ -20,4 +21,11 @@ export function contextOf({ hardware, files, file }: Written): ReferenceContext 
     modules: modulesFor(robot?.id ?? null),
     files: filesByName(files.filter(({ name }) => name !== file)),
   };
+}
+
+/** All libraries, those of the chosen robot first: where two have the same name, its own counts. */
+function modulesFor(robot: string | null): RobotReference['modules'] {
+  const isChosen = (it: RobotReference): boolean => it.robot === robot;
+  const others = robotReferences.filter((it) => !isChosen(it));
+  return [...robotReferences.filter(isChosen), ...others, freeReference].flatMap(({ modules }) => modules);
 }
