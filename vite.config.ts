@@ -44,7 +44,7 @@ function iconsApart(): Plugin {
 }
 
 /**
- * Leaves out what every app with Vuetify gets and this one does not use: its calendar, its own texts (`src/web/vuetify.ts`
+ * Leaves out what every app with Vuetify gets and this one does not use: its calendar, its own texts (`src/web/page/vuetify.ts`
  * has none), the spinners of buttons that load, and the ripple, which all our buttons switch off.
  */
 function vuetifyLighter(): Plugin {
@@ -175,7 +175,7 @@ async function workerCode(): Promise<string> {
     build: {
       write: false,
       target: 'es2022',
-      lib: { entry: here('src/web/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
+      lib: { entry: here('src/web/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
     },
   });
   const [first] = Array.isArray(made) ? made : [made];
@@ -253,8 +253,8 @@ const single: UserConfig = {
   resolve: {
     alias: [
       ...common.resolve.alias,
-      { find: '../worker/create-worker', replacement: here('src/web/worker/create-worker.single.ts') },
-      { find: '../worker/firmware', replacement: here('src/web/worker/firmware.single.ts') },
+      { find: /^.*\/worker\/create-worker$/, replacement: here('src/web/run/worker/create-worker.single.ts') },
+      { find: /^.*\/worker\/firmware$/, replacement: here('src/web/run/worker/firmware.single.ts') },
     ],
   },
   build: {

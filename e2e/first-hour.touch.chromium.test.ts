@@ -1,8 +1,8 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { LANGUAGES, type Language } from '../src/core/texts';
-import { localeOf } from '../src/web/i18n/locale';
-import { verdictTexts } from '../src/web/verdict/verdict-texts';
+import { localeOf } from '../src/web/page/i18n/locale';
+import { verdictTexts } from '../src/web/arena/verdict/verdict-texts';
 import { expect, test } from './app';
 import { driveFirst, passFirstCourse, shareIt, takeTour, writeFirstProgram, type Beginner } from './first-hour';
 import { programIn } from './page';

@@ -1,4 +1,4 @@
-import { linkOf, projectOfLink } from '../src/project/link';
+import { linkOf, projectOfLink } from '../src/project/link/link';
 import { drawings, drawn } from '../src/project/testing/drawings';
 import { FORTY_LINES, fortyObjects, largeProject } from '../src/project/testing/projects';
 import { expect, test } from './app';

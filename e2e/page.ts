@@ -1,4 +1,4 @@
-import type { Settings } from '../src/web/project/settings';
+import type { Settings } from '../src/web/work/settings/settings';
 import { expect, type App } from './app';
 
 /** The things that tests touch. */

@@ -1,6 +1,6 @@
 import { allTexts } from '../scripts/texts.mjs';
 import { LANGUAGES, type Language } from '../src/core/texts';
-import { languageNames } from '../src/web/i18n/language-names';
+import { languageNames } from '../src/web/page/i18n/language-names';
 import type { App } from './app';
 
 /** What the app says in one language: as it stands, and as patterns where values have places in a text. */

@@ -1,4 +1,4 @@
-// Compiles the device's Python modules (src/vm/library/*.py) to bytecode, as .cache/vm/library.json: name → base64.
+// Compiles the device's Python modules (src/vm/library/{modules,internal}/*.py) to bytecode, as .cache/vm/library.json: name → base64.
 import { mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 
@@ -9,13 +9,14 @@ process.setMaxListeners(0); // its loader adds listeners for each file
 const { compile } = require('@pybricks/mpy-cross-v6');
 const wasm = require.resolve('@pybricks/mpy-cross-v6/build/mpy-cross-v6.wasm');
 const root = new URL('..', import.meta.url);
-const folder = new URL('src/vm/library/', root);
+const FOLDERS = ['modules', 'internal'].map((name) => new URL(`src/vm/library/${name}/`, root));
+const sources = FOLDERS.flatMap((folder) => readdirSync(folder).map((file) => ({ file, path: new URL(file, folder) })));
 
 const modules = {};
-for (const file of readdirSync(folder)
-  .filter((name) => name.endsWith('.py'))
-  .sort()) {
-  const source = readFileSync(new URL(file, folder), 'utf8');
+for (const { file, path } of sources
+  .filter(({ file }) => file.endsWith('.py'))
+  .sort((a, b) => (a.file < b.file ? -1 : 1))) {
+  const source = readFileSync(path, 'utf8');
   // The firmware's small integers have 31 bits; the file name is what marks a frame as the library's.
   const result = await compile(file, source, ['-msmall-int-bits=31', '-s', `/lib/${file}`], wasm);
   if (!result.mpy) throw new Error(`${file}: ${result.err.join('\n')}`);

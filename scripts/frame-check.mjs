@@ -4,7 +4,7 @@ import { readFile } from 'node:fs/promises';
 import { join } from 'node:path';
 import { root } from './progress.mjs';
 
-const FOLDER = 'src/web/frame-check';
+const FOLDER = 'src/web/app/frame-check';
 
 /**
  * The parts of the check: a classic script, styles and the sentence in four languages.

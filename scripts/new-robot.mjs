@@ -8,7 +8,7 @@ import { Failure, main, note, root } from './progress.mjs';
 import { exportName, renewLists, robotFolders } from './robots.mjs';
 
 const TEMPLATE = join(root, 'scripts/robot-template');
-const DEVICE_MODULES = join(root, 'src/vm/library');
+const DEVICE_MODULES = join(root, 'src/vm/library/modules');
 const LONGEST_NAME = 40;
 
 /** Words that name nothing in TypeScript or Python. */

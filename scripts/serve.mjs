@@ -27,7 +27,7 @@ const COMPRESSIBLE = new Set(['.css', '.html', '.js', '.json', '.mjs', '.py', '.
 /** The page may load its own files and compile WebAssembly, nothing else. */
 export const PAGE_POLICY = [
   "default-src 'self'",
-  // The one script inside the page, src/web/frame-check/frame-check.js, by its hash.
+  // The one script inside the page, src/web/app/frame-check/frame-check.js, by its hash.
   "script-src 'self' 'sha256-uFahMDdndCAb6sPHWjuHy1JvBGajWhO+1Cxmy0eqmgM=' 'wasm-unsafe-eval'",
   "style-src 'self' 'unsafe-inline'",
   "img-src 'self' data: blob:",

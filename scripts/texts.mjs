@@ -9,7 +9,7 @@ const LANGUAGES = ['de', 'fr', 'it', 'en'];
 /** A catalogue is a file per language: `i18n/fr.ts`, `i18n/error-fr.ts`. */
 const CATALOGUE = /^(src\/.*\/(?:[a-z]+-)?)(de|fr|it|en)\.ts$/;
 /** What the pages of the app are told in by `t`; the keys of other catalogues are names of Python. */
-const KEYED = { 'src/web/i18n/': '', 'src/web/i18n/error-': 'error.' };
+const KEYED = { 'src/web/page/i18n/': '', 'src/web/page/i18n/error-': 'error.' };
 
 /** @typedef {{ where: string, texts: Record<string, string> }} Entry a text in its languages, and where it stands */
 
@@ -92,7 +92,7 @@ function bare(node) {
   return ts.isAsExpression(node) || ts.isSatisfiesExpression(node) ? bare(node.expression) : node;
 }
 
-/** The catalogues: their stem, such as `src/web/i18n/error-`, and their texts by key. */
+/** The catalogues: their stem, such as `src/web/page/i18n/error-`, and their texts by key. */
 function cataloguesIn(trees) {
   /** @type {Map<string, Map<string, Map<string, string>>>} */
   const stems = new Map();

@@ -11,10 +11,10 @@ const found = (texts) => problems({ 'src/web/a.ts': inline({ ...good, ...texts }
 
 /** The catalogues of the app with one text each, and a component that shows it. */
 const catalogues = (english) => ({
-  'src/web/i18n/de.ts': "export const de = { bar: { stop: 'Stopp' } } as const;",
-  'src/web/i18n/fr.ts': "export const fr: Texts = { bar: { stop: 'Arrêter' } };",
-  'src/web/i18n/it.ts': "export const it: Texts = { bar: { stop: 'Ferma' } };",
-  'src/web/i18n/en.ts': `export const en: Texts = { bar: { ${english} } };`,
+  'src/web/page/i18n/de.ts': "export const de = { bar: { stop: 'Stopp' } } as const;",
+  'src/web/page/i18n/fr.ts': "export const fr: Texts = { bar: { stop: 'Arrêter' } };",
+  'src/web/page/i18n/it.ts': "export const it: Texts = { bar: { stop: 'Ferma' } };",
+  'src/web/page/i18n/en.ts': `export const en: Texts = { bar: { ${english} } };`,
 });
 const button = {
   'src/web/Stop.vue': '<script setup lang="ts">\n</script>\n<template>{{ t(\'bar.stop\') }}</template>',
@@ -67,7 +67,7 @@ describe('the catalogues', () => {
   });
 
   it('may not lack a key', () => {
-    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/i18n/*.ts bar.stop: no text in en']);
+    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/page/i18n/*.ts bar.stop: no text in en']);
   });
 
   it('may not have a key more', () => {
@@ -75,7 +75,7 @@ describe('the catalogues', () => {
   });
 
   it('may not have a key that nobody shows', () => {
-    expect(problems(catalogues("stop: 'Stop'"))).toEqual(['src/web/i18n/*.ts bar.stop: used nowhere']);
+    expect(problems(catalogues("stop: 'Stop'"))).toEqual(['src/web/page/i18n/*.ts bar.stop: used nowhere']);
   });
 
   it('count a key as shown that is put together: bar.${id}', () => {

@@ -1,4 +1,4 @@
-import type { FromWorker } from '../../src/web/worker/protocol';
+import type { FromWorker } from '../../src/web/run/worker/protocol';
 
 declare global {
   interface Window {

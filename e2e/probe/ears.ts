@@ -1,6 +1,6 @@
 import type { SoundEvent } from '#board/sound/sound-event';
-import { SoundMixer } from '../../src/web/sound/sound-mixer';
-import * as synthesis from '../../src/web/sound/synthesis';
+import { SoundMixer } from '../../src/web/run/sound/sound-mixer';
+import * as synthesis from '../../src/web/run/sound/synthesis';
 
 /** A stretch of time, in ms. */
 export interface Stretch {

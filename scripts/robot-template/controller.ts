@@ -10,7 +10,7 @@
  *
  * Source: chosen. Replace it by what your robot's data sheet or its maker's driver says, and name that here.
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import { createRegisterMachine, memoryRegisters } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // chosen

@@ -1,27 +1,27 @@
 import type { Clock } from '#core/clock';
-import type { BoardType, Feature, FirmwareType } from './board-type';
-import { Button } from './button';
-import { Compass } from './compass';
+import type { BoardType, Feature, FirmwareType } from './boards/board-type';
+import { Button } from './sensors/button';
+import { Compass } from './sensors/compass';
 import { DataLog } from './data-log';
-import { Display } from './display';
-import { I2cBus } from './i2c-bus';
-import { Microphone } from './microphone';
-import { Motion } from './motion';
-import { MotorOutputs, type MotorOutput } from './motor-outputs';
-import { MusicPlayer } from './music-player';
-import { Pin } from './pin';
+import { Display } from './display/display';
+import { I2cBus } from './wires/i2c-bus';
+import { Microphone } from './sensors/microphone';
+import { Motion } from './sensors/motion';
+import { MotorOutputs, type MotorOutput } from './wires/motor-outputs';
+import { MusicPlayer } from './sound/music-player';
+import { Pin } from './wires/pin';
 import { Power } from './power';
-import { PwmUnit } from './pwm-unit';
+import { PwmUnit } from './wires/pwm-unit';
 import { Radio } from './radio';
-import { RgbLeds, type Rgb } from './rgb-leds';
-import { SampledSensor } from './sampled-sensor';
-import { Sensors, type Pressable } from './sensors';
+import { RgbLeds, type Rgb } from './display/rgb-leds';
+import { SampledSensor } from './sensors/sampled-sensor';
+import { Sensors, type Pressable } from './sensors/sensors';
 import { Sound } from './sound/sound';
-import { SpiBus } from './spi-bus';
+import { SpiBus } from './wires/spi-bus';
 import { TickGrid } from './tick-grid';
-import { Touch } from './touch';
-import { Uart } from './uart';
-import { Wire } from './wire';
+import { Touch } from './sensors/touch';
+import { Uart } from './wires/uart';
+import { Wire } from './wires/wire';
 
 const SYSTEM_TICK_US = 4000; // codal-core: the scheduler's period, which samples buttons and touch pads
 const TEMPERATURE_US = 1_000_000; // codal-nrf52 NRF52TemperatureSensor.h: one reading a second

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { Clock } from '#core/clock';
 import { attachHcSr04, type HcSr04Options } from './hc-sr04';
 

@@ -11,7 +11,7 @@
  * send two `write_digital` calls back to back (Tiger-Jython Robotics-Libraries mbrobot.py) and work on real robots,
  * so any high time counts.
  */
-import type { Wire } from '#board/wire';
+import type { Wire } from '#board/wires/wire';
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 

@@ -7,7 +7,7 @@
  *
  * Register numbers are bytes and wrap from 255 to 0. What no part answers for ignores writes and reads as 0.
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 
 const REGISTER_COUNT = 256;
 

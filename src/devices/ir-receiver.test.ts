@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { attachIrReceiver } from './ir-receiver';
 
 describe('An infrared receiver', () => {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Board } from '#board/board';
 import { calliopeMini3 } from '#board/boards/calliope-mini-3';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { Clock } from '#core/clock';
 import { watchLedChains } from './led-chains';
 import { attachWs2812 } from './ws2812';

@@ -4,7 +4,7 @@
  *
  * Bytes as in `ws2812.ts`. A chain is as long as the longest stream that it was sent since the start.
  */
-import type { Wire } from '#board/wire';
+import type { Wire } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
 import type { Rgb } from './ws2812';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { ledOn } from './led';
 
 describe('an LED on a wire', () => {

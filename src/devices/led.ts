@@ -1,5 +1,5 @@
 /** A plain LED between a wire and ground: lit while the wire is high, dimmed by PWM. */
-import type { Wire } from '#board/wire';
+import type { Wire } from '#board/wires/wire';
 
 /** The LED as its owner sees it. */
 export interface Led {

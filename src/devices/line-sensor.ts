@@ -4,7 +4,7 @@
  * (`createLineComparator`).
  * Source of the polarity: docstrings in Tiger-Jython/Robotics-Libraries mbrobot.py and tkilla77/maqueen.
  */
-import type { Level, Wire } from '#board/wire';
+import type { Level, Wire } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
 
 /**

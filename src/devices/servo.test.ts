@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { Board } from '#board/board';
 import { microbitV2 } from '#board/boards/microbit-v2';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { Clock } from '#core/clock';
 import { attachPwmServo, createServo } from './servo';
 

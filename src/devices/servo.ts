@@ -10,7 +10,7 @@
  * 1 … 2 ms nominal) and Tiger-Jython/Robotics-Libraries mbrobot_plusV2.py (duty 25 … 131 of 1023 at 20 ms for 0 … 180°,
  * that is 0.49 … 2.56 ms; so do the servos of the Maqueen kits).
  */
-import type { Pwm, Wire } from '#board/wire';
+import type { Pwm, Wire } from '#board/wires/wire';
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 

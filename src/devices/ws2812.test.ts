@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Wire } from '#board/wire';
+import { Wire } from '#board/wires/wire';
 import { attachWs2812 } from './ws2812';
 
 describe('a chain of WS2812 LEDs', () => {

@@ -4,7 +4,7 @@
  * Source: Worldsemi WS2812B datasheet, "Composition of 24 bit data": green, red, blue, one byte each, most significant
  * bit first; each LED keeps the first 24 bits it receives after a reset and passes the rest on.
  */
-import type { Wire } from '#board/wire';
+import type { Wire } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
 
 /** Red, green, blue, each 0 … 255. */

@@ -3,7 +3,7 @@ import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { middleOfSelection, nudged, turned } from './arrange';
 import { block, course, footprint, mover, stroke, wall } from './testing/desk';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 
 const of = (ids: readonly string[], robot = false): Selection => ({ ids, robot });
 const nudge = (scene: Scene, selection: Selection, dx: number, dy: number): Scene => {

@@ -7,7 +7,7 @@ import { middleBetween, toPoint, toVec, turnedAbout, within, wrappedDeg } from '
 import { placeInside } from './robot-place';
 import { selectedObjects } from './selection';
 import { boundsAll, boundsAround } from './shape';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 import { middleOf, movedBy, turnedObject, turnsInEighths } from './transform';
 
 /** So much of what is moved stays in the arena, so that it can be taken hold of again. Chosen: a fingertip's width. */

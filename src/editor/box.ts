@@ -3,7 +3,7 @@ import { sceneLimits, type Point } from '#scene/scene';
 import { endOf, startOf } from './drag';
 import { toPoint, within } from './plane';
 import { intoArena, onGrid } from './snap';
-import type { Drag } from './tool';
+import type { Drag } from './tools/tool';
 
 /** Sides that a dragged box has at least, in mm. Chosen: what can still be seen and taken hold of. */
 const SMALLEST_MM = 10;

@@ -3,7 +3,7 @@ import { applyEdit } from '#scene/edit';
 import { sceneLimits } from '#scene/scene';
 import { copied, duplicated, pasted } from './clipboard';
 import { block, checkpoint, course, stroke } from './testing/desk';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 
 const of = (ids: readonly string[], robot = false): Selection => ({ ids, robot });
 

@@ -5,9 +5,9 @@ import { adding } from './edits';
 import { freeIds } from './ids';
 import { selectedObjects } from './selection';
 import { boundsAll, boundsAround } from './shape';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 import { movedBy } from './transform';
-import { nextCheckpoint } from './zone-tool';
+import { nextCheckpoint } from './tools/zone-tool';
 
 /** What was copied: plain data that can be pasted into any course. */
 export interface Clip {

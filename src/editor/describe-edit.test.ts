@@ -2,17 +2,17 @@ import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { nudged, turned } from './arrange';
-import { blockTool } from './block-tool';
+import { blockTool } from './tools/block-tool';
 import { cleared, named, withSize } from './course-edits';
 import { describeChange, describeEdit } from './describe-edit';
-import { eraserTool } from './eraser-tool';
-import { mazeTool } from './maze-tool';
-import { penTool } from './pen-tool';
-import { selectTool } from './select-tool';
+import { eraserTool } from './tools/eraser-tool';
+import { mazeTool } from './tools/maze-tool';
+import { penTool } from './tools/pen-tool';
+import { selectTool } from './tools/select-tool';
 import { removed } from './selection';
-import { startTool } from './start-tool';
+import { startTool } from './tools/start-tool';
 import { block, contextOf, course, drag, footprint, stroke, target, wall } from './testing/desk';
-import { nothingSelected, type Drag, type Selection, type Tool, type ToolOptions } from './tool';
+import { nothingSelected, type Drag, type Selection, type Tool, type ToolOptions } from './tools/tool';
 
 function said(
   tool: Tool,

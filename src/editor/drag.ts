@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { distanceMm } from './plane';
-import type { Drag } from './tool';
+import type { Drag } from './tools/tool';
 
 /** Where a drag began. */
 export function startOf({ path }: Drag): Vec {

@@ -3,13 +3,13 @@ import type { SceneEdit } from '#scene/edit';
 import { directionOf } from '#scene/outline';
 import type { Mover, Point, Scene, SceneObject } from '#scene/scene';
 import { middleOfSelection, selectionTurnsInEighths, turnedBy } from './arrange';
-import { turningPoint } from './block-tool';
+import { turningPoint } from './tools/block-tool';
 import { boxSide } from './box';
 import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { directionDeg, distanceMm, minus, plus, steppedDeg, toPoint, toVec, turned, wrappedDeg } from './plane';
 import { gridMm, otherWalls, snappedTo, strokeEnds } from './snap';
-import type { Drag, Handle, Selection, ToolContext } from './tool';
+import type { Drag, Handle, Selection, ToolContext } from './tools/tool';
 
 /** What a drag that took hold of a handle amounts to. */
 export function handleDragged(handle: Handle, drag: Drag, context: ToolContext): SceneEdit | null {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { handleAt, handlesOf } from './handles';
 import { block, course, footprint, mover, stroke, wall } from './testing/desk';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 
 const scene = course(
   wall('w', [100, 100], [400, 100]),

@@ -4,7 +4,7 @@ import type { Scene, SceneObject } from '#scene/scene';
 import { distanceMm, middleBetween, toVec, turned } from './plane';
 import { boundsOfSelection, selectedObjects } from './selection';
 import { boundsAround, distanceTo } from './shape';
-import type { Handle, Selection } from './tool';
+import type { Handle, Selection } from './tools/tool';
 import { middleOf } from './transform';
 
 /** Reach for which handles stand when nobody says; in mm. */

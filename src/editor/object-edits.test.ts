@@ -8,7 +8,7 @@ import { added, withField, withRobotField, type FieldValue } from './object-edit
 import { fieldsOf, robotFields, type FieldName } from './object-fields';
 import { block, checkpoint, course, footprint, mover, stroke, target, wall } from './testing/desk';
 import { randomCourse } from './testing/random-course';
-import { usualToolOptions } from './tool-options';
+import { usualToolOptions } from './tools/tool-options';
 
 function changed(
   object: SceneObject,

@@ -12,11 +12,11 @@ import {
   type Wall,
   type Zone,
 } from '#scene/scene';
-import { usualTurningPoint } from './block-tool';
+import { usualTurningPoint } from './tools/block-tool';
 import type { Pasted } from './clipboard';
 import { adding, changing, startingAt } from './edits';
 import { freeIds } from './ids';
-import { oneLine } from './label-tool';
+import { oneLine } from './tools/label-tool';
 import {
   boxKinds,
   fieldsOf,
@@ -29,10 +29,10 @@ import {
 import { eighths, within, wrappedDeg } from './plane';
 import { placeInside } from './robot-place';
 import { boundsAround, robotOutlines } from './shape';
-import { zoneSizes } from './tool-options';
-import type { ToolOptions } from './tool';
+import { zoneSizes } from './tools/tool-options';
+import type { ToolOptions } from './tools/tool';
 import { movedBy } from './transform';
-import { nextCheckpoint } from './zone-tool';
+import { nextCheckpoint } from './tools/zone-tool';
 
 /** What a field can be set to. */
 export type FieldValue = number | boolean | string;

@@ -4,7 +4,7 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene, SceneObject } from '#scene/scene';
 import { removing } from './edits';
 import { boundsAll, boundsAround, cornersOf, distanceTo, distanceToOutline, meets, robotOutlines } from './shape';
-import type { Selection } from './tool';
+import type { Selection } from './tools/tool';
 
 /** Something that can be taken hold of: an object by its id, or the robot's start (`null`). */
 export type Thing = string | null;

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Point, Scene, Wall } from '#scene/scene';
-import type { Mark } from './tool';
+import type { Mark } from './tools/tool';
 import { distanceMm, nearestOn, toPoint, toVec, within } from './plane';
 
 /** Distance of the lines that attract what is put down or moved, in mm. Chosen: the finest lines of the arena's grid. */

@@ -5,7 +5,7 @@ import { sceneLimits } from '#scene/scene';
 import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 
 import { parseProject, projectToText } from './file';
-import { openJson } from './opened';
+import { openJson } from './open-json';
 import { projectLimits, type Project } from './project';
 import { fullProject } from './testing/projects';
 

@@ -1,6 +1,6 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import type { Sensors } from '#board/sensors';
+import type { Sensors } from '#board/sensors/sensors';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/world';
 

@@ -1,4 +1,4 @@
-import type { BoardType, FirmwareType } from '#board/board-type';
+import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { completeOptions, optionProblem, type OptionValues } from '#core/option';
 import { findRobot, robotTypes } from '#robots/index';

@@ -1,5 +1,5 @@
 import { Board } from '#board/board';
-import { WIDEST_G } from '#board/motion';
+import { WIDEST_G } from '#board/sensors/motion';
 import { Clock } from '#core/clock';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';

@@ -1,17 +1,17 @@
 import 'vuetify/styles/core';
-import './styles/tokens.css';
-import './styles/page.css';
-import './styles/controls.css';
+import './page/styles/tokens.css';
+import './page/styles/page.css';
+import './page/styles/controls.css';
 
 import { createApp } from 'vue';
 
-import App from './App.vue';
-import { forgetful, openTabStorage } from './composables/keep-work';
-import { storedSettings } from './composables/use-settings';
-import { hostWish } from './host/address';
+import App from './app/App.vue';
+import { forgetful, openTabStorage } from './work/keep-work';
+import { storedSettings } from './work/settings/use-settings';
+import { hostWish } from './visit/address';
 import { keepEarlyMessages } from './host/listen-to-host';
-import { setLanguage } from './i18n';
-import { vuetify } from './vuetify';
+import { setLanguage } from './page/i18n';
+import { vuetify } from './page/vuetify';
 
 /** When the page looks after visits without a network, in ms. Chosen: what the first run needs has come by then. */
 const OFFLINE_AFTER_MS = 4000;

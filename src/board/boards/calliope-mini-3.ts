@@ -1,4 +1,4 @@
-import type { BoardType, FirmwareType, PinMode, PinType, TouchKind } from '../board-type';
+import type { BoardType, FirmwareType, PinMode, PinType, TouchKind } from './board-type';
 import { nrf52833CostsUs } from './nrf52833-costs';
 
 /**

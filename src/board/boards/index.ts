@@ -1,4 +1,4 @@
-import type { BoardType } from '../board-type';
+import type { BoardType } from './board-type';
 import { calliopeMini3 } from './calliope-mini-3';
 import { microbitV2 } from './microbit-v2';
 

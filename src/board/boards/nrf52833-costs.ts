@@ -1,4 +1,4 @@
-import type { BoardCosts } from '../board-type';
+import type { BoardCosts } from './board-type';
 
 /** What things cost on an nRF52833 at 64 MHz with this family of firmwares: micro:bit V2 and Calliope mini 3 alike. */
 export const nrf52833CostsUs: BoardCosts = {

@@ -1,4 +1,4 @@
-import { busyMessage, type Pin, type PinMode } from '../pin';
+import { busyMessage, type Pin, type PinMode } from '../wires/pin';
 
 /**
  * Which pin carries the sound besides the speaker: one for music, audio and speech together.

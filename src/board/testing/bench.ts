@@ -1,8 +1,8 @@
 import { Clock } from '#core/clock';
 import { Board } from '../board';
-import type { BoardType, FirmwareType } from '../board-type';
+import type { BoardType, FirmwareType } from '../boards/board-type';
 import { microbitV2 } from '../boards/microbit-v2';
-import type { WireEnd } from '../wire';
+import type { WireEnd } from '../wires/wire';
 
 /** A board on the table, without a program: a test drives its pins, presses its buttons and lets time pass. */
 export interface Bench {

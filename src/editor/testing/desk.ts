@@ -1,8 +1,15 @@
 import type { Vec } from '#core/geometry';
 import { applyEdit } from '#scene/edit';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
-import { usualToolOptions } from '../tool-options';
-import { nothingSelected, type Drag, type Selection, type Tool, type ToolContext, type ToolOptions } from '../tool';
+import { usualToolOptions } from '../tools/tool-options';
+import {
+  nothingSelected,
+  type Drag,
+  type Selection,
+  type Tool,
+  type ToolContext,
+  type ToolOptions,
+} from '../tools/tool';
 
 /** A robot for tests: 100 mm long and 60 mm wide, 60 mm of it in front of the axle. */
 export const footprint: readonly (readonly Vec[])[] = [

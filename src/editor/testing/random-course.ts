@@ -3,8 +3,8 @@ import type { Rng } from '#core/rng';
 import { defaultScene, strokeColors, type Point, type Scene } from '#scene/scene';
 import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
-import { usualToolOptions } from '../tool-options';
-import type { Drag, Selection, ToolOptions } from '../tool';
+import { usualToolOptions } from '../tools/tool-options';
+import type { Drag, Selection, ToolOptions } from '../tools/tool';
 
 const extent = (rng: Rng): Point => [wholeFrom(rng, 5, 300), wholeFrom(rng, 5, 300)];
 

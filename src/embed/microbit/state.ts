@@ -1,4 +1,4 @@
-import { GESTURES } from '#board/sensors';
+import { GESTURES } from '#board/sensors/sensors';
 
 import type { MicrobitState, StateEntry } from './messages';
 

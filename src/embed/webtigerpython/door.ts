@@ -4,8 +4,8 @@
  */
 import * as v from 'valibot';
 
-import { filesOfList, filesOfText } from '#project/webtigerpython-files';
-import { deviceCalled } from '#project/webtigerpython-devices';
+import { filesOfList, filesOfText } from '#project/webtigerpython/files-in-link';
+import { deviceCalled } from '#project/webtigerpython/device-names';
 import type { Ended } from '#simulation/simulation';
 
 import type { Door, OpenDoor, Outside } from '../door';

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import { createController, type ControllerParts, type Model, type Side } from './controller';
 
 interface Senses {

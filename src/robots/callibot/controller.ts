@@ -35,7 +35,7 @@
  * Sources: Knotech "Calli:bot und Calli:bot2 Steuercodes" (12.11.2021; in chbijou/mpyCalliope), knotechgmbh/Callibot2
  * `knotech2.ts`, calliope-net/callibot2 `sensoren.ts` (types, encoders), Pegasus2105/callibot-ESP32 (old colour byte).
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import { createRegisterMachine, type RegisterPart } from '#devices/i2c-registers';
 import type { Rgb } from '#devices/ws2812';
 

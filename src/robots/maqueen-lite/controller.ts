@@ -15,7 +15,7 @@
  * Sources: DFRobot pxt-maqueen `maqueen.ts` (3-byte motor writes, servo writes, `IR_read_version`), Tiger-Jython
  * Robotics-Libraries `mbrobot.py` (one 5-byte write for both motors).
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import { createRegisterMachine, memoryRegisters, textRegisters, type RegisterPart } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot pxt-maqueen: IIC address of the motor driver

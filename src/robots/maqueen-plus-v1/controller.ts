@@ -21,7 +21,7 @@
  * Sources: DFRobot/pxt-DFRobot-Maqueenplus `maqueenplus.ts`, DFRobot/DFRobot_Maqueenplus `DFRobot_MaqueenPlus.cpp`,
  * Tiger-Jython/Robotics-Libraries `mbrobot_plus.py`, lawther/maqueenplus `maqueenplus.py`.
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import {
   createRegisterMachine,
   liveRegisters,

@@ -19,7 +19,7 @@
  * Sources: DFRobot/pxt-DFRobot_MaqueenPlus_v20 `maqueenPlusV2.ts`, Tiger-Jython/Robotics-Libraries `mbrobot_plusV2.py`,
  * almasy/micropython-maqueen-plus (motor registers read back). On the order of the brightness values see SOURCES.md.
  */
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenPlusV2.ts: I2CADDR

@@ -7,7 +7,7 @@
  *      P2  servo               P15  four RGB LEDs
  *                              P16  infrared receiver
  */
-import type { Wire } from '#board/wire';
+import type { Wire } from '#board/wires/wire';
 import type { Vec } from '#core/geometry';
 import type { Stop } from '#core/stop';
 import { signedDuty } from '#devices/dc-motor';

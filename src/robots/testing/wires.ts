@@ -1,5 +1,5 @@
 import { createBench } from '#board/testing/bench';
-import type { I2cTarget } from '#board/i2c-bus';
+import type { I2cTarget } from '#board/wires/i2c-bus';
 import type { Board } from '#board/board';
 import type { Clock } from '#core/clock';
 import { createVm } from '#vm/run/vm';

@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
-import type { BoardType, FirmwareType } from '#board/board-type';
+import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes } from '#board/boards/index';
 import { boardModules } from '#reference/modules/index';
 import type { Names, ReferenceModule } from '#reference/types';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { adviceFirst } from './advice-first';
-import { ConsoleLog } from './console-log';
+import { ConsoleLog } from './log/console-log';
 
 describe('the explanation first', () => {
   it('puts the card before the traceback, and leaves what the program printed where it is', () => {

@@ -1,4 +1,4 @@
-import type { ConsoleEntry } from './console-log';
+import type { ConsoleEntry } from './log/console-log';
 
 /** The same entries with every error's explanation before the traceback it explains. */
 export function adviceFirst(entries: readonly ConsoleEntry[]): readonly ConsoleEntry[] {

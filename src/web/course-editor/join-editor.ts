@@ -1,7 +1,7 @@
 import { editProblem } from '#scene/check-edit';
 
-import type { CourseEditorModel } from '../composables/use-course-editor';
-import { wordsFor } from './happened-words';
+import type { CourseEditorModel } from './state/use-course-editor';
+import { wordsFor } from './words/happened-words';
 
 /** Gives the editor what comes with its first use: the limits of a course, and words for what happens. */
 export function joinEditor(editor: CourseEditorModel): void {

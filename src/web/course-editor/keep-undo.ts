@@ -1,6 +1,6 @@
 import { effectScope, watch } from 'vue';
 
-import type { App } from '../composables/use-app';
+import type { App } from '../app/use-app';
 
 /** Where the steps are in the tab's own storage. */
 const UNDO_KEY = 'parcours.undo';

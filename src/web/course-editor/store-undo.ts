@@ -2,7 +2,7 @@ import { onScopeDispose } from 'vue';
 
 import { historyFromText, historyToText } from '#scene/kept-history';
 
-import type { App } from '../composables/use-app';
+import type { App } from '../app/use-app';
 
 /** The most that is kept, in characters. Chosen: far less than the work itself may take of the browser's five million. */
 const MOST_CHARACTERS = 200_000;

@@ -1,8 +1,8 @@
 import { onScopeDispose } from 'vue';
 
-import type { App } from '../composables/use-app';
-import { toolOfLetter } from './tool-list';
-import type { useSelectionActs } from './use-selection-acts';
+import type { App } from '../app/use-app';
+import { toolOfLetter } from './palette/tool-list';
+import type { useSelectionActs } from './state/use-selection-acts';
 
 /** Letters that press something on the board while a program runs. */
 const BOARD_LETTERS = ['a', 'b', 'l'];
@@ -17,7 +17,7 @@ export function useEditorKeys(app: App): void {
   const { editor, run } = app;
   /** What acts on a selection is fetched with the first one. */
   function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {
-    import('./use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // without a connection nothing happens
+    import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // without a connection nothing happens
   }
 
   function letter(key: string): boolean {

@@ -2,10 +2,10 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 
-import type { App } from '../composables/use-app';
-import { useHand } from '../composables/use-hand';
-import { useSettings } from '../composables/use-settings';
-import { WorkModel } from '../composables/use-work';
+import type { App } from '../app/use-app';
+import { useHand } from '../arena/use-hand';
+import { useSettings } from '../work/settings/use-settings';
+import { WorkModel } from '../work/use-work';
 import { appSimulator } from './app-simulator';
 import { fakeRun } from './testing/fake-run';
 

@@ -2,8 +2,8 @@ import type { Door, Outside } from '#embed/door';
 import type { EmbeddedSimulator } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
 
-import type { App } from '../composables/use-app';
-import { devices } from '../project/devices';
+import type { App } from '../app/use-app';
+import { devices } from '../work/settings/devices';
 import { appSimulator } from './app-simulator';
 import { appVersion } from './app-version';
 import type { OpenLate } from './late-door';

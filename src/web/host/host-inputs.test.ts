@@ -4,9 +4,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { MAIN } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import { SensorsModel } from '../composables/use-sensors';
-import { WorkModel } from '../composables/use-work';
-import { defaultSettings } from '../project/settings';
+import { SensorsModel } from '../run/use-sensors';
+import { WorkModel } from '../work/use-work';
+import { defaultSettings } from '../work/settings/settings';
 import { hostInputs } from './host-inputs';
 import { fakeRun, settled } from './testing/fake-run';
 

@@ -9,10 +9,10 @@ import type { Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import { createInputCheck } from '#simulation/run-problem';
 
-import { slownessOf } from '../composables/board-press';
-import type { App } from '../composables/use-app';
-import { hardwareOf } from '../project/hardware';
-import { pressOf } from '../worker/first-presses';
+import { slownessOf } from '../board/drawing/board-press';
+import type { App } from '../app/use-app';
+import { hardwareOf } from '../work/hardware/hardware';
+import { pressOf } from '../run/worker/first-presses';
 import { SpacedPresses } from './spaced-presses';
 
 /** A running run that has sent no picture for this long is not being drawn, in ms at full speed. Chosen: many frames. */

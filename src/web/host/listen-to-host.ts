@@ -1,6 +1,6 @@
 import { onMounted, onScopeDispose } from 'vue';
 
-import type { App } from '../composables/use-app';
+import type { App } from '../app/use-app';
 import { fetchAgain } from './fetch-again';
 
 /** Messages that are kept until the part of the app that understands them has come. Chosen: more than any host sends by then. */

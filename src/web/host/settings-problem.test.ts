@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { PARTS, type HostSettings } from '#embed/simulator';
-import { heldSettings } from './held-settings';
+import { heldSettings } from '../visit/held-settings';
 import { settingsProblem } from './settings-problem';
 
 describe('what a host sets', () => {

@@ -1,4 +1,4 @@
-import { LEAST_PRESS_US } from '../worker/first-presses';
+import { LEAST_PRESS_US } from '../run/worker/first-presses';
 
 /** Changes of one button that wait; more are lost. Chosen: eight presses. */
 const MOST_WAITING = 16;

@@ -2,7 +2,7 @@ import { watch } from 'vue';
 
 import type { Refusal } from '#embed/simulator';
 
-import type { App } from '../composables/use-app';
+import type { App } from '../app/use-app';
 
 /**
  * Starts the program, also while a run is under way.

@@ -1,4 +1,4 @@
-import { closePageBar, showPageBar } from './page-bar';
+import { closePageBar, showPageBar } from '../page/bar/page-bar';
 import { offlineTexts as words } from './offline-texts';
 import { versionLock, type ToServiceWorker } from './versions';
 

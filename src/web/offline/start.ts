@@ -1,6 +1,6 @@
 import { keepOffline } from './keep-offline';
 import { offlineTexts as words } from './offline-texts';
-import { showPageBar } from './page-bar';
+import { showPageBar } from '../page/bar/page-bar';
 
 /**
  * What the page does about networks and storage once it has nothing more urgent to do.

@@ -2,8 +2,8 @@ import type { jsPDF } from 'jspdf';
 import { boundsOf, boxOutline, solidOutline, type Bounds, type Outline } from '#scene/outline';
 import type { Label, Point, Scene, Stroke, Zone } from '#scene/scene';
 
-import { CAPITAL } from '../canvas/draw-label';
-import { lightPalette } from '../canvas/palette';
+import { CAPITAL } from '../arena/picture/draw-label';
+import { lightPalette } from '../arena/picture/palette';
 import { MARGIN_MM, type Tile } from './print-plan';
 
 /** What is printed of a course. */

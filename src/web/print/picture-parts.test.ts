@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { Trail } from '../canvas/trail';
+import { Trail } from '../run/trail';
 import { piecesOf } from './picture-parts';
 
 describe('the path of the robot on a picture', () => {

@@ -2,10 +2,10 @@ import type { Vec } from '#core/geometry';
 import { unpackLevels } from '#scene/background';
 import type { Background, Point, Scene } from '#scene/scene';
 
-import { pixelsOf } from '../canvas/background-grid';
-import { lightPalette } from '../canvas/palette';
-import { withPixelSize } from '../canvas/robot-drawing';
-import type { Trail } from '../canvas/trail';
+import { pixelsOf } from '../arena/picture/background-grid';
+import { lightPalette } from '../arena/picture/palette';
+import { withPixelSize } from '../arena/robot/robot-drawing';
+import type { Trail } from '../run/trail';
 import { courseSvg, type PictureOptions } from './svg-course';
 
 /** The ways of the robot in world mm: a piece ends where the hand lifted it. */

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
-import { lightPalette } from '../canvas/palette';
+import { lightPalette } from '../arena/picture/palette';
 import { courseSvg, type PictureOptions } from './svg-course';
 import { diagonals } from './svg-objects';
 import { element, escapeXml } from './svg-write';

@@ -1,10 +1,10 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { Point, Scene, SceneObject, Zone } from '#scene/scene';
 
-import { gridSteps } from '../canvas/draw-floor';
-import { rulerLabels, rulerTicks } from '../canvas/draw-rulers';
-import { lightPalette as colors } from '../canvas/palette';
-import { readRobotDrawing } from '../canvas/robot-drawing';
+import { gridSteps } from '../arena/picture/draw-floor';
+import { rulerLabels, rulerTicks } from '../arena/picture/draw-rulers';
+import { lightPalette as colors } from '../arena/picture/palette';
+import { readRobotDrawing } from '../arena/robot/robot-drawing';
 import { jointsSvg, objectSvg, SVG_FONT, zoneSignSvg, type ToPicture } from './svg-objects';
 import { element, escapeXml, figure, pathThrough } from './svg-write';
 

@@ -1,11 +1,11 @@
 import { mdiAlert, mdiArrowAll, mdiArrowLeftRightBold, mdiFlagCheckered, mdiLock } from '@mdi/js';
 import type { Block, Label, Mover, Point, SceneObject, Spikes, Stroke, Wall, Zone } from '#scene/scene';
 
-import { CAPITAL } from '../canvas/draw-label';
-import { teeth } from '../canvas/draw-obstacles';
-import { needsRim } from '../canvas/draw-stroke';
-import { wallJoints } from '../canvas/draw-walls';
-import { lightPalette as colors } from '../canvas/palette';
+import { CAPITAL } from '../arena/picture/draw-label';
+import { teeth } from '../arena/picture/draw-obstacles';
+import { needsRim } from '../arena/picture/draw-stroke';
+import { wallJoints } from '../arena/picture/draw-walls';
+import { lightPalette as colors } from '../arena/picture/palette';
 import { element, escapeXml, pathThrough } from './svg-write';
 
 /** Fonts of the texts in a picture; whoever opens it has one of them. */

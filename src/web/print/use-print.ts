@@ -2,12 +2,12 @@ import { computed, shallowRef } from 'vue';
 
 import type { Scene } from '#scene/scene';
 
-import { useApp, useHardware } from '../composables/use-app';
-import { courseName } from '../project/first-course';
-import { say } from '../i18n/say';
+import { useApp, useHardware } from '../app/use-app';
+import { courseName } from '../work/catalogue/first-course';
+import { say } from '../page/i18n/say';
 import { coursePng, piecesOf, pictureAddress } from './picture-parts';
 import { printTexts as words } from './print-texts';
-import { fileName, saveBlob } from './save-file';
+import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
 
 /** Longer sides of the pictures in pixels: twice a screen's arena, and fine enough for a page of A4. */

@@ -1,4 +1,4 @@
-import { say } from '../i18n/say';
+import { say } from '../page/i18n/say';
 import type { PutProblem } from './problem';
 import type { PutProgress, PutResult } from './put-files';
 import { deviceProblemTexts as problems, deviceStateTexts as states, realDeviceTexts } from './real-device-texts';

@@ -1,9 +1,9 @@
 import { computed, onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 
-import { saveText } from '../composables/use-file-transfer';
-import { useApp, useHardware } from '../composables/use-app';
-import { workName } from '../composables/work-name';
-import { fileName, saveBlob } from '../print/save-file';
+import { saveText } from '../work/use-file-transfer';
+import { useApp, useHardware } from '../app/use-app';
+import { workName } from '../work/work-name';
+import { fileName, saveBlob } from '../work/save-file';
 import { filesForDevice } from './device-files';
 import { fingerprint } from './device-python';
 import { knownPrograms } from './known-programs';

@@ -1,11 +1,11 @@
-import { openJson } from '#project/opened';
+import { openJson } from '#project/open-json';
 
-import type { App } from '../composables/use-app';
-import { isOurs } from '../composables/use-courses';
-import { useOpenings } from '../composables/use-openings';
-import { isReadyArena } from '../project/examples';
-import { courseName } from '../project/first-course';
-import { say } from '../i18n/say';
+import type { App } from '../app/use-app';
+import { isOurs } from '../work/use-courses';
+import { useOpenings } from '../work/use-openings';
+import { isReadyArena } from '../work/catalogue/examples';
+import { courseName } from '../work/catalogue/first-course';
+import { say } from '../page/i18n/say';
 import { reasonOf } from './problem-words';
 import { problemTexts } from './share-texts';
 

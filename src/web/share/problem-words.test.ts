@@ -1,10 +1,10 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 
-import { projectOfLink } from '#project/link';
-import { openJson } from '#project/opened';
-import { programOfLink } from '#project/webtigerpython';
+import { projectOfLink } from '#project/link/link';
+import { openJson } from '#project/open-json';
+import { programOfLink } from '#project/webtigerpython/program-link';
 
-import { LANGUAGES, showLanguage, type Language } from '../i18n';
+import { LANGUAGES, showLanguage, type Language } from '../page/i18n';
 import { linkReason, reasonOf } from './problem-words';
 
 const header = { format: 'parcours-project', version: 1 };

@@ -1,10 +1,10 @@
 import type { Texts } from '#core/texts';
-import type { LinkProblem } from '#project/link';
+import type { LinkProblem } from '#project/link/link';
 import type { ProjectProblem } from '#project/problem';
-import type { ProgramLinkProblem } from '#project/webtigerpython';
+import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { SceneProblem } from '#scene/problem';
 
-import { say } from '../i18n/say';
+import { say } from '../page/i18n/say';
 import { problemTexts as words } from './share-texts';
 
 type Problem = ProjectProblem | SceneProblem;

@@ -2,11 +2,11 @@ import { projectToText } from '#project/file';
 import type { Project } from '#project/project';
 import { serializeScene } from '#scene/serialize';
 
-import type { App } from '../composables/use-app';
-import { saveText } from '../composables/use-file-transfer';
-import { workName } from '../composables/work-name';
-import { fileName } from '../print/save-file';
-import { travelling } from '../project/travelling';
+import type { App } from '../app/use-app';
+import { saveText } from '../work/use-file-transfer';
+import { workName } from '../work/work-name';
+import { fileName } from '../work/save-file';
+import { travelling } from '../work/settings/travelling';
 
 /** The present work with what it runs on: what is saved and shared. */
 export function presentProject({ work, settings }: Pick<App, 'work' | 'settings'>): Project {

@@ -2,9 +2,9 @@ import { onMounted, onScopeDispose } from 'vue';
 
 import type { Part } from '#embed/simulator';
 
-import type { App } from '../composables/use-app';
-import { hostWish, parametersOf } from '../host/address';
-import { heldSettings } from '../host/held-settings';
+import type { App } from '../app/use-app';
+import { hostWish, parametersOf } from '../visit/address';
+import { heldSettings } from '../visit/held-settings';
 
 /** Parameters with work in them: a program, WebTigerPython's or in one of our courses, and the courses. */
 const OPENED = ['code', 'fs', 'world', 'task'] as const;

@@ -1,8 +1,8 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-import { linkOf } from '#project/link';
+import { linkOf } from '#project/link/link';
 
-import { useApp } from '../composables/use-app';
+import { useApp } from '../app/use-app';
 import { readyCourses } from './open-address';
 import { presentProject } from './save-work';
 

@@ -1,4 +1,4 @@
-import type { BoardType, FirmwareType } from '#board/board-type';
+import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { createBench, type Bench } from '#board/testing/bench';
 import { firmware } from '../../run/testing/run-program';
 import { createVm, type Vm, type VmEnd } from '../../run/vm';

@@ -2,7 +2,7 @@ import { createBench, type Bench } from '#board/testing/bench';
 import { createRng } from '#core/rng';
 import { ConsolePort } from '../console-port';
 import { Files } from '../files';
-import { createHal } from '../hal';
+import { createHal } from '../hal/hal';
 import type { Machine, Value } from '../syscall';
 
 /** A board on the table whose syscalls a test calls by name, in place of a Python program. */

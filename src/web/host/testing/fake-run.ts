@@ -2,10 +2,10 @@ import type { InputAction } from '#simulation/input';
 import { defaultScene } from '#scene/scene';
 import type { Snapshot } from '#simulation/simulation';
 
-import { HostView, noHost } from '../host-view';
-import type { WorkerPort } from '../../composables/run-client';
-import { RunModel } from '../../composables/use-run';
-import type { FromWorker, ToWorker } from '../../worker/protocol';
+import { HostView, noHost } from '../../visit/host-view';
+import type { WorkerPort } from '../../run/run-client';
+import { RunModel } from '../../run/use-run';
+import type { FromWorker, ToWorker } from '../../run/worker/protocol';
 
 /** The page's end of a run whose worker runs no program: it answers at once, but for starting, which the test does. */
 export function fakeRun() {

@@ -1,0 +1,231 @@
+import { glyphOf } from './glyph';
+import { busyMessage, type Pin } from '../wires/pin';
+import { scrollFilm, type Film } from './scroll-text';
+import type { TickGrid, TickSlot } from '../tick-grid';
+
+const SIDE = 5;
+const TICK_MS = 6; // drv_display.c: MILLISECONDS_PER_MACRO_TICK
+const DARK = new Uint8Array(SIDE * SIDE);
+
+/** How pictures follow each other. */
+export interface ShowOptions {
+  /** How long each one stays, in ms; rounded up to whole ticks of 6 ms. Negative: for ever, as on the device. */
+  readonly delayMs: number;
+  /** Begin again after the last one, without end. */
+  readonly loop: boolean;
+  /** A blank picture follows, for one more delay. */
+  readonly clear: boolean;
+  /** Called in the tick in which it ends by itself, and not when something else takes its place. */
+  readonly onOver?: () => void;
+}
+
+/** How a text runs through. */
+export interface ScrollOptions {
+  /** Time for one column, in ms; rounded up to whole ticks of 6 ms. */
+  readonly delayMs: number;
+  readonly loop: boolean;
+  /** Every letter five columns wide. */
+  readonly monospace: boolean;
+}
+
+interface Animation {
+  readonly film: Film;
+  readonly loop: boolean;
+  /** Whether a blank picture still has to follow. */
+  clear: boolean;
+  readonly delayMs: number;
+  readonly onOver: (() => void) | undefined;
+  next: number;
+  waitedMs: number;
+}
+
+/**
+ * The 5 × 5 LEDs and what moves on them. The animation advances on the board's 6 ms tick (rule D1); a new `show`,
+ * `showFrames`, `scroll` or `clear` ends the one before. Source: micropython-microbit-v2 drv_display.c.
+ */
+export class Display {
+  private readonly image = new Uint8Array(SIDE * SIDE);
+  private readonly slot: TickSlot;
+  private animation: Animation | null = null;
+  private clearing = false;
+  private enabled = true;
+  private darkened = false;
+  private quarterTurns = 0;
+
+  /** @param pins the pins that the LED columns share */
+  constructor(
+    grid: TickGrid,
+    private readonly pins: readonly Pin[],
+  ) {
+    this.slot = grid.join(() => this.tick());
+  }
+
+  /** What the LEDs show, 0 … 9, row by row; dark while the display is off or the board sleeps. To be read only. */
+  get pixels(): Uint8Array {
+    if (!this.enabled || this.darkened) return DARK;
+    return this.quarterTurns === 0 ? this.image : turned(this.image, this.quarterTurns);
+  }
+
+  /**
+   * Turns what is shown, now and from now on; `setPixel` and `getPixel` turn along.
+   *
+   * @param quarterTurns counter-clockwise, as the picture moves: upright again on a board that was turned clockwise
+   */
+  rotate(quarterTurns: number): void {
+    this.quarterTurns = quarterTurns & 3;
+  }
+
+  get isOn(): boolean {
+    return this.enabled;
+  }
+
+  /** True until an animation (or a `clear`) has ended: what a waiting call waits for. */
+  get isAnimating(): boolean {
+    return this.animation !== null || this.clearing;
+  }
+
+  /** Takes the display's pins back. @returns `null`, or the device's ValueError when one of them is held */
+  on(): string | null {
+    for (const pin of this.pins) {
+      const holder = pin.acquire('display');
+      if (holder) return busyMessage(pin, holder);
+    }
+    this.stopAnimation();
+    this.enabled = true;
+    return null;
+  }
+
+  /** Darkens the LEDs and gives their pins to the program. */
+  off(): void {
+    this.enabled = false;
+    for (const pin of this.pins) pin.free();
+  }
+
+  /** Cuts the LEDs' power, while the board sleeps; the picture is kept. */
+  darken(isDark: boolean): void {
+    this.darkened = isDark;
+  }
+
+  /** Sets one LED; an animation goes on. @throws RangeError "index out of bounds" or "brightness out of bounds" */
+  setPixel(x: number, y: number, brightness: number): void {
+    if (!(brightness >= 0 && brightness <= 9)) throw new RangeError('brightness out of bounds');
+    this.image[placeOf(x, y)] = brightness;
+  }
+
+  /** The brightness set for one LED, also while the display is off. @throws RangeError "index out of bounds" */
+  getPixel(x: number, y: number): number {
+    return this.image[placeOf(x, y)] ?? 0;
+  }
+
+  /** Blanks the display at the next tick; `isAnimating` until then. */
+  clear(): void {
+    this.animation = null;
+    this.clearing = true;
+    this.slot.wake();
+  }
+
+  /** Shows one picture at once and lets it stay. */
+  show(frame: Uint8Array): void {
+    this.stopAnimation();
+    this.draw(frame);
+  }
+
+  /**
+   * Shows pictures one after the other, the first at once; the last stays for its delay like the others, and after it
+   * when nothing else comes. No pictures: nothing happens, or the blank one of `clear`. The pictures are copied.
+   */
+  showFrames(frames: readonly Uint8Array[], options: ShowOptions): void {
+    const copies = frames.map((frame) => frame.slice());
+    this.run({ length: copies.length, frameAt: (place) => copies[place] ?? DARK }, options);
+  }
+
+  /** Runs a text through the display from the right; it has left when the animation ends. */
+  scroll(text: string, options: ScrollOptions): void {
+    this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });
+  }
+
+  /** The picture of a character, 25 brightnesses 0 or 9. */
+  glyph(char: string): Uint8Array {
+    return glyphOf(char);
+  }
+
+  /** As after a start: on, dark, nothing moves. The pins must have been reset before. */
+  reset(): void {
+    this.stopAnimation();
+    this.image.fill(0);
+    this.enabled = true;
+    this.quarterTurns = 0;
+  }
+
+  /** Ends an animation where it is. */
+  stopAnimation(): void {
+    this.animation = null;
+    this.clearing = false;
+  }
+
+  private run(film: Film, options: ShowOptions): void {
+    this.stopAnimation();
+    const loop = options.loop && film.length > 0;
+    const delayMs = options.delayMs >>> 0; // unsigned, as on the device: a negative delay becomes an enormous one
+    const { clear, onOver } = options;
+    const animation: Animation = { film, loop, clear, delayMs, onOver, next: 0, waitedMs: 0 };
+    if (!this.advance(animation)) return;
+    this.animation = animation;
+    this.slot.wake();
+  }
+
+  private tick(): boolean {
+    if (this.clearing) {
+      this.clearing = false;
+      this.image.fill(0);
+    }
+    const animation = this.animation;
+    if (!animation) return false;
+    animation.waitedMs += TICK_MS;
+    if (animation.waitedMs >= animation.delayMs) {
+      animation.waitedMs = 0;
+      if (!this.advance(animation)) {
+        this.animation = null;
+        animation.onOver?.();
+      }
+    }
+    return this.animation !== null;
+  }
+
+  /** Draws the next picture; returns false when there is none left. */
+  private advance(animation: Animation): boolean {
+    if (animation.loop && animation.next >= animation.film.length) animation.next = 0;
+    if (animation.next < animation.film.length) {
+      this.draw(animation.film.frameAt(animation.next++));
+    } else if (animation.clear) {
+      animation.clear = false;
+      this.image.fill(0);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  private draw(frame: Uint8Array): void {
+    this.image.fill(0);
+    this.image.set(frame.subarray(0, SIDE * SIDE));
+  }
+}
+
+function placeOf(x: number, y: number): number {
+  if (!(x >= 0 && x < SIDE && y >= 0 && y < SIDE)) throw new RangeError('index out of bounds');
+  return y * SIDE + x;
+}
+
+/** The picture after so many quarter turns: its top row becomes the left column (codal-nrf52 NRF52LedMatrix.cpp). */
+function turned(image: Uint8Array, quarterTurns: number): Uint8Array {
+  let from = image;
+  for (let turn = 0; turn < quarterTurns; turn++) {
+    const before = from;
+    from = before.map((_, place) => {
+      const [x, y] = [place % SIDE, Math.floor(place / SIDE)];
+      return before[x * SIDE + SIDE - 1 - y] ?? 0;
+    });
+  }
+  return from;
+}

@@ -1,0 +1,86 @@
+import { describe, expect, it } from 'vitest';
+import { blockTool } from './block-tool';
+import { contextOf, course, drag, freely, newObjects, used } from '../testing/desk';
+import type { Drag, ToolOptions } from './tool';
+
+const put = (one: Drag, options: Partial<ToolOptions> = {}) =>
+  newObjects(course(), used(blockTool, one, contextOf(course(), options)));
+
+describe('block', () => {
+  it('is put by a tap with its middle on the 10 mm grid, in the chosen size', () => {
+    expect(put(drag([303, 298]), { blockSize: [60, 40] })).toEqual([
+      { type: 'block', id: 'block-1', at: [300, 300], size: [60, 40], turn: 0 },
+    ]);
+  });
+
+  it('is put by a trembling finger as by a tap', () => {
+    expect(put(drag([303, 298], [305, 299], [302, 297]))).toMatchObject([{ at: [300, 300], size: [50, 50] }]);
+  });
+
+  it('gets the size of a drag, in either direction', () => {
+    expect(put(drag([100, 100], [300, 180]))).toMatchObject([{ at: [200, 140], size: [200, 80] }]);
+    expect(put(drag([300, 180], [100, 100]))).toMatchObject([{ at: [200, 140], size: [200, 80] }]);
+  });
+
+  it('is at least 10 mm wide', () => {
+    expect(put(drag([100, 100], [300, 101]))).toMatchObject([{ size: [200, 10] }]);
+  });
+
+  it('takes any millimetre when it is free', () => {
+    expect(put(freely(drag([303, 298])))).toMatchObject([{ at: [303, 298] }]);
+  });
+
+  it('may be fixed or have spikes', () => {
+    expect(put(drag([300, 300]), { block: 'fixed-block' })).toMatchObject([
+      { type: 'fixed-block', id: 'fixed-block-1' },
+    ]);
+    expect(put(drag([300, 300]), { block: 'spikes' })).toMatchObject([{ type: 'spikes', id: 'spikes-1' }]);
+  });
+
+  it('is put only once by two taps on the same place', () => {
+    const once = used(blockTool, drag([303, 298]), contextOf(course()));
+    expect(blockTool.edit(drag([302, 301]), contextOf(once))).toBeNull();
+    expect(used(blockTool, drag([302, 301]), contextOf(once, { block: 'spikes' })).objects).toHaveLength(2);
+    expect(used(blockTool, drag([322, 301]), contextOf(once)).objects).toHaveLength(2);
+  });
+
+  it('is not put outside the arena', () => {
+    expect(put(drag([1300, 300]))).toEqual([]);
+    expect(put(drag([-40, -40], [200, 200]))).toEqual([]);
+  });
+});
+
+describe('mover', () => {
+  const mover = { block: 'mover', moverSpeed: 150, moverSpiked: true } as const;
+
+  it('goes from where the drag began to where it ended, with the chosen speed', () => {
+    expect(put(drag([300, 300], [303, 600]), mover)).toEqual([
+      {
+        type: 'mover',
+        id: 'mover-1',
+        at: [300, 300],
+        to: [300, 600],
+        size: [50, 50],
+        turn: 0,
+        speed: 150,
+        spiked: true,
+      },
+    ]);
+  });
+
+  it('goes 200 mm to the right when it is tapped, or to the left near the right edge', () => {
+    expect(put(drag([300, 300]), mover)).toMatchObject([{ at: [300, 300], to: [500, 300] }]);
+    expect(put(drag([1150, 300]), mover)).toMatchObject([{ at: [1150, 300], to: [950, 300] }]);
+  });
+
+  it('keeps its direction when it is dragged out of the arena, also from beside the grid', () => {
+    expect(put(drag([1100, 500], [1600, 990]), mover)).toMatchObject([{ to: [1200, 600] }]);
+    expect(put({ ...drag([303, 298], [497, 291]), reachMm: 1 }, mover)).toMatchObject([
+      { at: [303, 298], to: [497, 298] },
+    ]);
+  });
+
+  it('never stands still', () => {
+    expect(put(freely(drag([300, 300], [320, 300], [301, 300])), mover)).toMatchObject([{ to: [500, 300] }]);
+  });
+});

@@ -1,0 +1,127 @@
+import type { Vec } from '#core/geometry';
+import type { Replacement, SceneEdit } from '#scene/edit';
+import { eraserAlong, erased, type Eraser } from '#scene/erase';
+import { boundsMeet, boundsOfOutline, type Bounds } from '#scene/outline';
+import type { Scene, Stroke } from '#scene/scene';
+import { simplified } from '#scene/simplify';
+import { endOf, isTap, startOf } from '../drag';
+import { combined, removing, replacing, roomIn } from '../edits';
+import { freeIds } from '../ids';
+import { distanceMm, toVec } from '../plane';
+import { alongPath } from './path-fold';
+import { thingsAt } from '../selection';
+import { boundsAround, comesNear, grown, meets } from '../shape';
+import type { Drag, Mark, Tool, ToolContext } from './tool';
+
+/** Wipes strokes where it passes, or takes whole objects away. */
+export const eraserTool: Tool = {
+  id: 'eraser',
+  cursor: 'cell',
+  edit: (drag, context) =>
+    context.options.eraser === 'parts' ? wiped(drag, context) : removing(objectsUnder(drag, context)),
+  marks: (drag, { options }): readonly Mark[] =>
+    options.eraser === 'parts' ? [{ type: 'eraser', at: endOf(drag), radiusMm: options.eraserWidth / 2 }] : [],
+};
+
+/** What is left of the strokes that were cut, by the id of the whole stroke. */
+type Cuts = ReadonlyMap<string, readonly Stroke[]>;
+
+/** The way of the eraser is worked up in pieces, so that a long one costs no more per move than a short one. */
+const cutsAlong = alongPath<Cuts>({
+  block: 32, // chosen: a quarter to half a second of a pointer; cuts are rounded to whole mm so rarely that none is seen
+  start: () => new Map(),
+  after: (cuts, places, _drag, { scene, options }) => {
+    const radiusMm = options.eraserWidth / 2;
+    const eraser = eraserAlong(fewer(places), radiusMm);
+    const around = grown(boundsOfOutline(places), radiusMm);
+    const next = new Map(cuts);
+    for (const object of scene.objects) {
+      if (object.type !== 'stroke' || !boundsMeet(boundsAround(object), around)) continue;
+      const before = cuts.get(object.id) ?? [object];
+      const after = before.flatMap((piece) => piecesLeft(piece, eraser, around));
+      if (after.length !== before.length || after.some((piece, index) => piece !== before[index]))
+        next.set(object.id, after);
+    }
+    return next;
+  },
+});
+
+/** A way with fewer places, nowhere more than the rounding and this much beside it. */
+const fewer = (places: readonly Vec[]): readonly Vec[] => simplified(places, BESIDE_MM).map(toVec);
+
+const BESIDE_MM = 0.5; // chosen: less than what is rounded
+
+function piecesLeft(piece: Stroke, eraser: Eraser, around: Bounds): readonly Stroke[] {
+  if (!boundsMeet(boundsAround(piece), around) || !comesNear(piece, around)) return [piece];
+  const lines = erased(piece, eraser);
+  return lines === null ? [piece] : lines.map((points) => ({ ...piece, points }));
+}
+
+function wiped(drag: Drag, context: ToolContext): SceneEdit | null {
+  const { scene } = context;
+  const cuts = cutsAlong(drag, context);
+  if (cuts.size === 0) return null;
+  const room = roomIn(scene);
+  let objects = 0;
+  let points = 0;
+  for (const object of scene.objects) {
+    const pieces = object.type === 'stroke' ? cuts.get(object.id) : undefined;
+    if (!pieces || object.type !== 'stroke') continue;
+    objects += pieces.length - 1;
+    points += pieces.reduce((sum, piece) => sum + piece.points.length, -object.points.length);
+  }
+  const fits = objects <= room.objects && points <= room.points;
+  return leaving(scene, fits ? cuts : new Map([...cuts].map(([id, pieces]) => [id, longest(pieces)])));
+}
+
+/** Where the course is full, cutting would make too many: the longest piece stays, which never needs more room. */
+function longest(pieces: readonly Stroke[]): readonly Stroke[] {
+  const lengths = pieces.map(lengthMm);
+  const most = Math.max(...lengths);
+  return pieces.filter((_, index) => lengths[index] === most).slice(0, 1);
+}
+
+const lengthMm = ({ points }: Stroke): number =>
+  points.reduce((sum, point, index) => sum + distanceMm(toVec(points[index - 1] ?? point), toVec(point)), 0);
+
+/** The first piece keeps the stroke's id; a stroke of which nothing is left goes. */
+function leaving(scene: Scene, cuts: Cuts): SceneEdit | null {
+  const freeId = freeIds(scene);
+  const gone: string[] = [];
+  const changes: Replacement[] = [];
+  for (const [id, pieces] of cuts) {
+    if (pieces.length === 0) gone.push(id);
+    else
+      changes.push({
+        id,
+        by: pieces.map((piece, index) => (index === 0 ? piece : { ...piece, id: freeId('stroke') })),
+      });
+  }
+  return combined([replacing(changes), removing(gone)]);
+}
+
+/** A tap takes the topmost object within half the reach (what is gone by mistake hurts); a drag also all that it passes. */
+function objectsUnder(drag: Drag, context: ToolContext): readonly string[] {
+  const { scene } = context;
+  const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm / 2);
+  const passed = isTap(drag) ? new Set<string>() : new Set(passedAlong(drag, context));
+  if (topmost !== undefined && topmost !== null) passed.add(topmost);
+  return scene.objects.filter(({ id }) => passed.has(id)).map(({ id }) => id);
+}
+
+const passedAlong = alongPath<ReadonlySet<string>>({
+  block: 8, // chosen: nothing is rounded, and little is left to look at
+  start: () => new Set(),
+  after: (passed, path, _drag, { scene }) => {
+    const next = new Set(passed);
+    const places = fewer(path);
+    const around = boundsOfOutline(places);
+    for (const object of scene.objects)
+      if (!next.has(object.id) && boundsMeet(boundsAround(object), around) && isPassed(object, places))
+        next.add(object.id);
+    return next;
+  },
+});
+
+const isPassed = (object: Scene['objects'][number], places: readonly Vec[]): boolean =>
+  places.some((place, index) => meets(object, [places[index - 1] ?? place, place]));

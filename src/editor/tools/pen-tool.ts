@@ -1,0 +1,101 @@
+import type { Vec } from '#core/geometry';
+import type { SceneEdit } from '#scene/edit';
+import { boundsMeet, boundsOfOutline } from '#scene/outline';
+import { sceneLimits, type Point, type Scene } from '#scene/scene';
+import { FINGER_TOLERANCE_MM, simplified, TOLERANCE_MM } from '#scene/simplify';
+import { endOf, isTap, startOf } from '../drag';
+import { adding, roomIn } from '../edits';
+import { freeIds } from '../ids';
+import { distanceMm, toPoint, within } from '../plane';
+import { arenaBounds, grown } from '../shape';
+import { smooth } from './smooth';
+import { isInArena, onGrid, snapMarks, snappedLine, strokeEnds, type SnappedLine } from '../snap';
+import type { Drag, Mark, Tool, ToolContext } from './tool';
+
+/** Paints a line on the floor: as drawn, straight, or smoothed; a tap makes a dot. */
+export const penTool: Tool = {
+  id: 'pen',
+  cursor: 'crosshair',
+  edit(drag, context): SceneEdit | null {
+    const { scene, options } = context;
+    const points = pointsOf(drag, context);
+    if (points.length === 0 || !isSeen(points, options.penWidth, scene)) return null;
+    const id = freeIds(scene)('stroke');
+    return adding(scene, [{ type: 'stroke', id, points, width: options.penWidth, color: options.penColor }]);
+  },
+  ink: ({ options }) => (options.penShape === 'straight' ? null : { width: options.penWidth, color: options.penColor }),
+  marks(drag, context): readonly Mark[] {
+    if (context.options.penShape !== 'straight' || drag.free) return [];
+    return snapMarks(straightLine(drag, context), !isTap(drag));
+  },
+};
+
+function pointsOf(drag: Drag, context: ToolContext): readonly Point[] {
+  const { penShape, penWidth } = context.options;
+  if (penShape === 'straight') return straightPoints(drag, context);
+  // A short mark is what was drawn; only what is hidden under the pen's own width is a dot.
+  if (isTap({ ...drag, reachMm: Math.min(drag.reachMm, penWidth / 2) })) return [toPoint(startOf(drag))];
+  const line = closedLine(drag.path.map(kept), drag, penWidth);
+  return thinned(penShape === 'curve' ? smooth(line) : line, toleranceOf(drag), roomIn(context.scene).points);
+}
+
+function straightPoints(drag: Drag, context: ToolContext): readonly Point[] {
+  if (isTap(drag)) return [toPoint(drag.free ? startOf(drag) : onGrid(startOf(drag), drag.reachMm))];
+  const { from, to } = straightLine(drag, context);
+  return from[0] === to[0] && from[1] === to[1] ? [from] : [from, to];
+}
+
+function straightLine(drag: Drag, { scene }: ToolContext): SnappedLine {
+  const { reachMm, free } = drag;
+  const size = scene.size;
+  if (!isInArena(startOf(drag), size, reachMm))
+    return { from: toPoint(startOf(drag)), to: toPoint(startOf(drag)), snaps: [] };
+  return snappedLine(startOf(drag), endOf(drag), { ends: strokeEnds(scene), walls: [] }, { size, reachMm, free });
+}
+
+/** A place within what a course may hold. */
+const kept = ({ x, y }: Vec): Vec => ({ x: within(x, sceneLimits.placeMm), y: within(y, sceneLimits.placeMm) });
+
+/** Times of the reach that a line has to go away from its start before coming back means closing it. */
+const AWAY = 3;
+
+/** So near an end closes a line at most, in mm, also for a finger on a small screen. Chosen: twice the usual line. */
+const CLOSES_MM = 40;
+
+/** A line that comes back to its start is joined to it, so that a track is closed without a gap or a kink. */
+function closedLine(path: readonly Vec[], { free, reachMm }: Drag, widthMm: number): readonly Vec[] {
+  const [start] = path;
+  const end = path[path.length - 1];
+  // Nearer than its width the round ends meet already.
+  const closesMm = Math.max(Math.min(reachMm, CLOSES_MM), widthMm);
+  if (free || !start || !end || distanceMm(start, end) > closesMm) return path;
+  return path.some((place) => distanceMm(start, place) > AWAY * closesMm) ? [...path, start] : path;
+}
+
+/** A line with as few points as needed, and never more than there is room for: then it gets coarser, but no gap. */
+function thinned(line: readonly Vec[], finestMm: number, room: number): readonly Point[] {
+  if (room < 2) return [];
+  for (let toleranceMm = finestMm; ; toleranceMm *= 2) {
+    const points = simplified(line, toleranceMm);
+    if (points.length <= room) return points;
+    if (toleranceMm > COARSEST_MM) return evenlyOf(points, room);
+  }
+}
+
+/** A finger reaches further than a mouse and trembles more: what it did not mean is not kept, nor carried in a link. */
+const toleranceOf = ({ reachMm }: Drag): number =>
+  Math.min(FINGER_TOLERANCE_MM, Math.max(TOLERANCE_MM, reachMm / REACHES));
+
+/** Chosen: 1.4 px of a finger at its usual reach of 22 px, half a pixel of a mouse. */
+const REACHES = 16;
+
+/** Coarser than that a line is not simplified, but given every so manyth point. */
+const COARSEST_MM = 500;
+
+const evenlyOf = (points: readonly Point[], count: number): readonly Point[] =>
+  Array.from({ length: count }, (_, index) => points[Math.round((index * (points.length - 1)) / (count - 1))]).filter(
+    (point) => point !== undefined,
+  );
+
+const isSeen = (points: readonly Point[], widthMm: number, { size }: Scene): boolean =>
+  boundsMeet(grown(boundsOfOutline(points.map(([x, y]) => ({ x, y }))), widthMm / 2), arenaBounds(size));

@@ -1,0 +1,32 @@
+import type { SceneEdit } from '#scene/edit';
+import { turned, turnedBy } from '../arrange';
+import { isTap, startOf } from '../drag';
+import { draggedAngle } from '../handle-drag';
+import { includes, only, thingsAt } from '../selection';
+import type { Drag, Selection, Tool, ToolContext } from './tool';
+
+/**
+ * Turns what it is used on about its middle: a tap by 45° counter-clockwise, a drag in steps. What is selected together
+ * turns together.
+ */
+export const rotateTool: Tool = {
+  id: 'rotate',
+  cursor: 'alias',
+  edit(drag, context): SceneEdit | null {
+    const { scene, footprint } = context;
+    const meant = meantBy(drag, context);
+    if (!meant) return null;
+    if (isTap(drag)) return turned(scene, meant, 1, footprint);
+    const angleDeg = draggedAngle(drag, scene, meant);
+    return angleDeg === null ? null : turnedBy(scene, meant, angleDeg, footprint);
+  },
+  select: (drag, context) => meantBy(drag, context) ?? context.selection,
+};
+
+/** The selection if the drag began on a part of it, else the topmost thing there; `null` when it began on nothing. */
+function meantBy(drag: Drag, { scene, selection, footprint }: ToolContext): Selection | null {
+  const things = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
+  const [topmost] = things;
+  if (topmost === undefined) return null;
+  return things.some((thing) => includes(selection, thing)) ? selection : only(topmost);
+}

@@ -1,0 +1,179 @@
+import { describe, expect, it } from 'vitest';
+import { applyEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import { selectTool } from './select-tool';
+import { block, contextOf, course, drag, freely, mover, stroke, target, used, wall } from '../testing/desk';
+import { nothingSelected, type Drag, type Selection } from './tool';
+
+const selectionOf = (ids: readonly string[], robot = false): Selection => ({ ids, robot });
+const adding = (one: Drag): Drag => ({ ...one, adds: true });
+
+/** What is selected after a drag. */
+function chosen(scene: Scene, one: Drag, before: Selection = nothingSelected): Selection {
+  const context = contextOf(scene, {}, before);
+  const edit = selectTool.edit(one, context);
+  const after = edit ? applyEdit(scene, edit) : scene;
+  return selectTool.select?.(one, context, after) ?? before;
+}
+
+const after = (scene: Scene, one: Drag, before: Selection = nothingSelected): Scene =>
+  used(selectTool, one, contextOf(scene, {}, before));
+
+const pile = course(target('t', [300, 300]), stroke('s', [100, 300], [500, 300]), block('b', [300, 300]));
+
+describe('selecting', () => {
+  it('takes the topmost at a tap, the next below at each further one, then the topmost again', () => {
+    const place = drag([300, 300]);
+    const first = chosen(pile, place);
+    expect(first).toEqual(selectionOf(['b']));
+    const second = chosen(pile, place, first);
+    expect(second).toEqual(selectionOf(['s']));
+    const third = chosen(pile, place, second);
+    expect(third).toEqual(selectionOf(['t']));
+    expect(chosen(pile, place, third)).toEqual(selectionOf(['b']));
+  });
+
+  it('takes nothing at a tap on nothing', () => {
+    expect(chosen(pile, drag([800, 800]), selectionOf(['b']))).toEqual(nothingSelected);
+  });
+
+  it('takes the start of the robot, which stands over everything', () => {
+    expect(chosen(course(block('b', [600, 450])), drag([610, 450]))).toEqual(selectionOf([], true));
+  });
+
+  it('adds and takes away with Ctrl', () => {
+    expect(chosen(pile, adding(drag([300, 300])), selectionOf(['t']))).toEqual(selectionOf(['t', 'b']));
+    expect(chosen(pile, adding(drag([300, 300])), selectionOf(['t', 'b']))).toEqual(selectionOf(['t']));
+    expect(chosen(pile, adding(drag([800, 800])), selectionOf(['t']))).toEqual(selectionOf(['t']));
+  });
+
+  it('catches with a frame whatever it touches, and shows the frame', () => {
+    const frame = drag([520, 520], [250, 280]);
+    expect(chosen(pile, frame)).toEqual(selectionOf(['t', 's', 'b']));
+    expect(chosen(pile, drag([150, 150], [190, 310]))).toEqual(selectionOf(['s']));
+    expect(chosen(pile, drag([560, 350], [700, 420]))).toEqual(selectionOf([], true));
+    expect(chosen(pile, adding(drag([150, 150], [190, 310])), selectionOf(['b']))).toEqual(selectionOf(['b', 's']));
+    expect(selectTool.marks?.(frame, contextOf(pile), true)).toEqual([
+      { type: 'frame', from: { x: 520, y: 520 }, to: { x: 250, y: 280 } },
+    ]);
+    expect(selectTool.edit(frame, contextOf(pile))).toBeNull();
+  });
+
+  it('moves nothing when a finger trembles', () => {
+    expect(after(pile, drag([300, 300], [303, 301]))).toBe(pile);
+  });
+});
+
+describe('moving', () => {
+  it('moves what the drag began on, and selects it', () => {
+    const one = drag([310, 305], [410, 355]);
+    expect(after(pile, one).objects[2]).toEqual(block('b', [400, 350]));
+    expect(chosen(pile, one)).toEqual(selectionOf(['b']));
+  });
+
+  it('moves the whole selection when the drag began on a part of it', () => {
+    const moved = after(pile, drag([110, 300], [110, 400]), selectionOf(['s', 'b']));
+    expect(moved.objects[0]).toBe(pile.objects[0]);
+    expect(moved.objects.slice(1)).toEqual([stroke('s', [100, 400], [500, 400]), block('b', [300, 400])]);
+    expect(chosen(pile, drag([110, 300], [110, 400]), selectionOf(['s', 'b']))).toEqual(selectionOf(['s', 'b']));
+  });
+
+  it('brings the held thing onto the 10 mm grid, unless it is free', () => {
+    const scene = course(block('b', [303, 297]));
+    expect(after(scene, drag([303, 297], [404, 297])).objects).toEqual([block('b', [400, 300])]);
+    expect(after(scene, freely(drag([303, 297], [404, 297]))).objects).toEqual([block('b', [404, 297])]);
+  });
+
+  it('stays in whole mm', () => {
+    const one: Drag = {
+      ...freely(drag()),
+      path: [
+        { x: 300.4, y: 300.2 },
+        { x: 350.9, y: 300.6 },
+      ],
+    };
+    expect(after(course(block('b', [300, 300])), one).objects).toEqual([block('b', [351, 300])]);
+  });
+
+  it('leaves 10 mm of a thing in the arena, however far it is dragged', () => {
+    expect(after(course(block('b', [300, 300])), drag([300, 300], [5000, 300])).objects).toEqual([
+      block('b', [1215, 300]),
+    ]);
+    expect(after(course(block('b', [300, 300])), drag([300, 300], [300, -5000])).objects).toEqual([
+      block('b', [300, -15]),
+    ]);
+  });
+
+  it('keeps the start of the robot wholly inside', () => {
+    expect(after(course(), drag([600, 450], [700, 500])).robot.at).toEqual([700, 500]);
+    expect(after(course(), drag([600, 450], [5000, 5000])).robot.at).toEqual([1140, 870]);
+  });
+});
+
+describe('handles', () => {
+  it('move an end of a wall; it snaps to 45° and to other walls', () => {
+    const scene = course(wall('w', [100, 100], [400, 100]), wall('o', [105, 400], [300, 500]));
+    const held = selectionOf(['w']);
+    expect(after(scene, drag([400, 100], [402, 300]), held).objects[0]).toEqual(wall('w', [100, 100], [350, 350]));
+    expect(after(scene, drag([400, 100], [107, 403]), held).objects[0]).toEqual(wall('w', [100, 100], [105, 400]));
+    expect(after(scene, freely(drag([100, 100], [107, 213])), held).objects[0]).toEqual(
+      wall('w', [107, 213], [400, 100]),
+    );
+    expect(chosen(scene, drag([400, 100], [402, 300]), held)).toEqual(held);
+  });
+
+  it('never makes a wall without length', () => {
+    const scene = course(wall('w', [100, 100], [400, 100]));
+    expect(after(scene, drag([400, 100], [100, 100]), selectionOf(['w']))).toBe(scene);
+  });
+
+  it('size a block while its opposite corner stays', () => {
+    const scene = course(block('b', [300, 300]));
+    const [sized] = after(scene, drag([325, 325], [375, 355]), selectionOf(['b'])).objects;
+    expect(sized).toMatchObject({ at: [325, 315], size: [100, 80] });
+  });
+
+  it('size a turned block along its own sides', () => {
+    const scene = course(block('b', [300, 300], 2));
+    const [sized] = after(scene, freely(drag([275, 325], [275, 425])), selectionOf(['b'])).objects;
+    expect(sized).toMatchObject({ at: [300, 350], size: [150, 50] });
+  });
+
+  it('turn a block in steps of 45°, even when it is free', () => {
+    const scene = course(block('b', [300, 300]));
+    const knob = [300, 341] as const; // 25 mm of block and twice the reach
+    expect(after(scene, drag(knob, [259, 300]), selectionOf(['b'])).objects).toEqual([block('b', [300, 300], 2)]);
+    expect(after(scene, freely(drag(knob, [275, 333])), selectionOf(['b'])).objects).toEqual([
+      block('b', [300, 300], 1),
+    ]);
+  });
+
+  it('turn the start of the robot in steps of 15°, of 1° when it is free', () => {
+    const knob = [676, 450] as const; // 60 mm of robot and twice the reach
+    expect(after(course(), drag(knob, [676, 490]), selectionOf([], true)).robot.heading).toBe(30);
+    expect(after(course(), freely(drag(knob, [676, 490])), selectionOf([], true)).robot.heading).toBe(28);
+  });
+
+  it('move the turning point of a mover', () => {
+    const scene = course(mover('m', [200, 200], [500, 200]));
+    expect(after(scene, drag([500, 200], [204, 600]), selectionOf(['m'])).objects).toEqual([
+      mover('m', [200, 200], [200, 600]),
+    ]);
+  });
+
+  it('move the ends of a straight line, but not of a drawn one', () => {
+    const straight = course(stroke('s', [100, 100], [400, 100]));
+    expect(after(straight, drag([400, 100], [503, 104]), selectionOf(['s'])).objects).toEqual([
+      stroke('s', [100, 100], [500, 100]),
+    ]);
+    const bent = course(stroke('s', [100, 100], [400, 100], [400, 300]));
+    expect(after(bent, drag([400, 300], [500, 300]), selectionOf(['s'])).objects).toEqual([
+      stroke('s', [200, 100], [500, 100], [500, 300]),
+    ]);
+  });
+
+  it('leave enough of a small block to move it with a finger that reaches 60 mm', () => {
+    const finger: Drag = { ...drag([305, 305], [505, 305]), reachMm: 60 };
+    expect(after(course(block('b', [300, 300])), finger, selectionOf(['b'])).objects).toEqual([block('b', [500, 300])]);
+  });
+});

@@ -1,0 +1,126 @@
+import type { Vec } from '#core/geometry';
+import type { SceneEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import { moved } from '../arrange';
+import { endOf, isTap, startOf } from '../drag';
+import { handleDragged } from '../handle-drag';
+import { handleAt } from '../handles';
+import { minus, toVec } from '../plane';
+import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
+import { onGrid } from '../snap';
+import {
+  nothingSelected,
+  type Drag,
+  type Handle,
+  type Mark,
+  type Selection,
+  type Tool,
+  type ToolContext,
+} from './tool';
+
+/**
+ * Selects, moves, sizes and turns. A tap selects the topmost thing, again on the same place the next below; a drag moves
+ * what it began on, or what is selected if that is part of it; a drag from nothing catches what its frame touches.
+ */
+export const selectTool: Tool = {
+  id: 'select',
+  cursor: 'default',
+  edit(drag, context): SceneEdit | null {
+    if (isTap(drag)) return null;
+    const grip = gripOf(drag, context);
+    switch (grip.type) {
+      case 'handle':
+        return handleDragged(grip.handle, drag, context);
+      case 'things':
+        return moved(context.scene, grip.selection, stepOf(drag, grip, context.scene), context.footprint);
+      case 'floor':
+        return null;
+      default:
+        return grip satisfies never;
+    }
+  },
+  marks(drag, context, isDown): readonly Mark[] {
+    if (!isDown || isTap(drag) || gripOf(drag, context).type !== 'floor') return [];
+    return [{ type: 'frame', from: startOf(drag), to: endOf(drag) }];
+  },
+  select(drag, context): Selection {
+    const { scene, selection, footprint } = context;
+    const grip = gripOf(drag, context);
+    if (isTap(drag)) return tapped(drag, context, grip.type === 'handle');
+    if (grip.type === 'handle') return selection;
+    if (grip.type === 'things') return grip.selection;
+    const framed = thingsIn(scene, startOf(drag), endOf(drag), footprint);
+    return drag.adds ? joined(selection, framed) : framed;
+  },
+};
+
+/** What a drag has taken hold of. */
+type Grip =
+  | { readonly type: 'handle'; readonly handle: Handle }
+  /** `held`: the thing right under the pointer; it is the one that the grid attracts. */
+  | { readonly type: 'things'; readonly held: Thing; readonly selection: Selection }
+  | { readonly type: 'floor' };
+
+const grips = new WeakMap<Vec, { readonly context: ToolContext; readonly drag: Drag; readonly grip: Grip }>();
+
+/** What a drag has taken hold of, kept for as long as the place where it began: it is asked for on every move. */
+function gripOf(drag: Drag, context: ToolContext): Grip {
+  const start = startOf(drag);
+  const known = grips.get(start);
+  if (known && isSameGrip(known, drag, context)) return known.grip;
+  const grip = findGrip(drag, context);
+  grips.set(start, { context, drag: { ...drag, path: [start] }, grip });
+  return grip;
+}
+
+const isSameGrip = (
+  known: { readonly context: ToolContext; readonly drag: Drag },
+  { reachMm, adds }: Drag,
+  { scene, selection, footprint }: ToolContext,
+): boolean =>
+  known.context.scene === scene &&
+  known.context.selection === selection &&
+  known.context.footprint === footprint &&
+  known.drag.reachMm === reachMm &&
+  known.drag.adds === adds;
+
+function findGrip(drag: Drag, { scene, selection, footprint }: ToolContext): Grip {
+  const start = startOf(drag);
+  const handle = handleAt(scene, selection, footprint, start, drag.reachMm);
+  if (handle) return { type: 'handle', handle };
+  const things = thingsAt(scene, start, drag.reachMm, footprint);
+  const [topmost] = things;
+  if (topmost === undefined) return { type: 'floor' };
+  const held = things.find((thing) => includes(selection, thing));
+  if (held !== undefined) return { type: 'things', held, selection };
+  return { type: 'things', held: topmost, selection: drag.adds ? joined(selection, only(topmost)) : only(topmost) };
+}
+
+/** How far the drag moves things: such that the place of the held one comes onto the grid when that is near. */
+function stepOf(drag: Drag, { held }: Extract<Grip, { type: 'things' }>, scene: Scene): Vec {
+  const step = minus(endOf(drag), startOf(drag));
+  const anchor = anchorOf(held, scene);
+  if (drag.free || !anchor) return step;
+  const to = onGrid({ x: anchor.x + step.x, y: anchor.y + step.y }, drag.reachMm);
+  return minus(to, anchor);
+}
+
+/** The place of a thing that its numbers tell: what the grid attracts. */
+function anchorOf(thing: Thing, scene: Scene): Vec | null {
+  if (thing === null) return toVec(scene.robot.at);
+  const object = scene.objects.find(({ id }) => id === thing);
+  if (!object) return null;
+  if (object.type === 'wall') return toVec(object.from);
+  if (object.type !== 'stroke') return toVec(object.at);
+  const [first] = object.points;
+  return first ? toVec(first) : null;
+}
+
+function tapped(drag: Drag, { scene, selection, footprint }: ToolContext, isOnHandle: boolean): Selection {
+  const things = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
+  const [topmost] = things;
+  if (topmost === undefined) return drag.adds || isOnHandle ? selection : nothingSelected;
+  if (drag.adds) return toggled(selection, topmost);
+  const now = countOf(selection) === 1 ? things.findIndex((thing) => includes(selection, thing)) : -1;
+  return only(things[(now + 1) % things.length] ?? topmost);
+}

@@ -1,0 +1,84 @@
+/**
+ * The bytes of a link (`link.ts`), by its version:
+ *
+ *     1   length of the deflated figures (3 bytes, lowest first), figures and words (`columns.ts`), each deflated (RFC 1951)
+ *     2   the values one after the other, arithmetically coded by how likely a model finds them (`modelled.ts`)
+ *
+ * Which values in which order: `link-content.ts` and `scene-codec.ts`. What is too much for a model goes by version 1.
+ */
+import { ColumnReader, ColumnWriter, type Bytes } from './columns';
+import { DamagedBytes } from './damaged-bytes';
+import { packed, unpacked } from './deflate';
+import { deflatedContent, modelledContent, type Content } from './link-content';
+import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './model-coder';
+import { LIKELY_WORDS } from './likely-text';
+
+/** The most a link may unpack to, in bytes. */
+export const UNPACKED_BYTES = 4 * 1024 * 1024;
+
+/** A link's bytes and what they mean. */
+export interface LinkBytes {
+  readonly version: 1 | 2;
+  readonly bytes: Uint8Array;
+}
+
+/** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
+export function bytesOfContent(content: Content): LinkBytes | null {
+  const columns = new ColumnWriter();
+  deflatedContent.codec.write(columns, content);
+  const inColumns = columns.bytes();
+  const length = inColumns.figures.length + inColumns.words.length;
+  if (length > UNPACKED_BYTES) return null;
+  if (length > MODELLED_BYTES) return { version: 1, bytes: deflatedBytes(inColumns) };
+  const modelled = new ModelWriter();
+  modelledContent.codec.write(modelled, content);
+  return { version: 2, bytes: modelled.bytes() };
+}
+
+/** The content of bytes; never throws for any. */
+export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
+  try {
+    return version === 1 ? contentOfColumns(bytes) : contentOfModel(bytes);
+  } catch (error) {
+    if (error instanceof DamagedBytes) return 'damaged';
+    if (error instanceof TooManyBytes) return 'too-large';
+    throw error;
+  }
+}
+
+function contentOfModel(bytes: Uint8Array): Content | 'damaged' {
+  const reader = new ModelReader(bytes);
+  const content = modelledContent.codec.read(reader);
+  return reader.isAtEnd ? content : 'damaged';
+}
+
+function contentOfColumns(bytes: Uint8Array): Content | 'damaged' | 'too-large' {
+  const columns = columnsOf(bytes);
+  if (typeof columns === 'string') return columns;
+  const reader = new ColumnReader(columns, deflatedContent.columns);
+  const content = deflatedContent.codec.read(reader);
+  return reader.isAtEnd ? content : 'damaged';
+}
+
+const LENGTH_BYTES = 3;
+
+/** Columns as a link of version 1 holds them. */
+export function deflatedBytes({ figures, words }: Bytes): Uint8Array {
+  const [deflated, deflatedWords] = [packed(figures), packed(words, LIKELY_WORDS)];
+  const all = new Uint8Array(LENGTH_BYTES + deflated.length + deflatedWords.length);
+  all.set([deflated.length & 0xff, (deflated.length >>> 8) & 0xff, deflated.length >>> 16]);
+  all.set(deflated, LENGTH_BYTES);
+  all.set(deflatedWords, LENGTH_BYTES + deflated.length);
+  return all;
+}
+
+/** Takes apart what `deflatedBytes` put together; both parts together stay within the limit. */
+function columnsOf(all: Uint8Array): Bytes | 'damaged' | 'too-large' {
+  const [low = 0, middle = 0, high = 0] = all;
+  const end = LENGTH_BYTES + (low | (middle << 8) | (high << 16));
+  if (all.length <= end) return 'damaged';
+  const figures = unpacked(all.subarray(LENGTH_BYTES, end), UNPACKED_BYTES);
+  if (typeof figures === 'string') return figures;
+  const words = unpacked(all.subarray(end), UNPACKED_BYTES - figures.length, LIKELY_WORDS);
+  return typeof words === 'string' ? words : { figures, words };
+}

@@ -1,0 +1,94 @@
+import { fnvOfBytes } from '#core/fnv';
+import type { Scene } from '#scene/scene';
+
+import { mapped, record, type Codec } from './codec';
+import { ColumnWriter } from './columns';
+import { handCodec } from './hand-codec';
+import { pathCodec } from './path-codec';
+import { defaultProjectSettings, projectLimits, type ProjectSettings, type SourceFile } from '../project';
+import { dictionary, sceneCodec, sharedCodecs, type PathCodec, type SharedCodecs } from './scene-codec';
+
+/** The course as it stands in a link: all of it, or the ready one of the project's `course` with its checksum. */
+export type LinkScene = { readonly ready: number } | { readonly whole: Scene };
+
+/** What a link holds. */
+export interface Content {
+  readonly files: readonly SourceFile[];
+  readonly course: string | null;
+  readonly settings: ProjectSettings | null;
+  readonly scene: LinkScene;
+}
+
+/** What a link holds, in the order of one version; it is the format (see `scene-codec.ts`). */
+export interface ContentCodec {
+  readonly codec: Codec<Content>;
+  /** How many columns it uses. */
+  readonly columns: number;
+}
+
+/** Version 1: for columns that are deflated. */
+export const deflatedContent = contentCodec(pathCodec);
+
+/** Version 2: for a model that learns what is likely. */
+export const modelledContent = contentCodec(handCodec);
+
+function contentCodec(paths: PathCodec): ContentCodec {
+  const shared = sharedCodecs();
+  const { columns, text, word } = shared;
+  const scene = linkSceneCodec(shared, paths);
+  const file = record<SourceFile>({ name: word, text });
+  const codec = record<Content>({
+    course: columns.optional(word),
+    scene,
+    settings: columns.optional(settingsCodec(shared)),
+    files: columns.list(file, projectLimits.files),
+  });
+  return { codec, columns: columns.used };
+}
+
+function linkSceneCodec(shared: SharedCodecs, paths: PathCodec): Codec<LinkScene> {
+  const isReady = shared.columns.flag();
+  const sum = shared.columns.uint();
+  const scene = sceneCodec(shared, paths);
+  return {
+    write(out, value) {
+      isReady.write(out, 'ready' in value);
+      if ('ready' in value) sum.write(out, value.ready);
+      else scene.write(out, value.whole);
+    },
+    read: (from) => (isReady.read(from) ? { ready: sum.read(from) } : { whole: scene.read(from) }),
+  };
+}
+
+/** The usual settings are a single flag. */
+function settingsCodec({ columns, word, options }: SharedCodecs): Codec<ProjectSettings> {
+  const chosen = record<ProjectSettings>({
+    device: word,
+    firmware: word,
+    robot: word,
+    robotOptions: dictionary(columns, word, options, projectLimits.options),
+    reality: columns.number(),
+    seed: columns.uint(),
+    arenaSenses: columns.flag(),
+  });
+  return mapped(
+    columns.optional(chosen),
+    (settings) => (isUsual(settings) ? null : settings),
+    (settings) => settings ?? defaultProjectSettings,
+  );
+}
+
+function isUsual(settings: ProjectSettings): boolean {
+  const { robotOptions, ...rest } = settings;
+  const keys = Object.keys(rest) as (keyof typeof rest)[];
+  return Object.keys(robotOptions).length === 0 && keys.every((key) => rest[key] === defaultProjectSettings[key]);
+}
+
+/** A checksum of a course that later versions of links and of the course's file do not change. */
+export function sceneChecksum(scene: Scene): number {
+  const out = new ColumnWriter();
+  checkedScene.write(out, scene);
+  const { figures, words } = out.bytes();
+  return fnvOfBytes(words, fnvOfBytes(figures));
+}
+const checkedScene = sceneCodec(sharedCodecs(), pathCodec);

@@ -1,0 +1,252 @@
+import { readFileSync } from 'node:fs';
+
+import { describe, expect, it } from 'vitest';
+
+import { createRng } from '#core/rng';
+import { defaultScene, type Scene } from '#scene/scene';
+
+import { ColumnWriter, type Bytes } from './columns';
+import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, projectOfLink, type ReadLink } from './link';
+import { deflatedBytes } from './link-bytes';
+import { deflatedContent, modelledContent } from './link-content';
+import { MODELLED_BYTES, ModelWriter } from './model-coder';
+import type { Project } from '../project';
+import { drawings, drawn, wildDrawings } from '../testing/drawings';
+import { FORTY_LINES, fortyObjects, fullProject, largeProject } from '../testing/projects';
+
+const none = (): null => null;
+const ready: Scene = { ...defaultScene(), name: 'Fertig', objects: [{ type: 'wall', id: 'w', from: [0, 0], to: [9, 9], thickness: 10 }] }; // prettier-ignore
+const courses = (id: string): Scene | null => (id === 'ready' ? ready : null);
+const small: Project = { files: [{ name: 'main.py', text: FORTY_LINES }], scene: ready, course: 'ready' };
+
+const link = (project: Project, program = true): string => linkOf(project, { courses, program })?.fragment ?? '';
+const codeOf = (read: ReadLink): string | null => ('problem' in read ? read.problem.code : null);
+const projectIn = (fragment: string): Project | null => {
+  const read = projectOfLink(fragment, courses);
+  return 'project' in read ? read.project : null;
+};
+
+function withDrawing(of: (typeof drawings)[string], seed: number): Project {
+  const project = largeProject(seed);
+  return { ...project, scene: { ...project.scene, objects: [...drawn(of, seed), ...fortyObjects(seed)] } };
+}
+
+describe('a link', () => {
+  it('opens the same project: every type of object, all options, all files', () => {
+    const largest = { ...fullProject().scene.robot, at: [-20_000, 20_000] as const, heading: -359.999_999 };
+    for (const project of [
+      small,
+      fullProject(),
+      { ...fullProject(), scene: { ...fullProject().scene, robot: largest, background: null } },
+      { ...small, course: 'gone' },
+      { ...small, course: null, scene: { ...ready, objects: [] } },
+    ]) {
+      expect(projectIn(link(project))).toEqual(project);
+    }
+  });
+
+  it('has only characters that collectors of links accept', () => {
+    expect(link(fullProject())).toMatch(/^p=2\.[A-Za-z0-9_-]+$/);
+    expect(isProjectLink(`#${link(small)}`)).toBe(true);
+    expect(isProjectLink('#robots')).toBe(false);
+  });
+
+  it('stays within 2.7 kB for 5,000 pen points, 40 objects and a program of 40 lines, whatever a hand draws', () => {
+    for (const [name, of] of Object.entries(drawings))
+      for (const seed of [1, 2, 3]) {
+        const project = withDrawing(of, seed);
+        const made = link(project);
+        expect(made.length, `${name} ${String(seed)}`).toBeLessThan(2_700);
+        expect(projectIn(made)).toEqual(project);
+      }
+  });
+
+  it('of a drawing that nobody draws on purpose is not much longer', () => {
+    for (const of of Object.values(wildDrawings)) {
+      const project = withDrawing(of, 1);
+      expect(link(project).length).toBeLessThan(5_500);
+      expect(projectIn(link(project))).toEqual(project);
+    }
+  });
+
+  it('names a ready course that was not changed, and holds one that was', () => {
+    const bare = { ...small, files: [{ name: 'main.py', text: 'x' }] };
+    expect(link(bare).length).toBeLessThan(60);
+    const moved: Scene = { ...ready, robot: { ...ready.robot, at: [100, 100] } };
+    expect(projectIn(link({ ...small, scene: moved }))?.scene).toEqual(moved);
+  });
+
+  it('opens today’s version of a ready course that was mended meanwhile, and says so', () => {
+    const before = linkOf({ ...small, scene: { ...ready, objects: [] } }, { courses: () => ({ ...ready, objects: [] }), program: true }); // prettier-ignore
+    expect(projectOfLink(before?.fragment ?? '', courses)).toEqual({ project: small, isCourseChanged: true });
+    expect(projectOfLink(link(small), courses)).toMatchObject({ isCourseChanged: false });
+    expect(codeOf(projectOfLink(link(small), none))).toBe('unknown-course');
+  });
+
+  it('without the program opens with an empty one', () => {
+    expect(projectIn(link(fullProject(), false))).toEqual({ ...fullProject(), files: [{ name: 'main.py', text: '' }] });
+  });
+});
+
+describe('the background in a link', () => {
+  const withBackground = (levels: string, picture: string): Project => {
+    const scene = {
+      ...ready,
+      background: { at: [0, 0], size: [400, 300], cells: [400, 300], levels, picture } as const,
+    };
+    return { ...small, scene, course: null };
+  };
+  const random = (bytes: number): Uint8Array => {
+    const rng = createRng(5);
+    return Uint8Array.from({ length: bytes }, () => rng.u32() & 255);
+  };
+  const noise = (bytes: number): string => Buffer.from(random(bytes)).toString('base64');
+  const levels = noise(600);
+  const picture = `data:image/jpeg;base64,${noise(60_000)}`;
+  const made = (project: Project) => linkOf(project, { courses, program: true });
+
+  it('comes along as long as the link has at most 8,000 characters', () => {
+    const project = withBackground(levels, 'data:image/png;base64,iVBORw0KGgo=');
+    expect(made(project)?.omitted).toEqual([]);
+    expect(projectIn(link(project))).toEqual(project);
+  });
+
+  it('goes without its picture, which no sensor sees, where that is too large', () => {
+    const read = made(withBackground(levels, picture));
+    expect(read?.omitted).toEqual(['picture']);
+    expect(projectIn(read?.fragment ?? '')?.scene.background).toMatchObject({ levels, picture: '' });
+  });
+
+  it('stays behind where it is too large by itself', () => {
+    const read = made(withBackground(noise(30_000), picture));
+    expect(read?.omitted).toEqual(['background']);
+    expect(read?.fragment.length).toBeLessThan(BACKGROUND_LINK_CHARACTERS);
+    expect(projectIn(read?.fragment ?? '')?.scene.background).toBeNull();
+  });
+});
+
+describe('a link that is not whole', () => {
+  const whole = link(fullProject());
+
+  it('is damaged when a part is missing or another character stands in it', () => {
+    const { length } = whole;
+    for (const text of [
+      '',
+      '#',
+      'p=',
+      '#p=1.',
+      '#p=1.AA',
+      '#p=2.AA',
+      whole.slice(0, -1),
+      whole.slice(0, length / 2),
+      `${whole}AA`,
+    ])
+      expect(codeOf(projectOfLink(text, courses))).toBe('damaged');
+    for (let at = 4; at < length; at += 7) {
+      const other = whole.charAt(at) === 'A' ? 'B' : 'A';
+      expect(codeOf(projectOfLink(whole.slice(0, at) + other + whole.slice(at + 1), courses))).toBe('damaged');
+    }
+    for (const sign of ['+', '/', '%', ' ', 'ü'])
+      expect(codeOf(projectOfLink(`${whole}${sign}A`, courses))).toBe('damaged');
+  });
+
+  it('may have lost nothing but its # or gained padding', () => {
+    expect(projectIn(`#${whole}`)).toEqual(fullProject());
+    expect(projectIn(`${whole}=`)).toEqual(fullProject());
+    expect(projectIn(` ${whole}\n`)).toEqual(fullProject());
+  });
+
+  it('of a newer version asks to reload the page', () => {
+    const read = projectOfLink('#p=3.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 3; this app reads version 2. Reload the page to update.'); // prettier-ignore
+    expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
+  });
+});
+
+describe('a hostile link', () => {
+  it('is given up as soon as it unpacks to more than 4 MB', () => {
+    const bomb = (figures: Uint8Array, words: Uint8Array): string => deflatedLink({ figures, words });
+    const huge = new Uint8Array(40_000_000);
+    expect(bomb(huge, new Uint8Array()).length).toBeLessThan(60_000);
+    expect(codeOf(projectOfLink(bomb(huge, new Uint8Array()), courses))).toBe('too-large');
+    expect(codeOf(projectOfLink(bomb(Uint8Array.of(0), huge), courses))).toBe('too-large');
+    const half = new Uint8Array(2_500_000);
+    expect(codeOf(projectOfLink(bomb(half, half), courses))).toBe('too-large');
+  });
+
+  it('is given up as soon as a model has read 64 kB of it', () => {
+    const endless = new ModelWriter();
+    const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
+    const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
+    const content = { files: [], course: null, settings: null, scene: { whole: { ...ready, objects } } };
+    modelledContent.codec.write(endless, content);
+    const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
+    expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
+  });
+
+  it('is not read when it is too long', () => {
+    expect(codeOf(projectOfLink(`#p=1.${'A'.repeat(500_000)}`, courses))).toBe('too-long');
+  });
+
+  it('that counts more than it holds is damaged, without taking memory', () => {
+    const out = new ColumnWriter();
+    for (let column = 1; column < 60; column += 1) out.uint(column, 34_000_000_000);
+    expect(codeOf(projectOfLink(deflatedLink(out.bytes()), courses))).toBe('damaged');
+    const figures = Uint8Array.of(255, 255, 255, 255, 127);
+    expect(codeOf(projectOfLink(deflatedLink({ figures, words: Uint8Array.of() }), courses))).toBe('damaged');
+    const modelled = new ModelWriter();
+    for (let column = 1; column < 60; column += 1) modelled.uint(column, 34_000_000_000);
+    expect(codeOf(projectOfLink(linkOfBytes({ version: 2, bytes: modelled.bytes() }), courses))).toBe('damaged');
+  });
+
+  it('with values that no file may have says which', () => {
+    const scene = { ...ready, size: [10, 900] as const };
+    const read = projectOfLink(link({ ...small, course: null, scene }), courses);
+    expect(codeOf(read)).toBe('invalid');
+    expect('problem' in read && read.problem.message).toContain('size[0]: 10 is not within 200 … 10000.');
+  });
+});
+
+/** As version 1 made links. */
+const deflatedLink = (bytes: Bytes): string => linkOfBytes({ version: 1, bytes: deflatedBytes(bytes) });
+
+describe('a link of version 1', () => {
+  const kept = keptLink(1);
+
+  it('opens as it always did', () => {
+    expect(projectIn(kept)).toEqual(fullProject());
+  });
+
+  it('is still made so: the order of columns and the likely words are the format', () => {
+    const { files, course, scene, settings } = fullProject();
+    const out = new ColumnWriter();
+    deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+    expect(deflatedLink(out.bytes())).toBe(kept);
+  });
+
+  it('is made for what is too large for a model', () => {
+    const project = { ...small, files: [{ name: 'main.py', text: 'x = 1\n'.repeat(MODELLED_BYTES / 6) }] };
+    expect(link(project)).toMatch(/^p=1\./);
+    expect(projectIn(link(project))).toEqual(project);
+  });
+});
+
+describe('a link of version 2', () => {
+  const kept = keptLink(2);
+
+  it('opens as it always did', () => {
+    expect(projectIn(kept)).toEqual(fullProject());
+  });
+
+  it('is still made so: the order of columns, the likely words and all that the model learns by are the format', () => {
+    expect(link(fullProject())).toBe(kept);
+  });
+
+  it('takes a tenth less than one of version 1 for a course without a drawing', () => {
+    expect(kept.length).toBeLessThan(0.9 * keptLink(1).length);
+  });
+});
+
+function keptLink(version: number): string {
+  return readFileSync(new URL(`kept/link-v${String(version)}.txt`, import.meta.url), 'utf8').trim();
+}

@@ -1,0 +1,185 @@
+/**
+ * A project as the part of an address behind `#`: it opens on another device without any server, because browsers keep
+ * that part to themselves.
+ *
+ *     p=2.<base64url>        2: version of all that follows; 1 for what is large
+ *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
+ *
+ * A ready course that was not changed is named only. Only A–Z a–z 0–9 - _ . = occur, which collectors of links accept.
+ */
+import { fnvOfBytes } from '#core/fnv';
+import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+
+import { fromBase64Url, toBase64Url } from './base64';
+import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
+import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
+import { sceneChecksum, type Content } from './link-content';
+import { MODELLED_BYTES } from './model-coder';
+import type { ProjectProblem } from '../problem';
+import { MAIN, type Project } from '../project';
+
+/** The newest version of links that this app makes and reads. */
+export const LINK_VERSION = 2;
+
+/** What a link's content is called in the fragment. */
+export const LINK_NAME = 'p';
+
+/** Longest link that is made and read. Chosen: Chromium takes two million characters, others less. */
+export const LINK_CHARACTERS = 500_000;
+
+/** A background comes along only as long as the link stays this short. Chosen: chats and mail programs cut longer ones. */
+export const BACKGROUND_LINK_CHARACTERS = 8_000;
+
+/** The ready courses by their ids; `null`: there is none of this id. */
+export type ReadyCourses = (id: string) => Scene | null;
+
+/** A link, and what had no room in it: the picture of a background (the sensors read the same without), or all of it. */
+export interface MadeLink {
+  /** Goes behind the `#`. */
+  readonly fragment: string;
+  readonly omitted: readonly ('picture' | 'background')[];
+}
+
+/** What stands in a link, or why it cannot be opened. */
+export type ReadLink =
+  | {
+      readonly project: Project;
+      /** The ready course it names is not quite what it was when the link was made. */
+      readonly isCourseChanged: boolean;
+    }
+  | { readonly problem: LinkProblem };
+
+/** Why a link cannot be opened. */
+export interface LinkProblem {
+  readonly code: 'damaged' | 'newer-version' | 'too-large' | 'too-long' | 'unknown-course' | 'invalid';
+  /** One English sentence with the way out. */
+  readonly message: string;
+  readonly params: Readonly<Record<string, string | number>>;
+  /** What is wrong with the content of a link that is whole but makes no project. */
+  readonly problems: readonly ProjectProblem[];
+}
+
+/**
+ * Makes the link of a project.
+ *
+ * @param program whether the files come along; without them the link opens with an empty program
+ * @returns `null` when it would be longer than `LINK_CHARACTERS` or unpack to more than `UNPACKED_BYTES`
+ */
+export function linkOf(
+  project: Project,
+  { courses, program }: { readonly courses: ReadyCourses; readonly program: boolean },
+): MadeLink | null {
+  const { background } = project.scene;
+  const whole = makeLink(project, courses, program);
+  if (background === null || isShort(whole, BACKGROUND_LINK_CHARACTERS))
+    return whole === null ? null : { fragment: whole, omitted: [] };
+  const grid = makeLink(withBackground(project, { ...background, picture: '' }), courses, program);
+  if (background.picture !== '' && isShort(grid, BACKGROUND_LINK_CHARACTERS))
+    return { fragment: grid, omitted: ['picture'] };
+  const bare = makeLink(withBackground(project, null), courses, program);
+  return bare === null ? null : { fragment: bare, omitted: ['background'] };
+}
+
+const isShort = (link: string | null, max: number): link is string => link !== null && link.length <= max;
+
+const withBackground = (project: Project, background: Scene['background']): Project => ({
+  ...project,
+  scene: { ...project.scene, background },
+});
+
+function makeLink({ files, scene, course, settings }: Project, courses: ReadyCourses, program: boolean): string | null {
+  const ready = course === null ? null : courses(course);
+  const content: Content = {
+    files: program ? files : [],
+    course,
+    settings: settings ?? null,
+    scene: ready !== null && isSame(ready, scene) ? { ready: sceneChecksum(scene) } : { whole: scene },
+  };
+  const bytes = bytesOfContent(content);
+  const link = bytes === null ? null : linkOfBytes(bytes);
+  return link === null || link.length > LINK_CHARACTERS ? null : link;
+}
+
+const SUM_BYTES = 4;
+
+/** The link that holds these bytes. */
+export function linkOfBytes({ version, bytes }: LinkBytes): string {
+  const all = new Uint8Array(SUM_BYTES + bytes.length);
+  all.set(bytes, SUM_BYTES);
+  const sum = fnvOfBytes(bytes);
+  all.set([sum & 0xff, (sum >>> 8) & 0xff, (sum >>> 16) & 0xff, sum >>> 24]);
+  return `${LINK_NAME}=${String(version)}.${toBase64Url(all)}`;
+}
+
+/** Whether the part of an address behind `#` says that it is a link to a project. */
+export const isProjectLink = (fragment: string): boolean => /^#?p=/.test(fragment);
+
+/** Reads the part of an address behind `#`, with or without it. Never throws; a link with a problem opens nothing. */
+export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink {
+  if (fragment.length > LINK_CHARACTERS) {
+    const params = { length: fragment.length, max: LINK_CHARACTERS };
+    const message = `The link has ${String(fragment.length)} characters; the limit is ${String(LINK_CHARACTERS)}.`;
+    return failed('too-long', message, params);
+  }
+  const [, version, data] = /^#?p=(\d{1,9})\.([\w-]+)=*$/.exec(fragment.trim()) ?? [];
+  if (version === undefined || data === undefined) return damaged();
+  if (Number(version) > LINK_VERSION) {
+    const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
+    return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
+  }
+  const all = version === '1' || version === '2' ? fromBase64Url(data) : null;
+  if (all === null || !isWhole(all)) return damaged();
+  const isModelled = version === '2';
+  const content = contentOfBytes({ version: isModelled ? 2 : 1, bytes: all.subarray(SUM_BYTES) });
+  if (content === 'too-large') {
+    const max = isModelled ? MODELLED_BYTES : UNPACKED_BYTES;
+    return failed('too-large', `The link unpacks to more than ${String(max)} bytes. It is not opened.`, { max });
+  }
+  return content === 'damaged' ? damaged() : readContent(content, courses);
+}
+
+/** Whether what follows the checksum has it. */
+function isWhole(all: Uint8Array): boolean {
+  const [a = 0, b = 0, c = 0, d = 0] = all;
+  return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
+}
+
+function readContent({ files, course, settings, scene }: Content, courses: ReadyCourses): ReadLink {
+  const ready = 'ready' in scene ? courses(course ?? '') : null;
+  if ('ready' in scene && ready === null) {
+    const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
+    return failed('unknown-course', message, { course: course ?? '' });
+  }
+  // Read like a file: what is in a link is judged by the same rules.
+  const parsed = parseProjectValue({
+    format: PROJECT_FORMAT,
+    version: PROJECT_VERSION,
+    course,
+    ...(settings === null ? {} : { settings }),
+    files: files.length === 0 ? [{ name: MAIN, text: '' }] : files,
+    scene: ready !== null || 'ready' in scene ? valueOf(defaultScene()) : valueOf(scene.whole),
+  });
+  if ('problems' in parsed)
+    return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);
+  const project = ready === null ? parsed.project : { ...parsed.project, scene: ready };
+  const isCourseChanged = 'ready' in scene && ready !== null && sceneChecksum(ready) !== scene.ready;
+  return { project, isCourseChanged };
+}
+
+/** A course as its file holds it; one that comes from bytes may hold anything its types allow. */
+const valueOf = (scene: Scene): unknown => ({ format: SCENE_FORMAT, version: SCENE_VERSION, ...scene });
+
+const isSame = (one: Scene, other: Scene): boolean => one === other || serializeScene(one) === serializeScene(other);
+
+function failed(
+  code: LinkProblem['code'],
+  message: string,
+  params: LinkProblem['params'],
+  problems: readonly ProjectProblem[] = [],
+): ReadLink {
+  return { problem: { code, message, params, problems } };
+}
+
+const damaged = (): ReadLink =>
+  failed('damaged', 'The link is damaged: a part of it is missing or changed. Copy it again, whole.', {});

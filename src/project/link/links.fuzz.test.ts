@@ -1,0 +1,110 @@
+import LZString from 'lz-string';
+import { describe, expect, it } from 'vitest';
+
+import { createRng, type Rng } from '#core/rng';
+import { mutatedText } from '#scene/testing/mutate';
+
+import { fromBase64Url } from './base64';
+import { ColumnWriter, type Bytes } from './columns';
+import { packed, unpacked } from './deflate';
+import { linkOf, linkOfBytes, projectOfLink } from './link';
+import { deflatedBytes } from './link-bytes';
+import { deflatedContent } from './link-content';
+import type { Project } from '../project';
+import { mutatedBytes } from '../testing/mutate';
+import { fullProject, largeProject } from '../testing/projects';
+import { programOfLink } from '../webtigerpython/program-link';
+
+/** How many links are tried: `npm run fuzz` tries a million. */
+const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
+/** Against an endless loop only. */
+const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+
+const courses = (): null => null;
+const linkFor = (project: Project): string => linkOf(project, { courses, program: true })?.fragment ?? '';
+
+/** A few metres of a drawing among forty objects. */
+function drawingProject(): Project {
+  const scene = largeProject().scene;
+  const objects = scene.objects.map((it) => (it.type === 'stroke' ? { ...it, points: it.points.slice(0, 99) } : it));
+  return { ...fullProject(), scene: { ...scene, objects } };
+}
+
+/** A project as version 1 writes it, before it is deflated. */
+function columnsOf({ files, course, settings, scene }: Project): Bytes {
+  const out = new ColumnWriter();
+  deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+  return out.bytes();
+}
+
+/** A link of version 1 whose checksum is right although what it holds is not. */
+function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
+  const parts =
+    rng.unit() < 0.7 ? { figures: mutatedBytes(figures, rng), words } : { figures, words: mutatedBytes(words, rng) };
+  return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
+}
+
+/** The same of version 2: from the changed place on the model takes every bit for something else. */
+function forgedModel(link: string, rng: Rng): string {
+  const bytes = fromBase64Url(link.slice(4)) ?? new Uint8Array();
+  return linkOfBytes({ version: 2, bytes: mutatedBytes(bytes.subarray(4), rng) });
+}
+
+describe('randomly changed links', () => {
+  it(
+    `open as a valid project or give a message, never an exception (${String(RUNS)} links)`,
+    () => {
+      const projects = [fullProject(), drawingProject()];
+      const links = projects.map(linkFor);
+      const columns = projects.map(columnsOf);
+      const codes = new Map<string, number>();
+      for (let seed = 1; seed <= RUNS; seed += 1) {
+        const rng = createRng(seed);
+        const index = seed % 2;
+        const way = rng.unit();
+        const link =
+          way < 0.4
+            ? forgedColumns(columns[index]!, rng)
+            : way < 0.7
+              ? forgedModel(links[index]!, rng)
+              : mutatedText(links[index]!, rng);
+        const read = projectOfLink(link, courses);
+        const code = 'problem' in read ? read.problem.code : 'opened';
+        codes.set(code, (codes.get(code) ?? 0) + 1);
+        if ('problem' in read) expect(read.problem.message).not.toBe('');
+      // What opens can be shared again: nothing of it is beyond what a link or a file may hold.
+      else expect(projectOfLink(linkFor(read.project), courses), `seed ${String(seed)}`).toMatchObject({ project: read.project }); // prettier-ignore
+      }
+      for (const code of ['opened', 'damaged', 'invalid']) expect(codes.get(code), code).toBeGreaterThan(RUNS / 200);
+    },
+    TIME_LIMIT_MS,
+  );
+
+  it(
+    `never unpack to more than the limit, whatever the deflated bytes are (${String(RUNS)} of them)`,
+    () => {
+      const deflated = packed(new Uint8Array(100_000));
+      for (let seed = 1; seed <= RUNS; seed += 1) {
+        const bytes = unpacked(mutatedBytes(deflated, createRng(seed)), 5_000);
+        if (typeof bytes !== 'string') expect(bytes.length).toBeLessThanOrEqual(5_000);
+      }
+    },
+    TIME_LIMIT_MS,
+  );
+});
+
+describe('randomly changed links of WebTigerPython', () => {
+  it(
+    `open as valid files or give a message, never an exception (${String(RUNS)} links)`,
+    () => {
+      const files = [{ name: 'main.py', data: 'print("hallo")\n'.repeat(9) }, { name: 'fahren.py', data: 'ü = 1' }]; // prettier-ignore
+      const link = `?code=${LZString.compressToBase64(JSON.stringify(files))}&device=micro:bit`;
+      for (let seed = 1; seed <= RUNS; seed += 1) {
+        const read = programOfLink(mutatedText(link, createRng(seed)));
+        if ('problem' in read) expect(read.problem.message).not.toBe('');
+        else expect(read.files[0]?.name).toBe('main.py');
+      }
+    },
+    TIME_LIMIT_MS,
+  );
+});

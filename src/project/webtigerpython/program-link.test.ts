@@ -1,0 +1,129 @@
+import LZString from 'lz-string';
+import { describe, expect, it } from 'vitest';
+
+import { hasProgram, programOfLink } from './program-link';
+
+/** A link's `code` as WebTigerPython makes it. */
+const codeOf = (value: unknown): string =>
+  LZString.compressToBase64(JSON.stringify(value)).replaceAll('+', '-').replaceAll('/', '_');
+const HOST = 'https://webtigerpython.ethz.ch/';
+const text = 'from microbit import *\nwhile True:\n    display.show("ü")\n';
+const one = codeOf([{ name: 'main.py', data: text }]);
+const main = { name: 'main.py', text };
+const problemOf = (address: string): string | null => {
+  const read = programOfLink(address);
+  return 'problem' in read ? `${read.problem.code}: ${read.problem.message}` : null;
+};
+
+describe('a link of WebTigerPython', () => {
+  it('opens its program, in the query or in the fragment, as a whole address or a part', () => {
+    for (const address of [`${HOST}?code=${one}`, `${HOST}#?code=${one}`, `?code=${one}`, `#?code=${one}`]) {
+      expect(hasProgram(address)).toBe(true);
+      expect(programOfLink(address)).toEqual({ files: [main], device: null });
+    }
+    expect(programOfLink(`${HOST}?lang=de&code=${encodeURIComponent(one)}&layout=%5B%22Canvas%22%5D#x`)).toEqual({ files: [main], device: null }); // prettier-ignore
+    expect(hasProgram(HOST)).toBe(false);
+    expect(hasProgram('#p=1.abc')).toBe(false);
+  });
+
+  it('says which microcomputer the program is for, where we have it', () => {
+    const device = (name: string) => programOfLink(`${HOST}?device=${encodeURIComponent(name)}&code=${one}`);
+    expect(device('micro:bit')).toMatchObject({ device: 'microbit-v2' });
+    expect(device('Calliope mini 3')).toMatchObject({ device: 'calliope-mini-3' });
+    expect(device('Oxocard')).toMatchObject({ device: null });
+  });
+
+  it('opens several files, main.py first', () => {
+    const code = codeOf([{ name: 'fahren.py', data: 'x = 1\r\n' }, { name: 'main.py', data: 'import fahren' }]); // prettier-ignore
+    expect(programOfLink(`#?code=${code}`)).toEqual({
+      files: [
+        { name: 'main.py', text: 'import fahren' },
+        { name: 'fahren.py', text: 'x = 1\n' },
+      ],
+      device: null,
+    });
+    expect(programOfLink(`#?code=${codeOf([{ name: 'robot.py', data: 'y' }])}`)).toMatchObject({ files: [{ name: 'main.py', text: 'y' }] }); // prettier-ignore
+  });
+
+  it('opens the project of a page with several files, in each form that we know', () => {
+    const files = [main, { name: 'drive.py', text: 'x = 1\n' }];
+    const named = { 'drive.py': 'x = 1\r\n', 'main.py': text };
+    for (const form of [
+      named,
+      { files: named },
+      { '/main.py': { content: text }, '/drive.py': { content: 'x = 1\n' } },
+      [...files.map((file) => ({ name: file.name, data: file.text }))],
+      { open: 'main.py', files: files.map((file) => ({ path: `./${file.name}`, code: file.text })) },
+    ]) {
+      const address = `${HOST}#?fs=${codeOf(form)}`;
+      expect(hasProgram(address)).toBe(true);
+      expect(programOfLink(address)).toEqual({ files, device: null });
+    }
+    expect(codeOf(named)).toMatch(/^N4Ig/);
+  });
+
+  it('says so when the project of several files has a form that we do not know', () => {
+    for (const form of [{}, [], 'main.py', 7, null, { 'main.py': { folder: {} } }, { files: 7 }])
+      expect(problemOf(`#?fs=${codeOf(form)}`)).toMatch(/^unknown-form: /);
+    expect(problemOf(`#?fs=${codeOf({ 'lib/a.py': '' })}`)).toBeNull(); // the only file is the program
+    expect(problemOf(`#?fs=${codeOf({ 'main.py': '', 'lib/a.py': '' })}`)).toMatch(/^invalid/);
+    expect(problemOf('#?fs=A')).toMatch(/^damaged/);
+  });
+
+  it('gives a message when it is cut off, changed or holds something else', () => {
+    for (const code of [
+      '',
+      'A',
+      one.slice(0, 20),
+      `${one.slice(0, 30)}!${one.slice(31)}`,
+      codeOf({ name: 'x' }),
+      codeOf([]),
+      codeOf([7]),
+      codeOf('x'),
+      '%E4',
+    ])
+      // prettier-ignore
+      expect(problemOf(`?code=${code}`)).toMatch(/^damaged: The link is damaged/);
+    expect(problemOf(HOST)).toMatch(/^damaged/);
+    expect(
+      problemOf(
+        `?code=${codeOf([
+          { name: '../a.py', data: '' },
+          { name: '../a.py', data: '' },
+        ])}`,
+      ),
+    ).toBe(
+      'invalid: The program in the link cannot be opened: files[1].name: "../a.py" cannot be the name of a file: it may have letters, digits, "_", "-" and "." only.',
+    );
+  });
+
+  it('is given up when it unpacks to more than 4 million characters', () => {
+    // 5 million equal characters, packed by hand: each code of the packed text repeats one more than the one before.
+    expect(problemOf(`?code=${bomb(5_000_000)}`)).toMatch(/^too-large/);
+    expect(problemOf(`?code=${'A'.repeat(500_000)}`)).toMatch(/^too-long/);
+  });
+});
+
+/** LZ-String's form of many equal characters: after the first each code names the entry that is only about to be made. */
+function bomb(characters: number): string {
+  const bits: number[] = [];
+  const put = (value: number, width: number): void => {
+    for (let bit = 0; bit < width; bit += 1) bits.push((value >> bit) & 1);
+  };
+  put(0, 2);
+  put(97, 8);
+  let [width, left, next, length] = [3, 4, 4, 1];
+  for (let total = 1; total < characters; total += length) {
+    put(next, width);
+    next += 1;
+    length += 1;
+    left -= 1;
+    if (left === 0) [left, width] = [1 << width, width + 1];
+  }
+  put(2, width);
+  const signs = 'ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_';
+  const sixes = Array.from({ length: Math.ceil(bits.length / 6) }, (_, at) =>
+    [0, 1, 2, 3, 4, 5].reduce((value, bit) => value * 2 + (bits[at * 6 + bit] ?? 0), 0),
+  );
+  return sixes.map((six) => signs.charAt(six)).join('');
+}

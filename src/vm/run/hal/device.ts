@@ -1,0 +1,50 @@
+import type { Board } from '#board/board';
+import type { Rng } from '#core/rng';
+import { numberOf, textOf, wholeOf } from '../arguments';
+import type { Machine, SyscallTable } from '../syscall';
+
+const UNIQUE_ID_BYTES = 8; // micropython-microbit-v2 modmachine.c: two words of the chip's device number
+
+const DEVICE_ID = 0x1000_0060;
+/** nRF52833 product specification, FICR: what both boards' chip says of itself. */
+const CHIP_WORDS: readonly (readonly [address: number, word: number])[] = [
+  [0x1000_0010, 0x1000], // CODEPAGESIZE: bytes in a page of flash
+  [0x1000_0014, 0x80], // CODESIZE: pages
+  [0x1000_0100, 0x52833], // INFO.PART
+  [0x1000_010c, 0x80], // INFO.RAM: kB
+  [0x1000_0110, 0x200], // INFO.FLASH: kB
+];
+
+const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.buffer).getUint32(from, true);
+
+/**
+ * The rest of the board.
+ *
+ * - sensor(id) → its value (ids: board/sensors.ts) · unique_id(address): writes 8 bytes, the same for the same seed
+ * - chip_word(address) → the word of the chip's memory there, None for what is not simulated
+ */
+export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): SyscallTable {
+  const chance = rng.fork('unique-id');
+  const uniqueId = Uint8Array.from({ length: UNIQUE_ID_BYTES }, () => chance.u32() & 0xff);
+  const chip: ReadonlyMap<number, number> = new Map([
+    ...CHIP_WORDS,
+    [DEVICE_ID, wordOf(uniqueId, 0)],
+    [DEVICE_ID + 4, wordOf(uniqueId, 4)],
+  ]);
+  const known = new Set(board.sensors.ids);
+  return {
+    sensor: (id) => {
+      machine.spend(board.type.costsUs.callUs);
+      return known.has(textOf(id)) ? board.sensors.get(textOf(id)) : null;
+    },
+    chip_word: (address) => {
+      machine.spend(board.type.costsUs.callUs);
+      return chip.get(numberOf(address) ?? -1) ?? null;
+    },
+    unique_id: (address) => {
+      machine.spend(board.type.costsUs.callUs);
+      machine.memory(wholeOf(address) ?? 0, UNIQUE_ID_BYTES).set(uniqueId);
+      return null;
+    },
+  };
+}

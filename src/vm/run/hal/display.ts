@@ -1,0 +1,202 @@
+import type { Board } from '#board/board';
+import { textOf, wholeOf } from '../arguments';
+import type { Machine, SyscallTable, Value, Wait } from '../syscall';
+
+const SIDE = 5;
+const LIT = 9;
+const BAD_PLACE = -1;
+const BAD_BRIGHTNESS = -2;
+
+/**
+ * The display. A picture is given as 25 bits (the built-in images: first row in the highest bits, lit means 9) or as
+ * the address of its pixels, its width and height; what lies beyond 5 × 5 is cut off, what is missing is dark.
+ *
+ * - display_show_bits(bits), display_show_image(address, w, h): at once, and stay
+ * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
+ *   clears is shown at once, no text at all only ends what was moving
+ * - display_begin(), then display_add_bits(bits), display_add_image(address, w, h), display_add_text(text), then
+ *   display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
+ *   unless something else has taken its place: display_moves_on() tells the callback whether that is still so
+ * - display_turn() → which picture or animation this is, counted from the start
+ * - display_scroll(text, delayMs, loop, monospace) · display_clear()
+ * - display_busy() waits until the animation of now is over or replaced → True when a callback came in between
+ * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
+ * - display_on() → None or the device's words · display_off() · display_is_on() → bool · display_rotate(quarterTurns)
+ * - glyph(character, address): writes 25 pixels
+ */
+export function createDisplayCalls(machine: Machine, board: Board): SyscallTable {
+  const stage = createStage(machine, board);
+  return { ...atOnce(machine, board, stage), ...sequences(machine, board, stage), ...pixels(machine, board) };
+}
+
+/** What the calls that show something share. */
+interface Stage {
+  /** A new picture or animation begins and replaces the one before; costs the call. */
+  readonly begin: () => void;
+  /** Counts them. */
+  readonly turn: () => number;
+  readonly builtIn: (bits: Value | undefined) => Uint8Array;
+  readonly image: (address: Value | undefined, w: Value | undefined, h: Value | undefined) => Uint8Array;
+}
+
+function createStage(machine: Machine, board: Board): Stage {
+  const unpacked = new Map<number, Uint8Array>();
+  let turn = 0;
+  return {
+    begin: () => {
+      machine.spend(board.type.costsUs.callUs);
+      turn++;
+    },
+    turn: () => turn,
+    builtIn: (bits) => {
+      const key = wholeOf(bits) ?? 0;
+      const frame = unpacked.get(key) ?? unpack(key);
+      unpacked.set(key, frame);
+      return frame;
+    },
+    image: (address, w, h) => {
+      const [width, height] = [wholeOf(w) ?? 0, wholeOf(h) ?? 0];
+      return cut(machine.memory(wholeOf(address) ?? 0, width * height), width, height);
+    },
+  };
+}
+
+function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
+  const { display } = board;
+  const show = (frame: Uint8Array): null => {
+    stage.begin();
+    display.show(frame);
+    return null;
+  };
+  return {
+    display_show_bits: (bits) => show(stage.builtIn(bits)),
+    display_show_image: (address, w, h) => show(stage.image(address, w, h)),
+    display_show_text: (text, delayMs, loop, clear) => {
+      const characters = Array.from(textOf(text));
+      const [first] = characters;
+      if (first === undefined) {
+        display.stopAnimation();
+        return false;
+      }
+      if (characters.length === 1 && loop !== true && clear !== true) {
+        show(display.glyph(first));
+        return false;
+      }
+      stage.begin();
+      const frames = characters.map((character) => display.glyph(character));
+      display.showFrames(frames, { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, clear: clear === true });
+      return display.isAnimating;
+    },
+    display_clear: () => {
+      stage.begin();
+      display.clear();
+      return null;
+    },
+    display_busy: (): Wait => {
+      const awaited = stage.turn();
+      const isOver = (): boolean => stage.turn() !== awaited || !display.isAnimating;
+      return { untilUs: isOver() ? machine.clock.nowUs : Infinity, ready: isOver, result: () => !isOver() };
+    },
+  };
+}
+
+function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
+  const { display } = board;
+  let frames: Uint8Array[] = [];
+  /** The animation whose end has queued a callback. */
+  let dueAfter = -1;
+  const add = (frame: Uint8Array): null => {
+    frames.push(frame);
+    return null;
+  };
+  return {
+    display_begin: () => {
+      frames = [];
+      display.stopAnimation();
+      return null;
+    },
+    display_add_bits: (bits) => add(stage.builtIn(bits)),
+    display_add_image: (address, w, h) => add(stage.image(address, w, h)),
+    display_add_text: (text) => add(display.glyph(textOf(text))),
+    display_run: (delayMs, loop, clear, callback) => {
+      stage.begin();
+      const next = wholeOf(callback) ?? -1;
+      const turn = stage.turn();
+      display.showFrames(frames, {
+        delayMs: wholeOf(delayMs) ?? 0,
+        loop: loop === true,
+        clear: clear === true,
+        onOver: () => {
+          if (next < 0) return;
+          dueAfter = turn;
+          machine.schedule(next);
+        },
+      });
+      frames = [];
+      return display.isAnimating;
+    },
+    display_turn: () => stage.turn(),
+    display_moves_on: () => stage.turn() === dueAfter,
+    display_scroll: (text, delayMs, loop, monospace) => {
+      stage.begin();
+      const options = { delayMs: wholeOf(delayMs) ?? 0, loop: loop === true, monospace: monospace === true };
+      display.scroll(textOf(text), options);
+      return null;
+    },
+  };
+}
+
+function pixels(machine: Machine, board: Board): SyscallTable {
+  const { display } = board;
+  const { callUs } = board.type.costsUs;
+  const isInside = (x: Value | undefined, y: Value | undefined): boolean =>
+    Number(x) >= 0 && Number(x) < SIDE && Number(y) >= 0 && Number(y) < SIDE;
+  return {
+    display_set_pixel: (x, y, value) => {
+      machine.spend(callUs);
+      if (!isInside(x, y)) return BAD_PLACE;
+      const brightness = Number(value);
+      if (!(brightness >= 0 && brightness <= LIT)) return BAD_BRIGHTNESS;
+      display.setPixel(Number(x), Number(y), brightness);
+      return 0;
+    },
+    display_get_pixel: (x, y) => {
+      machine.spend(callUs);
+      return isInside(x, y) ? display.getPixel(Number(x), Number(y)) : BAD_PLACE;
+    },
+    display_on: () => {
+      machine.spend(callUs);
+      return display.on();
+    },
+    display_off: () => {
+      machine.spend(callUs);
+      display.off();
+      return null;
+    },
+    display_rotate: (quarterTurns) => {
+      machine.spend(callUs);
+      display.rotate(wholeOf(quarterTurns) ?? 0);
+      return null;
+    },
+    display_is_on: () => {
+      machine.spend(callUs);
+      return display.isOn;
+    },
+    glyph: (character, address) => {
+      machine.memory(wholeOf(address) ?? 0, SIDE * SIDE).set(display.glyph(textOf(character)));
+      return null;
+    },
+  };
+}
+
+function unpack(bits: number): Uint8Array {
+  return Uint8Array.from({ length: SIDE * SIDE }, (_, i) => ((bits >> (SIDE * SIDE - 1 - i)) & 1) * LIT);
+}
+
+function cut(pixels: Uint8Array, width: number, height: number): Uint8Array {
+  const frame = new Uint8Array(SIDE * SIDE);
+  for (let y = 0; y < Math.min(height, SIDE); y++) {
+    frame.set(pixels.subarray(y * width, y * width + Math.min(width, SIDE)), y * SIDE);
+  }
+  return frame;
+}

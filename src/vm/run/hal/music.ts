@@ -1,0 +1,66 @@
+import type { Board } from '#board/board';
+import { textOf, wholeOf } from '../arguments';
+import { pinsByNumber } from './pins';
+import { SPEAKER_PIN, SPEAKER_REFUSED } from './sound';
+import type { Machine, SyscallTable, Value, Wait } from '../syscall';
+
+/**
+ * Music. A pin goes by number, −1 for the speaker alone.
+ *
+ * - music_play(notes, pin, loop), music_pitch(Hz, ms, pin) → None, or the device's words when it cannot; each note has a
+ *   newline before it
+ * - music_busy() waits until what plays now has ended or been replaced → True when a callback came in between
+ * - music_stop(pin) → None, or the device's words when the pin is held · music_silence() · music_reset() · music_set_tempo(bpm, ticks), 0 leaves it
+ * - music_bpm(), music_ticks()
+ */
+export function createMusicCalls(machine: Machine, board: Board): SyscallTable {
+  const { music } = board;
+  const { callUs } = board.type.costsUs;
+  const pins = pinsByNumber(board);
+  let started = 0;
+  const pinOf = (n: Value | undefined) => pins[wholeOf(n) ?? -1] ?? null;
+  const refusal = (n: Value | undefined) => (pinOf(n)?.name === SPEAKER_PIN ? SPEAKER_REFUSED : null);
+  return {
+    music_play: (notes, pin, loop) => {
+      machine.spend(callUs);
+      started++;
+      const all = textOf(notes).split('\n').slice(1);
+      return refusal(pin) ?? music.play(all, { pin: pinOf(pin), loop: loop === true });
+    },
+    music_pitch: (hz, ms, pin) => {
+      machine.spend(callUs);
+      started++;
+      return refusal(pin) ?? music.pitch(wholeOf(hz) ?? 0, wholeOf(ms) ?? -1, pinOf(pin));
+    },
+    music_busy: (): Wait => {
+      const awaited = started;
+      const isOver = (): boolean => started !== awaited || !music.isPlaying;
+      return { untilUs: isOver() ? machine.clock.nowUs : Infinity, ready: isOver, result: () => !isOver() };
+    },
+    music_stop: (pin) => {
+      machine.spend(callUs);
+      started++;
+      const problem = refusal(pin) ?? board.sound.route.select(pinOf(pin), 'music');
+      if (problem === null) music.stop();
+      return problem;
+    },
+    music_silence: () => {
+      machine.spend(callUs);
+      started++;
+      music.stop();
+      return null;
+    },
+    music_reset: () => {
+      machine.spend(callUs);
+      music.reset();
+      return null;
+    },
+    music_set_tempo: (bpm, ticks) => {
+      machine.spend(callUs);
+      music.setTempo({ bpm: wholeOf(bpm) ?? 0, ticks: wholeOf(ticks) ?? 0 });
+      return null;
+    },
+    music_bpm: () => music.tempo.bpm,
+    music_ticks: () => music.tempo.ticks,
+  };
+}

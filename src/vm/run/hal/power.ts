@@ -1,0 +1,99 @@
+import type { Board } from '#board/board';
+import type { Button } from '#board/sensors/button';
+import type { Pin } from '#board/wires/pin';
+import type { WakeSource } from '#board/power';
+import { numberOf, wholeOf } from '../arguments';
+import { pinsByNumber } from './pins';
+import type { Machine, SyscallTable, Wait } from '../syscall';
+
+const CALLBACK_CAME = -1;
+const TIME_IS_OVER = 0;
+const WOKEN = 1;
+
+/**
+ * Deep sleep and off.
+ *
+ * - power_off() never comes back
+ * - power_wake_clear(), power_wake_pin(n), power_wake_button(n): what is to wake the board
+ * - power_sleep(ms), negative: without end → 0 when the time is over, 1 when it was woken, −1 when a callback came in
+ *   between: power_sleep_on() answers likewise
+ */
+export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
+  const { power } = board;
+  const { clock } = machine;
+  const { callUs } = board.type.costsUs;
+  const pins = pinsByNumber(board);
+  const buttons = [board.buttonA, board.buttonB];
+  let sources: WakeSource[] = [];
+  let untilUs = Infinity;
+  const sleep = (): Wait => {
+    const wants = power.sleep(sources);
+    let woken = false;
+    const isOver = (): boolean => (woken ||= wants()) || clock.nowUs >= untilUs;
+    return {
+      untilUs: isOver() ? clock.nowUs : untilUs,
+      ready: isOver,
+      result: () => {
+        const over = isOver();
+        power.wake();
+        if (!over) return CALLBACK_CAME;
+        return woken ? WOKEN : TIME_IS_OVER;
+      },
+    };
+  };
+  return {
+    power_off: (): Wait => {
+      hush(board);
+      board.radio.off();
+      power.off();
+      return { untilUs: Infinity, result: () => null };
+    },
+    power_wake_clear: () => {
+      sources = [];
+      return null;
+    },
+    power_wake_pin: (n) => {
+      const pin = pins[wholeOf(n) ?? -1];
+      if (pin) sources.push(pinSource(board, pin));
+      return null;
+    },
+    power_wake_button: (n) => {
+      const button = buttons[wholeOf(n) ?? -1];
+      if (button) sources.push(buttonSource(button));
+      return null;
+    },
+    power_sleep: (ms) => {
+      machine.spend(callUs);
+      const duration = numberOf(ms) ?? -1;
+      // Without anything that could wake it the device does not fall asleep: MicroBitPowerManager.cpp, canDeepSleep.
+      if (duration < 0 && sources.length === 0) return WOKEN;
+      untilUs = duration < 0 ? Infinity : clock.nowUs + Math.trunc(duration) * 1000;
+      hush(board);
+      return sleep();
+    },
+    power_sleep_on: () => sleep(),
+  };
+}
+
+/** Asleep, the board makes no sound. */
+function hush({ music, sound }: Board): void {
+  music.stop();
+  for (const source of ['effect', 'samples', 'speech'] as const) sound.silence(source);
+}
+
+/** A button wakes the board while it is down: one that is held does not let it fall asleep. */
+function buttonSource(button: Button): WakeSource {
+  return { arm: () => () => button.isDown };
+}
+
+/** A pin wakes the board when its level changes, or a finger comes (chosen: the device looks for one of the edges). */
+function pinSource(board: Board, pin: Pin): WakeSource {
+  const pad = board.touch.get(pin.type.name);
+  return {
+    arm: () => {
+      const level = pin.wire.level;
+      const finger = pad?.isDown ?? false;
+      return () => pin.wire.level !== level || (!finger && (pad?.isDown ?? false));
+    },
+  };
+}

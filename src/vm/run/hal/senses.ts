@@ -1,0 +1,147 @@
+import type { Board } from '#board/board';
+import { GESTURE_NAMES, type Gesture } from '#board/sensors/gestures';
+import type { SoundKind } from '#board/sensors/microphone';
+import { numberOf, textOf, wholeOf } from '../arguments';
+import type { Machine, Syscall, SyscallTable, Value } from '../syscall';
+
+const SOUND_KINDS: readonly SoundKind[] = ['quiet', 'loud', 'clap'];
+const SEPARATOR = '\n';
+/** A sample a microsecond: the clock tells no more apart. */
+const FASTEST_HZ = 1_000_000;
+/** No recording is longer than the device's heap. */
+const MOST_SAMPLES = 64 * 1024;
+
+/**
+ * What the board feels. Gestures and sounds go by name, lists of them parted by newlines.
+ *
+ * - temperature() → whole °C
+ * - acceleration(axis 0 … 2) → mg, acceleration_too(axis): likewise, of the same call · acceleration_strength() · acceleration_range(g)
+ * - gesture() · gesture_was(name) → bool, None for an unknown one · gestures()
+ * - compass_heading() · compass_field(axis), compass_strength() → nT · compass_is_calibrated() ·
+ *   compass_calibrate() · compass_forget()
+ * - mic_level() · mic_level_db() · mic_event() · mic_was(kind) → bool · mic_events() · mic_threshold(kind, level) ·
+ *   mic_sensitivity(gain)
+ * - mic_record(address, length, rate) begins · mic_recorded() waits → True when it goes on (a callback came in between)
+ *   · mic_is_recording() · mic_stop() · mic_count() → samples recorded so far
+ */
+export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
+  const { callUs } = board.type.costsUs;
+  const priced = (calls: SyscallTable): SyscallTable =>
+    Object.fromEntries(
+      Object.entries(calls).map(([name, call]): [string, Syscall] => [
+        name,
+        (...args) => {
+          machine.spend(callUs);
+          return call(...args);
+        },
+      ]),
+    );
+  const calls = priced({
+    temperature: () => Math.trunc(board.thermometer.value),
+    ...motionCalls(board),
+    ...compassCalls(board),
+    ...microphoneCalls(board),
+    ...recordingCalls(machine, board),
+  });
+  return { ...calls, ...furtherCalls(board) };
+}
+
+/** Unpriced: parts of a call that has been paid. */
+function furtherCalls({ motion }: Board): SyscallTable {
+  return { acceleration_too: (axis) => motion.acceleration[axisOf(axis)] };
+}
+
+const AXES = ['x', 'y', 'z'] as const;
+const axisOf = (value: Value | undefined): 'x' | 'y' | 'z' => AXES[wholeOf(value) ?? 0] ?? 'x';
+
+function motionCalls({ motion }: Board): SyscallTable {
+  const known = (name: string): name is Gesture => (GESTURE_NAMES as readonly string[]).includes(name);
+  return {
+    acceleration: (axis) => motion.acceleration[axisOf(axis)],
+    acceleration_strength: () => motion.strength,
+    acceleration_range: (g) => {
+      motion.setRange(wholeOf(g) ?? 0);
+      return null;
+    },
+    gesture: () => motion.gesture,
+    gesture_was: (name) => {
+      const gesture = textOf(name);
+      return known(gesture) ? motion.wasGesture(gesture) : null;
+    },
+    gestures: () => motion.takeGestures().join(SEPARATOR),
+  };
+}
+
+function compassCalls({ compass }: Board): SyscallTable {
+  return {
+    compass_heading: () => compass.heading(),
+    compass_field: (axis) => compass.field[axisOf(axis)],
+    compass_strength: () => compass.fieldStrength,
+    compass_is_calibrated: () => compass.isCalibrated,
+    compass_calibrate: () => {
+      compass.calibrate();
+      return null;
+    },
+    compass_forget: () => {
+      compass.clearCalibration();
+      return null;
+    },
+  };
+}
+
+function microphoneCalls({ microphone }: Board): SyscallTable {
+  const listening = (answer: (name: Value | undefined, value: Value | undefined) => Value): Syscall => {
+    return (name, value) => {
+      microphone.listen();
+      return answer(name, value);
+    };
+  };
+  const kindOf = (name: Value | undefined): SoundKind => SOUND_KINDS.find((kind) => kind === name) ?? 'quiet';
+  return {
+    mic_level: listening(() => microphone.soundLevel),
+    mic_level_db: listening(() => microphone.soundLevelDb),
+    mic_event: listening(() => microphone.currentEvent),
+    mic_was: listening((name) => microphone.wasEvent(kindOf(name))),
+    mic_events: listening(() => microphone.takeEvents().join(SEPARATOR)),
+    mic_threshold: listening((name, level) => {
+      microphone.setThreshold(name === 'loud' ? 'loud' : 'quiet', wholeOf(level) ?? 0);
+      return null;
+    }),
+    mic_sensitivity: (gain) => {
+      microphone.setSensitivity(numberOf(gain) ?? 0);
+      return null;
+    },
+  };
+}
+
+function recordingCalls(machine: Machine, { microphone }: Board): SyscallTable {
+  let count = 0;
+  // What is recorded lands in the program's memory: not after its end.
+  machine.onEnd(() => microphone.stopRecording());
+  return {
+    mic_record: (address, length, rate) => {
+      const start = wholeOf(address) ?? 0;
+      count = 0;
+      microphone.record({
+        rateHz: Math.min(Math.max(wholeOf(rate) ?? 1, 1), FASTEST_HZ),
+        length: Math.min(wholeOf(length) ?? 0, MOST_SAMPLES),
+        write: (offset, samples) => {
+          machine.memory(start + offset, samples.length).set(samples);
+          count = offset + samples.length;
+        },
+      });
+      return null;
+    },
+    mic_recorded: () => ({
+      untilUs: microphone.isRecording ? Infinity : machine.clock.nowUs,
+      ready: () => !microphone.isRecording,
+      result: () => microphone.isRecording,
+    }),
+    mic_is_recording: () => microphone.isRecording,
+    mic_stop: () => {
+      microphone.stopRecording();
+      return null;
+    },
+    mic_count: () => count,
+  };
+}

@@ -1,0 +1,191 @@
+import type { Board } from '#board/board';
+import type { Pin } from '#board/wires/pin';
+import type { Level } from '#board/wires/wire';
+import type { Stop } from '#core/stop';
+import { numberOf, wholeOf } from '../arguments';
+import { pinsByNumber } from './pins';
+import type { Machine, SyscallTable, Value, Wait } from '../syscall';
+
+const TICKS_PERIOD = 0x40000000; // MicroPython extmod/modtime.c on 32 bits: ticks wrap at 2³⁰
+const NO_NUMBER = -1;
+/** Shorter pauses are spent at once, like the device's busy loop; longer ones let callbacks in. Chosen: one ms. */
+const BUSY_PAUSE_US = 1000;
+const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are served every 6 ms
+
+/**
+ * Time on the simulated clock.
+ *
+ * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms; all since the last reset
+ * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for less than nothing (which
+ *   a number of more than 32 bits may come as), else (a callback came in between) a moment for sleep_until(moment), which answers likewise
+ * - run_every(callback, periodMs): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
+ * - set_irq(on) → what it was; while off no callback is queued
+ * - pulse(n, level, timeoutUs), pulse_on(token): see `createPulseCalls`
+ */
+export function createTimeCalls(machine: Machine, board: Board): SyscallTable {
+  return { ...clockCalls(machine, board), ...callbackCalls(machine), ...createPulseCalls(machine, board) };
+}
+
+function clockCalls(machine: Machine, board: Board): SyscallTable {
+  const { clock } = machine;
+  const { callUs } = board.type.costsUs;
+  const runningUs = (): number => clock.nowUs - machine.startUs;
+  const ms = (): number => Math.floor(runningUs() / 1000);
+  const sleepUntil = (untilUs: number): Wait => ({
+    untilUs,
+    // The half keeps the moment a float at the boundary, so that it may lie beyond 32 bits of µs.
+    result: () => (clock.nowUs >= untilUs ? 0 : untilUs + 0.5),
+  });
+  const sleep = (us: number | null): Value | Wait => {
+    machine.spend(callUs);
+    if (us === null) return NO_NUMBER;
+    if (us < 0) return NO_NUMBER;
+    return us > 0 ? sleepUntil(clock.nowUs + us) : 0;
+  };
+  const times = (value: Value | undefined, factor: number): number | null => {
+    const number = numberOf(value);
+    return number === null ? null : Math.trunc(number * factor);
+  };
+  return {
+    ticks_us: () => {
+      machine.spend(callUs);
+      // Not a bit mask: the microseconds of two hours have more than 32 bits.
+      return runningUs() % TICKS_PERIOD;
+    },
+    ticks_ms: () => {
+      machine.spend(callUs);
+      return ms() % TICKS_PERIOD;
+    },
+    running_time: () => {
+      machine.spend(callUs);
+      return ms();
+    },
+    sleep_ms: (value) => {
+      const whole = times(value, 1);
+      return sleep(whole === null ? null : whole * 1000);
+    },
+    sleep_s: (value) => {
+      const whole = times(value, 1000);
+      return sleep(whole === null ? null : whole * 1000);
+    },
+    sleep_us: (value) => {
+      const us = times(value, 1);
+      if (us === null || us > BUSY_PAUSE_US) return sleep(us);
+      machine.spend(callUs + Math.max(us, 0));
+      return 0;
+    },
+    sleep_until: (moment) => sleepUntil(Math.floor(numberOf(moment) ?? 0)),
+  };
+}
+
+function callbackCalls(machine: Machine): SyscallTable {
+  const { clock } = machine;
+  let isOn = true;
+  let stops: Stop[] = [];
+  machine.onEnd(() => stops.forEach((stop) => stop()));
+  const repeat = (callback: number, periodUs: number): void => {
+    let dueUs = clock.nowUs;
+    let stop: Stop = () => undefined;
+    const next = (): void => {
+      dueUs += periodUs;
+      const ticks = Math.max(Math.ceil(dueUs / RUN_EVERY_GRID_US), Math.floor(clock.nowUs / RUN_EVERY_GRID_US) + 1);
+      stop = clock.at(ticks * RUN_EVERY_GRID_US, () => {
+        if (isOn) machine.schedule(callback);
+        next();
+      });
+    };
+    next();
+    stops.push(() => stop());
+  };
+  return {
+    run_every: (callback, periodMs) => {
+      repeat(wholeOf(callback) ?? 0, Math.max(wholeOf(periodMs) ?? 0, 0) * 1000);
+      return null;
+    },
+    run_every_stop: () => {
+      for (const stop of stops) stop();
+      stops = [];
+      return null;
+    },
+    set_irq: (on) => {
+      const before = isOn;
+      isOn = wholeOf(on) !== 0;
+      return before;
+    },
+  };
+}
+
+/** A measurement going on; it goes on while a callback runs. */
+interface Pulse {
+  readonly timeoutUs: number;
+  /** Start of the present phase: waiting for the level, then measuring how long it stays. */
+  sinceUs: number;
+  measuring: boolean;
+  answer: number | null;
+  readonly stop: Stop;
+}
+
+const TOO_LONG = -1;
+const NEVER_BEGAN = -2;
+const FIRST_TOKEN = -3;
+
+/**
+ * machine.time_pulse_us, exact to the µs: pulse(n, level, timeoutUs) → length of the pulse, −2 when it did not begin in
+ * time, −1 when it did not end in time; a smaller number is a token for pulse_on(token), given when a callback came in
+ * between. A level that is there already counts as begun. Source: MicroPython extmod/machine_pulse.c.
+ */
+function createPulseCalls(machine: Machine, board: Board): SyscallTable {
+  const { clock } = machine;
+  const { callUs } = board.type.costsUs;
+  const pins = pinsByNumber(board);
+  const running = new Map<number, Pulse>();
+  machine.onEnd(() => running.forEach((pulse) => pulse.stop()));
+
+  const endUs = (pulse: Pulse): number => pulse.sinceUs + pulse.timeoutUs;
+  const isOver = (pulse: Pulse): boolean => pulse.answer !== null || clock.nowUs >= endUs(pulse);
+  const wait = (token: number, pulse: Pulse): Wait => ({
+    get untilUs() {
+      return endUs(pulse); // later once the level has come
+    },
+    ready: () => isOver(pulse),
+    result: () => {
+      if (!isOver(pulse)) return token;
+      pulse.stop();
+      running.delete(token);
+      return pulse.answer ?? (pulse.measuring ? TOO_LONG : NEVER_BEGAN);
+    },
+  });
+  const begin = (pin: Pin, wanted: Level, timeoutUs: number): Pulse => {
+    // The device measures on a held pin too.
+    const level = pin.acquire('read_digital') === null ? pin.readDigital() : pin.wire.level;
+    const measuring = level === wanted;
+    const edge = (now: Level): void => {
+      if (isOver(pulse)) return;
+      if (pulse.measuring && now !== wanted) pulse.answer = clock.nowUs - pulse.sinceUs;
+      if (!pulse.measuring && now === wanted) {
+        pulse.measuring = true;
+        pulse.sinceUs = clock.nowUs;
+      }
+    };
+    const pulse: Pulse = { timeoutUs, sinceUs: clock.nowUs, measuring, answer: null, stop: pin.wire.onLevel(edge) };
+    return pulse;
+  };
+  return {
+    pulse: (n, level, timeoutUs) => {
+      machine.spend(callUs);
+      const pin = pins[n as number];
+      const timeout = wholeOf(timeoutUs);
+      if (wholeOf(level) === null || timeout === null) return null;
+      if (!pin) return NEVER_BEGAN;
+      let token = FIRST_TOKEN;
+      while (running.has(token)) token--;
+      const pulse = begin(pin, wholeOf(level) ? 1 : 0, Math.max(timeout, 0));
+      running.set(token, pulse);
+      return wait(token, pulse);
+    },
+    pulse_on: (token) => {
+      const pulse = running.get(wholeOf(token) ?? 0);
+      return pulse ? wait(wholeOf(token) ?? 0, pulse) : NEVER_BEGAN;
+    },
+  };
+}

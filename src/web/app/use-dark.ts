@@ -1,0 +1,19 @@
+import { computed, onScopeDispose, shallowRef, watchEffect, type ComputedRef } from 'vue';
+
+import type { SettingsModel } from '../work/settings/use-settings';
+
+/** Whether the page is dark: as chosen, or as the device wishes. Marks the document for the style sheets. */
+export function useDark({ current }: SettingsModel): ComputedRef<boolean> {
+  const query = matchMedia('(prefers-color-scheme: dark)');
+  const deviceIsDark = shallowRef(query.matches);
+  const follow = (): void => {
+    deviceIsDark.value = query.matches;
+  };
+  query.addEventListener('change', follow);
+  onScopeDispose(() => query.removeEventListener('change', follow));
+  const dark = computed(() => (current.value.theme === 'system' ? deviceIsDark.value : current.value.theme === 'dark'));
+  watchEffect(() => {
+    document.documentElement.dataset['theme'] = dark.value ? 'dark' : 'light';
+  });
+  return dark;
+}

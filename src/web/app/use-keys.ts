@@ -1,0 +1,66 @@
+import { onScopeDispose } from 'vue';
+
+import { Presses, type BoardKey } from '../board/drawing/presses';
+import { slownessOf } from '../board/drawing/board-press';
+import type { App } from './use-app';
+
+/** Keys of the keyboard that press something on the board. */
+const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
+
+/** What keys on the whole page do. */
+export interface KeyActions {
+  press(key: BoardKey, down: boolean): void;
+  run(): void;
+  save(): void;
+}
+
+/** Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs, Ctrl+S saves. */
+export function useKeys({ run, settings }: Pick<App, 'run' | 'settings'>, actions: KeyActions): void {
+  const presses = new Presses(
+    { press: (key) => actions.press(key, true), release: (key) => actions.press(key, false) },
+    () => slownessOf(settings.current.value.speed),
+  );
+  function down(event: KeyboardEvent): void {
+    if (event.ctrlKey || event.metaKey) return command(event, actions);
+    const key = BOARD_KEYS[event.key.toLowerCase()];
+    if (key === undefined || event.altKey || event.repeat || takesText(event.target) || !run.isActive.value) return;
+    presses.hold(key, [key]);
+  }
+  function up(event: KeyboardEvent): void {
+    const key = BOARD_KEYS[event.key.toLowerCase()];
+    if (key !== undefined) presses.letGo(key);
+  }
+  const releaseAll = (): void => presses.letGoAll();
+  addEventListener('keydown', down);
+  addEventListener('keyup', up);
+  addEventListener('blur', releaseAll);
+  onScopeDispose(() => {
+    removeEventListener('keydown', down);
+    removeEventListener('keyup', up);
+    removeEventListener('blur', releaseAll);
+    presses.end();
+  });
+}
+
+/** What is looked at of a key that is pressed together with Ctrl or ⌘. */
+export type CommandKey = Pick<KeyboardEvent, 'key' | 'altKey' | 'shiftKey' | 'repeat' | 'preventDefault'>;
+
+/** Does what a key means together with Ctrl or ⌘; the others stay the browser's. */
+export function command(event: CommandKey, actions: Pick<KeyActions, 'run' | 'save'>): void {
+  if (event.altKey || event.shiftKey || event.repeat) return;
+  const key = event.key.toLowerCase(); // with Caps Lock it is an S
+  if (key === 'enter') actions.run();
+  else if (key === 's') actions.save();
+  else return;
+  event.preventDefault();
+}
+
+/** Letters belong to text fields, and to menus, which jump to an entry by its first letter. */
+function takesText(target: EventTarget | null): boolean {
+  if (!(target instanceof Element)) return false;
+  return (
+    target.closest(
+      'input, textarea, select, [contenteditable="true"], [role="menu"], [role="listbox"], [role="dialog"]',
+    ) !== null
+  );
+}

@@ -1,0 +1,137 @@
+import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
+import type { Pose, Vec } from '#core/geometry';
+import type { PlacedBlock } from '../picture/arena-model';
+import { Hand } from './hand';
+import type { HeldThing } from './held-thing';
+import type { RobotShape } from './hit-test';
+import type { ArenaView } from '../view/use-arena-view';
+import type { ArenaSize } from '../view/view-transform';
+import { wheelGesture, wheelPx } from '../view/wheel-gesture';
+
+/** What the hand works on. */
+export interface HandPlace {
+  readonly picture: ArenaView;
+  readonly arena: () => ArenaSize;
+  readonly robot: () => RobotShape | null;
+  readonly blocks: () => readonly PlacedBlock[];
+  readonly place: (thing: HeldThing, pose: Pose) => void;
+  readonly redraw: () => void;
+}
+
+/** The hand, and the handlers that lead the browser's events to it. */
+export interface ArenaHand {
+  readonly hand: Hand;
+  readonly cursor: Readonly<ShallowRef<string>>;
+  /** Zooms by a key. Returns whether it was one of these. */
+  readonly zoomKey: (key: string) => boolean;
+  readonly on: {
+    pointerdown(event: PointerEvent): void;
+    pointermove(event: PointerEvent): void;
+    pointerup(event: PointerEvent): void;
+    pointercancel(event: PointerEvent): void;
+    lostpointercapture(event: PointerEvent): void;
+    pointerleave(): void;
+    wheel(event: WheelEvent): void;
+    keydown(event: KeyboardEvent): void;
+    keyup(event: KeyboardEvent): void;
+    focus(event: FocusEvent): void;
+    blur(): void;
+  };
+}
+
+/** Lets pointers, wheel and keys reach into the arena. */
+export function useArenaHand(where: HandPlace): ArenaHand {
+  const cursor = shallowRef('default');
+  const { picture } = where;
+  let frame: number | null = null;
+  const follow = (): void => {
+    frame = null;
+    hand.tick();
+    if (hand.held !== null) frame = requestAnimationFrame(follow);
+  };
+  const hand = new Hand({
+    view: () => picture.view.value,
+    arena: where.arena,
+    robot: where.robot,
+    blocks: where.blocks,
+    place: where.place,
+    pan: (byPx) => picture.panBy(byPx),
+    zoom: (factor, aroundPx) => picture.zoomBy(factor, aroundPx),
+    changed: () => {
+      cursor.value = hand.cursor;
+      if (hand.held !== null) frame ??= requestAnimationFrame(follow);
+      where.redraw();
+    },
+    nowMs: () => performance.now(),
+  });
+  onBeforeUnmount(() => {
+    if (frame !== null) cancelAnimationFrame(frame);
+  });
+  return {
+    hand,
+    cursor,
+    zoomKey: (key) => zoomKey(key, picture),
+    on: {
+      ...pointerHandlers(hand),
+      wheel: (event) => onWheel(event, hand, picture),
+      keydown: (event) => {
+        if (event.ctrlKey || event.metaKey || event.altKey) return;
+        if (zoomKey(event.key, picture) || hand.keyDown(event.key, event.shiftKey)) event.preventDefault();
+      },
+      keyup: () => hand.keyUp(),
+      focus(event) {
+        if (event.target instanceof Element && event.target.matches(':focus-visible')) hand.focus(true);
+      },
+      blur: () => hand.focus(false),
+    },
+  };
+}
+
+function pointerHandlers(
+  hand: Hand,
+): Pick<
+  ArenaHand['on'],
+  'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel' | 'lostpointercapture' | 'pointerleave'
+> {
+  const up = (event: PointerEvent): void => hand.pointerUp(event.pointerId);
+  return {
+    pointerdown(event) {
+      if (event.button > 1) return;
+      if (event.currentTarget instanceof Element) event.currentTarget.setPointerCapture(event.pointerId);
+      const touch = event.pointerType === 'touch';
+      hand.pointerDown({ id: event.pointerId, at: placeOf(event), touch, pansOnly: event.button === 1 });
+    },
+    pointermove: (event) => hand.pointerMove(event.pointerId, placeOf(event), event.shiftKey),
+    pointerup: up,
+    pointercancel: up,
+    lostpointercapture: up,
+    pointerleave: () => hand.pointerLeave(),
+  };
+}
+
+/** The wheel turns what the hand holds; else it zooms and moves the picture. */
+function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
+  event.preventDefault();
+  if (hand.held !== null) {
+    hand.wheel(wheelPx(event.deltaY, event.deltaMode));
+    return;
+  }
+  const gesture = wheelGesture(event);
+  if (gesture.type === 'zoom') picture.zoomBy(gesture.factor, placeOf(event));
+  else picture.panBy(gesture.byPx);
+}
+
+function zoomKey(key: string, picture: ArenaView): boolean {
+  if (key === '+' || key === '=') picture.zoomBy(ZOOM_STEP);
+  else if (key === '-') picture.zoomBy(1 / ZOOM_STEP);
+  else if (key === '0') picture.fit();
+  else return false;
+  return true;
+}
+
+/** One press of a zoom button or key. */
+export const ZOOM_STEP = 1.25;
+
+function placeOf(event: MouseEvent): Vec {
+  return { x: event.offsetX, y: event.offsetY };
+}

@@ -1,0 +1,111 @@
+import type { PlacedBlock } from '../picture/arena-model';
+import { liesStill } from '../picture/arranged';
+import { drawMovableBlock } from '../picture/draw-blocks';
+import { sightPx } from '../picture/draw-floor';
+import { clipTo } from './draw-moving';
+import { moverSprite } from './mover-sprite';
+import { boxAround, type PxBox } from '../view/moving-window';
+import type { Palette } from '../picture/palette';
+import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
+
+/** Where blocks are shown, and how. */
+export interface SpriteFrame {
+  readonly view: View;
+  readonly canvas: CanvasSize;
+  /** Canvas pixels per CSS px. */
+  readonly ratio: number;
+  readonly palette: Palette;
+  readonly arena: ArenaSize;
+}
+
+/**
+ * Blocks that are being pushed, each on a little canvas with room to move in. One canvas as large as the arena would have
+ * to be painted for each picture, and a canvas that follows its block has the browser sort all layers of the page.
+ */
+export interface BlockSprites {
+  /** Shows these blocks where they are now; those shown before stay. */
+  show(blocks: readonly PlacedBlock[], frame: SpriteFrame): void;
+  /** Takes all others away: they are painted elsewhere. */
+  keepOnly(blocks: readonly PlacedBlock[]): void;
+}
+
+/** So far a block moves on its canvas until that follows, in px. */
+const ROOM_PX = 32;
+
+interface Shown {
+  readonly element: HTMLCanvasElement;
+  readonly window: PxBox;
+  readonly block: PlacedBlock;
+  readonly frame: SpriteFrame;
+}
+
+/** @param host the element for the little canvases: over the blocks that lie still */
+export function createBlockSprites(host: () => HTMLElement | null): BlockSprites {
+  const all = new Map<string, Shown>();
+  return {
+    show(blocks, frame) {
+      const on = host();
+      if (on === null) return;
+      for (const block of blocks) {
+        const before = all.get(block.id);
+        if (before !== undefined && liesStill(before.block, block) && isSameFrame(before.frame, frame)) continue;
+        const element = before?.element ?? document.createElement('canvas');
+        const window = blockWindow(block, frame, before);
+        if (window !== before?.window) putOn(element, window, frame.ratio);
+        if (before === undefined) on.append(element);
+        paint(element, window, block, frame);
+        all.set(block.id, { element, window, block, frame });
+      }
+    },
+    keepOnly(blocks) {
+      if (all.size === 0) return;
+      const kept = new Set(blocks.map(({ id }) => id));
+      for (const [id, { element }] of all)
+        if (!kept.has(id)) {
+          element.remove();
+          all.delete(id);
+        }
+    },
+  };
+}
+
+const isSameFrame = (one: SpriteFrame, other: SpriteFrame): boolean =>
+  one.view === other.view &&
+  one.canvas === other.canvas &&
+  one.ratio === other.ratio &&
+  one.palette === other.palette &&
+  one.arena === other.arena;
+
+/** Where the canvas of a block lies; the same object as before while the block has room on it. */
+function blockWindow({ pose, sizeMm }: PlacedBlock, frame: SpriteFrame, before: Shown | undefined): PxBox {
+  const { view, ratio } = frame;
+  const size = [sizeMm.x, sizeMm.y] as const;
+  const half = moverSprite({ at: [0, 0], size }, view.pxPerMm).sidePx / 2;
+  const { left, top, width } = boxAround(toPx(view, { x: pose.xMm, y: pose.yMm }), half);
+  const last = before?.window;
+  const side = width + 2 * ROOM_PX;
+  const hasRoom = (from: number, lastFrom: number): boolean => lastFrom <= from && from + width <= lastFrom + side;
+  if (last?.width === side && before?.frame.ratio === ratio && hasRoom(left, last.left) && hasRoom(top, last.top))
+    return last;
+  const whole = (px: number): number => Math.round((px - ROOM_PX) * ratio) / ratio;
+  return { left: whole(left), top: whole(top), width: side, height: side };
+}
+
+function putOn(element: HTMLCanvasElement, { left, top, width }: PxBox, ratio: number): void {
+  const side = Math.ceil(width * ratio);
+  if (element.width !== side) element.width = element.height = side;
+  element.style.width = element.style.height = `${String(side / ratio)}px`;
+  element.style.transform = `translate(${String(left)}px, ${String(top)}px)`;
+}
+
+function paint(element: HTMLCanvasElement, window: PxBox, block: PlacedBlock, frame: SpriteFrame): void {
+  const context = element.getContext('2d');
+  if (context === null) return;
+  const { view, ratio, palette } = frame;
+  context.setTransform(ratio, 0, 0, ratio, -window.left * ratio, -window.top * ratio);
+  context.clearRect(window.left, window.top, element.width, element.height);
+  context.save();
+  clipTo(context, sightPx(view, frame.arena, frame.canvas));
+  drawMovableBlock(context, view, block, false, palette);
+  context.restore();
+}

@@ -1,0 +1,164 @@
+import type { Pose, Vec } from '#core/geometry';
+import type { ArenaCone, ArenaRobot, PlacedBlock } from '../picture/arena-model';
+import type { Arranged } from '../picture/arranged';
+import { drawMovableBlock } from '../picture/draw-blocks';
+import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
+import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
+import { floorPx, sightPx } from '../picture/draw-floor';
+import { drawHeldPose, drawRing, type Ring } from '../hand/draw-hand';
+import { drawRobot, paintedRadiusMm } from '../robot/draw-robot';
+import { ringRadiusPx, type Hand } from '../hand/hand';
+import type { OverlayPicture } from './overlays';
+import { boxAround, unionOf, type PxBox } from '../view/moving-window';
+import type { Palette } from '../picture/palette';
+import type { RobotPainting } from '../robot/robot-painting';
+import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
+
+/** Everything on the moving layer at one moment. */
+export interface MovingScene {
+  readonly arena: ArenaSize;
+  readonly blocks: readonly PlacedBlock[];
+  /** Id of the block in the hand. */
+  readonly heldBlock: string | null;
+  readonly robot: { readonly now: ArenaRobot; readonly painting: RobotPainting; readonly scale: number } | null;
+  readonly robotHeld: boolean;
+  readonly display: ArrayLike<number>;
+  readonly cone: ArenaCone | null;
+  /** What is shown besides the things themselves. */
+  readonly overlay: OverlayPicture | null;
+  /** Simulated time for the cone's arcs, or `null` to keep them still. */
+  readonly breathUs: number | null;
+  readonly ring: Ring | null;
+  /** What the hand holds, with a label `distancePx` away from it. */
+  readonly label: { readonly pose: Pose; readonly turning: boolean; readonly distancePx: number } | null;
+}
+
+/** What a moving scene is put together from. */
+export interface MovingParts {
+  readonly arena: ArenaSize;
+  readonly now: Arranged;
+  readonly hand: Hand;
+  /** `null` draws no robot. */
+  readonly painting: RobotPainting | null;
+  /** Size of the robot relative to the real one. */
+  readonly scale: number;
+  readonly display: ArrayLike<number>;
+  readonly showCone: boolean;
+  readonly breathUs: number | null;
+}
+
+/** Puts together what is to be drawn: the run's state, with what the hand holds where the hand is. */
+export function movingScene(parts: MovingParts, view: View): MovingScene {
+  const { hand, painting, scale } = parts;
+  const blocks = parts.now.blocks.map((block) => {
+    const pose = hand.poseOf({ kind: 'block', id: block.id }, block.pose);
+    return pose === block.pose ? block : { ...block, pose };
+  });
+  const actual = painting === null ? null : parts.now.robot;
+  const robot = actual === null ? null : { ...actual, pose: hand.poseOf({ kind: 'robot' }, actual.pose) };
+  const held = hand.held;
+  const heldBlock = held?.thing.kind === 'block' ? held.thing.id : null;
+  const robotHeld = held?.thing.kind === 'robot';
+  const heldPose = robotHeld ? robot?.pose : blocks.find(({ id }) => id === heldBlock)?.pose;
+  const turning = held?.turning ?? false;
+  const knobPx = hand.knobPx();
+  const outlineMm = painting?.look.body.outlineMm ?? [];
+  const frontMm = attachmentFrontMm(robot?.state.attachments);
+  const radiusPx = ringRadiusPx(view, { outlineMm, scale, frontMm });
+  return {
+    arena: parts.arena,
+    blocks,
+    heldBlock,
+    robot: robot === null || painting === null ? null : { now: robot, painting, scale },
+    robotHeld,
+    display: parts.display,
+    cone: parts.showCone && !robotHeld ? (robot?.state.ultrasonic ?? null) : null,
+    overlay: null,
+    breathUs: parts.breathUs,
+    ring: robot === null || knobPx === null ? null : { pose: robot.pose, radiusPx, knobPx, turning },
+    label: heldPose === undefined ? null : { pose: heldPose, turning, distancePx: robotHeld ? radiusPx + 28 : 60 },
+  };
+}
+
+/** Draws blocks that nobody holds. Drawn again only when one of them has moved. */
+export function drawBlocks(
+  context: CanvasRenderingContext2D,
+  view: View,
+  blocks: readonly PlacedBlock[],
+  palette: Palette,
+): void {
+  for (const block of blocks) drawMovableBlock(context, view, block, false, palette);
+}
+
+/**
+ * Draws what moves all the time: cone, robot, what the hand holds, ring. Called for every frame.
+ *
+ * @param context draws in CSS px
+ * @param ratio canvas pixels per CSS px
+ */
+export function drawMoving(
+  context: CanvasRenderingContext2D,
+  view: View,
+  canvas: CanvasSize,
+  ratio: number,
+  scene: MovingScene,
+  palette: Palette,
+): void {
+  const { robot, cone } = scene;
+  context.save();
+  clipTo(context, sightPx(view, scene.arena, canvas));
+  scene.overlay?.under(context);
+  if (cone !== null) {
+    context.save();
+    clipTo(context, floorPx(view, scene.arena));
+    drawCone(context, view, cone, scene.breathUs, palette);
+    context.restore();
+  }
+  if (robot !== null) {
+    const appearance = { display: scene.display, scale: robot.scale, held: scene.robotHeld };
+    const painted = { robot: robot.now, painting: robot.painting, ...appearance };
+    const loose = scene.blocks.filter(({ id }) => id !== scene.heldBlock);
+    attachmentPainter(robot.now.state, robot.painting)?.drawForks(context, view, ratio, painted, loose, palette);
+    drawRobot(context, view, ratio, robot.now, robot.painting, appearance, palette);
+  }
+  for (const block of scene.blocks)
+    if (block.id === scene.heldBlock) drawMovableBlock(context, view, block, true, palette);
+  scene.overlay?.over(context);
+  if (cone !== null) drawHit(context, view, cone, canvas, palette);
+  if (scene.ring !== null) drawRing(context, view, scene.ring, palette);
+  context.restore();
+  if (scene.label !== null) {
+    const { pose, turning, distancePx } = scene.label;
+    drawHeldPose(context, view, pose, turning, distancePx, canvas, palette);
+  }
+}
+
+/** Room around a label, in px: half of the widest one, "123.4 | 123.4 cm". */
+const LABEL_PX = 80;
+
+/** Where `drawMoving` draws, in CSS px; larger than needed rather than smaller. */
+export function movingBox(scene: MovingScene, view: View): PxBox {
+  const boxes: PxBox[] = [...(scene.overlay?.boxes ?? [])];
+  const at = (pose: Pose): Vec => toPx(view, { x: pose.xMm, y: pose.yMm });
+  const { robot, cone, ring, label } = scene;
+  if (robot !== null) {
+    const bodyMm = paintedRadiusMm(robot.painting.drawing);
+    const reachMm = Math.max(bodyMm, attachmentReachMm(robot.now.state)) * robot.scale;
+    boxes.push(boxAround(at(robot.now.pose), reachMm * view.pxPerMm + 12));
+  }
+  if (cone !== null) boxes.push(coneBox(cone, view));
+  if (cone?.hitMm) boxes.push(boxAround(toPx(view, cone.hitMm), LABEL_PX));
+  if (ring !== null) boxes.push(boxAround(at(ring.pose), ring.radiusPx + 22));
+  if (label !== null) boxes.push(boxAround(at(label.pose), Math.max(LABEL_PX, label.distancePx + 20)));
+  const held = scene.blocks.find(({ id }) => id === scene.heldBlock);
+  if (held !== undefined)
+    boxes.push(boxAround(at(held.pose), Math.hypot(held.sizeMm.x, held.sizeMm.y) * 0.55 * view.pxPerMm + 12));
+  return unionOf(boxes);
+}
+
+/** Lets nothing be drawn outside of a box until the next `restore`. */
+export function clipTo(context: CanvasRenderingContext2D, box: PxBox): void {
+  context.beginPath();
+  context.rect(box.left, box.top, box.width, box.height);
+  context.clip();
+}

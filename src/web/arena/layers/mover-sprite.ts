@@ -1,0 +1,47 @@
+import type { Pose, Vec } from '#core/geometry';
+import type { Mover } from '#scene/scene';
+import { boxAround, unionOf, type PxBox } from '../view/moving-window';
+import { toPx, type View } from '../view/view-transform';
+
+/** The picture of something that moves, an obstacle or a block: it is painted once and then only put elsewhere. */
+export interface MoverSprite {
+  /** Side of the square canvas, in CSS px. */
+  readonly sidePx: number;
+  /** The view in which the obstacle at its start lies in the middle of the canvas. */
+  readonly view: View;
+}
+
+/** Room for the shadow, in px. */
+const RIM_PX = 8;
+
+/** The canvas for a moving obstacle at so many px per mm. */
+export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: number): MoverSprite {
+  const half = Math.ceil((Math.hypot(size[0], size[1]) / 2) * pxPerMm + RIM_PX);
+  return {
+    sidePx: 2 * half,
+    view: { pxPerMm, leftPx: half - at[0] * pxPerMm, bottomPx: half + at[1] * pxPerMm },
+  };
+}
+
+/** Where the upper left corner of the canvas is when the obstacle is at a pose, in px; without one it is at its start. */
+export function spriteCorner({ sidePx }: MoverSprite, view: View, { at }: Pick<Mover, 'at'>, pose: Pose | null): Vec {
+  const middle = toPx(view, pose === null ? { x: at[0], y: at[1] } : { x: pose.xMm, y: pose.yMm });
+  return { x: middle.x - sidePx / 2, y: middle.y - sidePx / 2 };
+}
+
+/**
+ * The part of the canvas that a moving obstacle passes, on whole pixels, as far as it is in sight. A canvas there never
+ * moves: one that does has the browser sort all layers of the page for each picture.
+ *
+ * @param ratio canvas pixels per CSS px
+ */
+export function wayWindow(mover: Pick<Mover, 'at' | 'to' | 'size'>, view: View, sight: PxBox, ratio: number): PxBox {
+  const half = moverSprite(mover, view.pxPerMm).sidePx / 2;
+  const ends = [mover.at, mover.to].map(([x, y]) => boxAround(toPx(view, { x, y }), half));
+  const { left, top, width, height } = unionOf(ends);
+  const whole = (px: number): number => Math.floor(px * ratio) / ratio;
+  const from = { x: whole(Math.max(sight.left, left)), y: whole(Math.max(sight.top, top)) };
+  const right = Math.min(sight.left + sight.width, left + width);
+  const bottom = Math.min(sight.top + sight.height, top + height);
+  return { left: from.x, top: from.y, width: Math.max(0, right - from.x), height: Math.max(0, bottom - from.y) };
+}

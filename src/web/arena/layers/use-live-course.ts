@@ -1,0 +1,37 @@
+import { computed, type ComputedRef } from 'vue';
+import type { Pose } from '#core/geometry';
+import type { RobotStart, Scene } from '#scene/scene';
+import type { ArenaSnapshot } from '../picture/arena-model';
+import { liveScene, type LiveScene } from '../picture/live-scene';
+
+/** What a course and a run of it are shown from. */
+export interface LiveCourseSources {
+  /** As it is to be shown without a run: where the hand has put things. */
+  readonly shown: () => Scene;
+  /** The document. */
+  readonly course: () => Scene;
+  /** The course that the run began with, or `null`. */
+  readonly started: () => Scene | null;
+  readonly newest: () => ArenaSnapshot | null;
+}
+
+/** What of the course is in the run; the same object as long as neither of them changes. */
+export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene> {
+  const hasRun = computed(() => sources.newest() !== null);
+  return computed(() => {
+    const started = hasRun.value ? sources.started() : null;
+    return liveScene(started === null ? sources.shown() : sources.course(), started);
+  });
+}
+
+/** Nearer to its start than this the robot stands on it: mm, rad. Chosen: its outline would only double its rim. */
+const NEAR = { mm: 4, rad: 0.05 };
+
+/** Where the robot starts, if it stands elsewhere now: then its outline is drawn there. */
+export function startElsewhere(start: RobotStart, now: Pose | null): RobotStart | null {
+  if (now === null) return null;
+  const apart = Math.hypot(now.xMm - start.at[0], now.yMm - start.at[1]);
+  const turn = (now.headingRad - (start.heading * Math.PI) / 180) / (2 * Math.PI);
+  const turnedRad = Math.abs(turn - Math.round(turn)) * 2 * Math.PI;
+  return apart > NEAR.mm || turnedRad > NEAR.rad ? start : null;
+}

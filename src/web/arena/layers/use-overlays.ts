@@ -1,0 +1,55 @@
+import { shallowRef, watch, type ShallowRef } from 'vue';
+import type { ArenaOptions, ArenaSnapshot } from '../picture/arena-model';
+import type { MovingScene } from './draw-moving';
+import type { OverlayParts, OverlayPicture, Overlays } from './overlays';
+import type { Trail } from '../../run/trail';
+
+/** What the overlays are made of. */
+export interface OverlaySources {
+  readonly options: () => ArenaOptions;
+  readonly newest: () => ArenaSnapshot | null;
+  readonly trail: () => Trail;
+  /** There only while the trail is to be seen. */
+  readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
+  readonly place: () => Pick<OverlayParts, 'view' | 'canvas' | 'ratio' | 'palette'>;
+  /** Called when the code for them has come. */
+  readonly ready: () => void;
+}
+
+/** What the arena shows besides the things themselves, for a scene. Its code comes when the first of it is wanted. */
+export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
+  const overlays = shallowRef<Overlays | null>(null);
+  const isWanted = (): boolean => {
+    const { spots, centre, trace, lights } = sources.options();
+    return spots || centre || trace || Object.keys(lights).length > 0;
+  };
+  const fetch = (): void => {
+    import('./overlays').then(
+      ({ createOverlays }) => {
+        overlays.value ??= createOverlays();
+        sources.ready();
+      },
+      () => undefined, // no connection just now: asked again with the next switch
+    );
+  };
+  watch(sources.options, () => isWanted() && overlays.value === null && fetch(), { immediate: true });
+  return ({ arena, robot, robotHeld }) => {
+    if (!isWanted() || overlays.value === null) return null;
+    const options = sources.options();
+    const snapshot = sources.newest();
+    const parts: OverlayParts = {
+      ...sources.place(),
+      options,
+      arena,
+      timeUs: snapshot?.timeUs ?? null,
+      robot: robot && { now: robot.now, look: robot.painting.look, scale: robot.scale, held: robotHeld },
+      lights: (snapshot?.lights ?? []).flatMap(({ pin, colors }) => {
+        const form = options.lights[pin];
+        return form === undefined ? [] : [{ form, colors }];
+      }),
+      trail: sources.trail(),
+      trailCanvas: sources.trailCanvas.value,
+    };
+    return overlays.value.picture(parts, performance.now());
+  };
+}

@@ -1,0 +1,110 @@
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import type { Vec } from '#core/geometry';
+import type { RobotStart, Scene, SceneObject } from '#scene/scene';
+import type { Verdict } from '#simulation/verdict';
+import { drawScene, type PaintObjects } from '../picture/draw-scene';
+import type { LiveScene } from '../picture/live-scene';
+import { useViewRest } from '../picture/kept-picture';
+import { wholeCanvas } from '../view/moving-window';
+import type { Palette } from '../picture/palette';
+import type { SceneKinds } from '../picture/scene-kinds';
+import { areMany, createStillCache, type StillFrame } from '../picture/still-cache';
+import { useLayer } from '../view/use-layer';
+import type { ArenaView } from '../view/use-arena-view';
+
+/** What the layer with all that stands still shows. */
+export interface StillSources {
+  readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
+  readonly picture: ArenaView;
+  readonly palette: () => Palette;
+  readonly live: () => LiveScene;
+  /** Where the robot starts, if it is elsewhere now. */
+  readonly start: () => RobotStart | null;
+  /** Convex parts of the robot at scale 1 in its own frame, mm. */
+  readonly footprint: () => readonly (readonly Vec[])[];
+  /** Ids of objects that are shown elsewhere: a tool has them. */
+  readonly hidden: () => ReadonlySet<string>;
+  readonly verdict: () => Verdict | null;
+}
+
+/** The layer of what stands still. */
+export interface StillLayer {
+  readonly draw: () => void;
+  /** The drawing of zones, obstacles, words and the background, once a course has needed it. */
+  readonly kinds: Readonly<ShallowRef<SceneKinds | null>>;
+}
+
+/** Keeps the picture of what stands still up to date; fetches the drawing of rarer things when a course has any. */
+export function useStillLayer(sources: StillSources): StillLayer {
+  const { picture } = sources;
+  const ratio = (): number => picture.ratio.value;
+  const kinds = useKinds(
+    () => needsKinds(sources.live()) || sources.start() !== null,
+    () => draw(),
+  );
+  const keep = useKeptPicture(() => draw());
+  const shown = computed(() => withoutHidden(sources.live().scene, sources.hidden()));
+  const progress = computed(() => progressOf(sources.verdict()));
+  const draw = useLayer({
+    canvas: sources.canvas,
+    ratio,
+    place: () => wholeCanvas(picture.canvas.value),
+    paint(context) {
+      const view = picture.view.value;
+      const palette = sources.palette();
+      const frame = { view, canvas: picture.canvas.value, ratio: ratio(), palette, look: kinds.value };
+      const still = { scene: shown.value, kinds: kinds.value, verdict: sources.verdict() };
+      drawScene(context, view, still, picture.canvas.value, palette, keep(frame, shown.value.objects));
+      const waiting = { live: sources.live(), start: sources.start(), footprint: sources.footprint(), ratio: ratio() };
+      kinds.value?.waiting(context, view, waiting, palette);
+    },
+  });
+  const frame = () => [picture.view.value, picture.canvas.value, picture.ratio.value, sources.palette()];
+  const look = () => [shown.value, sources.live(), sources.start(), sources.footprint(), progress.value, kinds.value];
+  watch([frame, look], draw, { flush: 'post' });
+  return { draw, kinds };
+}
+
+/** What of a verdict shows in the picture: text, so that it is the same as long as it says the same. */
+function progressOf(verdict: Verdict | null): string {
+  if (verdict === null) return '';
+  const { checkpoints, targets, blocks } = verdict;
+  return [checkpoints.passed, targets.reached, blocks.delivered].join();
+}
+
+function withoutHidden(scene: Scene, hidden: ReadonlySet<string>): Scene {
+  return hidden.size === 0 ? scene : { ...scene, objects: scene.objects.filter(({ id }) => !hidden.has(id)) };
+}
+
+/** Whether a course has anything that `scene-kinds.ts` draws. */
+const needsKinds = ({ scene, waiting, size }: LiveScene): boolean =>
+  size !== null || scene.background !== null || [...scene.objects, ...waiting].some(isRare);
+
+const COMMON: readonly SceneObject['type'][] = ['stroke', 'wall', 'block', 'fixed-block'];
+const isRare = ({ type }: SceneObject): boolean => !COMMON.includes(type);
+
+function useKinds(needed: () => boolean, redraw: () => void): ShallowRef<SceneKinds | null> {
+  const kinds = shallowRef<SceneKinds | null>(null);
+  const isNeeded: ComputedRef<boolean> = computed(needed);
+  const fetch = (): void => {
+    import('../picture/scene-kinds').then(
+      ({ createSceneKinds }) => (kinds.value ??= createSceneKinds(redraw)),
+      () => undefined, // no connection just now: asked again with the next course
+    );
+  };
+  watch(isNeeded, (is) => is && kinds.value === null && fetch(), { immediate: true });
+  return kinds;
+}
+
+/** Keeps pictures of many lines and walls while the view moves; sharpens them when it stands still. */
+function useKeptPicture(redraw: () => void) {
+  const caches = { lines: createStillCache<SceneObject>(), standing: createStillCache<SceneObject>() };
+  const rest = useViewRest(redraw);
+  return (frame: StillFrame, objects: readonly SceneObject[]): PaintObjects | undefined => {
+    if (!areMany(objects)) return undefined;
+    const settled = rest.settled(frame);
+    return (context, paint, layer) => {
+      if (!caches[layer].draw(context, frame, objects, paint, settled)) rest.sharpenSoon();
+    };
+  };
+}

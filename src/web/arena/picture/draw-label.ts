@@ -1,0 +1,26 @@
+import type { Label } from '#scene/scene';
+import { canvasFont, type Palette } from './palette';
+import { toPx, type View } from '../view/view-transform';
+
+/** Height of a capital in parts of the size of its font, for the sans-serif fonts of `canvasFont`. */
+export const CAPITAL = 0.715;
+
+/** Draws words on the floor, with a rim of floor so that they can be read on a line as well. */
+export function drawLabel(context: CanvasRenderingContext2D, view: View, label: Label, palette: Palette): void {
+  const at = toPx(view, { x: label.at[0], y: label.at[1] });
+  const size = (label.height * view.pxPerMm) / CAPITAL;
+  if (size < 2) return;
+  context.save();
+  context.translate(at.x, at.y);
+  context.rotate((-label.turn * Math.PI) / 4);
+  context.font = `600 ${size.toFixed(2)}px ${canvasFont}`;
+  context.textAlign = 'center';
+  context.textBaseline = 'alphabetic';
+  context.lineJoin = 'round';
+  context.lineWidth = Math.max(2, size * 0.16);
+  context.strokeStyle = palette.floor;
+  context.fillStyle = palette.label;
+  context.strokeText(label.text, 0, (size * CAPITAL) / 2);
+  context.fillText(label.text, 0, (size * CAPITAL) / 2);
+  context.restore();
+}

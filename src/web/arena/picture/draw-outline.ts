@@ -1,0 +1,106 @@
+import type { Vec } from '#core/geometry';
+import type { RobotStart, SceneObject } from '#scene/scene';
+import { CAPITAL } from './draw-label';
+import { toPx, type View } from '../view/view-transform';
+
+/** Width of an average letter in parts of the height of capitals. */
+const LETTER = 0.83;
+
+/** Extent of the words of a label along and across them, in mm; good enough to point at. */
+export function labelSize({ text, height }: { readonly text: string; readonly height: number }): Vec {
+  return { x: Math.max(1, text.length) * height * LETTER, y: height / CAPITAL };
+}
+
+/**
+ * Begins a path around an object, in CSS px; of a moving obstacle, where it starts. Of a line it is the line itself, to
+ * be stroked wider than the line is.
+ *
+ * @param growPx so far outside of the object
+ */
+export function outlinePath(context: CanvasRenderingContext2D, view: View, object: SceneObject, growPx: number): void {
+  context.beginPath();
+  if (object.type === 'stroke') {
+    object.points.forEach((point, i) => {
+      const at = toPx(view, { x: point[0], y: point[1] });
+      if (i === 0) context.moveTo(at.x, at.y);
+      context.lineTo(at.x, at.y);
+    });
+    return;
+  }
+  const { at, angleRad, size } = frameOf(object);
+  const centre = toPx(view, at);
+  const width = size.x * view.pxPerMm + 2 * growPx;
+  const height = size.y * view.pxPerMm + 2 * growPx;
+  context.save();
+  context.translate(centre.x, centre.y);
+  context.rotate(-angleRad);
+  if ('round' in object && object.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
+  else context.roundRect(-width / 2, -height / 2, width, height, Math.min(3 + growPx, width / 3, height / 3));
+  context.restore(); // the path keeps its place
+}
+
+/** Middle, direction and extent of an object that is no line. */
+function frameOf(object: Exclude<SceneObject, { type: 'stroke' }>): { at: Vec; angleRad: number; size: Vec } {
+  if (object.type === 'wall') {
+    const { from, to, thickness } = object;
+    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
+    return {
+      at: { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 },
+      angleRad: Math.atan2(dy, dx),
+      size: { x: Math.hypot(dx, dy), y: thickness },
+    };
+  }
+  const at = { x: object.at[0], y: object.at[1] };
+  const angleRad = (object.turn * Math.PI) / 4;
+  if (object.type === 'label') return { at, angleRad, size: labelSize(object) };
+  return { at, angleRad, size: { x: object.size[0], y: object.size[1] } };
+}
+
+/** The parts of the robot's outline where it starts, in CSS px. */
+export function robotOutlinePx(view: View, start: RobotStart, parts: readonly (readonly Vec[])[]): Vec[][] {
+  const rad = (start.heading * Math.PI) / 180;
+  const [cos, sin] = [Math.cos(rad) * start.scale, Math.sin(rad) * start.scale];
+  return parts.map((part) =>
+    part.map(({ x, y }) => toPx(view, { x: start.at[0] + x * cos - y * sin, y: start.at[1] + x * sin + y * cos })),
+  );
+}
+
+/**
+ * Draws the outline of a robot dashed, without the lines between its parts.
+ *
+ * @param ratio canvas pixels per CSS px
+ */
+export function drawRobotOutline(
+  context: CanvasRenderingContext2D,
+  partsPx: readonly (readonly Vec[])[],
+  ratio: number,
+  color: string,
+): void {
+  const corners = partsPx.flat();
+  if (corners.length === 0) return;
+  const rim = 4;
+  const left = Math.floor(Math.min(...corners.map(({ x }) => x)) - rim);
+  const top = Math.floor(Math.min(...corners.map(({ y }) => y)) - rim);
+  const width = Math.ceil(Math.max(...corners.map(({ x }) => x)) + rim) - left;
+  const height = Math.ceil(Math.max(...corners.map(({ y }) => y)) + rim) - top;
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.ceil(width * ratio);
+  canvas.height = Math.ceil(height * ratio);
+  const on = canvas.getContext('2d');
+  if (on === null || width > 4000 || height > 4000) return;
+  on.setTransform(ratio, 0, 0, ratio, -left * ratio, -top * ratio);
+  on.strokeStyle = color;
+  on.lineWidth = 4; // its inner half is taken away
+  on.setLineDash([6, 5]);
+  on.lineJoin = 'round';
+  const path = new Path2D();
+  for (const part of partsPx) {
+    part.forEach(({ x, y }, i) => (i === 0 ? path.moveTo(x, y) : path.lineTo(x, y)));
+    path.closePath();
+  }
+  on.stroke(path);
+  on.globalCompositeOperation = 'destination-out';
+  on.fillStyle = '#000';
+  on.fill(path);
+  context.drawImage(canvas, left, top, width, height);
+}

@@ -1,0 +1,33 @@
+import { describe, expect, it } from 'vitest';
+import { defaultScene } from '#scene/scene';
+import { drawScene } from './draw-scene';
+import { lightPalette } from './palette';
+import type { SceneKinds } from './scene-kinds';
+import { fitView } from '../view/view-transform';
+
+/** Takes everything and shows nothing. */
+const nowhere = new Proxy({}, { get: () => () => ({ width: 0 }), set: () => true }) as CanvasRenderingContext2D;
+
+describe('what stands still', () => {
+  it('is painted from the floor up: grounds of zones, lines, numbers of zones, then what stands', () => {
+    const order: string[] = [];
+    const told = (name: string) => () => void order.push(name);
+    const kinds: SceneKinds = {
+      background: told('background'),
+      zones: told('zones'),
+      zoneSigns: told('zone signs'),
+      signs: told('words'),
+      spikes: told('spikes'),
+      mover: told('mover'),
+      waiting: told('waiting'),
+    };
+    const background = { at: [0, 0], size: [100, 100], cells: [1, 1], levels: '', picture: '' } as const;
+    const scene = { ...defaultScene(), background };
+    const canvas = { widthPx: 800, heightPx: 600 };
+    const view = fitView(scene.size, canvas);
+    drawScene(nowhere, view, { scene, kinds, verdict: null }, canvas, lightPalette, (_, __, layer) =>
+      order.push(layer),
+    );
+    expect(order).toEqual(['background', 'zones', 'lines', 'zone signs', 'standing']);
+  });
+});

@@ -1,0 +1,69 @@
+/**
+ * The drawing of what only some courses have: zones, obstacles, words, a background, and what waits for the next start.
+ * Loaded when any of it is first to be seen.
+ */
+import type { Pose } from '#core/geometry';
+import type { Background, Mover, Scene, SceneObject, Zone } from '#scene/scene';
+import type { Verdict } from '#simulation/verdict';
+import { createBackgroundShelf, drawBackground } from './draw-background';
+import { drawLabel } from './draw-label';
+import { drawMover, drawSpikes, drawTrack } from './draw-obstacles';
+import { drawWaiting, type Waiting } from './draw-waiting';
+import { drawZoneGround, drawZoneSign, zoneState } from './draw-zones';
+import type { Palette } from './palette';
+import type { View } from '../view/view-transform';
+
+/** Draws the kinds that come late, in CSS px. */
+export interface SceneKinds {
+  background(context: CanvasRenderingContext2D, view: View, background: Background): void;
+  /** The grounds of zones, under the lines. */
+  zones(context: CanvasRenderingContext2D, view: View, scene: Scene, palette: Palette): void;
+  /** Numbers and signs of zones, over the lines. */
+  zoneSigns(
+    context: CanvasRenderingContext2D,
+    view: View,
+    scene: Scene,
+    verdict: Verdict | null,
+    palette: Palette,
+  ): void;
+  /** Words and the ways of moving obstacles, over both. */
+  signs(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
+  /** Spikes, which stand like walls. */
+  spikes(context: CanvasRenderingContext2D, view: View, objects: readonly SceneObject[], palette: Palette): void;
+  mover(context: CanvasRenderingContext2D, view: View, mover: Mover, pose: Pose | null, palette: Palette): void;
+  /** What waits for the next start, over all the rest. */
+  waiting(context: CanvasRenderingContext2D, view: View, waiting: Waiting, palette: Palette): void;
+}
+
+/**
+ * Makes the drawing of one arena.
+ *
+ * @param ready called when a picture that was asked for can be drawn
+ */
+export function createSceneKinds(ready: () => void): SceneKinds {
+  const shelf = createBackgroundShelf(ready);
+  return {
+    background: (context, view, background) => drawBackground(context, view, background, shelf),
+    zones(context, view, scene, palette) {
+      for (const object of scene.objects) if (isZone(object)) drawZoneGround(context, view, object, palette);
+    },
+    zoneSigns(context, view, scene, verdict, palette) {
+      const zones = scene.objects.filter(isZone);
+      for (const zone of zones) drawZoneSign(context, view, zone, zoneState(zone, zones, verdict), palette);
+    },
+    signs(context, view, objects, palette) {
+      for (const object of objects) {
+        if (object.type === 'label') drawLabel(context, view, object, palette);
+        if (object.type === 'mover') drawTrack(context, view, object, palette);
+      }
+    },
+    spikes(context, view, objects, palette) {
+      for (const object of objects) if (object.type === 'spikes') drawSpikes(context, view, object, palette);
+    },
+    mover: drawMover,
+    waiting: drawWaiting,
+  };
+}
+
+const isZone = (object: SceneObject): object is Zone =>
+  object.type === 'target' || object.type === 'checkpoint' || object.type === 'forbidden';

@@ -1,0 +1,52 @@
+import { attachmentTitles } from '#attachments/options';
+import type { Vec } from '#core/geometry';
+import type { OptionValues } from '#core/option';
+import type * as attachmentPainterFile from './attachment-painter';
+import type { ArenaAttachment, ArenaRobotState } from '../picture/arena-model';
+import type { RobotPainting } from './robot-painting';
+
+/** What draws attachments; comes when the first one is shown, as most robots carry none. */
+type Painter = typeof attachmentPainterFile;
+
+let painter: Painter | null = null;
+let coming: Promise<Painter> | null = null;
+
+/** The painter for what hangs on this robot; `null` when nothing does, or while it is still on its way. */
+export function attachmentPainter(state: ArenaRobotState, painting: RobotPainting): Painter | null {
+  if ((state.attachments ?? []).length === 0) return null;
+  if (painter === null) {
+    coming ??= import('./attachment-painter');
+    coming.then(
+      (loaded) => {
+        painter = loaded;
+        painting.redraw();
+      },
+      () => (coming = null), // no connection just now: asked again with the next picture
+    );
+  }
+  return painter;
+}
+
+/** From the mount to the far edge of what an attachment may carry, with its shadow, in mm of the real robot. Chosen generously. */
+const REACH_MM = 130;
+
+/** How far from the robot's origin its attachments are painted, in mm of the real robot; 0 without any. */
+export function attachmentReachMm(state: ArenaRobotState): number {
+  return Math.max(0, ...(state.attachments ?? []).map(({ atMm }) => Math.hypot(atMm.x, atMm.y) + REACH_MM));
+}
+
+/** From the mount to the front end of each attachment, in mm of the real robot: the upper edge of its drawing. */
+export const LENGTH_MM: Readonly<Record<string, number>> = { claw: 64, forklift: 66, loader: 52, push: 22 };
+
+/** How far ahead of the axle what hangs on a robot ends, in mm of the real robot; 0 without any. */
+export function attachmentFrontMm(attachments: readonly ArenaAttachment[] = []): number {
+  return Math.max(0, ...attachments.map(({ type, atMm }) => atMm.x + (LENGTH_MM[type] ?? 0)));
+}
+
+/** What hangs on a robot with these options before it runs. */
+export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly ArenaAttachment[] {
+  if (mountMm === null) return [];
+  return Object.values(options)
+    .filter((value) => value !== 'none' && value in attachmentTitles)
+    .map((type) => ({ type, atMm: mountMm, turnRad: {}, heightMm: 0, isHolding: false }));
+}

@@ -1,0 +1,53 @@
+import type { ArenaRobotState } from '../picture/arena-model';
+import type { RobotPainting } from './robot-painting';
+import { createSpriteShelf, type RobotSprite, type SpriteShelf } from './robot-sprite';
+
+/** How far a pressed half gives way, in mm. Chosen: twice the way of a microswitch, so that it is seen. */
+const PRESSED_MM = 3;
+
+/** A pressed half is tinted: at a small zoom 3 mm are hardly a pixel. */
+const PRESSED_TINT = 'rgba(255, 74, 61, 0.72)';
+
+/** Both halves of a bumper, each at rest and pressed. */
+interface Bumper {
+  readonly left: Half;
+  readonly right: Half;
+}
+interface Half {
+  readonly resting: SpriteShelf;
+  readonly pressed: SpriteShelf;
+}
+
+const bumpers = new WeakMap<RobotPainting, Bumper>();
+
+/** Made when a robot first carries its bumper. */
+function bumperOf(painting: RobotPainting): Bumper | null {
+  const known = bumpers.get(painting);
+  const { bumper, viewBox } = painting.drawing;
+  if (known !== undefined || bumper === null) return known ?? null;
+  const halfOf = (svg: string): Half => ({
+    resting: createSpriteShelf({ svg, viewBox }, painting.redraw),
+    pressed: createSpriteShelf({ svg, viewBox }, painting.redraw, PRESSED_TINT),
+  });
+  const made = { left: halfOf(bumper.left), right: halfOf(bumper.right) };
+  bumpers.set(painting, made);
+  return made;
+}
+
+/** A half of the bumper as it is to be drawn. */
+export interface BumperSprite {
+  readonly sprite: RobotSprite;
+  /** How far it is pushed towards the axle, in drawing units (mm). */
+  readonly pushedMm: number;
+}
+
+/** The halves of the bumper that the robot carries now, at so many canvas pixels per mm; none without one. */
+export function bumperSprites(painting: RobotPainting, state: ArenaRobotState, pixelsPerMm: number): BumperSprite[] {
+  const bumper = state.bumper === null ? null : bumperOf(painting);
+  if (bumper === null) return [];
+  return (['left', 'right'] as const).flatMap((side) => {
+    const isPressed = state.bumper?.[side] === true;
+    const sprite = bumper[side][isPressed ? 'pressed' : 'resting'].at(pixelsPerMm);
+    return sprite === null ? [] : [{ sprite, pushedMm: isPressed ? PRESSED_MM : 0 }];
+  });
+}

@@ -1,0 +1,187 @@
+import type { Vec } from '#core/geometry';
+import type { ArenaRobot, ArenaRobotState, RobotLook } from '../picture/arena-model';
+import { attachmentPainter } from './draw-attachments';
+import { bumperSprites } from './draw-bumper';
+import { drawGlow, floorLight } from '../../page/drawing/draw-glow';
+import { ledOpacity } from '../../board/drawing/led-brightness';
+import type { Palette } from '../picture/palette';
+import type { Box, RobotDrawing, Spot } from './robot-drawing';
+import { HELD_SIZE, type RobotPainting } from './robot-painting';
+import type { RobotSprite } from './robot-sprite';
+import { toPx, type View } from '../view/view-transform';
+
+/** How the robot is to be shown. */
+export interface RobotAppearance {
+  /** 25 levels 0 … 9. */
+  readonly display: ArrayLike<number>;
+  /** Relative to the real robot. */
+  readonly scale: number;
+  /** In the hand: a little higher above the floor. */
+  readonly held: boolean;
+}
+
+/** How far from the robot's origin its picture reaches, light and shadow included, in mm of the real robot. */
+export function paintedRadiusMm(drawing: RobotDrawing): number {
+  const { x, y, width, height } = drawing.viewBox;
+  const corner = Math.hypot(Math.max(-x, x + width), Math.max(-y, y + height));
+  const lights = drawing.rgb.map((spot) => Math.hypot(spot.x, spot.y) + spot.radius * UNDERGLOW_REACH);
+  return Math.max(corner + 10, ...lights) * HELD_SIZE;
+}
+
+/** Light on the floor reaches so many times farther than the light's circle in the drawing. */
+const UNDERGLOW_REACH = 1.75;
+
+/** Draws the robot: shadow, light on the floor, body, and what lives on it. */
+export function drawRobot(
+  context: CanvasRenderingContext2D,
+  view: View,
+  ratio: number,
+  robot: ArenaRobot,
+  painting: RobotPainting,
+  appearance: RobotAppearance,
+  palette: Palette,
+): void {
+  const { drawing, look } = painting;
+  const at = toPx(view, { x: robot.pose.xMm, y: robot.pose.yMm });
+  const size = view.pxPerMm * appearance.scale * (appearance.held ? HELD_SIZE : 1);
+  const attachments = attachmentPainter(robot.state, painting);
+  const sprite = (attachments?.bodySprites(robot, painting) ?? painting.sprites).at(size * ratio);
+  const bumper = bumperSprites(painting, robot.state, size * ratio);
+  const enter = (shiftPx: Vec): void => {
+    context.save();
+    context.translate(at.x + shiftPx.x, at.y + shiftPx.y);
+    context.rotate(Math.PI / 2 - robot.pose.headingRad);
+    context.scale(size, size);
+  };
+  if (sprite !== null) {
+    const height = appearance.held ? 9 : 3;
+    enter({ x: 0.4 * height * size, y: height * size });
+    context.globalAlpha = appearance.held ? 0.26 : 0.34;
+    drawInto(context, sprite.shadow, sprite.shadowBox);
+    for (const half of bumper) drawInto(context, half.sprite.shadow, half.sprite.shadowBox, half.pushedMm);
+    context.restore();
+  }
+  enter({ x: 0, y: 0 });
+  drawUnderglow(context, drawing.rgb, robot.state);
+  for (const half of bumper) drawInto(context, half.sprite.body, drawing.viewBox, half.pushedMm);
+  if (sprite === null) drawPlainBody(context, look, palette);
+  else drawBody(context, sprite, drawing, robot, appearance.display);
+  context.restore();
+  attachments?.drawFront(context, view, ratio, { robot, painting, ...appearance });
+}
+
+function drawBody(
+  context: CanvasRenderingContext2D,
+  sprite: RobotSprite,
+  drawing: RobotDrawing,
+  robot: ArenaRobot,
+  display: ArrayLike<number>,
+): void {
+  drawInto(context, sprite.body, drawing.viewBox);
+  if (drawing.wheels.left !== null) drawTread(context, drawing.wheels.left, robot.wheelTurnRad[0]);
+  if (drawing.wheels.right !== null) drawTread(context, drawing.wheels.right, robot.wheelTurnRad[1]);
+  for (const sensor of robot.state.lineSensors) {
+    const spot = sensor.bright ? drawing.line.get(sensor.name) : undefined;
+    if (spot !== undefined) drawLineLight(context, spot);
+  }
+  drawDisplay(context, drawing.display, display);
+  drawRedLight(context, drawing.leds.left, robot.state.leds.left);
+  drawRedLight(context, drawing.leds.right, robot.state.leds.right);
+}
+
+function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, box: Box, backMm = 0): void {
+  context.drawImage(image, box.x, box.y + backMm, box.width, box.height);
+}
+
+function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[], state: ArenaRobotState): void {
+  spots.forEach((spot, i) => {
+    const color = state.rgb[i];
+    if (color === undefined) return;
+    const light = floorLight(color);
+    drawGlow(context, spot, spot.radius * UNDERGLOW_REACH, light.color, light.alpha);
+  });
+}
+
+/** Marks of the tread, about as far apart as on the real tyre. */
+const TREAD_MARKS = 24;
+
+/**
+ * The upper half of a turning tyre, seen from above: marks crowd and fade where the tyre bends down. Rolling
+ * forward, its top moves to the front (up in the drawing).
+ */
+function drawTread(context: CanvasRenderingContext2D, tyre: Box, turnRad: number): void {
+  const radius = tyre.height / 2;
+  const middle = { x: tyre.x + tyre.width / 2, y: tyre.y + radius };
+  const half = tyre.width * 0.4;
+  const pitch = (2 * Math.PI) / TREAD_MARKS;
+  const first = turnRad - Math.floor(turnRad / pitch) * pitch;
+  context.strokeStyle = '#68727c';
+  context.lineJoin = 'round';
+  for (let mark = 0; mark < TREAD_MARKS / 2; mark += 1) {
+    const angle = -Math.PI / 2 + first + mark * pitch;
+    const facing = Math.cos(angle);
+    if (facing < 0.12) continue;
+    const y = middle.y - radius * 0.985 * Math.sin(angle);
+    context.globalAlpha = 0.25 + 0.65 * facing;
+    context.lineWidth = 0.35 + 0.85 * facing;
+    context.beginPath();
+    context.moveTo(middle.x - half, y + 0.8 * facing);
+    context.lineTo(middle.x, y - 0.9 * facing);
+    context.lineTo(middle.x + half, y + 0.8 * facing);
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+}
+
+function drawLineLight(context: CanvasRenderingContext2D, spot: Spot): void {
+  drawGlow(context, spot, spot.radius * 2.4, [74, 184, 255], 0.75);
+  disc(context, spot, spot.radius, '#ffffff');
+  disc(context, spot, spot.radius * 0.84, '#4fc3ff');
+  disc(context, { x: spot.x - spot.radius * 0.22, y: spot.y - spot.radius * 0.25 }, spot.radius * 0.36, '#d4f1ff');
+}
+
+function drawRedLight(context: CanvasRenderingContext2D, spot: Spot | null, brightness: number): void {
+  if (spot === null || brightness <= 0) return;
+  drawGlow(context, { x: spot.x, y: spot.y - 1 }, spot.radius * 5.4, [255, 45, 34], 0.95 * brightness);
+  disc(context, spot, spot.radius * 1.24, '#ffd9d3');
+  disc(context, spot, spot.radius, '#ff4a3d');
+  disc(context, { x: spot.x - spot.radius * 0.25, y: spot.y - spot.radius * 0.3 }, spot.radius * 0.42, '#ffe3de');
+}
+
+function drawDisplay(context: CanvasRenderingContext2D, lights: readonly Box[], levels: ArrayLike<number>): void {
+  lights.forEach((light, i) => {
+    const opacity = ledOpacity(levels[i] ?? 0);
+    if (opacity === 0) return;
+    context.globalAlpha = 0.45 * opacity;
+    context.fillStyle = '#ff3b2f';
+    context.fillRect(light.x - 0.7, light.y - 0.5, light.width + 1.4, light.height + 1);
+    context.globalAlpha = opacity;
+    context.fillStyle = '#ff6a58';
+    context.fillRect(light.x, light.y, light.width, light.height);
+  });
+  context.globalAlpha = 1;
+}
+
+/** The bare outline with an arrow: for the moment before the drawing has been read. */
+function drawPlainBody(context: CanvasRenderingContext2D, look: RobotLook, palette: Palette): void {
+  context.fillStyle = palette.wall;
+  for (const part of look.body.outlineMm) {
+    context.beginPath();
+    for (const corner of part) context.lineTo(-corner.y, -corner.x); // robot frame to drawing: front is up
+    context.fill();
+  }
+  context.strokeStyle = palette.fixedInk;
+  context.lineWidth = 3;
+  context.beginPath();
+  context.moveTo(-10, -30);
+  context.lineTo(0, -42);
+  context.lineTo(10, -30);
+  context.stroke();
+}
+
+function disc(context: CanvasRenderingContext2D, at: Vec, radius: number, color: string): void {
+  context.fillStyle = color;
+  context.beginPath();
+  context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
+  context.fill();
+}

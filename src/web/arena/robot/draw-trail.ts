@@ -1,0 +1,169 @@
+import type { Vec } from '#core/geometry';
+import type { Palette } from '../picture/palette';
+import type { Trail } from '../../run/trail';
+import { sightPx } from '../picture/draw-floor';
+import { toPx, type ArenaSize, type View } from '../view/view-transform';
+
+/** Widths in px: the line, and the white around it that keeps it apart from dark lines. */
+const LINE_PX = 2.4;
+const CASING_PX = 5.2;
+
+/** Points nearer to each other than this, in px, are drawn as one. */
+const NEAR_PX = 1.5;
+
+/** The pieces of a trail between its gaps, from a point on: each a list of px, x and y alternately. */
+export function piecesOf(trail: Trail, from: number, view: View): number[][] {
+  const pieces: number[][] = [];
+  let piece: number[] = [];
+  for (let i = from; i < trail.count; i += 1) {
+    const x = trail.xyMm[2 * i] ?? NaN;
+    if (Number.isNaN(x)) {
+      if (piece.length > 0) pieces.push(piece);
+      piece = [];
+      continue;
+    }
+    const at = toPx(view, { x, y: trail.xyMm[2 * i + 1] ?? NaN });
+    const before = piece.length;
+    const isNear =
+      before >= 4 &&
+      Math.abs(at.x - (piece[before - 4] ?? 0)) < NEAR_PX &&
+      Math.abs(at.y - (piece[before - 3] ?? 0)) < NEAR_PX;
+    if (isNear) piece.length = before - 2; // the newest point stays: the line must reach it
+    piece.push(at.x, at.y);
+  }
+  if (piece.length > 0) pieces.push(piece);
+  return pieces;
+}
+
+/**
+ * Draws a trail from one of its points on. What is there already stays on top, so that a trail drawn piece by piece
+ * looks like one drawn at once: its casing never covers its line.
+ */
+export function drawTrail(
+  context: CanvasRenderingContext2D,
+  view: View,
+  trail: Trail,
+  from: number,
+  palette: Palette,
+): void {
+  const pieces = piecesOf(trail, from, view);
+  context.save();
+  context.lineJoin = 'round';
+  const path = new Path2D();
+  for (const piece of pieces) {
+    const [x = 0, y = 0, nextX = x, nextY = y] = piece;
+    // Half a px back into what is drawn already: neither a gap nor, as with round ends, a knot.
+    const back = 0.5 / (Math.hypot(nextX - x, nextY - y) || 1);
+    path.moveTo(x - (nextX - x) * back, y - (nextY - y) * back);
+    for (let i = 2; i < piece.length; i += 2) path.lineTo(piece[i] ?? 0, piece[i + 1] ?? 0);
+  }
+  context.globalCompositeOperation = 'destination-over';
+  strokeWith(context, path, palette.traceCasing, CASING_PX);
+  context.globalCompositeOperation = 'source-over';
+  strokeWith(context, path, palette.trace, LINE_PX);
+  context.restore();
+  if (from === 0) drawStarts(context, pieces, palette);
+}
+
+/** A ring where the trail begins. */
+function drawStarts(context: CanvasRenderingContext2D, pieces: readonly (readonly number[])[], palette: Palette): void {
+  const [first] = pieces;
+  if (first === undefined) return;
+  context.fillStyle = palette.traceCasing;
+  context.strokeStyle = palette.trace;
+  context.lineWidth = LINE_PX;
+  context.beginPath();
+  context.arc(first[0] ?? 0, first[1] ?? 0, 4.5, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+}
+
+/** Draws the newest part of a trail, which ends under the robot. */
+export function drawTail(context: CanvasRenderingContext2D, pointsPx: readonly Vec[], palette: Palette): void {
+  if (pointsPx.length < 2) return;
+  context.save();
+  context.lineJoin = 'round';
+  const path = new Path2D();
+  for (const point of pointsPx) path.lineTo(point.x, point.y);
+  strokeWith(context, path, palette.traceCasing, CASING_PX);
+  context.lineCap = 'round';
+  strokeWith(context, path, palette.trace, LINE_PX);
+  context.restore();
+}
+
+function strokeWith(context: CanvasRenderingContext2D, path: Path2D, color: string, width: number): void {
+  context.strokeStyle = color;
+  context.lineWidth = width;
+  context.stroke(path);
+}
+
+/** How often the canvas of the trail is painted at most, in ms: it is large, and what is newer is drawn with the robot. */
+const RENEW_MS = 250;
+
+/** What the canvas of a trail shows: whatever of it is another, it is painted anew. */
+export interface TrailFrame {
+  readonly canvas: HTMLCanvasElement;
+  readonly widthPx: number;
+  readonly heightPx: number;
+  /** Canvas pixels per CSS px. */
+  readonly ratio: number;
+  readonly view: View;
+  readonly arena: ArenaSize;
+  readonly palette: Palette;
+  readonly generation: number;
+}
+
+/** The canvas with all of a trail but its newest points. */
+export interface TrailLayer {
+  /** Brings the canvas up to date when that is due. */
+  paint(trail: Trail, frame: TrailFrame, nowMs: number): void;
+  /** The newest points that the canvas does not show yet, in px. */
+  tail(trail: Trail, view: View): Vec[];
+}
+
+/** Makes a layer that paints only what has been added, four times a second. */
+export function createTrailLayer(): TrailLayer {
+  let shown: TrailFrame | null = null;
+  let drawn = 0;
+  let paintedMs = 0;
+  return {
+    paint(trail, frame, nowMs) {
+      const isNew = shown === null || !isSame(shown, frame);
+      if (!isNew && (drawn === trail.count || nowMs - paintedMs < RENEW_MS)) return;
+      const context = frame.canvas.getContext('2d');
+      if (context === null) return;
+      if (isNew) clear(context, frame);
+      const sight = sightPx(frame.view, frame.arena, frame);
+      context.save();
+      context.beginPath();
+      context.rect(sight.left, sight.top, sight.width, sight.height);
+      context.clip();
+      drawTrail(context, frame.view, trail, isNew ? 0 : Math.max(0, drawn - 1), frame.palette);
+      context.restore();
+      shown = frame;
+      drawn = trail.count;
+      paintedMs = nowMs;
+    },
+    tail(trail, view) {
+      const points: Vec[] = [];
+      for (let i = Math.max(0, drawn - 1); i < trail.count; i += 1) {
+        const [x = NaN, y = NaN] = trail.xyMm.subarray(2 * i, 2 * i + 2);
+        if (Number.isNaN(x)) points.length = 0;
+        else points.push(toPx(view, { x, y }));
+      }
+      return points;
+    },
+  };
+}
+
+function isSame(one: TrailFrame, other: TrailFrame): boolean {
+  return (Object.keys(one) as (keyof TrailFrame)[]).every((key) => one[key] === other[key]);
+}
+
+function clear(context: CanvasRenderingContext2D, { canvas, widthPx, heightPx, ratio }: TrailFrame): void {
+  canvas.width = Math.round(widthPx * ratio); // this empties it
+  canvas.height = Math.round(heightPx * ratio);
+  canvas.style.width = `${String(widthPx)}px`;
+  canvas.style.height = `${String(heightPx)}px`;
+  context.setTransform(ratio, 0, 0, ratio, 0, 0);
+}

@@ -1,0 +1,108 @@
+import type { Vec } from '#core/geometry';
+import type { Texts } from '#core/texts';
+import { nothingSelected } from '#editor/tools/tool';
+import type { CourseEditorModel } from '../../course-editor/state/use-course-editor';
+import { say } from '../../page/i18n/say';
+import { canvasTexts } from './canvas-texts';
+import { arrowOf, STEP_MM, type SelectionKeys } from './tool-keys';
+import type { ToolPointers } from './tool-pointers';
+import type { ToolSurface } from './tool-surface';
+import type { ArenaView } from '../view/use-arena-view';
+import { toMm } from '../view/view-transform';
+
+/** The keys of the arena while a tool is chosen. */
+export interface ArenaKeys {
+  /** Returns whether the key was used. */
+  keyDown(event: KeyboardEvent): boolean;
+  keyUp(event: KeyboardEvent): void;
+  /** The arena got the keyboard by the keyboard. */
+  focus(): void;
+  blur(): void;
+}
+
+/** What the keys work on. */
+export interface KeySources {
+  readonly editor: CourseEditorModel;
+  readonly picture: ArenaView;
+  /** Says something to screen readers. */
+  readonly say: (words: string) => void;
+}
+
+/** So long the crosshair must rest until its place is said, in ms: whoever holds an arrow key hears the end of the way. */
+const SAY_MS = 350;
+
+/** The keys of the arena while a tool is chosen. */
+export function arenaKeys(
+  sources: KeySources,
+  surface: ToolSurface,
+  keys: SelectionKeys,
+  pointers: ToolPointers,
+): ArenaKeys {
+  const { editor, picture } = sources;
+  const tellPlace = sayer(sources);
+  const middle = (): Vec => middleOfSight(picture);
+  const press = (): void => {
+    if (!surface.pressKey(middle())) return; // what was done is told by the editor
+    if (surface.crosshair !== null) sources.say(sayPlace(canvasTexts.drawing, surface.crosshair));
+  };
+  const escape = (): boolean => {
+    if (surface.cancel()) sources.say(say(canvasTexts.dropped));
+    else if (isSelected(editor)) editor.select(nothingSelected);
+    else return false;
+    return true;
+  };
+  const step = (arrow: Vec, fine: boolean): void => {
+    const mm = fine ? STEP_MM.fine : STEP_MM.coarse;
+    const at = surface.moveCrosshair({ x: arrow.x * mm, y: arrow.y * mm }, middle(), fine);
+    pointers.keepInSight(picture, at);
+    tellPlace(at);
+  };
+  return {
+    keyDown(event) {
+      const { key, shiftKey, repeat } = event;
+      const command = event.ctrlKey || event.metaKey;
+      if (event.altKey) return false;
+      if (key === 'Escape') return escape();
+      // An arrow draws when the keyboard has begun something, even where something is selected.
+      if (!surface.isBusy && keys.keyDown(key, shiftKey, command)) return true;
+      if (command) return false;
+      const arrow = arrowOf(key);
+      if (arrow !== null) step(arrow, shiftKey);
+      else if (key === ' ' && !repeat) pointers.holdSpace();
+      else if (key === 'Enter' && !repeat) press();
+      return arrow !== null || key === ' ' || key === 'Enter';
+    },
+    keyUp(event) {
+      keys.keyUp(event.key);
+      if (event.key === ' ' && pointers.letGoSpace()) press();
+    },
+    focus: () => sources.say(say(isSelected(editor) ? canvasTexts.helpSelected : canvasTexts.help)),
+    blur() {
+      pointers.letGoSpace();
+      keys.keyUp('ArrowLeft'); // any arrow: what they have moved is done
+      surface.blur();
+    },
+  };
+}
+
+/** Says where the crosshair is as soon as it rests. */
+function sayer(sources: KeySources): (at: Vec) => void {
+  let timer: ReturnType<typeof setTimeout> | null = null;
+  return (at) => {
+    if (timer !== null) clearTimeout(timer);
+    timer = setTimeout(() => sources.say(sayPlace(canvasTexts.place, at)), SAY_MS);
+  };
+}
+
+const sayPlace = (text: Texts, at: Vec): string => say(text, { x: cm(at.x), y: cm(at.y) });
+
+/** Where the middle of what is in sight lies, world mm. */
+function middleOfSight({ view, canvas }: ArenaView): Vec {
+  return toMm(view.value, { x: canvas.value.widthPx / 2, y: canvas.value.heightPx / 2 });
+}
+
+const isSelected = ({ selection }: CourseEditorModel): boolean =>
+  selection.value.robot || selection.value.ids.length > 0;
+
+/** In cm, to the mm. */
+const cm = (mm: number): string => String(Math.round(mm) / 10);

@@ -1,0 +1,188 @@
+/**
+ * The course editor's tools over the arena: leads pointers and keys to the chosen one and shows what it does. Loaded when
+ * the palette is; without it the hand works all the same.
+ */
+import { handlesOf } from '#editor/handles';
+import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
+import { tools } from '#editor/tools/tools';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import type { CourseEditorModel } from '../../course-editor/state/use-course-editor';
+import { say } from '../../page/i18n/say';
+import { arenaKeys, type ArenaKeys } from './arena-keys';
+import { canvasTexts } from './canvas-texts';
+import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
+import { floorPx } from '../picture/draw-floor';
+import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
+import { createInkLayer } from './ink-layer';
+import { movingWindow, type PxBox } from '../view/moving-window';
+import type { Palette } from '../picture/palette';
+import { toolCursor } from './tool-cursors';
+import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
+import { toolPointers, type ToolPointers } from './tool-pointers';
+import { ToolSurface, type SurfacePicture } from './tool-surface';
+import type { ArenaView } from '../view/use-arena-view';
+
+/** What the tools work on. */
+export interface ToolSources {
+  readonly editor: CourseEditorModel;
+  readonly picture: ArenaView;
+  /** The document, without what the hand has done. */
+  readonly course: () => Scene;
+  /** Convex parts of the robot at scale 1 in its own frame, mm; empty: no robot. */
+  readonly footprint: () => ToolContext['footprint'];
+  readonly palette: () => Palette;
+  /** The canvas for long lines. */
+  readonly inkCanvas: () => HTMLCanvasElement | null;
+  /** Has the editor's layer drawn. */
+  readonly redraw: () => void;
+  readonly showGhost: (ghost: Ghost) => void;
+  /** Says something to screen readers. */
+  readonly say: (words: string) => void;
+}
+
+/** The tools over one arena. */
+export interface ArenaTools extends ToolPointers, ArenaKeys {
+  /** Another tool is chosen. */
+  toolChanged(): void;
+  /** The course has changed: what was begun on the old one is dropped. */
+  courseChanged(): void;
+  readonly cursor: () => string;
+  /** Looks what there is to be seen, and where, in CSS px; `null`: nothing. Asked before each `paint`. */
+  place(): PxBox | null;
+  paint(context: CanvasRenderingContext2D): void;
+}
+
+/** Makes the tools of one arena. */
+export function createArenaTools(sources: ToolSources): ArenaTools {
+  const { editor, picture } = sources;
+  const ink = createInkLayer();
+  const context = (): ToolContext => ({
+    scene: sources.course(),
+    selection: editor.selection.value,
+    options: editor.options.value,
+    footprint: sources.footprint(),
+  });
+  const ports = {
+    context,
+    commit: (edit: SceneEdit, select?: Selection): void => void editor.commit(edit, select),
+    select: editor.select.bind(editor),
+    copied: (): void => sources.say(say(canvasTexts.copied)),
+    changed: sources.redraw,
+  };
+  const keys = createSelectionKeys(ports);
+  const surface = surfaceOf(sources, ports);
+  const pointers = toolPointers(surface);
+  let shown: { picture: EditPicture; frame: EditFrame } | null = null;
+  let window: PxBox | null = null;
+
+  function look(): typeof shown {
+    const now = surface.picture();
+    const edit = now.edit ?? keys.edit;
+    const course = sources.course();
+    const after = now.after ?? (edit === null ? null : applyEdit(course, edit));
+    const frame = frameOf(sources);
+    tellSession(editor, edit, now);
+    const canvas = sources.inkCanvas();
+    if (canvas !== null) ink.paint(canvas, now.ink, frame, performance.now());
+    const ghost = ghostObjects(course, after);
+    sources.showGhost(ghostOf(ghost.hidden, course, after));
+    return { frame, picture: editPicture(sources, { now, after, ghost: ghost.shown, drawn: ink.drawn, surface }) };
+  }
+
+  return {
+    ...pointers,
+    ...arenaKeys(sources, surface, keys, pointers),
+    toolChanged: () => surface.reset(),
+    courseChanged: () => void surface.cancel(),
+    cursor: () => {
+      if (surface.isPanning) return 'grabbing';
+      const tool = editor.tool.value;
+      return tool === 'hand' ? 'default' : toolCursor(tool);
+    },
+    place() {
+      shown = editor.tool.value === 'hand' ? null : look();
+      if (shown === null) sources.showGhost(noGhost);
+      const box = shown && editBox(shown.frame, shown.picture);
+      window = box && movingWindow(box, picture.canvas.value, picture.ratio.value, window);
+      return window;
+    },
+    paint(on) {
+      if (shown !== null) drawEdit(on, shown.frame, shown.picture);
+    },
+  };
+}
+
+function surfaceOf({ editor, picture, course }: ToolSources, ports: SelectionKeyPorts): ToolSurface {
+  return new ToolSurface(
+    {
+      ...ports,
+      view: () => picture.view.value,
+      arena: () => course().size,
+      tool: () => (editor.tool.value === 'hand' ? null : tools[editor.tool.value]),
+      isFree: () => editor.free.value,
+      pan: (byPx) => picture.panBy(byPx),
+      zoom: (factor, aroundPx) => picture.zoomBy(factor, aroundPx),
+    },
+    matchMedia('(pointer: coarse)').matches ? 'touch' : 'mouse',
+  );
+}
+
+function frameOf(sources: ToolSources): EditFrame {
+  const { picture } = sources;
+  const arena = sources.course().size;
+  const view = picture.view.value;
+  return {
+    view,
+    canvas: picture.canvas.value,
+    ratio: picture.ratio.value,
+    arena,
+    palette: sources.palette(),
+    floor: floorPx(view, arena),
+    footprint: sources.footprint(),
+  };
+}
+
+/** What the gesture amounts to, and what the ruler measures, for the head of the pane. */
+function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks }: SurfacePicture): void {
+  if (editor.drag.value !== edit) editor.drag.value = edit;
+  const measured = marks.find((mark) => mark.type === 'measure') ?? null;
+  const before = editor.measure.value;
+  if (measured === null && before === null) return;
+  if (measured !== null && before?.from === measured.from && before.to === measured.to) return;
+  editor.measure.value = measured && { from: measured.from, to: measured.to };
+}
+
+interface Looked {
+  readonly now: SurfacePicture;
+  readonly after: Scene | null;
+  readonly ghost: Scene['objects'];
+  /** How much of the ink the large canvas shows. */
+  readonly drawn: number;
+  readonly surface: ToolSurface;
+}
+
+function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }: Looked): EditPicture {
+  const { editor } = sources;
+  const scene = after ?? sources.course();
+  const tool = editor.tool.value === 'hand' ? null : editor.tool.value;
+  const selection = tool === 'select' || tool === 'rotate' ? editor.selection.value : nothingSelected;
+  const { penColor, penWidth } = editor.options.value;
+  const isMoved = after !== null && after.robot !== sources.course().robot;
+  const showsStart = selection.robot || isMoved;
+  return {
+    ghost,
+    selected: objectsById(scene, selection.ids),
+    start: showsStart && sources.footprint().length > 0 ? scene.robot : null,
+    isStartSelected: selection.robot,
+    handles: tool === 'select' ? handlesOf(scene, selection, sources.footprint(), surface.reachMm) : [],
+    marks: now.marks,
+    ink: now.ink && { ink: now.ink, from: Math.max(0, drawn - 1) },
+    tip:
+      tool === 'pen' && now.hover !== null
+        ? { at: now.hover, width: penWidth, color: sources.palette().strokes[penColor] }
+        : null,
+    crosshair: now.crosshair,
+    finger: tool !== null && now.finger !== null ? { at: now.finger, tool } : null,
+  };
+}

@@ -1,0 +1,152 @@
+import type { Vec } from '#core/geometry';
+import type { Handle, Mark, ToolId } from '#editor/tools/tool';
+import { boundsOf } from '#scene/outline';
+import type { RobotStart, Scene, SceneObject } from '#scene/scene';
+import { drawCrosshair, drawHandle, drawMark, drawSelected, type MarkFrame } from './draw-marks';
+import { drawObject } from '../picture/draw-object';
+import { drawRobotOutline, robotOutlinePx } from '../picture/draw-outline';
+import { drawInk, inkBox, type InkFrame } from './ink-layer';
+import { boxAround, unionOf, wholeCanvas, type PxBox } from '../view/moving-window';
+import { toolSigns } from './tool-cursors';
+import type { Ink } from './tool-surface';
+import { toPx, type View } from '../view/view-transform';
+
+/** Everything that is to be seen of the editor over the arena at one moment. */
+export interface EditPicture {
+  /** Objects as they would be. */
+  readonly ghost: readonly SceneObject[];
+  readonly selected: readonly SceneObject[];
+  /** Where the robot starts, or would start, where that is to be seen. */
+  readonly start: RobotStart | null;
+  readonly isStartSelected: boolean;
+  readonly handles: readonly Handle[];
+  readonly marks: readonly Mark[];
+  /** The newest piece of the line that is drawn, from one of its places on. */
+  readonly ink: { readonly ink: Ink; readonly from: number } | null;
+  /** The pen's tip where nothing is pressed. */
+  readonly tip: { readonly at: Vec; readonly width: number; readonly color: string } | null;
+  readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
+  /** Where a finger uses a tool. */
+  readonly finger: { readonly at: Vec; readonly tool: ToolId } | null;
+}
+
+/** What the editor's picture is drawn on. */
+export interface EditFrame extends MarkFrame, InkFrame {
+  /** Convex parts of the robot at scale 1 in its own frame, mm. */
+  readonly footprint: readonly (readonly Vec[])[];
+}
+
+/** Draws the editor's picture, in CSS px. */
+export function drawEdit(context: CanvasRenderingContext2D, frame: EditFrame, picture: EditPicture): void {
+  const { view, palette } = frame;
+  for (const object of picture.ghost) drawObject(context, view, object, palette);
+  if (picture.ink !== null) drawInk(context, picture.ink.ink, picture.ink.from, frame);
+  if (picture.start !== null) {
+    const parts = robotOutlinePx(view, picture.start, frame.footprint);
+    drawRobotOutline(context, parts, frame.ratio, picture.isStartSelected ? palette.hand : palette.trace);
+  }
+  for (const object of picture.selected) drawSelected(context, frame, object);
+  for (const mark of picture.marks) drawMark(context, frame, mark);
+  for (const handle of picture.handles) drawHandle(context, frame, handle);
+  if (picture.tip !== null) drawTip(context, frame, picture.tip);
+  if (picture.crosshair !== null) drawCrosshair(context, frame, picture.crosshair.at, picture.crosshair.isDown);
+  if (picture.finger !== null) drawFinger(context, frame, picture.finger.at, picture.finger.tool);
+}
+
+/** Where that is, in CSS px; larger than needed rather than smaller. `null`: nothing is to be seen. */
+export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
+  const { view, canvas } = frame;
+  if (picture.marks.some(({ type }) => type === 'measure' || type === 'grid')) return wholeCanvas(canvas);
+  const boxes: PxBox[] = [];
+  for (const object of [...picture.ghost, ...picture.selected]) boxes.push(objectBox(view, object));
+  for (const mark of picture.marks) boxes.push(markBox(view, mark));
+  for (const { at } of picture.handles) boxes.push(boxAround(toPx(view, at), 20));
+  if (picture.ink !== null) boxes.push(inkBox(picture.ink.ink, picture.ink.from, view));
+  if (picture.start !== null) {
+    const corners = robotOutlinePx(view, picture.start, frame.footprint).flat();
+    if (corners.length > 0) boxes.push(unionOf(corners.map((corner) => boxAround(corner, 8))));
+  }
+  if (picture.tip !== null)
+    boxes.push(boxAround(toPx(view, picture.tip.at), (picture.tip.width / 2) * view.pxPerMm + 6));
+  if (picture.crosshair !== null) boxes.push(boxAround(toPx(view, picture.crosshair.at), 26));
+  if (picture.finger !== null) boxes.push(boxAround(toPx(view, picture.finger.at), FINGER_PX + 24));
+  return boxes.length === 0 ? null : unionOf(boxes);
+}
+
+const boxes = new WeakMap<SceneObject, ReturnType<typeof boundsOf>>();
+
+function objectBox(view: View, object: SceneObject): PxBox {
+  const bounds = boxes.get(object) ?? boundsOf(object);
+  boxes.set(object, bounds);
+  const corner = toPx(view, { x: bounds.minX, y: bounds.maxY });
+  const rim = 14; // shadow, frame and, on a stroke, round ends
+  return {
+    left: corner.x - rim,
+    top: corner.y - rim,
+    width: (bounds.maxX - bounds.minX) * view.pxPerMm + 2 * rim,
+    height: (bounds.maxY - bounds.minY) * view.pxPerMm + 2 * rim,
+  };
+}
+
+function markBox(view: View, mark: Mark): PxBox {
+  if (mark.type === 'frame') return unionOf([mark.from, mark.to].map((at) => boxAround(toPx(view, at), 4)));
+  if (mark.type === 'snap') return boxAround(toPx(view, mark.at), 16);
+  if (mark.type === 'eraser') return boxAround(toPx(view, mark.at), mark.radiusMm * view.pxPerMm + 6);
+  return { left: 0, top: 0, width: 0, height: 0 };
+}
+
+/** What the pen would draw here. */
+function drawTip(context: CanvasRenderingContext2D, { view }: EditFrame, tip: NonNullable<EditPicture['tip']>): void {
+  const at = toPx(view, tip.at);
+  context.save();
+  context.beginPath();
+  context.arc(at.x, at.y, Math.max(1.5, (tip.width / 2) * view.pxPerMm), 0, 2 * Math.PI);
+  context.globalAlpha = 0.4;
+  context.fillStyle = tip.color;
+  context.fill();
+  context.globalAlpha = 1;
+  context.strokeStyle = 'rgba(255, 255, 255, 0.9)';
+  context.lineWidth = 3;
+  context.stroke();
+  context.strokeStyle = '#48515C';
+  context.lineWidth = 1.25;
+  context.stroke();
+  context.restore();
+}
+
+/** The sign of the tool stands so far above the finger that covers what it does, in px. */
+const FINGER_PX = 62;
+
+function drawFinger(context: CanvasRenderingContext2D, { view, palette }: EditFrame, atMm: Vec, tool: ToolId): void {
+  const finger = toPx(view, atMm);
+  const at = { x: finger.x, y: finger.y > FINGER_PX + 24 ? finger.y - FINGER_PX : finger.y + FINGER_PX };
+  context.save();
+  context.fillStyle = palette.handGround;
+  context.strokeStyle = palette.hand;
+  context.lineWidth = 2;
+  context.beginPath();
+  context.arc(at.x, at.y, 17, 0, 2 * Math.PI);
+  context.fill();
+  context.stroke();
+  context.translate(at.x, at.y);
+  context.scale(0.8, 0.8);
+  context.translate(-12, -12);
+  context.fillStyle = palette.hand;
+  context.fill(signOf(tool));
+  context.restore();
+}
+
+const signs = new Map<ToolId, Path2D>();
+
+function signOf(tool: ToolId): Path2D {
+  const sign = signs.get(tool) ?? new Path2D(toolSigns[tool]);
+  signs.set(tool, sign);
+  return sign;
+}
+
+/** The objects of a course with these ids. */
+export function objectsById(scene: Scene, ids: readonly string[]): readonly SceneObject[] {
+  if (ids.length === 0) return [];
+  const wanted = new Set(ids);
+  return scene.objects.filter(({ id }) => wanted.has(id));
+}

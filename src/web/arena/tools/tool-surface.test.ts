@@ -1,0 +1,254 @@
+import { describe, expect, it } from 'vitest';
+import type { Vec } from '#core/geometry';
+import { usualToolOptions as usualOptions } from '#editor/tools/tool-options';
+import { nothingSelected, type Selection, type Tool, type ToolContext } from '#editor/tools/tool';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import { defaultScene, type Wall } from '#scene/scene';
+import { ghostObjects } from './ghost';
+import { ToolSurface, type SurfacePress } from './tool-surface';
+
+/** A view of 1 px per mm: the arena of 1200 × 900 mm fills the canvas, y goes down on it. */
+const px = (x: number, y: number): Vec => ({ x, y: 900 - y });
+const rounded = ({ x, y }: Vec) => [Math.round(x), Math.round(y)] as const;
+
+/** Draws a wall from the first to the last place of a drag: the simplest tool there is. */
+const lineTool: Tool = {
+  id: 'wall',
+  cursor: 'crosshair',
+  edit({ path }) {
+    const [from, to] = [path[0]!, path.at(-1)!];
+    if (path.length < 2) return null;
+    return { type: 'add', objects: [{ type: 'wall', id: 'w', from: rounded(from), to: rounded(to), thickness: 10 }] };
+  },
+  marks: ({ path }, _context, isDown) => [{ type: isDown ? 'measure' : 'snap', at: path[0]!, from: path[0]!, to: path.at(-1)! }], // prettier-ignore
+  select: (_drag, _context, after) => ({ ids: after.objects.map(({ id }) => id), robot: false }),
+};
+/** Counts the places of its line, which is shown as ink while it is drawn. */
+const inkTool: Tool = { ...lineTool, ink: () => ({ width: 20, color: 'black' }) };
+
+function surfaceOf(tool: Tool, scene = defaultScene()) {
+  const done: (SceneEdit | Selection)[] = [];
+  const picture: string[] = [];
+  let asked = 0;
+  const context: ToolContext = { scene, selection: nothingSelected, options: usualOptions, footprint: [] };
+  const surface = new ToolSurface({
+    view: () => ({ pxPerMm: 1, leftPx: 0, bottomPx: 900 }),
+    arena: () => [1200, 900],
+    tool: () => ({ ...tool, edit: (...drag) => ((asked += 1), tool.edit(...drag)) }),
+    context: () => context,
+    isFree: () => false,
+    commit: (edit) => done.push(edit),
+    select: (selection) => done.push(selection),
+    pan: (by) => picture.push(`pan ${String(by.x)} ${String(by.y)}`),
+    zoom: (factor) => picture.push(`zoom ${factor.toFixed(2)}`),
+    changed: () => undefined,
+  });
+  const keys = { free: false, adds: false };
+  return {
+    surface,
+    done,
+    picture,
+    asked: () => asked,
+    down: (at: Vec, more: Partial<SurfacePress> = {}, nowMs = 0) =>
+      surface.pointerDown({ id: 1, at, kind: 'mouse', pans: false, ...keys, ...more }, nowMs),
+    move: (at: Vec, id = 1) => surface.pointerMove(id, [at], keys),
+    up: (id = 1, nowMs = 0) => surface.pointerUp(id, nowMs),
+  };
+}
+
+const wall = (from: Wall['from'], to: Wall['to']) => ({
+  type: 'add',
+  objects: [{ type: 'wall', id: 'w', from, to, thickness: 10 }],
+});
+
+describe('a tool in the arena', () => {
+  it('turns a drag into one edit, done when the button goes up', () => {
+    const { surface, done, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100));
+    move(px(150, 100));
+    move(px(300, 100));
+    expect(done).toEqual([]);
+    expect(surface.picture().edit).toEqual(wall([100, 100], [300, 100]));
+    up();
+    expect(done).toEqual([wall([100, 100], [300, 100])]);
+    expect(surface.picture().edit).toBeNull();
+  });
+
+  it('is asked once per picture, however often the pointer moved', () => {
+    const { surface, asked, down, move } = surfaceOf(lineTool);
+    down(px(100, 100));
+    for (let x = 101; x < 200; x += 1) move(px(x, 100));
+    surface.picture();
+    surface.picture();
+    expect(asked()).toBe(1);
+  });
+
+  it('is not asked for an edit before the end of a line drawn freely: its ink is shown', () => {
+    const { surface, asked, done, down, move, up } = surfaceOf(inkTool);
+    down(px(100, 100));
+    move(px(200, 100));
+    expect(surface.picture()).toMatchObject({ edit: null, ink: { width: 20, path: [{ x: 100 }, { x: 200 }] } });
+    expect(asked()).toBe(0);
+    up();
+    expect(done).toHaveLength(1);
+  });
+
+  it('is not asked before the end of erasing among 5,000 points either: the way of the eraser is shown', () => {
+    const points = Array.from({ length: 5000 }, (_, i) => [i % 1000, 100] as const);
+    const many = { ...defaultScene(), objects: [{ type: 'stroke' as const, id: 's', points, width: 20, color: 'black' as const }] }; // prettier-ignore
+    const eraser = { ...lineTool, id: 'eraser' as const };
+    const { surface, asked, down } = surfaceOf(eraser, many);
+    down(px(100, 100));
+    expect(surface.picture().ink).toMatchObject({ width: usualOptions.eraserWidth, color: 'white' });
+    expect(asked()).toBe(0);
+    const few = surfaceOf(eraser);
+    few.down(px(100, 100));
+    expect(few.surface.picture().ink).toBeNull();
+  });
+
+  it('gets every place that the pointer came by, also several of one event', () => {
+    const { surface, down } = surfaceOf(inkTool);
+    down(px(100, 100));
+    surface.pointerMove(1, [px(110, 100), px(110, 100), px(120, 100)], { free: false, adds: false });
+    expect(surface.picture().ink?.path.map(({ x }) => x)).toEqual([100, 110, 120]);
+  });
+
+  it('drops the drag at Escape, and what comes after it', () => {
+    const { surface, done, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100));
+    move(px(300, 100));
+    expect(surface.cancel()).toBe(true);
+    move(px(400, 100));
+    up();
+    expect(done).toEqual([]);
+  });
+
+  it('selects after a tap that changes nothing', () => {
+    const { done, down, up } = surfaceOf(lineTool);
+    down(px(100, 100));
+    up();
+    expect(done).toEqual([{ ids: [], robot: false }]);
+  });
+
+  it('keeps what was measured in sight until the next drag', () => {
+    const { surface, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100));
+    move(px(300, 100));
+    up();
+    surface.pointerLeave();
+    expect(surface.picture().marks).toMatchObject([{ type: 'measure', from: { x: 100 }, to: { x: 300 } }]);
+    down(px(500, 500), { pans: true });
+    expect(surface.picture().marks).toEqual([]);
+  });
+
+  it('show what a tool has at rest to those who never hover: before the first touch and after it', () => {
+    const gridTool: Tool = { ...lineTool, marksAtRest: () => [{ type: 'grid', cellMm: 150, edge: null }] };
+    const { surface, down, up } = surfaceOf(gridTool);
+    expect(surface.picture().marks).toEqual([{ type: 'grid', cellMm: 150, edge: null }]);
+    down(px(100, 100), { kind: 'touch' });
+    expect(surface.picture().marks).toMatchObject([{ type: 'measure' }]);
+    up();
+    expect(surface.picture().marks).toContainEqual({ type: 'grid', cellMm: 150, edge: null });
+  });
+});
+
+describe('two fingers on the arena', () => {
+  it('drop what the first one had begun, and move and zoom the picture', () => {
+    const { done, picture, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100), { kind: 'touch' });
+    move(px(200, 100));
+    down(px(300, 100), { id: 2, kind: 'touch' });
+    move(px(400, 100), 2);
+    expect(picture).toEqual(['pan 50 0', 'zoom 2.00']);
+    up(2);
+    move(px(250, 100)); // the finger that is still down
+    up();
+    expect(done).toEqual([]);
+    expect(picture.at(-1)).toBe('pan 50 0');
+  });
+
+  it('leave the next single finger to the tool', () => {
+    const { done, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100), { kind: 'touch' });
+    down(px(300, 100), { id: 2, kind: 'touch' });
+    up(1);
+    up(2);
+    down(px(100, 100), { id: 3, kind: 'touch' });
+    move(px(200, 100), 3);
+    up(3);
+    expect(done).toHaveLength(1);
+  });
+});
+
+describe('a pen on the arena', () => {
+  it('draws while the hand rests on the screen', () => {
+    const { done, picture, down, move, up } = surfaceOf(lineTool);
+    down(px(500, 100), { id: 7, kind: 'touch' }); // the palm comes first
+    down(px(100, 100), { id: 1, kind: 'pen' });
+    down(px(520, 90), { id: 8, kind: 'touch' });
+    move(px(510, 100), 7);
+    move(px(200, 100));
+    up(1, 1000);
+    down(px(530, 90), { id: 9, kind: 'touch' }, 1200); // lifted 0.2 s after the pen
+    up(9, 1300);
+    expect(done).toEqual([wall([100, 100], [200, 100])]);
+    expect(picture).toEqual([]);
+  });
+});
+
+describe('another button or the space bar', () => {
+  it('moves the picture whatever the tool is', () => {
+    const { done, picture, down, move, up } = surfaceOf(lineTool);
+    down(px(100, 100), { pans: true });
+    move(px(130, 90));
+    up();
+    expect([done, picture]).toEqual([[], ['pan 30 10']]);
+  });
+});
+
+describe('the crosshair of the keyboard', () => {
+  const middle = { x: 604, y: 447 };
+
+  it('begins at a whole cm in the middle and goes 10 mm per arrow', () => {
+    const { surface } = surfaceOf(lineTool);
+    expect(surface.moveCrosshair({ x: 10, y: 0 }, middle, false)).toEqual({ x: 600, y: 450 });
+    expect(surface.moveCrosshair({ x: 10, y: 0 }, middle, false)).toEqual({ x: 610, y: 450 });
+  });
+
+  it('draws between two presses of Enter', () => {
+    const { surface, done } = surfaceOf(lineTool);
+    expect(surface.pressKey(middle)).toBe(true);
+    for (let i = 0; i < 5; i += 1) surface.moveCrosshair({ x: 0, y: 10 }, middle, false);
+    expect(surface.picture()).toMatchObject({ crosshair: { at: { x: 600, y: 500 }, isDown: true } });
+    expect(surface.pressKey(middle)).toBe(false);
+    expect(done).toEqual([wall([600, 450], [600, 500])]);
+  });
+
+  it('stays inside the arena and vanishes when the pointer moves', () => {
+    const { surface, move } = surfaceOf(lineTool);
+    surface.moveCrosshair({ x: 0, y: 0 }, middle, false);
+    expect(surface.moveCrosshair({ x: -5000, y: 10 }, middle, false)).toEqual({ x: 0, y: 460 });
+    move(px(10, 10));
+    expect(surface.picture().crosshair).toBeNull();
+  });
+
+  it('drops what it draws when the keyboard goes elsewhere', () => {
+    const { surface, done } = surfaceOf(lineTool);
+    surface.pressKey(middle);
+    surface.moveCrosshair({ x: 0, y: 10 }, middle, false);
+    surface.blur();
+    expect([done, surface.isBusy]).toEqual([[], false]);
+  });
+});
+
+describe('what an edit would change', () => {
+  it('is shown apart from the rest of the course: the new object, without the old one', () => {
+    const a: Wall = { type: 'wall', id: 'a', from: [0, 0], to: [100, 0], thickness: 10 };
+    const b: Wall = { ...a, id: 'b' };
+    const scene = { ...defaultScene(), objects: [a, b] };
+    const moved = { ...b, to: [50, 50] as const };
+    const after = applyEdit(scene, { type: 'replace', changes: [{ id: 'b', by: [moved] }] });
+    expect(ghostObjects(scene, after)).toEqual({ shown: [moved], hidden: new Set(['b']) });
+    expect(ghostObjects(scene, null).hidden.size).toBe(0);
+  });
+});

@@ -1,0 +1,387 @@
+import type { Vec } from '#core/geometry';
+import type { Drag, Mark, Selection, Tool, ToolContext } from '#editor/tools/tool';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { Scene, StrokeColor } from '#scene/scene';
+import { toMm, type ArenaSize, type View } from '../view/view-transform';
+
+/** What the surface sees and does. */
+export interface SurfacePorts {
+  readonly view: () => View;
+  readonly arena: () => ArenaSize;
+  /** The chosen tool, or `null` while there is none. */
+  readonly tool: () => Tool | null;
+  readonly context: () => ToolContext;
+  /** The switch that turns snapping off. */
+  readonly isFree: () => boolean;
+  readonly commit: (edit: SceneEdit, select?: Selection) => void;
+  readonly select: (selection: Selection) => void;
+  readonly pan: (byPx: Vec) => void;
+  readonly zoom: (factor: number, aroundPx: Vec) => void;
+  /** Something looks different now. */
+  readonly changed: () => void;
+}
+
+/** What points: fingers need more room around a thing than a mouse. */
+export type PointerKind = 'mouse' | 'pen' | 'touch';
+
+/** A pointer that goes down. */
+export interface SurfacePress {
+  readonly id: number;
+  /** CSS px on the canvas. */
+  readonly at: Vec;
+  readonly kind: PointerKind;
+  /** Moves the picture whatever the tool is: another button than the first, or the space bar is down. */
+  readonly pans: boolean;
+  readonly free: boolean;
+  readonly adds: boolean;
+}
+
+/** A line that is being drawn freely. */
+export interface Ink {
+  /** World mm; grows while the drag goes on. */
+  readonly path: readonly Vec[];
+  readonly width: number;
+  readonly color: StrokeColor;
+}
+
+/** What is to be seen of a tool at one moment. */
+export interface SurfacePicture {
+  /** What the gesture amounts to so far, and the course with it. */
+  readonly edit: SceneEdit | null;
+  readonly after: Scene | null;
+  readonly ink: Ink | null;
+  readonly marks: readonly Mark[];
+  /** The crosshair of the keyboard, world mm, and whether it draws. */
+  readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
+  /** Where a finger draws, which covers what is under it; world mm. */
+  readonly finger: Vec | null;
+  /** Where the pointer is with nothing pressed, world mm. */
+  readonly hover: Vec | null;
+}
+
+/** How near counts as on a thing, in px: half of a target. */
+const REACH_PX: Readonly<Record<PointerKind, number>> = { mouse: 8, pen: 12, touch: 22 };
+
+/** The crosshair goes in whole mm: what is nearer than this is meant. */
+const KEY_REACH_MM = 9;
+
+/** A hand that lies on the screen may lift a moment after the pen. */
+const PALM_MS = 400;
+
+interface Gesture {
+  /** `null`: the keyboard. */
+  readonly pointer: number | null;
+  readonly kind: PointerKind;
+  readonly tool: Tool;
+  readonly context: ToolContext;
+  readonly path: Vec[];
+  readonly reachMm: number;
+  readonly ink: Omit<Ink, 'path'> | null;
+  free: boolean;
+  adds: boolean;
+  edit: SceneEdit | null;
+  after: Scene | null;
+  /** The path has grown since the tool was asked. */
+  isStale: boolean;
+}
+
+/**
+ * Turns pointers and keys over the arena into drags of the chosen tool, and their end into one edit. Gets events as
+ * plain data, so that it can be tested without a browser.
+ *
+ * One finger, the pen or the first button uses the tool; two fingers always move and zoom the picture and drop what one
+ * of them had begun. While a pen is down, touches are a resting hand.
+ */
+export class ToolSurface {
+  readonly #ports: SurfacePorts;
+  readonly #pointers = new Map<number, { at: Vec; readonly kind: PointerKind }>();
+  #gesture: Gesture | null = null;
+  #panner: number | null = null;
+  /** Two fingers were down: none of them draws until all are up. */
+  #pinched = false;
+  #penUntilMs = -Infinity;
+  #kind: PointerKind;
+  #hover: Vec | null = null;
+  #crosshair: Vec | null = null;
+  #kept: readonly Mark[] = [];
+
+  /** @param kind what will point, most likely */
+  constructor(ports: SurfacePorts, kind: PointerKind = 'mouse') {
+    this.#ports = ports;
+    this.#kind = kind;
+  }
+
+  /** How near counts as on a thing for what pointed last, in mm. */
+  get reachMm(): number {
+    return REACH_PX[this.#kind] / this.#ports.view().pxPerMm;
+  }
+
+  /** Whether a gesture is under way. */
+  get isBusy(): boolean {
+    return this.#gesture !== null;
+  }
+
+  /** Whether the pointer moves the picture. */
+  get isPanning(): boolean {
+    return this.#panner !== null || this.#pinched;
+  }
+
+  /** Where the crosshair of the keyboard is, world mm, or `null` while it is hidden. */
+  get crosshair(): Vec | null {
+    return this.#crosshair;
+  }
+
+  /**
+   * A finger, pen or button goes down.
+   *
+   * @param nowMs wall time
+   */
+  pointerDown(press: SurfacePress, nowMs: number): void {
+    const { id, at, kind } = press;
+    if (kind === 'touch' && (this.#hasPen() || nowMs < this.#penUntilMs)) return;
+    if (kind === 'pen') this.#forgetTouches();
+    this.#kind = kind;
+    this.#pointers.set(id, { at, kind });
+    this.#hideCrosshair();
+    this.#kept = [];
+    if (this.#pointers.size > 1 || this.#pinched) {
+      this.cancel();
+      this.#pinched = kind === 'touch';
+    } else if (press.pans) this.#panner = id;
+    else this.#begin(id, toMm(this.#ports.view(), at), press);
+    this.#ports.changed();
+  }
+
+  /** A pointer moves, pressed or not, over these places (CSS px, oldest first). */
+  pointerMove(id: number, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
+    const last = places[places.length - 1];
+    const pointer = this.#pointers.get(id);
+    if (last === undefined) return;
+    if (pointer === undefined) {
+      if (this.#pointers.size > 0) return; // a palm beside the pen
+      this.#hideCrosshair();
+      this.#hover = toMm(this.#ports.view(), last);
+    } else if (this.#gesture?.pointer === id) this.#extend(this.#gesture, places, keys);
+    else if (this.#panner === id || this.#pinched) this.#movePicture(id, pointer.at, last);
+    if (pointer !== undefined) pointer.at = last;
+    this.#ports.changed();
+  }
+
+  /** A pointer goes up: what it drew is done. */
+  pointerUp(id: number, nowMs: number): void {
+    const pointer = this.#pointers.get(id);
+    if (pointer === undefined) return;
+    if (pointer.kind === 'pen') this.#penUntilMs = nowMs + PALM_MS;
+    this.#pointers.delete(id);
+    if (this.#panner === id) this.#panner = null;
+    if (this.#pointers.size === 0) this.#pinched = false;
+    if (this.#gesture?.pointer === id) {
+      this.#hover = pointer.kind === 'touch' ? null : toMm(this.#ports.view(), pointer.at);
+      this.#finish(this.#gesture);
+    }
+    this.#ports.changed();
+  }
+
+  /** The browser takes a pointer away: what it drew does not count. */
+  pointerLost(id: number): void {
+    if (!this.#pointers.has(id)) return;
+    if (this.#gesture?.pointer === id) this.cancel();
+    this.pointerUp(id, -Infinity);
+  }
+
+  /** The pointer leaves the arena. */
+  pointerLeave(): void {
+    this.#hover = null;
+    this.#ports.changed();
+  }
+
+  /** Drops the gesture. Returns whether there was one. */
+  cancel(): boolean {
+    if (this.#gesture === null) return false;
+    this.#gesture = null;
+    this.#ports.changed();
+    return true;
+  }
+
+  /** Forgets everything: another tool is chosen, or another course is open. */
+  reset(): void {
+    this.cancel();
+    this.#kept = [];
+    this.#hover = null;
+    this.#ports.changed();
+  }
+
+  /** Moves the crosshair of the keyboard by mm; the first time it shows, it shows where it is. Returns where it is now. */
+  moveCrosshair(by: Vec, middle: Vec, fine: boolean): Vec {
+    const [width, height] = this.#ports.arena();
+    const from = this.#crosshair;
+    const step = (mm: number, side: number): number => Math.max(0, Math.min(side, mm));
+    const to =
+      from === null
+        ? { x: step(tens(middle.x), width), y: step(tens(middle.y), height) }
+        : { x: step(from.x + by.x, width), y: step(from.y + by.y, height) };
+    this.#crosshair = to;
+    this.#hover = null;
+    const gesture = this.#gesture;
+    if (gesture?.pointer === null) {
+      gesture.path.push(to);
+      gesture.free ||= fine;
+      gesture.isStale = true;
+    }
+    this.#ports.changed();
+    return to;
+  }
+
+  /** Begins a gesture at the crosshair, or ends it. Returns whether it draws now. */
+  pressKey(middle: Vec): boolean {
+    const at = this.#crosshair ?? this.moveCrosshair({ x: 0, y: 0 }, middle, false);
+    const gesture = this.#gesture;
+    if (gesture === null) {
+      this.#kept = [];
+      this.#begin(null, at, { kind: 'mouse', free: false, adds: false });
+    } else if (gesture.pointer === null) this.#finish(gesture);
+    this.#ports.changed();
+    return this.#gesture !== null;
+  }
+
+  /** The crosshair shows only as long as the arena has the keyboard. */
+  blur(): void {
+    if (this.#gesture?.pointer === null) this.cancel();
+    this.#hideCrosshair();
+    this.#ports.changed();
+  }
+
+  /** What is to be seen now. Asks the tool at most once per change of the path. */
+  picture(): SurfacePicture {
+    const gesture = this.#gesture;
+    const crosshair = this.#crosshair && { at: this.#crosshair, isDown: gesture?.pointer === null };
+    if (gesture === null) return { ...NOTHING, marks: this.#hoverMarks(), crosshair, hover: this.#hover };
+    if (gesture.isStale && gesture.ink === null) this.#ask(gesture);
+    gesture.isStale = false;
+    const drag = dragOf(gesture);
+    return {
+      edit: gesture.edit,
+      after: gesture.after,
+      ink: gesture.ink && { ...gesture.ink, path: gesture.path },
+      marks: gesture.tool.marks?.(drag, gesture.context, true) ?? [],
+      crosshair,
+      finger: gesture.kind === 'touch' ? (gesture.path[gesture.path.length - 1] ?? null) : null,
+      hover: null,
+    };
+  }
+
+  #begin(pointer: number | null, at: Vec, press: Pick<SurfacePress, 'kind' | 'free' | 'adds'>): void {
+    const tool = this.#ports.tool();
+    if (tool === null) return;
+    const context = this.#ports.context();
+    const { reachMm } = this;
+    this.#hover = null;
+    this.#gesture = {
+      pointer,
+      kind: press.kind,
+      tool,
+      context,
+      path: [at],
+      reachMm: pointer === null ? Math.min(reachMm, KEY_REACH_MM) : reachMm,
+      ink: tool.ink?.(context) ?? veilOf(tool, context),
+      free: press.free || this.#ports.isFree(),
+      adds: press.adds,
+      edit: null,
+      after: null,
+      isStale: true,
+    };
+  }
+
+  #extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
+    const view = this.#ports.view();
+    for (const place of places) {
+      const at = toMm(view, place);
+      const before = gesture.path[gesture.path.length - 1];
+      if (before === undefined || before.x !== at.x || before.y !== at.y) gesture.path.push(at);
+    }
+    gesture.free = keys.free || this.#ports.isFree();
+    gesture.adds = keys.adds;
+    gesture.isStale = true;
+  }
+
+  #ask(gesture: Gesture): void {
+    gesture.edit = gesture.tool.edit(dragOf(gesture), gesture.context);
+    gesture.after = gesture.edit && applyEdit(gesture.context.scene, gesture.edit);
+  }
+
+  #finish(gesture: Gesture): void {
+    const { tool, context } = gesture;
+    this.#ask(gesture);
+    this.#gesture = null;
+    const drag = dragOf(gesture);
+    // What was measured stays in sight until the next gesture.
+    this.#kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
+    const selection = tool.select?.(drag, context, gesture.after ?? context.scene);
+    if (gesture.edit !== null) this.#ports.commit(gesture.edit, selection);
+    else if (selection !== undefined) this.#ports.select(selection);
+  }
+
+  #hoverMarks(): readonly Mark[] {
+    const at = this.#crosshair ?? this.#hover;
+    const tool = this.#ports.tool();
+    if (at === null) return [...this.#kept, ...(tool?.marksAtRest?.(this.#ports.context()) ?? [])];
+    if (tool?.marks === undefined || this.#pinched) return this.#kept;
+    const drag: Drag = { path: [at], free: this.#ports.isFree(), adds: false, reachMm: this.reachMm };
+    return [...this.#kept, ...tool.marks(drag, this.#ports.context(), false)];
+  }
+
+  #movePicture(id: number, before: Vec, at: Vec): void {
+    const other = [...this.#pointers].find(([otherId]) => otherId !== id)?.[1].at;
+    if (other === undefined) {
+      this.#ports.pan({ x: at.x - before.x, y: at.y - before.y });
+      return;
+    }
+    const spread = (place: Vec): number => Math.max(10, Math.hypot(place.x - other.x, place.y - other.y));
+    this.#ports.pan({ x: (at.x - before.x) / 2, y: (at.y - before.y) / 2 });
+    this.#ports.zoom(spread(at) / spread(before), { x: (at.x + other.x) / 2, y: (at.y + other.y) / 2 });
+  }
+
+  #hasPen(): boolean {
+    return [...this.#pointers.values()].some(({ kind }) => kind === 'pen');
+  }
+
+  #forgetTouches(): void {
+    for (const [id, { kind }] of this.#pointers) {
+      if (kind !== 'touch') continue;
+      if (this.#gesture?.pointer === id) this.cancel();
+      this.#pointers.delete(id);
+    }
+    this.#pinched = false;
+  }
+
+  #hideCrosshair(): void {
+    if (this.#gesture?.pointer === null) this.cancel();
+    this.#crosshair = null;
+  }
+}
+
+const NOTHING: SurfacePicture = {
+  edit: null,
+  after: null,
+  ink: null,
+  marks: [],
+  crosshair: null,
+  finger: null,
+  hover: null,
+};
+
+const dragOf = ({ path, free, adds, reachMm }: Gesture): Drag => ({ path, free, adds, reachMm });
+
+/** Beyond so many points of lines the eraser shows where it went, and what is left of them at the end. Chosen: 5 ms. */
+const MANY_POINTS = 4000;
+
+/** The way of an eraser over many lines, in the colour of paper: cutting all of them again for each picture takes too long. */
+function veilOf({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
+  if (id !== 'eraser' || options.eraser !== 'parts') return null;
+  let points = 0;
+  for (const object of scene.objects) if (object.type === 'stroke') points += object.points.length;
+  return points < MANY_POINTS ? null : { width: options.eraserWidth, color: 'white' };
+}
+
+/** The nearest whole cm. */
+const tens = (mm: number): number => Math.round(mm / 10) * 10;

@@ -1,0 +1,52 @@
+import { computed } from 'vue';
+
+import type { Scene, SceneObject } from '#scene/scene';
+import type { PlacedPose } from '#simulation/input';
+
+import type { App } from '../app/use-app';
+
+/** What the arena shows and what the hand does in it: it changes the run, never the course. */
+export function useArenaRun({ run, work, hand }: Pick<App, 'run' | 'work' | 'hand'>) {
+  /** The course, with robot and blocks where the hand put them before the run. */
+  const shownScene = computed<Scene>(() => {
+    const scene = work.scene.value;
+    const { pose, blocks } = hand;
+    if (run.snapshot.value !== null) return scene;
+    const objects = Object.keys(blocks.value).length === 0 ? scene.objects : scene.objects.map(inHand);
+    if (pose.value === null) return objects === scene.objects ? scene : { ...scene, objects };
+    const { xMm, yMm, headingDeg } = pose.value;
+    return { ...scene, objects, robot: { ...scene.robot, at: [xMm, yMm], heading: headingDeg } };
+  });
+
+  /** Poses of the hand are finer than those of a course: neither whole mm nor eighths of a turn. Only for showing. */
+  function inHand(object: SceneObject): SceneObject {
+    const pose = object.type === 'block' ? hand.blocks.value[object.id] : undefined;
+    if (object.type !== 'block' || pose === undefined) return object;
+    return { ...object, at: [pose.xMm, pose.yMm], turn: pose.headingDeg / 45 };
+  }
+
+  /** Without a run the hand says where the next one starts; the last picture of a stopped run would stand in the way. */
+  function prepare(): void {
+    if (run.snapshot.value !== null) void run.reset();
+  }
+
+  function placeRobot(pose: PlacedPose): void {
+    if (run.isActive.value) {
+      run.input({ type: 'place', pose });
+      return;
+    }
+    prepare();
+    hand.pose.value = pose;
+  }
+
+  function placeBlock({ id, ...pose }: PlacedPose & { readonly id: string }): void {
+    if (run.isActive.value) {
+      run.input({ type: 'place-block', id, pose });
+      return;
+    }
+    prepare();
+    hand.blocks.value = { ...hand.blocks.value, [id]: pose };
+  }
+
+  return { shownScene, placeRobot, placeBlock };
+}

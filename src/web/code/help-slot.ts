@@ -1,0 +1,46 @@
+import { Compartment, type Extension } from '@codemirror/state';
+import { ViewPlugin, type EditorView } from '@codemirror/view';
+
+import type { Language } from '../page/i18n';
+import type { HelpMaker, HelpOptions } from './help/help-options';
+
+/** What is loaded already, by language. */
+const loaded = new Map<Language, HelpMaker>();
+
+/** Completion, cards and hints cost more than the rest of the editor: they come when the editor is used, not before. */
+const USES = ['focusin', 'pointermove', 'keydown'] as const;
+
+/** A place for the help on the API, filled when the editor is first used. */
+export function helpSlot(options: HelpOptions): Extension {
+  const slot = new Compartment();
+  const help = loaded.get(options.language);
+  if (help !== undefined) return help.make(options);
+  return [slot.of([]), ViewPlugin.define((view) => waitForUse(view, () => fill(view, slot, options)))];
+}
+
+function waitForUse(view: EditorView, use: () => Promise<void>): { destroy(): void } {
+  const stop = (): void => {
+    for (const name of USES) view.dom.removeEventListener(name, first);
+  };
+  const first = (): void => {
+    stop();
+    // Without a connection the editor works on without help; the next time it gets the focus it tries again.
+    use().catch(() => view.dom.addEventListener('focusin', first, { passive: true }));
+  };
+  for (const name of USES) view.dom.addEventListener(name, first, { passive: true });
+  // Made anew while it was being used, as when the language changed.
+  if (loaded.size > 0 || view.hasFocus) queueMicrotask(first);
+  return { destroy: stop };
+}
+
+async function fill(view: EditorView, slot: Compartment, options: HelpOptions): Promise<void> {
+  const { language } = options;
+  const before = view.state.doc;
+  const help = loaded.get(language) ?? (await (await import('./help/help')).loadHelp(language));
+  loaded.set(language, help);
+  // The editor may show another file by now, or another language; their slots are their own.
+  const now = slot.get(view.state);
+  if (!Array.isArray(now) || now.length > 0) return;
+  view.dispatch({ effects: slot.reconfigure(help.make(options)) });
+  if (view.hasFocus && view.state.doc !== before) help.suggestLate(view);
+}

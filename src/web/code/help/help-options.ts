@@ -1,0 +1,19 @@
+import type { Extension } from '@codemirror/state';
+import type { EditorView } from '@codemirror/view';
+
+import type { Language } from '../../page/i18n';
+import type { Written } from '../../work/hardware/written-for';
+
+/** What the help needs to know; the function is asked again every time. */
+export interface HelpOptions {
+  readonly language: Language;
+  /** The file that is shown, and what it is written for. */
+  readonly written: () => Written;
+}
+
+/** The help of one language, once it is loaded. */
+export interface HelpMaker {
+  readonly make: (options: HelpOptions) => Extension;
+  /** Suggests something for what was typed while it was loading. */
+  readonly suggestLate: (view: EditorView) => void;
+}

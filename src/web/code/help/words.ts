@@ -1,0 +1,40 @@
+import type { Item } from '#reference/item';
+import type { RobotReference } from '#reference/types';
+import { t, type Language } from '../../page/i18n';
+
+/** The short words on names of the API, in one language. */
+export type Words = Readonly<Record<string, string>>;
+
+/** The words of the boards' modules, by language: only the one that is asked for is fetched. */
+const boardWords: Readonly<Record<Language, () => Promise<Words>>> = {
+  de: async () => (await import('#reference/texts/de')).de,
+  fr: async () => (await import('#reference/texts/fr')).fr,
+  it: async () => (await import('#reference/texts/it')).it,
+  en: async () => (await import('#reference/texts/en')).en,
+};
+
+/** The words of the boards' modules and of these libraries. */
+export async function loadWords(
+  language: Language,
+  libraries: readonly Pick<RobotReference, 'texts'>[],
+): Promise<Words> {
+  const words = await boardWords[language]();
+  return Object.assign({}, words, ...libraries.map(({ texts }) => texts[language])) as Words;
+}
+
+/** What is said about an item; empty when nothing is known about it. */
+export function wordsOn(item: Item, words: Words): string {
+  return item.own ?? words[item.text ?? ''] ?? '';
+}
+
+/** Where an item belongs and what kind of thing it is: “microbit.display · function”. */
+export function captionOf(item: Item): string {
+  const kind = t(`help.${item.kind}`);
+  return item.home === null ? kind : `${item.home} · ${kind}`;
+}
+
+/** What the firmware has to say against an item; empty when it has it. */
+export function missingText(item: Item): string {
+  if (item.missing === null) return '';
+  return item.missing === 'absent' ? t('help.absent') : t('help.newer');
+}

@@ -1,0 +1,25 @@
+import { computed } from 'vue';
+
+import { promptOf } from './log/prompt';
+import type { TextKey } from '../page/i18n/texts';
+import type { App } from '../app/use-app';
+
+/** What the serial line is good for now: text for the program, lines for the REPL, or nothing at all. */
+export function useRepl({ run, console, work }: Pick<App, 'run' | 'console' | 'work'>) {
+  const ended = run.ended;
+  /** The REPL has greeted; before that the display shows the error, half a minute at times. */
+  const isRepl = computed(() => run.isActive.value && ended.value !== null && run.snapshot.value?.repl === true);
+  const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
+  return {
+    isRepl,
+    /** Somebody listens: after a panic nothing does until the next run. */
+    isOpen: computed(() => run.isActive.value && ended.value?.kind !== 'panic' && ended.value?.kind !== 'fault'),
+    mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
+    /** Says in the field what it is for. */
+    hint: computed((): TextKey => {
+      if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';
+      if (ended.value !== null) return 'console.replInput';
+      return readsInput.value ? 'console.input' : 'console.sendInput';
+    }),
+  };
+}

@@ -1,0 +1,30 @@
+import type { ArenaTool } from '../state/use-course-editor';
+
+/** The tools in the order of the palette, in groups that belong together. */
+export const toolGroups: readonly (readonly ArenaTool[])[] = [
+  ['hand', 'select', 'rotate'],
+  ['pen', 'eraser'],
+  ['block', 'wall', 'maze'],
+  ['zone', 'label'],
+  ['start', 'ruler'],
+];
+
+/** The letter that chooses a tool while the arena or the palette has the focus. */
+export const toolLetters: Readonly<Record<ArenaTool, string>> = {
+  hand: 'h',
+  select: 'v',
+  rotate: 'r',
+  pen: 'p',
+  eraser: 'x',
+  block: 'b',
+  wall: 'w',
+  maze: 'm',
+  zone: 'z',
+  label: 't',
+  start: 's',
+  ruler: 'l',
+};
+
+/** The tool of a letter. */
+export const toolOfLetter = (letter: string): ArenaTool | undefined =>
+  toolGroups.flat().find((tool) => toolLetters[tool] === letter);

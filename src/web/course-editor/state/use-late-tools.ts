@@ -1,0 +1,22 @@
+import { shallowRef, watch, type ShallowRef } from 'vue';
+
+import type { App } from '../../app/use-app';
+
+/**
+ * Whether palette, undo and keys may come now: once the page has nothing more urgent to do where they are in sight, else
+ * when they are asked for. What they need besides comes with the first tool.
+ */
+export function useLateTools({ editor, layout }: App): Readonly<ShallowRef<boolean>> {
+  const mayCome = shallowRef(false);
+  const come = (): void => {
+    mayCome.value = true;
+  };
+  function soon(): void {
+    const { requestIdleCallback }: Partial<Pick<Window, 'requestIdleCallback'>> = window; // Safari has none
+    if (requestIdleCallback === undefined) setTimeout(come, 300);
+    else requestIdleCallback.call(window, come, { timeout: 1500 });
+  }
+  if (editor.isOpen.value || layout.kind.value !== 'phone') soon();
+  watch([editor.isOpen, layout.kind], come);
+  return mayCome;
+}

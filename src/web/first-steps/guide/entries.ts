@@ -1,0 +1,215 @@
+import {
+  mdiAccessPoint,
+  mdiArrowTopRightBottomLeft,
+  mdiBugOutline,
+  mdiCheckboxMarkedOutline,
+  mdiChip,
+  mdiCompassOutline,
+  mdiConsoleLine,
+  mdiContentCopy,
+  mdiContentSaveOutline,
+  mdiDeleteSweepOutline,
+  mdiDotsVertical,
+  mdiFileCodeOutline,
+  mdiFitToScreenOutline,
+  mdiFlagCheckered,
+  mdiFolderOpenOutline,
+  mdiFormatListBulleted,
+  mdiFullscreen,
+  mdiGestureTap,
+  mdiHandBackRightOutline,
+  mdiHelpCircleOutline,
+  mdiImageOutline,
+  mdiKeyboardReturn,
+  mdiLanguagePython,
+  mdiLayersOutline,
+  mdiLightbulbOutline,
+  mdiLinkVariant,
+  mdiMagnifyPlusOutline,
+  mdiMapMarkerPath,
+  mdiMapOutline,
+  mdiPause,
+  mdiPencilOutline,
+  mdiPencilRuler,
+  mdiPlay,
+  mdiPlus,
+  mdiPrinterOutline,
+  mdiRedo,
+  mdiRestart,
+  mdiRobotHappyOutline,
+  mdiRobotOutline,
+  mdiShareVariant,
+  mdiSkipNext,
+  mdiSpeedometer,
+  mdiStop,
+  mdiTableLarge,
+  mdiTextBoxEditOutline,
+  mdiThemeLightDark,
+  mdiTranslate,
+  mdiTuneVariant,
+  mdiUndo,
+  mdiUsb,
+  mdiVolumeHigh,
+  mdiWalk,
+} from '@mdi/js';
+
+import { paletteTexts, toolTexts } from '../../course-editor/words/palette-texts';
+import { panelTexts } from '../../course-editor/words/panel-texts';
+import type { ArenaTool } from '../../course-editor/state/use-course-editor';
+import { t } from '../../page/i18n';
+import { say } from '../../page/i18n/say';
+import type { TextKey } from '../../page/i18n/texts';
+import { deviceTexts } from '../../device/device-texts';
+import { menuTexts } from '../../share/menu-texts';
+import { toolLetters } from '../../course-editor/palette/tool-list';
+import type { GuideContent, OwnName } from './content/content';
+import { sectionIds, type EntryId, type KEY_IDS, type SectionId } from './content/entry-ids';
+
+/** A control, or something else that the help explains. */
+export interface GuideEntry {
+  readonly id: EntryId;
+  /** Its sign, or the tool whose picture stands for it. */
+  readonly icon: string | { readonly tool: ArenaTool };
+  /** What it is called: by its own label, so that both always say the same. */
+  readonly name: (content: GuideContent) => string;
+  /** Controls that it explains, by their `data-testid`, or the names of their labels. A test finds those without an entry. */
+  readonly covers: readonly string[];
+}
+
+type Parts = Pick<GuideEntry, 'icon' | 'name' | 'covers'>;
+const own =
+  (name: OwnName): GuideEntry['name'] =>
+  ({ names }) =>
+    names[name];
+const step = (name: OwnName, icon: string): Parts => ({ icon, name: own(name), covers: [] });
+const ofKey = (icon: string, key: TextKey, ...covers: readonly string[]): Parts => ({
+  icon,
+  name: () => t(key),
+  covers: [key, ...covers],
+});
+const of = (icon: string, name: () => string, ...covers: readonly string[]): Parts => ({ icon, name, covers });
+const ofOwn = (icon: string, name: OwnName, ...covers: readonly string[]): Parts => ({ icon, name: own(name), covers });
+const tool = (id: ArenaTool): Parts => ({ icon: { tool: id }, name: () => say(toolTexts[id].name), covers: [id] });
+
+/** A key has no name but its keys. */
+type KeyId = (typeof KEY_IDS)[number];
+const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
+  'step-write': step('step-write', mdiPencilOutline),
+  'step-run': step('step-run', mdiPlay),
+  'step-change': step('step-change', mdiRestart),
+  'step-error': step('step-error', mdiBugOutline),
+  'step-board': step('step-board', mdiChip),
+  'step-course': step('step-course', mdiMapMarkerPath),
+  'step-build': step('step-build', mdiPencilRuler),
+  'step-share': step('step-share', mdiShareVariant),
+  run: ofKey(mdiPlay, 'bar.run', 'run', 'bar.runAgain'),
+  stop: ofKey(mdiStop, 'bar.stop', 'stop'),
+  pause: ofKey(mdiPause, 'bar.pause', 'pause', 'bar.resume'),
+  step: ofKey(mdiSkipNext, 'bar.step', 'step'),
+  reset: ofKey(mdiRestart, 'bar.reset', 'reset'),
+  speed: ofKey(mdiSpeedometer, 'bar.speed', 'speed'),
+  sound: ofOwn(mdiVolumeHigh, 'sound', 'bar.mute', 'bar.unmute'),
+  device: ofKey(mdiChip, 'device.choose', 'device'),
+  course: ofKey(mdiMapMarkerPath, 'bar.course', 'course', 'course.title'),
+  share: of(mdiShareVariant, () => t('bar.share'), 'share', 'menu-*'),
+  save: of(mdiContentSaveOutline, () => t('bar.save'), 'save-project'),
+  open: of(mdiFolderOpenOutline, () => t('bar.open'), 'open-file'),
+  language: ofKey(mdiTranslate, 'bar.language'),
+  theme: ofKey(mdiThemeLightDark, 'bar.theme'),
+  help: ofOwn(mdiHelpCircleOutline, 'help', 'help', 'menu-help'),
+  menu: ofKey(mdiDotsVertical, 'bar.menu', 'menu'),
+  stages: ofOwn(mdiPencilRuler, 'stages', 'stage-*'),
+  tour: ofOwn(mdiWalk, 'tour', 'menu-tour'),
+  'real-device': ofOwn(mdiUsb, 'real-device', 'menu-real-device'),
+  'save-program': of(mdiFileCodeOutline, () => say(menuTexts.saveProgram)),
+  'save-scene': of(mdiMapOutline, () => say(menuTexts.saveScene)),
+  'open-link': of(mdiLinkVariant, () => say(menuTexts.openLink)),
+  'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
+  'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
+  gallery: of(mdiRobotHappyOutline, () => say(deviceTexts.gallery), 'gallery'),
+  'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
+  files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
+  'new-file': ofKey(mdiPlus, 'code.newFile'),
+  'file-menu': of(mdiDotsVertical, () => t('code.fileMenu', { file: 'main.py' }), 'code.fileMenu'),
+  suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
+  explain: ofOwn(mdiHelpCircleOutline, 'explain'),
+  buttons: ofOwn(mdiGestureTap, 'buttons', 'board'),
+  sensors: ofKey(mdiTuneVariant, 'sensors.pane', 'panel-*'),
+  radio: ofKey(mdiAccessPoint, 'radio.pane'),
+  log: ofKey(mdiTableLarge, 'dataLog.pane'),
+  'arena-hand': ofOwn(mdiHandBackRightOutline, 'arena-hand', 'arena'),
+  tools: of(mdiPencilRuler, () => say(paletteTexts.tools), 'tools-toggle'),
+  show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
+  readings: ofOwn(mdiCompassOutline, 'readings'),
+  zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
+  fit: ofKey(mdiFitToScreenOutline, 'arena.fit'),
+  fullscreen: ofOwn(mdiFullscreen, 'fullscreen', 'fullscreen'),
+  verdict: ofOwn(mdiFlagCheckered, 'verdict'),
+  'tool-hand': tool('hand'),
+  'tool-select': tool('select'),
+  'tool-rotate': tool('rotate'),
+  'tool-pen': tool('pen'),
+  'tool-eraser': tool('eraser'),
+  'tool-block': tool('block'),
+  'tool-wall': tool('wall'),
+  'tool-maze': tool('maze'),
+  'tool-zone': tool('zone'),
+  'tool-label': tool('label'),
+  'tool-start': tool('start'),
+  'tool-ruler': tool('ruler'),
+  undo: of(mdiUndo, () => say(paletteTexts.undo), 'undo'),
+  redo: of(mdiRedo, () => say(paletteTexts.redo), 'redo'),
+  'course-more': of(mdiDotsVertical, () => say(paletteTexts.more), 'course-more'),
+  'course-list': of(mdiFormatListBulleted, () => say(panelTexts.list), 'editor-*'),
+  'course-settings': of(mdiTextBoxEditOutline, () => say(panelTexts.course)),
+  background: of(mdiImageOutline, () => say(panelTexts.background)),
+  print: of(mdiPrinterOutline, () => say(panelTexts.print)),
+  'clear-course': of(mdiDeleteSweepOutline, () => say(panelTexts.clear), 'editor-clear'),
+  output: ofKey(mdiConsoleLine, 'console.log', 'console'),
+  copy: ofKey(mdiContentCopy, 'console.copy'),
+  clear: ofKey(mdiDeleteSweepOutline, 'console.clear'),
+  input: ofOwn(mdiKeyboardReturn, 'input', 'console-input', 'console.send'),
+  interrupt: ofKey(mdiArrowTopRightBottomLeft, 'console.interrupt', 'interrupt'),
+  restart: ofKey(mdiRestart, 'console.restart', 'restart'),
+};
+
+/** The keys of a shortcut; `/` parts keys that do several things, one each. */
+export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
+  'key-run': ['Ctrl', 'Enter'],
+  'key-save': ['Ctrl', 'S'],
+  'key-help': ['F1'],
+  'key-explain': ['F1'],
+  'key-leave': ['Esc', 'Tab'],
+  'key-comment': ['Ctrl', '/'],
+  'key-board': ['A', 'B', 'L'],
+  'key-tools': Object.values(toolLetters).map((letter) => letter.toUpperCase()),
+  'key-arrows': ['←', '→', '↑', '↓'],
+  'key-draw': ['Enter'],
+  'key-turn': ['Q', 'E'],
+  'key-delete': ['Delete'],
+  'key-copy': ['Ctrl', 'C', 'X', 'V', 'D'],
+  'key-all': ['Ctrl', 'A'],
+  'key-undo': ['Ctrl', 'Z', 'Y'],
+  'key-interrupt': ['Ctrl', 'C'],
+  'key-restart': ['Ctrl', 'D'],
+  'key-history': ['↑', '↓'],
+  'key-escape': ['Esc'],
+};
+
+const isKey = (id: EntryId): id is KeyId => id in keysOf;
+
+/** The sections of the help with their entries, in the order in which they are shown. */
+export const guideSections: readonly { readonly id: SectionId; readonly entries: readonly GuideEntry[] }[] = (
+  Object.keys(sectionIds) as SectionId[]
+) // its keys are written down in one place
+  .map((id) => ({
+    id,
+    entries: sectionIds[id].map((entry) => ({
+      id: entry,
+      ...(isKey(entry) ? { icon: '', name: () => keysOf[entry].join(' '), covers: [] } : parts[entry]),
+    })),
+  }));
+
+/** The section that an entry stands in. */
+export const sectionOf = (id: EntryId): SectionId | undefined =>
+  guideSections.find(({ entries }) => entries.some((entry) => entry.id === id))?.id;

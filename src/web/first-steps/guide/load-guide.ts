@@ -1,0 +1,50 @@
+import { freeReference } from '#libraries/reference';
+import type { ReferenceContext } from '#reference/context';
+import { robotReferences } from '#robots/references';
+
+import { loadWords, type Words } from '../../code/help/words';
+import type { Language } from '../../page/i18n';
+import type { GuideContent } from './content/content';
+
+/** The help of each language: nobody waits for those of another one. */
+const contents: Readonly<Record<Language, () => Promise<GuideContent>>> = {
+  de: async () => (await import('./content/de')).de,
+  fr: async () => (await import('./content/fr')).fr,
+  it: async () => (await import('./content/it')).it,
+  en: async () => (await import('./content/en')).en,
+};
+
+/** The help in one language: its own words, and those of the reference. */
+export interface Guide {
+  readonly content: GuideContent;
+  readonly words: Words;
+}
+
+/** Fetches the help of a language. Rejects without a connection. */
+export async function loadGuide(language: Language, robot: string | null): Promise<Guide> {
+  const libraries = [freeReference, ...robotReferences.filter((it) => it.robot === robot)];
+  const [content, words] = await Promise.all([contents[language](), loadWords(language, libraries)]);
+  return { content, words };
+}
+
+/** Modules of the board that lessons use, after its own. */
+const BOARD_MODULES = ['music', 'radio', 'log', 'neopixel', 'random', 'time'] as const;
+
+/** The modules whose commands the help lists: those of the robot in use first, then those of the board. */
+export function modulesFor(robot: string | null, board: ReferenceContext['board']): readonly string[] {
+  const own = robotReferences.find((it) => it.robot === robot)?.modules ?? [];
+  const ofBoard = board === 'calliope-mini-3' ? 'calliopemini' : 'microbit';
+  return [...own.map(({ name }) => name), ofBoard, ...BOARD_MODULES];
+}
+
+/** What the reference needs to know to list their commands. */
+export const referenceFor = (
+  robot: string | null,
+  board: ReferenceContext['board'],
+  features: ReferenceContext['features'],
+): ReferenceContext => ({
+  board,
+  features,
+  modules: robotReferences.find((it) => it.robot === robot)?.modules ?? [],
+  files: {},
+});

@@ -1,0 +1,29 @@
+import { computed } from 'vue';
+
+import { AUTO, chooseHardware } from '#simulation/hardware';
+import { useApp } from '../../app/use-app';
+import { useCourses } from '../../work/use-courses';
+import { solved, type Course } from '../../work/catalogue/course';
+
+/** Name of the robot that a course and its program are made for. */
+export function robotName({ scene, solution }: Course): string {
+  const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: AUTO, board: AUTO });
+  return 'problem' in hardware ? '' : (hardware.robot?.name ?? '');
+}
+
+/** Opening courses out of the gallery, which then makes room for them. */
+export function useCourseOpening() {
+  const app = useApp();
+  const { openCourse } = useCourses(app);
+  const openId = computed(() => app.work.work.value.project.course);
+  function open(course: Course): void {
+    app.gallery.close();
+    openCourse(course);
+  }
+  return {
+    open,
+    openSolved: (course: Course): void => open(solved(course)),
+    /** It is the one in the arena, changed or not. */
+    isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,
+  };
+}

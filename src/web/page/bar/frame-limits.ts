@@ -1,0 +1,20 @@
+/**
+ * Says that a download or printing may have been refused. A page cannot see whether its frame allows them: in one without
+ * an origin of its own it is likely not, elsewhere nothing is said.
+ *
+ * @returns whether it was said
+ */
+export function sayMayBeRefused(): boolean {
+  if (self.origin !== 'null') return false;
+  void say().catch(() => undefined); // what comes late did not come: the file itself is on its way all the same
+  return true;
+}
+
+async function say(): Promise<void> {
+  const [{ showPageBar }, { offlineTexts }] = await Promise.all([
+    import('./page-bar'),
+    import('../../offline/offline-texts'),
+  ]);
+  const { close } = offlineTexts;
+  showPageBar({ kind: 'may-be-refused', text: offlineTexts.mayBeRefused, actions: [], close });
+}

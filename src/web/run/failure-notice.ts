@@ -1,0 +1,32 @@
+import { placementProblems } from '#scene/placement';
+import { runRefusal } from '#scene/run-refusal';
+import type { Scene } from '#scene/scene';
+import type { Hardware } from '#simulation/hardware';
+
+import { say } from '../page/i18n/say';
+import { failureTexts } from './failure-texts';
+import type { Notice } from '../page/use-notices';
+
+/**
+ * What the page says about a run that could not begin: what is wrong with the course in the pupil's words, anything
+ * else in those of the simulation.
+ *
+ * @param message what the simulation says
+ */
+export function failureNotice(message: string, hardware: Pick<Hardware, 'robot'> | null, scene: Scene): Notice {
+  const robot = hardware?.robot ?? null;
+  const misplaced = robot === null ? undefined : placementProblems(scene, robot.body.outlineMm)[0];
+  if (robot === null || misplaced?.message !== message)
+    return { kind: 'error', key: 'notice.failed', values: { message: inWords(message, scene) } };
+  const [x, y] = scene.robot.at.map((mm) => mm / 10);
+  return {
+    kind: 'error',
+    key: misplaced.code === 'robot-outside' ? 'notice.robotOutside' : 'notice.robotInside',
+    values: { robot: robot.name, x: x ?? 0, y: y ?? 0 },
+  };
+}
+
+function inWords(message: string, scene: Scene): string {
+  const refusal = runRefusal(scene);
+  return refusal?.message === message ? say(failureTexts[refusal.code], refusal.params) : message;
+}

@@ -1,0 +1,158 @@
+import type { RunSetup } from '#simulation/run-setup';
+
+import { STOP_ANSWER_MS, type FromWorker, type Speed, type ToWorker } from './worker/protocol';
+
+/** What is used of a `Worker`. */
+export interface WorkerPort {
+  postMessage(message: ToWorker): void;
+  terminate(): void;
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+}
+
+/** What the client needs and whom it tells. */
+export interface ClientOptions {
+  createWorker(): WorkerPort;
+  /** The compiled VM. */
+  firmware(): Promise<WebAssembly.Module>;
+  /** Every message of the current run's worker. */
+  onMessage(message: FromWorker): void;
+  /** The current run had to be ended by force. */
+  onKilled(): void;
+}
+
+/** What a run is told between its start and its end. */
+export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
+
+/** Messages that wait for the VM of their run. Chosen: more than anyone does by hand until it is there. */
+const MOST_EARLY = 1000;
+
+const NO_WORKER = 'The worker could not be loaded.';
+
+/** How a run came to its end: by itself, or because its worker gave no answer. */
+export type StopResult = 'stopped' | 'killed';
+
+/**
+ * The page's end of the runs: one worker per run, a fresh one always ready for the next, and the means to end one that
+ * does not answer. Whatever a program does, it does to a worker that is thrown away.
+ */
+export class RunClient {
+  private current: WorkerPort | null = null;
+  /** Whether the current run has begun: before that there is nothing in it to be asked for. */
+  private hasBegun = false;
+  private spare: WorkerPort | null = null;
+  private onStopped: (() => void) | null = null;
+  /** What was sent to a run whose VM is still to come; `null`: there is no such run. */
+  private early: ToRun[] | null = null;
+  /** Counts starts and stops, so that a start that had to wait for the VM notices that it is no longer wanted. */
+  private turn = 0;
+
+  constructor(private readonly options: ClientOptions) {}
+
+  /** Makes a worker ready for the next run. Rejects when the VM cannot be loaded. */
+  async warmUp(): Promise<void> {
+    if (this.spare !== null) return;
+    const worker = this.options.createWorker();
+    this.spare = worker;
+    // Its own code could not be loaded: the next run gets another one.
+    worker.onerror = () => {
+      if (this.spare === worker) this.spare = null;
+      worker.terminate();
+    };
+    try {
+      const firmware = await this.options.firmware();
+      if (this.spare === worker || this.current === worker) worker.postMessage({ type: 'prepare', firmware });
+    } catch (error) {
+      if (this.spare === worker) this.spare = null;
+      worker.terminate();
+      throw error;
+    }
+  }
+
+  /** A run is about to start; the one before, if any, is dropped. What is sent from here on is for the new one. */
+  expect(): void {
+    this.drop();
+    this.turn += 1;
+    this.early = [];
+  }
+
+  /**
+   * Starts the run that was expected, in the ready worker. It then gets what was sent to it meanwhile, in order. Nothing
+   * starts when it was stopped before the VM was there.
+   *
+   * @throws Error (as a rejection) when the VM or the worker cannot be had
+   */
+  async start(setup: RunSetup, speed: Speed, paused: boolean): Promise<void> {
+    const { turn } = this;
+    await this.warmUp();
+    await this.options.firmware(); // a worker that is still being made ready gets its VM first
+    if (turn !== this.turn) return;
+    await this.warmUp(); // in the place of one that broke meanwhile
+    if (turn !== this.turn) return;
+    const worker = this.spare;
+    if (worker === null) throw new Error(NO_WORKER);
+    this.spare = null;
+    this.current = worker;
+    this.hasBegun = false;
+    worker.onmessage = (event) => this.hear(worker, event.data);
+    worker.onerror = ({ message }) => this.hear(worker, { type: 'failed', message: message || NO_WORKER });
+    worker.postMessage({ type: 'run', setup, speed, paused });
+    for (const message of this.early ?? []) worker.postMessage(message);
+    this.early = null;
+  }
+
+  /**
+   * Sends a message to the run; without a run nothing happens. One that is still to start gets it then.
+   *
+   * @returns false: far too much waits already, the message is lost
+   */
+  send(message: ToRun): boolean {
+    if (this.early !== null && this.early.length >= MOST_EARLY) return false;
+    this.early?.push(message);
+    this.current?.postMessage(message);
+    return true;
+  }
+
+  /**
+   * Ends the run: by asking, and by force when there is no answer within `STOP_ANSWER_MS`. One that has not begun ends at
+   * once.
+   */
+  stop(): Promise<StopResult> {
+    this.turn += 1;
+    this.early = null;
+    if (!this.hasBegun) this.drop();
+    const worker = this.current;
+    if (worker === null) return Promise.resolve('stopped');
+    return new Promise((resolve) => {
+      const timer = setTimeout(() => {
+        this.onStopped = null;
+        this.drop();
+        this.options.onKilled();
+        resolve('killed');
+      }, STOP_ANSWER_MS);
+      this.onStopped = () => {
+        clearTimeout(timer);
+        resolve('stopped');
+      };
+      worker.postMessage({ type: 'stop' });
+    });
+  }
+
+  /** Ends the run at once, without a word. */
+  drop(): void {
+    const worker = this.current;
+    this.current = null;
+    this.onStopped?.();
+    this.onStopped = null;
+    if (worker === null) return;
+    worker.onmessage = null;
+    worker.terminate();
+  }
+
+  private hear(worker: WorkerPort, message: FromWorker): void {
+    if (this.current !== worker) return;
+    this.hasBegun ||= message.type === 'started';
+    this.options.onMessage(message);
+    if (message.type === 'stopped' || message.type === 'failed') this.drop();
+  }
+}

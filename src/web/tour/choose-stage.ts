@@ -1,9 +1,0 @@
-import type { App } from '../composables/use-app';
-import type { Stage } from './stage';
-
-/** Brings a stage into sight, see `changeStage`: what it takes to change the program along with it comes with the first choice. */
-export function chooseStage(app: App, stage: Stage): void {
-  import('./change-stage')
-    .then(({ changeStage }) => changeStage(app, stage))
-    .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
-}

@@ -1,0 +1,18 @@
+import { PARTS, type HostSettings, type Part } from '#embed/simulator';
+
+import type { Settings } from '../work/settings/settings';
+
+/** The part of a host's settings that are the app's own settings. */
+export function heldSettings(wish: HostSettings): Partial<Settings> {
+  const { parts, ...others } = wish;
+  const own = Object.entries(others).filter(([name]) => name !== 'labels');
+  const shown: Partial<Settings> =
+    parts === undefined ? {} : { showBoard: true, showArena: true, showTools: toolsIn(parts) };
+  return { ...Object.fromEntries(own), ...shown };
+}
+
+/** Everything but the bar says nothing about the tools: they are unfolded where they have room, as without a host. */
+const toolsIn = (parts: readonly Part[]): boolean | null => {
+  const isWhole = PARTS.every((part) => part === 'bar' || parts.includes(part));
+  return isWhole ? null : parts.includes('tools');
+};

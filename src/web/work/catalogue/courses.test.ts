@@ -1,0 +1,173 @@
+import { readdirSync } from 'node:fs';
+import { describe, expect, it } from 'vitest';
+
+import { boardTypes, findBoard } from '#board/boards/index';
+import { checkForDevice } from '#device-check/check-for-device';
+import { chooseHardware } from '#simulation/hardware';
+import { setLanguage } from '../../page/i18n';
+import { LANGUAGES } from '../../page/i18n/texts';
+import { courseKinds, coursesOf, projectOf, solved } from './course';
+import { courses, courseText } from './courses';
+import { examples, isUntouched } from './examples';
+import { courseName, firstCourse, isAsFound } from './first-course';
+import { findProblems } from '#scene/rules';
+import { defaultScene } from '#scene/scene';
+
+describe('the programs that come with the app', () => {
+  it('have nothing that the device check would mark on their board, so a first visit need not load it', () => {
+    const ofCourses = courses.flatMap(({ scene, program, solution }) =>
+      [...Object.values(program), ...Object.values(solution)].map((text) => ({ scene, text })),
+    );
+    const ofRobots = examples.flatMap(({ example, robot }) => LANGUAGES.map((language) => ({ robot, text: example.source[language] }))); // prettier-ignore
+    expect(ofCourses.length + ofRobots.length).toBeGreaterThan(3);
+    for (const { text, ...where } of [...ofCourses, ...ofRobots]) {
+      const scene = 'scene' in where ? where.scene : defaultScene();
+      const robot = 'robot' in where ? where.robot.id : 'auto';
+      const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot, board: 'auto' });
+      const firmware = 'problem' in hardware ? boardTypes[0]!.firmwares[0] : hardware.firmware;
+      expect(checkForDevice({ 'main.py': text }, firmware), text).toEqual([]);
+    }
+  });
+
+  it('each choose a robot on its own board when everything is left to the program and the course', () => {
+    for (const { id, scene, program, solution } of courses)
+      for (const text of [...Object.values(program), ...Object.values(solution)]) {
+        const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot: 'auto', board: 'auto' });
+        if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
+        expect(hardware.robot, id).not.toBeNull();
+        expect(hardware.board, id).toBe(findBoard(hardware.robot!.board));
+      }
+  });
+
+  it('count as untouched until a letter is changed; two files are the pupil’s own', () => {
+    for (const course of courses)
+      for (const language of LANGUAGES) {
+        const project = projectOf(course, language);
+        expect(isUntouched(project), course.id).toBe(true);
+        expect(isUntouched(projectOf(solved(course), language)), course.id).toBe(true);
+        const [main] = project.files;
+        expect(isUntouched({ ...project, files: [{ ...main!, text: `${main!.text}#` }] })).toBe(false);
+        expect(isUntouched({ ...project, files: [main!, { name: 'a.py', text: '' }] })).toBe(false);
+      }
+    for (const { example } of examples)
+      for (const language of LANGUAGES) {
+        const files = [{ name: 'main.py', text: example.source[language] }];
+        expect(isUntouched({ ...projectOf(courses[0]!, 'de'), files }), example.file).toBe(true);
+      }
+  });
+});
+
+describe('the ready courses', () => {
+  const folders = readdirSync('courses', { withFileTypes: true })
+    .filter((entry) => entry.isDirectory() && !['board', 'golden'].includes(entry.name))
+    .map(({ name }) => name);
+
+  it('are all listed, each at a place of its own', () => {
+    expect(courses.map(({ id }) => id).sort()).toEqual(folders.sort());
+    const places = courses.map(({ place }) => place);
+    expect(places).not.toContain(null);
+    expect(new Set(places).size).toBe(places.length);
+    expect([...places].sort((one, other) => one! - other!)).toEqual(places);
+  });
+
+  it('have a name, a sentence, a task and programs in German and English, in Swiss spelling', () => {
+    for (const { id, texts, program, solution } of courses)
+      for (const language of LANGUAGES) {
+        const { name, text, task } = texts[language];
+        expect(name, id).not.toBe('');
+        expect(text, id).toMatch(/[.!?]$/);
+        expect(task, id).toMatch(/[.!?]$/);
+        expect(program[language], id).toMatch(/import/);
+        expect(solution[language], id).toMatch(/import/);
+        expect(Object.values(texts.de).join(' ') + program.de + solution.de, id).not.toContain('ß');
+      }
+  });
+
+  it('are nineteen or more, of all kinds, of all levels and for three robots', () => {
+    expect(courses.length).toBeGreaterThanOrEqual(19);
+    expect(new Set(courses.map(({ kind }) => kind))).toEqual(new Set(courseKinds));
+    expect(new Set(courses.map(({ level }) => level))).toEqual(new Set([1, 2, 3]));
+    const lines = courses.filter(({ kind }) => kind === 'line');
+    expect(new Set(lines.map(({ level }) => level))).toEqual(new Set([1, 2, 3])); // line tracks of three difficulties
+    const robots = courses.map(({ scene, solution }) => {
+      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      return 'problem' in hardware ? '' : hardware.robot?.id;
+    });
+    expect(new Set(robots)).toEqual(new Set(['maqueen-lite', 'maqueen-plus-v2', 'callibot']));
+  });
+
+  it('have nothing that the editor would find fault with', () => {
+    for (const { id, scene, solution } of courses) {
+      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
+      expect(findProblems(scene, hardware.robot?.body.outlineMm ?? []), id).toEqual([]);
+    }
+  });
+
+  it('leave the task to the pupil: all but the empty arena and the first course begin with a program to go on with', () => {
+    const asSolved = courses.filter(({ program, solution }) => program.de === solution.de).map(({ id }) => id);
+    expect(asSolved).toEqual(['empty', 'closed-line']);
+    for (const { id, program, solution } of courses)
+      for (const language of LANGUAGES)
+        if (!asSolved.includes(id))
+          expect(program[language].split('\n').length, id).toBeLessThan(solution[language].split('\n').length + 4);
+  });
+
+  it('begin with the closed line on a first visit, which comes with the page', () => {
+    expect(firstCourse?.id).toBe('closed-line');
+    expect(firstCourse).toEqual(courses.find(({ id }) => id === 'closed-line'));
+    const project = projectOf(firstCourse!, 'en');
+    expect(isAsFound(project)).toBe(true);
+    expect(isAsFound({ ...project, files: [{ name: 'main.py', text: 'print(1)' }] })).toBe(false);
+  });
+
+  it('are called in the chosen language, courses of others as their file says', async () => {
+    Object.assign(globalThis, { document: { documentElement: {} } });
+    await setLanguage('en');
+    const maze = courses.find(({ id }) => id === 'small-maze')!;
+    expect([courseName(maze.scene, maze.id), courseText(maze)]).toEqual([maze.texts.en.name, maze.texts.en.text]);
+    await setLanguage('de');
+    expect(courseName(maze.scene, maze.id)).toBe('Kleines Labyrinth');
+    expect(courseName({ ...maze.scene, name: 'Von Anna' }, null)).toBe('Von Anna');
+    expect(courseName({ ...maze.scene, name: '' }, null)).toBe('Ohne Namen');
+  });
+});
+
+describe('the files of a course', () => {
+  const scene = '{"format":"parcours-scene","version":1,"name":"A","description":"B.","size":[500,500]}';
+
+  it('may have one program for all languages or one for each', () => {
+    const [one] = coursesOf({ 'c/one/scene.json': scene, 'c/one/main.py': 'x' });
+    expect(one!.program).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
+    expect(one!.solution).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
+    const own = Object.fromEntries(LANGUAGES.map((language) => [`c/two/main.${language}.py`, language]));
+    const [two] = coursesOf({ 'c/two/scene.json': scene, ...own });
+    expect(two!.program).toEqual({ de: 'de', fr: 'fr', it: 'it', en: 'en' });
+  });
+
+  it('speak English in a language that nobody has written yet', () => {
+    const [course] = coursesOf({ 'c/x/scene.json': scene, 'c/x/main.de.py': 'd', 'c/x/main.en.py': 'e' });
+    expect(course!.program).toEqual({ de: 'd', fr: 'e', it: 'e', en: 'e' });
+  });
+
+  it('may hold a beginning besides the solution: then that is what a pupil finds', () => {
+    const files = { 'main.de.py': 'd', 'main.en.py': 'e', 'start.de.py': 's', 'start.en.py': 't', 'scene.json': scene };
+    const [course] = coursesOf(Object.fromEntries(Object.entries(files).map(([name, text]) => [`c/x/${name}`, text])));
+    expect(course!.program).toMatchObject({ de: 's', en: 't' });
+    expect(course!.solution).toMatchObject({ de: 'd', en: 'e' });
+    expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'e' }]);
+  });
+
+  it('speak as the scene does where there are no texts, and stand at the end then', () => {
+    const all = coursesOf({
+      'c/a/scene.json': scene,
+      'c/z/scene.json': scene,
+      'c/z/texts.json': '{"place":9,"de":{"name":"Z","text":"Z."}}',
+      'c/broken/scene.json': '{',
+    });
+    expect(all.map(({ id, texts }) => [id, texts.de.name, texts.en.name])).toEqual([
+      ['z', 'Z', 'A'],
+      ['a', 'A', 'A'],
+    ]);
+  });
+});

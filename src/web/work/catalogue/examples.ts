@@ -1,0 +1,67 @@
+import { MAIN, type Project } from '#project/project';
+import { robotTypes } from '#robots/index';
+import type { RobotExample, RobotType } from '#robots/robot';
+import { robotSheets } from '#robots/sheets';
+import type { Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+
+import type { Language } from '../../page/i18n/texts';
+import type { Course } from './course';
+import { courses } from './courses';
+
+/** A sample program and the robot that it comes with. */
+export interface ExampleOf {
+  readonly robot: RobotType;
+  readonly example: RobotExample;
+}
+
+/** The sample programs of a robot, for any arena. */
+export function examplesOf(robot: RobotType): readonly ExampleOf[] {
+  const sheet = robotSheets.find((one) => one.robot === robot.id);
+  return (sheet?.examples ?? []).map((example) => ({ robot, example }));
+}
+
+/** Those of all robots, in their order. */
+export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
+
+const brought: ReadonlySet<string> = new Set([
+  ...courses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
+  ...examples.flatMap(({ example }) => Object.values(example.source)),
+]);
+
+/**
+ * A sample program as something to work on: in the arena it is made for and with what it needs on the robot. An arena
+ * that the pupil built or changed stays as it is.
+ */
+export function withExample(before: Project, { example }: ExampleOf, language: Language): Project {
+  const files = [{ name: MAIN, text: example.source[language] }];
+  const open = courses.find(({ scene }) => isSameArena(scene, before.scene));
+  const course = courses.find(({ id }) => id === example.course) ?? open;
+  if (open === undefined || course === undefined) return { ...before, files };
+  return { files, scene: withOptions(course, example), course: course.id };
+}
+
+/** The course's arena, its robot set up for an example. */
+function withOptions({ scene }: Course, { options }: RobotExample): Scene {
+  return { ...scene, robot: { ...scene.robot, options: { ...scene.robot.options, ...options } } };
+}
+
+/** Nothing differs but what examples themselves change: the options of the robot. */
+function isSameArena(one: Scene, other: Scene): boolean {
+  const text = (scene: Scene): string => serializeScene({ ...scene, robot: { ...scene.robot, options: {} } });
+  return one === other || text(one) === text(other);
+}
+
+/** The arena is just as a ready course has it: nothing of the pupil's own is in it. */
+export function isReadyArena(scene: Scene): boolean {
+  return courses.some(
+    (course) => course.scene.objects.length === scene.objects.length && isSameArena(course.scene, scene),
+  );
+}
+
+/** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
+export function isUntouched(project: Project): boolean {
+  const [main, ...others] = project.files;
+  if (others.length > 0 || main === undefined) return false;
+  return main.text.trim() === '' || brought.has(main.text);
+}

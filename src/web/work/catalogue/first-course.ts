@@ -1,0 +1,34 @@
+import { MAIN, type Project } from '#project/project';
+import type { Scene } from '#scene/scene';
+
+import { shownLanguage, t } from '../../page/i18n';
+import { coursesOf, type Course } from './course';
+import { knownCourses } from './known-courses';
+
+// Only what a first visit shows comes with the page; the other courses lie in courses.ts, which is fetched late.
+const files = import.meta.glob<string>('../../../../courses/closed-line/{scene.json,texts.json,main*.py,start*.py}', {
+  query: '?raw',
+  import: 'default',
+  eager: true,
+});
+
+/** What a first visit shows. */
+export const firstCourse: Course | undefined = coursesOf(files)[0];
+
+/** Fetches the names of all courses where one is open that did not come with the page. */
+export async function fetchNameOf(id: string | null): Promise<void> {
+  if (id !== null && id !== firstCourse?.id && knownCourses.value === null) await import('./courses');
+}
+
+/** What a course is called: in the chosen language where we know it, else as its file says. */
+export function courseName(scene: Scene, id: string | null): string {
+  const course = (knownCourses.value ?? [firstCourse]).find((one) => one?.id === id);
+  return course?.texts[shownLanguage()].name ?? (scene.name || t('course.unnamed'));
+}
+
+/** The files are just as a first visit finds them, in whatever language. */
+export function isAsFound({ files: [main, ...others] }: Project): boolean {
+  return main?.name === MAIN && others.length === 0 && isFirstProgram(main.text);
+}
+const isFirstProgram = (text: string): boolean =>
+  firstCourse !== undefined && Object.values(firstCourse.program).includes(text);

@@ -1,0 +1,59 @@
+import { findBoard } from '#board/boards/index';
+import { filesByName, type Project } from '#project/project';
+import { isMisplugged, robotMeant } from '#simulation/hardware';
+
+import type { OnTable } from '../../console/advice/error-advice';
+import type { TextValues } from '../../page/i18n/texts';
+import { deviceName } from '../settings/devices';
+import { hardwareOf, settingsFor } from './hardware';
+import type { Settings } from '../settings/settings';
+import type { Notice } from '../../page/use-notices';
+
+/**
+ * What is wrong when the program is written for another robot, or when the robot stands on a microcomputer that it does
+ * not fit, and the way out; else `null`. Nothing of the robot answers then, as on the table: the program's error says
+ * only that, if there is one at all, so the page tells what does not fit.
+ */
+export function mispluggedNotice(
+  project: Project,
+  now: Settings,
+  change: (wish: Partial<Settings>) => void,
+): Required<Omit<Notice, 'holds'>> | null {
+  const fault = faultOf(project, now);
+  if (fault === null) return null;
+  const { kind, values, robot } = fault;
+  const action = kind === 'otherRobot' ? ('takeRobot' as const) : ('plugIn' as const);
+  return {
+    kind: 'warn',
+    key: `arena.${kind}`,
+    values,
+    action: { key: `arena.${action}`, values, run: () => change(settingsFor(robot, project, now)) },
+  };
+}
+
+/** What an error must know of the robot, if it is one of a robot that does not answer. */
+export function tableOf(project: Project, now: Settings): OnTable {
+  const fault = faultOf(project, now);
+  const robot = hardwareOf(project, now)?.robot ?? null;
+  if (fault !== null)
+    return { robot: robot?.name ?? null, fault: { key: `error.${fault.kind}`, values: fault.values } };
+  const needsOne = robot === null && robotMeant(filesByName(project.files), null) !== null;
+  return { robot: robot?.name ?? null, fault: needsOne ? { key: 'error.noRobot', values: {} } : null };
+}
+
+/** What does not fit, its words, and the robot with which it does. */
+function faultOf(project: Project, now: Settings) {
+  const hardware = hardwareOf(project, now);
+  const robot = hardware?.robot ?? null;
+  if (hardware === null || robot === null) return null;
+  const meant = robotMeant(filesByName(project.files), robot);
+  if (meant !== null)
+    return { kind: 'otherRobot' as const, robot: meant, values: { meant: meant.name, robot: robot.name } };
+  if (!isMisplugged(hardware)) return null;
+  const values: TextValues = {
+    robot: robot.name,
+    board: findBoard(robot.board)?.name ?? robot.board,
+    plugged: deviceName(now.device, hardware.board),
+  };
+  return { kind: 'misplugged' as const, robot, values };
+}

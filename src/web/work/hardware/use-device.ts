@@ -1,0 +1,120 @@
+import { computed, type ComputedRef } from 'vue';
+
+import type { OptionValues } from '#core/option';
+import type { RobotType } from '#robots/robot';
+import { NO_ROBOT, type Hardware } from '#simulation/hardware';
+
+import { AUTO_ROBOT, deviceName } from '../settings/devices';
+import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';
+import { isSeed, LAST_SEED, type Settings } from '../settings/settings';
+import { mispluggedNotice } from './misplugged';
+import { useHardware, type App } from '../../app/use-app';
+import type { Notice } from '../../page/use-notices';
+
+/** Choosing what the program runs on. */
+export interface DeviceModel {
+  readonly hardware: ComputedRef<Hardware | null>;
+  /** What the microcomputer is called, as it was chosen. */
+  readonly name: ComputedRef<string>;
+  readonly chooseDevice: (id: string) => void;
+  readonly chooseFirmware: (id: string) => void;
+  /** The bare board needs no arena; a robot brings it back. */
+  readonly chooseRobot: (id: string) => void;
+  /** A course has a robot, whatever was chosen for the programs without one. */
+  readonly allowRobot: () => void;
+  /** The open program came with this robot: it, its board and these options are chosen, as far as they are not already. */
+  readonly bringRobot: (robot: RobotType, options?: OptionValues) => void;
+  /** The open course came with its robot set up: that holds, whatever was changed before. */
+  readonly setUpForCourse: () => void;
+  /** The options of the robot in use before anything is changed by hand. */
+  readonly startOptions: ComputedRef<OptionValues>;
+  readonly chooseOption: (option: string, choice: string) => void;
+  readonly resetOptions: () => void;
+  readonly chooseReality: (reality: number) => void;
+  /** Takes the used robot with this number; what is no such number changes nothing. */
+  readonly chooseSeed: (seed: number) => void;
+  /** Takes the next one, after the last the first. */
+  readonly nextSeed: () => void;
+  /** What is wrong when robot and board or robot and program do not fit, and a way out; else `null`. */
+  readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
+}
+
+type Parts = Pick<App, 'work' | 'settings' | 'run' | 'notices'>;
+
+export function useDevice(app: Parts): DeviceModel {
+  const { settings, work } = app;
+  const hardware = useHardware(app);
+  const change = changing(app);
+  const now = (): Settings => settings.current.value;
+  /** Changes something about the robot in use, if there is one: of what the pupil has chosen and of what holds now. */
+  function changeRobot(wish: (settings: Settings, robot: RobotType) => Partial<Settings>): void {
+    const robot = hardware.value?.robot ?? null;
+    if (robot !== null) change(wish(now(), robot), wish(settings.own.value, robot));
+  }
+  return {
+    hardware,
+    name: computed(() => deviceName(now().device, hardware.value?.board)),
+    chooseDevice: (device) => change({ device }),
+    chooseFirmware: (firmware) => change({ firmware }),
+    chooseRobot: (robot) => change({ robot, ...arenaFor(robot, now()) }),
+    ...useBringing(app, hardware),
+    startOptions: computed(() => {
+      const robot = hardware.value?.robot ?? null;
+      return robot === null ? {} : startOptions(robot, work.scene.value);
+    }),
+    chooseOption: (option, choice) =>
+      changeRobot((before, robot) => withOption(before, robot, work.scene.value, [option, choice])),
+    resetOptions: () => changeRobot((before, robot) => withOptions(before, robot, [])),
+    chooseReality: (reality) => change({ reality }),
+    chooseSeed: (seed) => {
+      if (isSeed(seed)) change({ seed });
+    },
+    nextSeed: () => change({ seed: (now().seed % LAST_SEED) + 1 }),
+    misplugged: computed(() => mispluggedNotice(app.work.work.value.project, now(), change)),
+  };
+}
+
+/** What opening a program or a course does to the choice. It speaks for itself: no notice. */
+function useBringing(
+  { settings, work }: Parts,
+  hardware: ComputedRef<Hardware | null>,
+): Pick<DeviceModel, 'allowRobot' | 'bringRobot' | 'setUpForCourse'> {
+  function changeBoth(wish: (before: Settings) => Partial<Settings>): void {
+    settings.change(wish(settings.current.value), wish(settings.own.value));
+  }
+  function choose(wish: Pick<Settings, 'robot'> & Partial<Settings>): void {
+    settings.change({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
+  }
+  return {
+    allowRobot: () => {
+      if (settings.current.value.robot === NO_ROBOT) choose({ robot: AUTO_ROBOT });
+    },
+    bringRobot: (robot, options = {}) => {
+      choose(settingsFor(robot, work.work.value.project, settings.current.value));
+      for (const chosen of Object.entries(options))
+        changeBoth((before) => withOption(before, robot, work.scene.value, chosen));
+    },
+    setUpForCourse: () => {
+      const robot = hardware.value?.robot ?? null;
+      if (robot !== null) changeBoth((before) => withCourseOptions(before, robot, work.scene.value));
+    },
+  };
+}
+
+/** The arena goes with the robot and comes back with it. */
+const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
+  (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
+
+/** Changes settings. Another device ends the run: that must not look like an accident. */
+function changing({ settings, run, notices }: Parts) {
+  return (wish: Partial<Settings>, own = wish): void => {
+    const before = settings.current.value;
+    const isOther = (parts: typeof deviceSettings): boolean =>
+      JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
+    if (run.isActive.value && isOther(deviceSettings)) {
+      const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
+      notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });
+    }
+    settings.change(wish, own);
+  };
+}

@@ -1,0 +1,188 @@
+import type { OptionValues } from '#core/option';
+import { isRecord } from '#core/record';
+import { robotTypes } from '#robots/index';
+
+import { LANGUAGES, type Language } from '../../page/i18n/texts';
+import { readLightWishes, type LightWishes } from './light-wish';
+import { SPEEDS, type Speed } from '../../run/worker/protocol';
+import { AUTO_DEVICE, AUTO_ROBOT, isDevice, isRobotChoice } from './devices';
+
+/** Light or dark; `system` follows the device. */
+export const THEMES = ['system', 'light', 'dark'] as const;
+export type Theme = (typeof THEMES)[number];
+
+/** What can be unfolded below the board. */
+export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
+export type BoardPanel = (typeof BOARD_PANELS)[number];
+
+/** What the app looks like and how it runs, for whoever sits at it. Sizes in CSS pixels. */
+export interface Settings {
+  readonly language: Language;
+  readonly theme: Theme;
+  readonly speed: Speed;
+  readonly muted: boolean;
+  /** What the arena shows of the robot's senses: the beam of its distance sensor, what its line sensors see, … */
+  readonly cone: boolean;
+  readonly spots: boolean;
+  /** … the point around which it turns, and where it has come by. */
+  readonly centre: boolean;
+  readonly trace: boolean;
+  /** Form and place of chains of lights, as far as they were chosen. */
+  readonly lights: LightWishes;
+  readonly showBoard: boolean;
+  readonly showArena: boolean;
+  /** The microcomputer of the next run: an id of `devices`. */
+  readonly device: string;
+  /** Id of its firmware; empty, or one that the board does not have: the board's usual one. */
+  readonly firmware: string;
+  /** Id of a robot type, `none` for the bare board, or `auto`. */
+  readonly robot: string;
+  /** What was changed about robots: id of the robot → id of the option → id of the choice. It wins over the course. */
+  readonly robotOptions: RobotOptions;
+  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  readonly reality: number;
+  /** Which of the used robots it is, 1 … `LAST_SEED`: the same number always gives the same faults. */
+  readonly seed: number;
+  /** Whether the editor marks what would not run on the microcomputer. */
+  readonly deviceCheck: boolean;
+  /** What is unfolded below the board, or `null`. */
+  readonly panel: BoardPanel | null;
+  /** Whether the board on the robot feels the arena. */
+  readonly arenaSenses: boolean;
+  /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
+  readonly showTools: boolean | null;
+  /** The picture follows the robot. */
+  readonly follow: boolean;
+  /** A small celebration when a task is passed. */
+  readonly celebrate: boolean;
+  /** The greeting of a first visit was answered. */
+  readonly welcomed: boolean;
+  /** Where the tour was left: the id of a step; `null`: it was never begun, or is over. */
+  readonly tourStep: string | null;
+  /** Width of the code pane, or `null`: as the window's width suggests. The others likewise. */
+  readonly codePx: number | null;
+  readonly boardPx: number | null;
+  readonly consolePx: number | null;
+  /** Height of code and board where the arena lies below them. */
+  readonly topPx: number | null;
+}
+
+/** Chosen options by the robot's id. */
+export type RobotOptions = Readonly<Record<string, OptionValues>>;
+
+/** So many used robots there are to choose from. */
+export const LAST_SEED = 9999;
+
+/** The number of one of them. */
+export const isSeed = (value: unknown): value is number =>
+  typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
+
+/** Settings of a first visit. */
+export function defaultSettings(language: Language): Settings {
+  return {
+    language,
+    theme: 'system',
+    speed: 1,
+    muted: false,
+    cone: true,
+    spots: false,
+    centre: false,
+    trace: false,
+    lights: {},
+    showBoard: true,
+    showArena: true,
+    device: AUTO_DEVICE,
+    firmware: '',
+    robot: AUTO_ROBOT,
+    robotOptions: {},
+    reality: 0,
+    seed: 1,
+    deviceCheck: true,
+    panel: null,
+    arenaSenses: false,
+    showTools: null,
+    follow: false,
+    celebrate: true,
+    welcomed: false,
+    tourStep: null,
+    codePx: null,
+    boardPx: null,
+    consolePx: null,
+    topPx: null,
+  };
+}
+
+/** Settings that are on or off. */
+type Flag =
+  | 'muted'
+  | 'cone'
+  | 'spots'
+  | 'centre'
+  | 'trace'
+  | 'showBoard'
+  | 'showArena'
+  | 'arenaSenses'
+  | 'deviceCheck'
+  | 'follow'
+  | 'celebrate';
+
+/** Reads stored settings; what is missing or makes no sense is as in `fallback`. */
+export function settingsFromText(text: string | null, fallback: Settings): Settings {
+  let value: unknown = null;
+  try {
+    value = JSON.parse(text ?? 'null');
+  } catch {
+    return fallback;
+  }
+  if (typeof value !== 'object' || value === null) return fallback;
+  const read = value as Record<keyof Settings, unknown>;
+  const flag = (key: Flag): boolean => (typeof read[key] === 'boolean' ? read[key] : fallback[key]);
+  const id = (key: 'device' | 'firmware' | 'robot', fits: (value: string) => boolean): string =>
+    typeof read[key] === 'string' && fits(read[key]) ? read[key] : fallback[key];
+  const size = (key: 'codePx' | 'boardPx' | 'consolePx' | 'topPx'): number | null =>
+    typeof read[key] === 'number' && Number.isFinite(read[key]) ? read[key] : null;
+  return {
+    language: LANGUAGES.find((language) => language === read.language) ?? fallback.language,
+    theme: THEMES.find((theme) => theme === read.theme) ?? fallback.theme,
+    speed: SPEEDS.find((speed) => speed === read.speed) ?? fallback.speed,
+    muted: flag('muted'),
+    cone: flag('cone'),
+    spots: flag('spots'),
+    centre: flag('centre'),
+    trace: flag('trace'),
+    lights: readLightWishes(read.lights),
+    showBoard: flag('showBoard'),
+    showArena: flag('showArena'),
+    device: id('device', isDevice),
+    firmware: id('firmware', () => true),
+    robot: id('robot', isRobotChoice),
+    robotOptions: readRobotOptions(read.robotOptions),
+    reality:
+      typeof read.reality === 'number' && read.reality >= 0 && read.reality <= 1 ? read.reality : fallback.reality,
+    seed: isSeed(read.seed) ? read.seed : fallback.seed,
+    deviceCheck: flag('deviceCheck'),
+    panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
+    arenaSenses: flag('arenaSenses'),
+    showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    follow: flag('follow'),
+    celebrate: flag('celebrate'),
+    // Whoever has settings from before there was a greeting knows the app.
+    welcomed: read.welcomed !== false,
+    tourStep: typeof read.tourStep === 'string' ? read.tourStep : null,
+    codePx: size('codePx'),
+    boardPx: size('boardPx'),
+    consolePx: size('consolePx'),
+    topPx: size('topPx'),
+  };
+}
+
+/** Keeps what this version of the app knows: robots come and go, and so do their options. */
+function readRobotOptions(value: unknown): RobotOptions {
+  if (!isRecord(value)) return {};
+  const robots = robotTypes.map(({ id, options }): [string, OptionValues] => {
+    const own = value[id];
+    const kept = options.filter((option) => isRecord(own) && option.choices.some((it) => it.id === own[option.id]));
+    return [id, Object.fromEntries(kept.map((option) => [option.id, String(isRecord(own) ? own[option.id] : '')]))];
+  });
+  return Object.fromEntries(robots.filter(([, options]) => Object.keys(options).length > 0));
+}

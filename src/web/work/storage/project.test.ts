@@ -1,0 +1,83 @@
+import { describe, expect, it } from 'vitest';
+
+import { defaultProjectSettings, type Project } from '#project/project';
+import { defaultScene } from '#scene/scene';
+
+import { PREVIOUS_KEPT, putAside, workFromText, workToText, type Previous } from './history';
+import { defaultSettings, settingsFromText } from '../settings/settings';
+import { packProject, unpackProject } from './stored-project';
+
+const project = (text: string): Project => ({
+  files: [{ name: 'main.py', text }],
+  scene: defaultScene(),
+  course: null,
+});
+
+describe('a stored project', () => {
+  it('comes back as it was', () => {
+    const packed: unknown = JSON.parse(JSON.stringify(packProject(project('print(1)'))));
+    expect(unpackProject(packed)).toEqual(project('print(1)'));
+  });
+
+  it('keeps what it runs on, where it says so', () => {
+    const chosen = {
+      ...project(''),
+      settings: { ...defaultProjectSettings, robotOptions: { callibot: { lamp: 'on' } } },
+    };
+    const packed = packProject(chosen) as Record<string, unknown>;
+    expect(unpackProject(packed)).toEqual(chosen);
+    expect(unpackProject({ ...packed, settings: { robot: 7 } })).toEqual(project(''));
+  });
+
+  it('is refused when it has no main.py or makes no sense', () => {
+    const packed = packProject(project('')) as Record<string, unknown>;
+    for (const broken of [
+      null,
+      7,
+      {},
+      { ...packed, files: [] },
+      { ...packed, files: [{ name: 'x.py', text: '' }] },
+      { ...packed, scene: {} },
+    ]) {
+      expect(unpackProject(broken)).toBeNull();
+    }
+  });
+});
+
+describe('stored work', () => {
+  const previous: Previous[] = [{ name: 'Linie', atMs: 5, project: project('old') }];
+
+  it('comes back with the open file and the earlier work', () => {
+    const work = { project: project('new'), open: 'main.py', previous };
+    expect(workFromText(workToText(work))).toEqual(work);
+  });
+
+  it('never stops the app when it is broken', () => {
+    for (const text of ['', '{', 'null', '{"version":2}', '[1]']) expect(workFromText(text)).toBeNull();
+  });
+
+  it('keeps five earlier pieces, newest first, none of them twice', () => {
+    let kept: readonly Previous[] = [];
+    for (let i = 0; i < 8; i += 1) kept = putAside(kept, project(String(i)), 'x', i);
+    kept = putAside(kept, project('6'), 'x', 9);
+    expect(kept).toHaveLength(PREVIOUS_KEPT);
+    expect(kept.map((entry) => entry.project.files[0]!.text)).toEqual(['6', '7', '5', '4', '3']);
+  });
+});
+
+describe('stored settings', () => {
+  // Whoever has stored settings has been here before: nobody greets them.
+  const fallback = { ...defaultSettings('de'), welcomed: true };
+
+  it('come back as they were', () => {
+    const settings = { ...fallback, language: 'en', theme: 'dark', speed: 'max', codePx: 300, muted: true } as const;
+    expect(settingsFromText(JSON.stringify(settings), fallback)).toEqual(settings);
+  });
+
+  it('fall back one by one where they make no sense', () => {
+    const text = JSON.stringify({ language: 'xx', theme: 'dark', speed: 3, codePx: 'wide', cone: 1 });
+    expect(settingsFromText(text, fallback)).toEqual({ ...fallback, theme: 'dark' });
+    expect(settingsFromText('{', fallback)).toEqual(fallback);
+    expect(settingsFromText(null, fallback)).toEqual(fallback);
+  });
+});

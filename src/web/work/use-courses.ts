@@ -1,0 +1,91 @@
+import { filesByName, MAIN, type Project } from '#project/project';
+import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
+import type { Language } from '../page/i18n/texts';
+import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
+import { projectOf, type Course } from './catalogue/course';
+import { AUTO_DEVICE, boardWish } from './settings/devices';
+import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
+import { courseName } from './catalogue/first-course';
+import type { App } from '../app/use-app';
+import { useDevice } from './hardware/use-device';
+import { useOpenings } from './use-openings';
+
+/** Opening courses and coming back to earlier work; neither ever loses what was open. */
+export function useCourses(app: App) {
+  const openings = useOpenings(app);
+  const device = useDevice(app);
+  const language = (): Language => app.settings.current.value.language;
+  /** What it runs on is chosen apart: the settings of the work before are not brought along. */
+  const open = ({ files, scene, course }: Project, name: string): void =>
+    openings.open({ files, scene, course }, name, isOurs(app.work.work.value.project));
+
+  /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
+  function openExample(entry: ExampleOf): void {
+    const { example, robot } = entry;
+    open(withExample(app.work.work.value.project, entry, language()), example.title[language()]);
+    device.bringRobot(robot, example.options);
+  }
+
+  /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
+  function openBoardProgram({ title, source, board }: BoardProgram): void {
+    const wish = boardWish(app.settings.current.value.device);
+    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
+    void app.run.reset();
+    open(withProgram(app, source[language()]), title[language()]);
+    device.chooseRobot(NO_ROBOT);
+  }
+
+  /** Opens a course with its program, whatever the pupil has written: that is put aside. */
+  function openWhole(course: Course): void {
+    const project = projectOf(course, language());
+    open(project, courseName(course.scene, course.id));
+    const robot = robotOf(project);
+    if (robot !== null) device.bringRobot(robot);
+    device.setUpForCourse();
+  }
+  /** Opens the arena of a course; the program stays. */
+  function openScene(course: Course): void {
+    const isReady = isReadyArena(app.work.scene.value);
+    openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
+  }
+
+  /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
+  function openCourse(course: Course): void {
+    if (isOurProgram(app.work.work.value.project)) {
+      openWhole(course);
+      return;
+    }
+    app.dialogs.ask({
+      kind: 'choose',
+      title: 'course.askTitle',
+      text: 'course.askText',
+      values: { name: courseName(course.scene, course.id) },
+      choices: [
+        { key: 'code.cancel', run: () => undefined },
+        { key: 'course.sceneOnly', look: 'outline', run: () => openScene(course) },
+        { key: 'course.withProgram', look: 'run', run: () => openWhole(course) },
+      ],
+    });
+  }
+
+  return { openCourse, openWhole, openScene, openExample, openBoardProgram, restore: openings.restore };
+}
+
+/** The robot that a course and its program are made for. */
+function robotOf({ scene, files }: Project) {
+  const hardware = chooseHardware({ scene, files: filesByName(files), robot: AUTO, board: AUTO });
+  return 'problem' in hardware ? null : hardware.robot;
+}
+
+/** The arena that is open, with this program. */
+const withProgram = ({ work }: App, source: string): Project => ({
+  ...work.work.value.project,
+  files: [{ name: MAIN, text: source }],
+});
+
+/** Nothing of the pupil's own is in it: not in the files, not in the arena. */
+export const isOurs = (project: Project): boolean => isOurProgram(project) && isReadyArena(project.scene);
+
+/** Nothing of the pupil's own is in the files. */
+const isOurProgram = (project: Project): boolean =>
+  isUntouched(project) || (project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));

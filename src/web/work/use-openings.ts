@@ -1,0 +1,69 @@
+import type { Project } from '#project/project';
+import { NO_ROBOT } from '#simulation/hardware';
+
+import type { Previous } from './storage/history';
+import { travelling, withTravelling } from './settings/travelling';
+import type { App } from '../app/use-app';
+import { stampSettings } from './stamp-settings';
+import { useDevice } from './hardware/use-device';
+import { workName } from './work-name';
+
+/** Puts a project in the place of the present one, and brings it back. */
+export function useOpenings(app: App) {
+  const { work, notices, host } = app;
+  const device = useDevice(app);
+
+  /**
+   * Opens a project, stopped. What was there before is put aside and can be had back.
+   *
+   * @param isOurs nothing of the pupil's own is in what was there: it need not be kept
+   */
+  function open(project: Project, name: string, isOurs: boolean): void {
+    if (!isOurs) stampSettings(app);
+    void app.run.reset();
+    work.openProject(project, isOurs ? null : workName(app));
+    host.hasBrought = false;
+    bringSettings(app, project);
+    tell(name, isOurs);
+  }
+
+  /** Opens an arena, the program stays. One of the pupil's own is put aside with the program and can be had back. */
+  function openScene({ scene, course }: Pick<Project, 'scene' | 'course'>, name: string, isOurs: boolean): void {
+    if (!isOurs) stampSettings(app);
+    device.allowRobot();
+    work.setScene(scene, course, isOurs ? null : workName(app));
+    device.setUpForCourse();
+    tell(name, isOurs);
+  }
+
+  function tell(name: string, isOurs: boolean): void {
+    const kept = work.work.value.previous[0];
+    if (isOurs || kept === undefined) {
+      notices.show({ kind: 'ok', key: 'course.opened', values: { name } });
+      return;
+    }
+    const action = { key: 'course.restore', run: () => restore(kept) } as const;
+    notices.show({ kind: 'ok', key: 'course.keptWork', values: { name }, action });
+  }
+
+  /** Brings earlier work back; what is open now takes its place among the earlier ones. */
+  function restore(entry: Previous): void {
+    stampSettings(app);
+    void app.run.reset();
+    work.restore(entry, workName(app));
+    host.hasBrought = false;
+    bringSettings(app, entry.project);
+    notices.show({ kind: 'ok', key: 'course.restored' });
+  }
+
+  return { open, openScene, restore };
+}
+
+/** Chooses what a project runs on, where it says so. The arena goes with the robot and comes back with it. */
+function bringSettings({ settings }: Pick<App, 'settings'>, { settings: brought }: Project): void {
+  if (brought === undefined) return;
+  const before = settings.current.value;
+  const after = travelling(withTravelling(before, brought));
+  const isOther = (after.robot === NO_ROBOT) !== (before.robot === NO_ROBOT);
+  settings.change(isOther ? { ...after, showArena: after.robot !== NO_ROBOT } : after);
+}
