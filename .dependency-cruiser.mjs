@@ -1,4 +1,4 @@
-import { layers } from './layers.mjs';
+import { layers, webLayers } from './layers.mjs';
 
 /** Tests may use Node and stand beside what they test; build code of the VM runs in Node only. */
 const TEST = '\\.test\\.ts$|/testing/';
@@ -7,16 +7,26 @@ const BUILD = '^src/vm/firmware/';
 const MADE = '\\.cache/vm/';
 
 /**
- * One rule per room: whatever is not listed in its row of layers.mjs is forbidden. Tests may reach further: a robot's
- * library is tested by running it on the VM.
+ * One rule per room below `root`: whatever is not listed in its row of layers.mjs is forbidden. Tests may reach further: a
+ * robot's library is tested by running it on the VM.
  */
-const rowsAsRules = Object.entries(layers).map(([room, allowed]) => ({
-  name: `layer-${room}`,
-  comment: `${room} may import ${allowed.join(', ') || 'nothing'} (layers.mjs)`,
+const rowsAsRules = (table, root, prefix) =>
+  Object.entries(table).map(([room, allowed]) => ({
+    name: `${prefix}-${room}`,
+    comment: `${room} may import ${allowed.join(', ') || 'nothing'} (layers.mjs)`,
+    severity: 'error',
+    from: { path: `^${root}/${room}/`, pathNot: TEST },
+    to: { path: `^${root}/[^/]+/`, pathNot: [room, ...allowed].map((name) => `^${root}/${name}/`) },
+  }));
+
+/** Every folder below `root` is a room of the table. */
+const onlyRooms = (table, root, name) => ({
+  name,
+  comment: `Every folder of ${root}/ needs a row in layers.mjs.`,
   severity: 'error',
-  from: { path: `^src/${room}/`, pathNot: TEST },
-  to: { path: '^src/[^/]+/', pathNot: [room, ...allowed].map((name) => `^src/${name}/`) },
-}));
+  from: {},
+  to: { path: `^${root}/[^/]+/`, pathNot: `^${root}/(${Object.keys(table).join('|')})/` },
+});
 
 const onlyIn = (name, packages, home, comment) => ({
   name,
@@ -28,14 +38,10 @@ const onlyIn = (name, packages, home, comment) => ({
 
 export default {
   forbidden: [
-    ...rowsAsRules,
-    {
-      name: 'unknown-room',
-      comment: 'Every folder of src/ needs a row in layers.mjs.',
-      severity: 'error',
-      from: {},
-      to: { path: '^src/[^/]+/', pathNot: `^src/(${Object.keys(layers).join('|')})/` },
-    },
+    ...rowsAsRules(layers, 'src', 'layer'),
+    ...rowsAsRules(webLayers, 'src/web', 'web-layer'),
+    onlyRooms(layers, 'src', 'unknown-room'),
+    onlyRooms(webLayers, 'src/web', 'unknown-room-of-the-page'),
     {
       name: 'no-cycles',
       comment: 'A circle between files.',

@@ -34,3 +34,32 @@ export const layers = {
     'device-check',
   ],
 };
+
+/**
+ * The same for the rooms of the page: each folder of `src/web/`, from the floor of helpers to the app that knows all, and
+ * the rooms it may reach.
+ */
+export const webLayers = {
+  page: [],
+  run: ['page'],
+  work: ['page', 'run'],
+  visit: ['page', 'run', 'work'],
+  layout: ['page', 'work', 'visit'],
+  console: ['page', 'run', 'work', 'layout'],
+  board: ['page', 'run', 'work', 'visit', 'layout'],
+  'course-editor': ['page', 'run', 'work', 'visit', 'layout'],
+  arena: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor'],
+  code: ['page', 'run', 'work', 'visit', 'layout', 'console'],
+  device: ['page', 'run', 'work', 'layout', 'arena'],
+  galleries: ['page', 'run', 'work', 'layout', 'device'],
+  print: ['page', 'run', 'work', 'arena'],
+  share: ['page', 'run', 'work', 'visit'],
+  'first-steps': ['page', 'run', 'work', 'layout', 'console', 'course-editor', 'code', 'device', 'share'],
+  'real-device': ['page', 'work'],
+  offline: ['page'],
+  host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
+  app: [
+    'page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'arena', 'code', 'device', 'galleries',
+    'print', 'share', 'first-steps', 'real-device', 'host',
+  ], // prettier-ignore
+};

@@ -1,29 +1,93 @@
-// Checks who imports whom (layers.mjs) and that the graph in docs/architecture.md is what the code says; `--write` renews it.
-import { readFile, writeFile } from 'node:fs/promises';
-import { join } from 'node:path';
+// Checks who imports whom (layers.mjs), that no folders of the page import each other in a circle, that no folder is crowded,
+// and that the graphs in docs/architecture.md are what the code says; `--write` renews them.
+import { readdir, readFile, writeFile } from 'node:fs/promises';
+import { dirname, join } from 'node:path';
 import { cruise } from 'dependency-cruiser';
 import configuration from '../.dependency-cruiser.mjs';
-import { layers } from '../layers.mjs';
+import { layers, webLayers } from '../layers.mjs';
 import { Failure, main, note, root } from './progress.mjs';
 
 const DOCUMENT = 'docs/architecture.md';
-const MARKED = /(<!-- graph:start[^>]*-->\n)[\s\S]*?(<!-- graph:end -->)/;
+/** Most source files in one folder: more than a newcomer takes in at a glance. Chosen. */
+const CROWDED = 30;
+/** Folders that may hold more, each with its reason. */
+const MAY_BE_CROWDED = {};
+const isTest = (path) => /\.test\.ts$|\/testing\//.test(path);
+const isCode = (path) => /\.(ts|vue)$/.test(path);
 
-const roomOf = (path) => /^src\/([^/]+)\//.exec(path)?.[1];
+/** The graphs of the document: which folder's rooms, in which order, and the rooms that every other may import. */
+const GRAPHS = [
+  { mark: 'graph', folder: 'src', table: layers, floor: 'core' },
+  { mark: 'web-graph', folder: 'src/web', table: webLayers, floor: 'page' },
+];
 
-/** Mermaid text of the imports between rooms as they are; tests left out, and core, which every room may import. */
-export function graphOf(modules) {
+/** What imports what, tests left out: pairs of files. */
+export const importsOf = (modules) =>
+  modules.flatMap(({ source, dependencies }) =>
+    isTest(source) ? [] : dependencies.map(({ resolved }) => [source, resolved]),
+  );
+
+/** Mermaid text of the imports between the rooms below a folder as they are; the floor, which every room may import, is left out. */
+export function graphOf(imports, { folder, table, floor }) {
+  const roomOf = (path) =>
+    path.startsWith(`${folder}/`) ? /^([^/]+)\//.exec(path.slice(folder.length + 1))?.[1] : undefined;
   const edges = new Set();
-  for (const { source, dependencies } of modules) {
-    if (/\.test\.ts$|\/testing\//.test(source)) continue;
-    for (const { resolved } of dependencies) {
-      const [from, to] = [roomOf(source), roomOf(resolved)];
-      if (from && to && from !== to && to !== 'core') edges.add(`  ${from} --> ${to}`);
-    }
+  for (const [source, resolved] of imports) {
+    const [from, to] = [roomOf(source), roomOf(resolved)];
+    if (from && to && from !== to && to !== floor) edges.add(`  ${from} --> ${to}`);
   }
-  const order = (edge) => Object.keys(layers).indexOf(edge.trim().split(' ')[0]);
+  const order = (edge) => Object.keys(table).indexOf(edge.trim().split(' ')[0]);
   const lines = [...edges].sort((a, b) => order(a) - order(b) || (a < b ? -1 : 1));
   return ['```mermaid', 'flowchart TD', ...lines, '```', ''].join('\n');
+}
+
+/** Folders below `within` that import each other in a circle, each circle as the list of its folders. */
+export function folderCircles(imports, within) {
+  const next = new Map();
+  for (const [source, resolved] of imports) {
+    const [from, to] = [dirname(source), dirname(resolved)];
+    if (from === to || !isCode(resolved) || ![from, to].every((it) => it.startsWith(within))) continue;
+    next.set(from, (next.get(from) ?? new Set()).add(to));
+  }
+  const reached = (from) => {
+    const seen = new Set();
+    const waiting = [...(next.get(from) ?? [])];
+    for (let at = waiting.pop(); at !== undefined; at = waiting.pop()) {
+      if (seen.has(at)) continue;
+      seen.add(at);
+      waiting.push(...(next.get(at) ?? []));
+    }
+    return seen;
+  };
+  const reach = new Map([...next.keys()].map((folder) => [folder, reached(folder)]));
+  const circles = [...reach].flatMap(([folder, seen]) =>
+    seen.has(folder)
+      ? [
+          [...seen]
+            .filter((it) => reach.get(it)?.has(folder))
+            .sort()
+            .join(' ↔ '),
+        ]
+      : [],
+  );
+  return [...new Set(circles)];
+}
+
+/** Folders of src/ with more than `CROWDED` source files. */
+async function crowdedFolders() {
+  const entries = await readdir(join(root, 'src'), { recursive: true, withFileTypes: true });
+  const counts = new Map();
+  for (const entry of entries) {
+    const folder = join(entry.parentPath ?? entry.path)
+      .slice(root.length)
+      .replace(/^\//, '')
+      .replaceAll('\\', '/');
+    if (!entry.isFile() || !/\.(ts|vue|css|mjs|py)$/.test(entry.name) || isTest(`${folder}/${entry.name}`)) continue;
+    counts.set(folder, (counts.get(folder) ?? 0) + 1);
+  }
+  return [...counts].flatMap(([folder, count]) =>
+    count > CROWDED && !(folder in MAY_BE_CROWDED) ? [`${folder}: ${count} source files`] : [],
+  );
 }
 
 async function cruiseSources() {
@@ -46,13 +110,29 @@ function complain(violations) {
   if (lines.length > 0) throw new Failure(`${lines.length} forbidden imports:\n${lines.join('\n')}`);
 }
 
+/** Complains about folders that nobody finds their way in. */
+async function checkFolders(imports) {
+  const circles = folderCircles(imports, 'src/web');
+  if (circles.length > 0) throw new Failure(`Folders that import each other:\n${circles.join('\n')}`);
+  const crowded = await crowdedFolders();
+  if (crowded.length > 0) throw new Failure(`More than ${CROWDED} source files in one folder:\n${crowded.join('\n')}`);
+}
+
+const withGraphs = (document, imports) =>
+  GRAPHS.reduce((text, graph) => {
+    const marked = new RegExp(`(<!-- ${graph.mark}:start[^>]*-->\\n)[\\s\\S]*?(<!-- ${graph.mark}:end -->)`);
+    return text.replace(marked, (_, start, end) => `${start}\n${graphOf(imports, graph)}\n${end}`);
+  }, document);
+
 await main(import.meta.url, async ([option]) => {
   const { modules, summary } = await cruiseSources();
+  const imports = importsOf(modules);
   const place = join(root, DOCUMENT);
   const before = await readFile(place, 'utf8');
-  const after = before.replace(MARKED, (_, start, end) => `${start}\n${graphOf(modules)}\n${end}`);
+  const after = withGraphs(before, imports);
   if (option === '--write') await writeFile(place, after);
   complain(summary.violations);
-  if (option !== '--write' && after !== before) throw new Failure(`The graph in ${DOCUMENT} is stale: npm run graph`);
-  note(`${modules.length} modules, no forbidden import.`);
+  await checkFolders(imports);
+  if (option !== '--write' && after !== before) throw new Failure(`The graphs in ${DOCUMENT} are stale: npm run graph`);
+  note(`${modules.length} modules, no forbidden import, no circle between folders of the page.`);
 });

@@ -6,8 +6,8 @@ import './page/styles/controls.css';
 import { createApp } from 'vue';
 
 import App from './app/App.vue';
-import { forgetful, openTabStorage } from './work/keep-work';
-import { storedSettings } from './work/settings/use-settings';
+import { forgetful, openTabStorage } from './work/model/keep-work';
+import { storedSettings } from './work/settings/settings-model';
 import { hostWish } from './visit/address';
 import { keepEarlyMessages } from './host/listen-to-host';
 import { setLanguage } from './page/i18n';

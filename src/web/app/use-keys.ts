@@ -2,7 +2,8 @@ import { onScopeDispose } from 'vue';
 
 import { Presses, type BoardKey } from '../board/drawing/presses';
 import { slownessOf } from '../board/drawing/board-press';
-import type { App } from './use-app';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
 
 /** Keys of the keyboard that press something on the board. */
 const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
@@ -15,7 +16,10 @@ export interface KeyActions {
 }
 
 /** Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs, Ctrl+S saves. */
-export function useKeys({ run, settings }: Pick<App, 'run' | 'settings'>, actions: KeyActions): void {
+export function useKeys(
+  { run, settings }: Pick<RunParts, 'run'> & Pick<WorkParts, 'settings'>,
+  actions: KeyActions,
+): void {
   const presses = new Presses(
     { press: (key) => actions.press(key, true), release: (key) => actions.press(key, false) },
     () => slownessOf(settings.current.value.speed),

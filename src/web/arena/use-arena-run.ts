@@ -3,10 +3,11 @@ import { computed } from 'vue';
 import type { Scene, SceneObject } from '#scene/scene';
 import type { PlacedPose } from '#simulation/input';
 
-import type { App } from '../app/use-app';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
 
 /** What the arena shows and what the hand does in it: it changes the run, never the course. */
-export function useArenaRun({ run, work, hand }: Pick<App, 'run' | 'work' | 'hand'>) {
+export function useArenaRun({ run, work, hand }: Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>) {
   /** The course, with robot and blocks where the hand put them before the run. */
   const shownScene = computed<Scene>(() => {
     const scene = work.scene.value;

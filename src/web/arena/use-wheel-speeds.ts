@@ -1,6 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-import type { RunModel } from '../run/use-run';
+import type { RunModel } from '../run/run-model';
 
 /** Rim speeds in whole cm/s. */
 export interface WheelSpeeds {

@@ -2,14 +2,14 @@ import { computed, watch, type ComputedRef } from 'vue';
 
 import { filesByName } from '#project/project';
 import type { Hardware } from '#simulation/hardware';
-import type { App } from '../app/use-app';
+import type { WorkParts } from '../work/model/parts';
 import { AUTO_DEVICE, deviceName } from '../work/settings/devices';
 import { isAsFound } from '../work/catalogue/first-course';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
 /** What the marks of each file are about: the microcomputer that is chosen now, and its firmware. */
 export function useDeviceMarks(
-  { work, settings }: Pick<App, 'work' | 'settings'>,
+  { work, settings }: WorkParts,
   hardware: ComputedRef<Hardware | null>,
 ): (file: string) => DeviceMarksOptions {
   const board = computed(() => deviceName(settings.current.value.device, hardware.value?.board));

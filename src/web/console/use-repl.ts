@@ -2,10 +2,16 @@ import { computed } from 'vue';
 
 import { promptOf } from './log/prompt';
 import type { TextKey } from '../page/i18n/texts';
-import type { App } from '../app/use-app';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { ConsoleParts } from './parts';
 
 /** What the serial line is good for now: text for the program, lines for the REPL, or nothing at all. */
-export function useRepl({ run, console, work }: Pick<App, 'run' | 'console' | 'work'>) {
+export function useRepl({
+  run,
+  console,
+  work,
+}: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & Pick<ConsoleParts, 'console'>) {
   const ended = run.ended;
   /** The REPL has greeted; before that the display shows the error, half a minute at times. */
   const isRepl = computed(() => run.isActive.value && ended.value !== null && run.snapshot.value?.repl === true);

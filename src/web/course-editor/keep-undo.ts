@@ -1,6 +1,8 @@
 import { effectScope, watch } from 'vue';
 
-import type { App } from '../app/use-app';
+import type { WorkParts } from '../work/model/parts';
+import type { VisitParts } from '../visit/parts';
+import type { CourseEditorParts } from './state/parts';
 
 /** Where the steps are in the tab's own storage. */
 const UNDO_KEY = 'parcours.undo';
@@ -9,7 +11,7 @@ const UNDO_KEY = 'parcours.undo';
  * Keeps what can be taken back while the page is loaded anew, for this tab alone. Where the work is not kept here, the way
  * begins with the page. What does it is fetched once there is something to keep.
  */
-export function keepUndo(app: Pick<App, 'work' | 'host' | 'editor'>): void {
+export function keepUndo(app: Pick<WorkParts, 'work'> & VisitParts & Pick<CourseEditorParts, 'editor'>): void {
   if (!app.host.wish.keepsWork) return;
   const scope = effectScope();
   const begin = (): void => {

@@ -2,7 +2,8 @@ import { onScopeDispose } from 'vue';
 
 import { historyFromText, historyToText } from '#scene/kept-history';
 
-import type { App } from '../app/use-app';
+import type { WorkParts } from '../work/model/parts';
+import type { CourseEditorParts } from './state/parts';
 
 /** The most that is kept, in characters. Chosen: far less than the work itself may take of the browser's five million. */
 const MOST_CHARACTERS = 200_000;
@@ -12,7 +13,10 @@ const MOST_CHARACTERS = 200_000;
  *
  * @param key where it is in the tab's own storage
  */
-export function storeUndo({ work, editor }: Pick<App, 'work' | 'editor'>, key: string): void {
+export function storeUndo(
+  { work, editor }: Pick<WorkParts, 'work'> & Pick<CourseEditorParts, 'editor'>,
+  key: string,
+): void {
   quietly(() => {
     const text = sessionStorage.getItem(key);
     if (text === null) return;

@@ -1,6 +1,8 @@
 import { onScopeDispose } from 'vue';
 
-import type { App } from '../app/use-app';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { CourseEditorParts } from './state/parts';
 import { toolOfLetter } from './palette/tool-list';
 import type { useSelectionActs } from './state/use-selection-acts';
 
@@ -13,7 +15,7 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
  * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; beside it,
  * where a button has just been pressed, the most common of them act here.
  */
-export function useEditorKeys(app: App): void {
+export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
   const { editor, run } = app;
   /** What acts on a selection is fetched with the first one. */
   function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {

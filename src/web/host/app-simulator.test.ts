@@ -1,25 +1,20 @@
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 
-import type { App } from '../app/use-app';
-import { useHand } from '../arena/use-hand';
-import { useSettings } from '../work/settings/use-settings';
-import { WorkModel } from '../work/use-work';
+import { createPage } from '../app/testing/page';
 import { appSimulator } from './app-simulator';
-import { fakeRun } from './testing/fake-run';
 
 const main = (text: string) => [{ name: 'main.py', text }];
 
 /** A page with a program of the pupil's own, who has chosen the robot Maqueen Lite. */
 function page() {
-  const { run, host } = fakeRun();
-  const project = { files: main('mine'), scene: { ...defaultScene(), name: 'Mine' }, course: null };
-  const work = new WorkModel({ project, open: 'main.py', previous: [] }, () => 1000);
-  const settings = useSettings();
+  const parts = createPage();
+  const { work, settings } = parts;
+  work.openProject({ files: main('mine'), scene: { ...defaultScene(), name: 'Mine' }, course: null }, null);
   settings.change({ robot: 'maqueen-lite', seed: 7 });
-  const app = { run, host, work, settings, hand: useHand() } as unknown as App;
-  return { work, settings, host, simulator: appSimulator(app) };
+  return { work, settings, simulator: appSimulator(parts) };
 }
 
 describe('what a host does to the page', () => {
@@ -48,10 +43,10 @@ describe('what a host does to the page', () => {
   });
 
   it('and the pupil’s own work that came back with what the pupil has chosen', () => {
-    const { work, simulator, host } = page();
+    const { work, simulator } = page();
     simulator.setFiles(main('theirs'));
     simulator.change({ robot: 'none', seed: 3 });
-    host.hasBrought = false; // the pupil brought earlier work back
+    work.isBrought = false; // the pupil brought earlier work back
     work.setText('main.py', 'mine again');
     simulator.setFiles(main('the next'));
     expect(work.work.value.previous[0]?.project).toMatchObject({

@@ -1,4 +1,5 @@
 import { watch } from 'vue';
+import type { HostedPage } from './hosted-page';
 
 import { filesProblem } from '#embed/files-problem';
 import type { EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
@@ -8,7 +9,11 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 
 import { stampSettings } from '../work/stamp-settings';
-import { hardwareNow, type App } from '../app/use-app';
+import { hardwareNow } from '../work/hardware/use-hardware';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { VisitParts } from '../visit/parts';
+import type { LayoutParts } from '../layout/parts';
 import { isOurs } from '../work/use-courses';
 import { workName } from '../work/work-name';
 import { isSameWork } from '../work/storage/history';
@@ -20,8 +25,8 @@ import { settingsProblem } from './settings-problem';
 import { startRun } from './start-run';
 
 /** The app as its host sees it. Whatever a host does goes the way that the page's own controls go. */
-export function appSimulator(app: App): EmbeddedSimulator {
-  const { run, host } = app;
+export function appSimulator(app: HostedPage): EmbeddedSimulator {
+  const { run } = app;
   const change = (wish: HostSettings): Refusal => changeSettings(app, wish);
   const inputs = hostInputs(app);
   return {
@@ -38,7 +43,7 @@ export function appSimulator(app: App): EmbeddedSimulator {
     ...hostRuns(app),
     input: (action) => inputs.take(action),
     clearConsole: () => app.console.clear(),
-    onRunAsked: (ask) => void (host.ask.value = ask),
+    onRunAsked: (ask) => void (run.ask.value = ask),
     listen: (listener) =>
       listenTo(app, (event) => {
         if (event.type !== 'sensed' || !inputs.isOwn()) listener(event);
@@ -48,7 +53,7 @@ export function appSimulator(app: App): EmbeddedSimulator {
 
 /** Opening and editing. */
 function hostWork(
-  app: App,
+  app: HostedPage,
   change: (wish: HostSettings) => Refusal,
 ): Pick<EmbeddedSimulator, 'openProject' | 'setFiles' | 'setScene' | 'edit'> {
   const { run, work, host, hand } = app;
@@ -66,7 +71,7 @@ function hostWork(
     hand.reset();
     work.openProject(project, nameOfOwn());
     brought = work.work.value.project;
-    host.hasBrought = true;
+    work.isBrought = true;
   }
   return {
     openProject(project) {
@@ -94,7 +99,7 @@ function hostWork(
   };
 }
 
-function changeSettings({ settings, host }: App, wish: HostSettings): Refusal {
+function changeSettings({ settings, host }: Pick<WorkParts, 'settings'> & VisitParts, wish: HostSettings): Refusal {
   const problem = settingsProblem(wish);
   if (problem !== null) return problem;
   settings.hold(heldSettings(wish));
@@ -104,7 +109,9 @@ function changeSettings({ settings, host }: App, wish: HostSettings): Refusal {
 }
 
 /** Starting, stopping and what lies between. */
-function hostRuns(app: App): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 'pause' | 'resume' | 'step'> {
+function hostRuns(
+  app: Pick<RunParts, 'run' | 'hand'> & VisitParts,
+): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 'pause' | 'resume' | 'step'> {
   const { run, hand } = app;
   const onlyWhen = (needed: 'running' | 'paused', act: () => void): Refusal => {
     if (run.phase.value !== needed) return `This needs a run that is ${needed}; it is ${run.phase.value}.`;
@@ -128,13 +135,19 @@ function hostRuns(app: App): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 
   };
 }
 
-function settingsOf({ settings: { current }, layout }: App): ReturnType<EmbeddedSimulator['settings']> {
+function settingsOf({
+  settings: { current },
+  layout,
+}: Pick<WorkParts, 'settings'> & Pick<LayoutParts, 'layout'>): ReturnType<EmbeddedSimulator['settings']> {
   const { language, theme, speed, muted } = current.value;
   return { ...travelling(current.value), language, theme, speed, muted, parts: layout.parts.value };
 }
 
 /** Everything that happens, from what the page itself watches. @returns ends it */
-function listenTo(app: App, tell: (event: SimulatorEvent) => void): () => void {
+function listenTo(
+  app: Pick<RunParts, 'run'> & WorkParts & VisitParts & Pick<LayoutParts, 'layout'>,
+  tell: (event: SimulatorEvent) => void,
+): () => void {
   const { run, work, host } = app;
   const atOnce = { flush: 'sync' } as const;
   const ends = [

@@ -1,8 +1,9 @@
 import type { Door, Outside } from '#embed/door';
+import type { HostedPage } from './hosted-page';
 import type { EmbeddedSimulator } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
 
-import type { App } from '../app/use-app';
+import type { VisitParts } from '../visit/parts';
 import { devices } from '../work/settings/devices';
 import { appSimulator } from './app-simulator';
 import { appVersion } from './app-version';
@@ -11,7 +12,7 @@ import { allowedOrigins, ORIGINS_META } from './origins';
 import { openGate } from './transport';
 
 /** Speaks with the page around this one, beginning with what it has said already. @returns ends it */
-export function openFrame(app: App, early: readonly MessageEvent<unknown>[]): () => void {
+export function openFrame(app: HostedPage, early: readonly MessageEvent<unknown>[]): () => void {
   const simulator = appSimulator(app);
   const named = document.querySelector<HTMLMetaElement>(`meta[name="${ORIGINS_META}"]`)?.content ?? null;
   const gate = openGate({
@@ -44,7 +45,7 @@ async function openOurs(simulator: EmbeddedSimulator, outside: Outside): Promise
   });
 }
 
-function unaskedDialect(app: App, simulator: EmbeddedSimulator): OpenLate | null {
+function unaskedDialect(app: VisitParts, simulator: EmbeddedSimulator): OpenLate | null {
   const { dialect, settings } = app.host.wish;
   switch (dialect) {
     case null:

@@ -4,8 +4,8 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { MAIN } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import { SensorsModel } from '../run/use-sensors';
-import { WorkModel } from '../work/use-work';
+import { SensorsModel } from '../run/sensors-model';
+import { WorkModel } from '../work/model/work-model';
 import { defaultSettings } from '../work/settings/settings';
 import { hostInputs } from './host-inputs';
 import { fakeRun, settled } from './testing/fake-run';

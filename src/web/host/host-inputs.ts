@@ -10,7 +10,9 @@ import type { InputAction } from '#simulation/input';
 import { createInputCheck } from '#simulation/run-problem';
 
 import { slownessOf } from '../board/drawing/board-press';
-import type { App } from '../app/use-app';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { VisitParts } from '../visit/parts';
 import { hardwareOf } from '../work/hardware/hardware';
 import { pressOf } from '../run/worker/first-presses';
 import { SpacedPresses } from './spaced-presses';
@@ -26,7 +28,7 @@ export interface HostInputs {
 }
 
 /** Takes what a host does to the run of this app. Buttons and pads stay down as long as the board needs to notice. */
-export function hostInputs(app: Pick<App, 'run' | 'work' | 'settings' | 'sensors' | 'host'>): HostInputs {
+export function hostInputs(app: Pick<RunParts, 'run' | 'sensors'> & WorkParts & VisitParts): HostInputs {
   let isOwn = false;
   const act = (action: InputAction): void => {
     isOwn = true;
@@ -54,7 +56,11 @@ export function hostInputs(app: Pick<App, 'run' | 'work' | 'settings' | 'sensors
 }
 
 /** The presses of the run that is under way, which go on as its time does. */
-function followRun({ run, settings, host }: Pick<App, 'run' | 'settings' | 'host'>): Pick<SpacedPresses, 'set'> {
+function followRun({
+  run,
+  settings,
+  host,
+}: Pick<RunParts, 'run'> & Pick<WorkParts, 'settings'> & VisitParts): Pick<SpacedPresses, 'set'> {
   const presses = new SpacedPresses();
   let timer: ReturnType<typeof setTimeout> | undefined;
   const wait = (): void => {

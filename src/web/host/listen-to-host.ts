@@ -1,6 +1,6 @@
 import { onMounted, onScopeDispose } from 'vue';
+import type { HostedPage } from './hosted-page';
 
-import type { App } from '../app/use-app';
 import { fetchAgain } from './fetch-again';
 
 /** Messages that are kept until the part of the app that understands them has come. Chosen: more than any host sends by then. */
@@ -23,7 +23,7 @@ export function keepEarlyMessages(): void {
  * Lets the page that this one stands in command it. What understands the dialects is fetched only in a frame; nothing
  * that comes before is lost.
  */
-export function listenToHost(app: App): void {
+export function listenToHost(app: HostedPage): void {
   if (window.parent === window) return;
   let close = (): void => undefined;
   keepEarlyMessages();

@@ -2,7 +2,8 @@ import { watch } from 'vue';
 
 import type { Refusal } from '#embed/simulator';
 
-import type { App } from '../app/use-app';
+import type { RunParts } from '../run/parts';
+import type { VisitParts } from '../visit/parts';
 
 /**
  * Starts the program, also while a run is under way.
@@ -10,7 +11,7 @@ import type { App } from '../app/use-app';
  * @param paused it stands still at its start
  * @returns when the run is under way: `null`; else why it did not begin
  */
-export function startRun({ run, host }: Pick<App, 'run' | 'host'>, paused: boolean): Promise<Refusal> {
+export function startRun({ run, host }: Pick<RunParts, 'run'> & VisitParts, paused: boolean): Promise<Refusal> {
   return new Promise((resolve) => {
     let failure = 'The run could not start.';
     const unlisten = host.listen((event) => {

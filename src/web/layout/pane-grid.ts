@@ -1,4 +1,4 @@
-import type { LayoutKind, Pane, PaneSizes } from './use-layout';
+import type { LayoutKind, Pane, PaneSizes } from './layout-model';
 
 /** The bars between panes, by the size they set. */
 export type SplitterId = 'code' | 'board' | 'console' | 'top';

@@ -2,7 +2,8 @@ import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../page/i18n/texts';
 import { gridOf, limitsOf, withRoomForPanel, type SplitterId } from './pane-grid';
-import type { App } from '../app/use-app';
+import type { WorkParts } from '../work/model/parts';
+import type { LayoutParts } from './parts';
 
 /** One bar between panes, ready for `PaneSplitter`. */
 export interface Splitter {
@@ -19,7 +20,10 @@ export interface Splitter {
 const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: 'topPx' } as const;
 
 /** The panes' grid as CSS variables, and the splitters that are in it. Sizes always fit the window. */
-export function usePaneGrid({ layout, settings }: Pick<App, 'layout' | 'settings'>, root: Ref<HTMLElement | null>) {
+export function usePaneGrid(
+  { layout, settings }: Pick<WorkParts, 'settings'> & Pick<LayoutParts, 'layout'>,
+  root: Ref<HTMLElement | null>,
+) {
   const room = shallowRef({ widthPx: innerWidth, heightPx: innerHeight });
   const observer = new ResizeObserver(([entry]) => {
     if (entry !== undefined) room.value = { widthPx: entry.contentRect.width, heightPx: entry.contentRect.height };

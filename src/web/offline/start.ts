@@ -1,5 +1,5 @@
 import { keepOffline } from './keep-offline';
-import { offlineTexts as words } from './offline-texts';
+import { offlineTexts as words } from '../page/bar/offline-texts';
 import { showPageBar } from '../page/bar/page-bar';
 
 /**

@@ -2,7 +2,9 @@ import { computed, shallowRef } from 'vue';
 
 import type { Scene } from '#scene/scene';
 
-import { useApp, useHardware } from '../app/use-app';
+import { useHardware } from '../work/hardware/use-hardware';
+import { useRun } from '../run/parts';
+import { useWork } from '../work/model/parts';
 import { courseName } from '../work/catalogue/first-course';
 import { say } from '../page/i18n/say';
 import { coursePng, piecesOf, pictureAddress } from './picture-parts';
@@ -18,7 +20,7 @@ export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path', 
 
 /** Makes files of the open course and hands them out, one at a time; says what becomes of it. */
 export function usePrint() {
-  const app = useApp();
+  const app = { ...useRun(), ...useWork() };
   const hardware = useHardware(app);
   const scene = app.work.scene;
   const name = computed(() => courseName(scene.value, app.work.work.value.project.course));

@@ -1,7 +1,9 @@
 import { computed, onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 
-import { saveText } from '../work/use-file-transfer';
-import { useApp, useHardware } from '../app/use-app';
+import { saveText } from '../work/save-file';
+import { useHardware } from '../work/hardware/use-hardware';
+import { usePage } from '../page/parts';
+import { useWork } from '../work/model/parts';
 import { workName } from '../work/work-name';
 import { fileName, saveBlob } from '../work/save-file';
 import { filesForDevice } from './device-files';
@@ -33,7 +35,7 @@ export type DeviceState =
 
 /** The way of the project to a real device: over the cable, or as files. */
 export function useRealDevice() {
-  const app = useApp();
+  const app = { ...usePage(), ...useWork() };
   const hardware = useHardware(app);
   const known = knownPrograms(storage());
   const state = shallowRef<DeviceState>({ kind: 'ready' });

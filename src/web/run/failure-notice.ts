@@ -5,7 +5,7 @@ import type { Hardware } from '#simulation/hardware';
 
 import { say } from '../page/i18n/say';
 import { failureTexts } from './failure-texts';
-import type { Notice } from '../page/use-notices';
+import type { Notice } from '../page/notices';
 
 /**
  * What the page says about a run that could not begin: what is wrong with the course in the pupil's words, anything

@@ -9,7 +9,7 @@ import { checkRun } from '#simulation/run-problem';
 import type { RunSetup } from '#simulation/run-setup';
 
 import { fittingInputs } from './fitting-inputs';
-import { SensorsModel } from './use-sensors';
+import { SensorsModel } from './sensors-model';
 
 function setupFor(board: string, inputs: readonly InputEvent[]): RunSetup {
   return { scene: defaultScene(), files: { 'main.py': '' }, robot: 'none', board, seed: 1, reality: 0, inputs };

@@ -3,7 +3,7 @@ import { computed } from 'vue';
 import { shownLanguage, t } from '../page/i18n';
 import { decimalSign } from '../page/i18n/number-text';
 import type { TextKey } from '../page/i18n/texts';
-import type { App } from '../app/use-app';
+import type { RunParts } from './parts';
 
 /** Minutes, seconds and tenths of simulated time: `00:42.6`, in French `00:42,6`; with `fine` also hundredths, in which a step shows. */
 export function clockText(timeUs: number, fine = false): string {
@@ -14,7 +14,7 @@ export function clockText(timeUs: number, fine = false): string {
 }
 
 /** The run's state in a word, its colour, and its clock. */
-export function useRunText({ run }: Pick<App, 'run'>) {
+export function useRunText({ run }: Pick<RunParts, 'run'>) {
   const state = computed((): { key: TextKey; tone: 'run' | 'stop' | 'warn' | '' } => {
     const ended = run.ended.value;
     if (ended?.kind === 'panic' && run.isActive.value) return { key: 'state.panic', tone: 'stop' };

@@ -2,7 +2,7 @@ import { isProjectLink, projectOfLink } from '#project/link/link';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
 
-import type { App } from '../app/use-app';
+import type { Workplace } from '../work/model/parts';
 import { isOurs, useCourses } from '../work/use-courses';
 import { useDevice } from '../work/hardware/use-device';
 import { useOpenings } from '../work/use-openings';
@@ -29,7 +29,7 @@ export const readyCourses = (id: string) => courseOf(id)?.scene ?? null;
  *   microcomputer along
  * @returns `null` when it is open, else why not: nothing has changed then
  */
-export function openAddress(app: App, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
+export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
   const id = courseIn(address.trim());
@@ -53,7 +53,7 @@ function courseIn(address: string): { readonly name: 'task' | 'world'; readonly 
   return course === null ? null : { name, course };
 }
 
-function openProjectLink(app: App, fragment: string): string | null {
+function openProjectLink(app: Workplace, fragment: string): string | null {
   const read = projectOfLink(fragment, readyCourses);
   if ('problem' in read) return linkReason(read.problem);
   const { project, isCourseChanged } = read;
@@ -69,7 +69,12 @@ function openProjectLink(app: App, fragment: string): string | null {
 }
 
 /** The program of the link in the course it names, else in the arena that is open. */
-function openProgramLink(app: App, address: string, course: Course | null, wish: 'held' | 'brought'): string | null {
+function openProgramLink(
+  app: Workplace,
+  address: string,
+  course: Course | null,
+  wish: 'held' | 'brought',
+): string | null {
   const read = programOfLink(address);
   if ('problem' in read) return linkReason(read.problem);
   const { files, device } = read;
@@ -90,7 +95,7 @@ function openProgramLink(app: App, address: string, course: Course | null, wish:
 }
 
 /** What is open just like this is not put aside once more. */
-function openProject(app: App, project: Project, name: string): void {
+function openProject(app: Workplace, project: Project, name: string): void {
   const isOpen = isSameWork(presentProject(app), project);
   useOpenings(app).open(project, name, isOpen || isOurs(app.work.work.value.project));
 }

@@ -1,6 +1,7 @@
 import { openJson } from '#project/open-json';
 
-import type { App } from '../app/use-app';
+import type { PageParts } from '../page/parts';
+import type { Workplace } from '../work/model/parts';
 import { isOurs } from '../work/use-courses';
 import { useOpenings } from '../work/use-openings';
 import { isReadyArena } from '../work/catalogue/examples';
@@ -13,7 +14,7 @@ import { problemTexts } from './share-texts';
 const MAX_BYTES = 16 * 1024 * 1024;
 
 /** Opens a project or a course from a file; the work so far is put aside. What cannot be opened gives a message. */
-export async function openJsonFile(app: App, loaded: File): Promise<void> {
+export async function openJsonFile(app: Workplace, loaded: File): Promise<void> {
   const file = loaded.name;
   if (!file.toLowerCase().endsWith('.json')) {
     refuse(app, say(problemTexts.otherKind, { file }));
@@ -52,7 +53,7 @@ export async function openJsonFile(app: App, loaded: File): Promise<void> {
   }
 }
 
-function refuse(app: App, text: string): void {
+function refuse(app: Pick<PageParts, 'notices'>, text: string): void {
   app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });
 }
 

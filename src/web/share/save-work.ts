@@ -2,23 +2,24 @@ import { projectToText } from '#project/file';
 import type { Project } from '#project/project';
 import { serializeScene } from '#scene/serialize';
 
-import type { App } from '../app/use-app';
-import { saveText } from '../work/use-file-transfer';
+import type { PageParts } from '../page/parts';
+import type { WorkParts } from '../work/model/parts';
+import { saveText } from '../work/save-file';
 import { workName } from '../work/work-name';
 import { fileName } from '../work/save-file';
 import { travelling } from '../work/settings/travelling';
 
 /** The present work with what it runs on: what is saved and shared. */
-export function presentProject({ work, settings }: Pick<App, 'work' | 'settings'>): Project {
+export function presentProject({ work, settings }: WorkParts): Project {
   return { ...work.work.value.project, settings: travelling(settings.current.value) };
 }
 
 /** Saves everything as one file. */
-export function saveProject(app: App): void {
+export function saveProject(app: Pick<PageParts, 'notices'> & WorkParts): void {
   saveText(app, fileName(workName(app), 'parcours.json'), projectToText(presentProject(app)), 'application/json');
 }
 
 /** Saves the course alone. */
-export function saveScene(app: App): void {
+export function saveScene(app: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>): void {
   saveText(app, fileName(workName(app), 'json'), serializeScene(app.work.scene.value), 'application/json');
 }

@@ -1,15 +1,11 @@
 import type * as SaveWork from './save-work';
 import { THEMES } from '../work/settings/settings';
-import { useApp, type App } from '../app/use-app';
-import { loadBeside, loadFiles, replaceFile, saveFile } from '../work/use-file-transfer';
+import type { Workplace } from '../work/model/parts';
+import { saveFile } from '../work/save-file';
+import { loadBeside, loadFiles, replaceFile } from './load-files';
 
-/** What several bars and keys offer alike, inside any panel. */
-export function useCommands() {
-  return useCommandsOf(useApp());
-}
-
-/** The same for whoever holds the app's parts already. */
-export function useCommandsOf(app: App) {
+/** What several bars and keys offer alike. */
+export function useCommands(app: Workplace) {
   /** Takes files in, from the picker or dropped onto the page. */
   function take(files: Iterable<File>): void {
     void loadFiles(app, files, ({ file, as }) =>

@@ -2,7 +2,8 @@ import { onMounted, onScopeDispose } from 'vue';
 
 import type { Part } from '#embed/simulator';
 
-import type { App } from '../app/use-app';
+import type { VisitParts } from '../visit/parts';
+import type { Workplace } from '../work/model/parts';
 import { hostWish, parametersOf } from '../visit/address';
 import { heldSettings } from '../visit/held-settings';
 
@@ -15,7 +16,7 @@ const PROGRAMS: readonly string[] = ['code', 'fs'];
  * Opens the link with which the page was called, and those that follow; nothing runs. Once it is open, the address is
  * that of the app again, with what a reload needs beside the work: the work itself is then as it has become.
  */
-export function useLinks(app: App): void {
+export function useLinks(app: Workplace & VisitParts): void {
   const { settings, host } = app;
 
   function follow(): void {
@@ -31,7 +32,7 @@ export function useLinks(app: App): void {
       .then(({ openAddress }) => {
         const problem = openAddress(app, href, 'held');
         hold();
-        host.hasBrought ||= problem === null;
+        app.work.isBrought ||= problem === null;
         if (problem !== null) refuse(problem);
         else if (isProject || opened.some((name) => PROGRAMS.includes(name))) showSource();
         else clearAddress();

@@ -2,7 +2,7 @@ import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { linkOf } from '#project/link/link';
 
-import { useApp } from '../app/use-app';
+import { useWork } from '../work/model/parts';
 import { readyCourses } from './open-address';
 import { presentProject } from './save-work';
 
@@ -17,7 +17,7 @@ export interface ShareLink {
 }
 
 export function useShareLink(): ShareLink {
-  const app = useApp();
+  const app = useWork();
   const program = shallowRef(true);
   const made = computed(() => linkOf(presentProject(app), { courses: readyCourses, program: program.value }));
   return {

@@ -34,10 +34,6 @@ export class HostView {
   readonly parts: ShallowRef<readonly Part[] | null>;
   /** The host's own words for controls of the board. */
   readonly labels: ShallowRef<Readonly<Record<string, string>>>;
-  /** What the Run button does instead of running; `null`: it runs. */
-  readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
-  /** The present work was brought by a host or by the address, with what they hold for it. */
-  hasBrought = false;
   private readonly listeners = new Set<(event: SimulatorEvent) => void>();
 
   constructor(readonly wish: HostWish) {

@@ -6,12 +6,12 @@ import { projectOf, type Course } from './catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
-import type { App } from '../app/use-app';
+import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { useOpenings } from './use-openings';
 
 /** Opening courses and coming back to earlier work; neither ever loses what was open. */
-export function useCourses(app: App) {
+export function useCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
@@ -78,7 +78,7 @@ function robotOf({ scene, files }: Project) {
 }
 
 /** The arena that is open, with this program. */
-const withProgram = ({ work }: App, source: string): Project => ({
+const withProgram = ({ work }: Pick<WorkParts, 'work'>, source: string): Project => ({
   ...work.work.value.project,
   files: [{ name: MAIN, text: source }],
 });

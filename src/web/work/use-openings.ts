@@ -3,14 +3,14 @@ import { NO_ROBOT } from '#simulation/hardware';
 
 import type { Previous } from './storage/history';
 import { travelling, withTravelling } from './settings/travelling';
-import type { App } from '../app/use-app';
+import type { WorkParts, Workplace } from './model/parts';
 import { stampSettings } from './stamp-settings';
 import { useDevice } from './hardware/use-device';
 import { workName } from './work-name';
 
 /** Puts a project in the place of the present one, and brings it back. */
-export function useOpenings(app: App) {
-  const { work, notices, host } = app;
+export function useOpenings(app: Workplace) {
+  const { work, notices } = app;
   const device = useDevice(app);
 
   /**
@@ -22,7 +22,7 @@ export function useOpenings(app: App) {
     if (!isOurs) stampSettings(app);
     void app.run.reset();
     work.openProject(project, isOurs ? null : workName(app));
-    host.hasBrought = false;
+    work.isBrought = false;
     bringSettings(app, project);
     tell(name, isOurs);
   }
@@ -51,7 +51,7 @@ export function useOpenings(app: App) {
     stampSettings(app);
     void app.run.reset();
     work.restore(entry, workName(app));
-    host.hasBrought = false;
+    work.isBrought = false;
     bringSettings(app, entry.project);
     notices.show({ kind: 'ok', key: 'course.restored' });
   }
@@ -60,7 +60,7 @@ export function useOpenings(app: App) {
 }
 
 /** Chooses what a project runs on, where it says so. The arena goes with the robot and comes back with it. */
-function bringSettings({ settings }: Pick<App, 'settings'>, { settings: brought }: Project): void {
+function bringSettings({ settings }: Pick<WorkParts, 'settings'>, { settings: brought }: Project): void {
   if (brought === undefined) return;
   const before = settings.current.value;
   const after = travelling(withTravelling(before, brought));

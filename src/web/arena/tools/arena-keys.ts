@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Texts } from '#core/texts';
 import { nothingSelected } from '#editor/tools/tool';
-import type { CourseEditorModel } from '../../course-editor/state/use-course-editor';
+import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { canvasTexts } from './canvas-texts';
 import { arrowOf, STEP_MM, type SelectionKeys } from './tool-keys';

@@ -7,7 +7,7 @@ import { nothingSelected, type Selection, type ToolContext } from '#editor/tools
 import { tools } from '#editor/tools/tools';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import type { CourseEditorModel } from '../../course-editor/state/use-course-editor';
+import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
 import { canvasTexts } from './canvas-texts';

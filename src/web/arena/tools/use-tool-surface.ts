@@ -1,5 +1,5 @@
 import { computed, onBeforeUnmount, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
-import type { CourseEditorModel } from '../../course-editor/state/use-course-editor';
+import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import type { ArenaTools, ToolSources } from './arena-tools';
 import { createEarlyPointers, type EarlyPointers, type GestureEvent } from './early-pointers';
 import { isSameGhost, noGhost, type Ghost } from './ghost';

@@ -1,6 +1,6 @@
 import { isButtonKey, type BoardKey } from './presses';
 import type { Speed } from '../../run/worker/protocol';
-import type { RunModel } from '../../run/use-run';
+import type { RunModel } from '../../run/run-model';
 
 /** Presses or lets go of a key of the board in the run. */
 export function pressBoard(run: RunModel, key: BoardKey, down: boolean): void {

@@ -3,7 +3,7 @@ import { computed, onScopeDispose, shallowRef, watch, type ComputedRef } from 'v
 import type { SensorInfo } from './sensor-list';
 import { slowly } from '../../page/slowly';
 import { steady } from '../../page/steady';
-import type { App } from '../../app/use-app';
+import type { RunParts } from '../../run/parts';
 
 /** How long a value set by hand is shown before what the run tells counts again, in ms of a running run. */
 const SETTLE_MS = 500; // chosen: several pictures come back within it, also from a slow tablet
@@ -18,7 +18,7 @@ export interface SensorValues {
 }
 
 /** The values for a panel that is open. What the hand just set is shown at once, before the run has taken it in. */
-export function useSensorValues(app: Pick<App, 'run' | 'sensors'>, infos: readonly SensorInfo[]): SensorValues {
+export function useSensorValues(app: Pick<RunParts, 'run' | 'sensors'>, infos: readonly SensorInfo[]): SensorValues {
   const { run, sensors } = app;
   const told = slowly(
     steady<Readonly<Record<string, number | string>>>(() =>

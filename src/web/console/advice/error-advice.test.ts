@@ -7,7 +7,8 @@ import { errorDe } from '../../page/i18n/error-de';
 import { errorEn } from '../../page/i18n/error-en';
 import type { TextKey } from '../../page/i18n/texts';
 import { lastPlace } from '../log/console-log';
-import { adviceFor, type Advice, type OnTable } from './error-advice';
+import type { OnTable } from '../../work/hardware/misplugged';
+import { adviceFor, type Advice } from './error-advice';
 
 /** Runs a program with a mistake on our VM and gives what the page says about it. */
 function adviceOf(program: string): Advice {

@@ -1,3 +1,4 @@
+import type { OnTable } from '../../work/hardware/misplugged';
 import type { TextKey, TextValues } from '../../page/i18n/texts';
 import { errorTable } from './error-table';
 import { syntaxAdvice, type Source } from './syntax-advice';
@@ -15,14 +16,6 @@ export interface Failure {
   readonly type: string;
   readonly message: string;
   readonly traceback?: string;
-}
-
-/** What is plugged in, as far as an error may come of it. */
-export interface OnTable {
-  /** Name of the robot; `null`: none. */
-  readonly robot: string | null;
-  /** Why it cannot answer, if that is known. */
-  readonly fault: Omit<Advice, 'device'> | null;
 }
 
 /** All that an explanation is made of. */

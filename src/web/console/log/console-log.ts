@@ -1,5 +1,6 @@
 import type { TextKey } from '../../page/i18n/texts';
-import type { ErrorReport, Failure, OnTable } from '../advice/error-advice';
+import type { OnTable } from '../../work/hardware/misplugged';
+import type { ErrorReport, Failure } from '../advice/error-advice';
 import { TerminalReader, type TerminalPiece } from './terminal-text';
 
 /** A piece of program output that looks the same throughout: `error` is a traceback, `quiet` one of a stopped program. */

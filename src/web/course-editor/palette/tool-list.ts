@@ -1,4 +1,4 @@
-import type { ArenaTool } from '../state/use-course-editor';
+import type { ArenaTool } from '../state/course-editor-model';
 
 /** The tools in the order of the palette, in groups that belong together. */
 export const toolGroups: readonly (readonly ArenaTool[])[] = [

@@ -1,4 +1,4 @@
-import type { ArenaTool } from '../state/use-course-editor';
+import type { ArenaTool } from '../state/course-editor-model';
 
 /** What of a pointer event counts for a tap. */
 export type Press = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp' | 'button'>;

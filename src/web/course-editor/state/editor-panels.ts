@@ -1,13 +1,22 @@
-import { shallowRef } from 'vue';
+import { shallowRef, type ShallowRef } from 'vue';
 
 /** What of the editor stands in a window of its own. */
 export type EditorPanel = 'list' | 'course' | 'background' | 'print';
 
-const shown = shallowRef<EditorPanel | null>(null);
+/** Which of the editor's windows is open. */
+export interface EditorPanels {
+  /** `null`: none. */
+  readonly shown: Readonly<ShallowRef<EditorPanel | null>>;
+  readonly open: (panel: EditorPanel) => void;
+  readonly close: () => void;
+}
 
-/** Which of them is open: the page has one arena, so this is said once. */
-export const editorPanels = {
-  shown,
-  open: (panel: EditorPanel): void => void (shown.value = panel),
-  close: (): void => void (shown.value = null),
-};
+/** Makes the model of the editor's windows, all closed. */
+export function createEditorPanels(): EditorPanels {
+  const shown = shallowRef<EditorPanel | null>(null);
+  return { shown, open: (panel) => void (shown.value = panel), close: () => void (shown.value = null) };
+}
+
+/** Whoever closes a window goes on where it was opened: at the button beside undo, near the tools and their keys. */
+export const focusMore = (): void =>
+  document.querySelector<HTMLElement>('[data-testid="course-more"]')?.focus({ preventScroll: true });

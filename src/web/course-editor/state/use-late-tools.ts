@@ -1,12 +1,16 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-import type { App } from '../../app/use-app';
+import type { LayoutParts } from '../../layout/parts';
+import type { CourseEditorParts } from './parts';
 
 /**
  * Whether palette, undo and keys may come now: once the page has nothing more urgent to do where they are in sight, else
  * when they are asked for. What they need besides comes with the first tool.
  */
-export function useLateTools({ editor, layout }: App): Readonly<ShallowRef<boolean>> {
+export function useLateTools({
+  editor,
+  layout,
+}: Pick<LayoutParts, 'layout'> & Pick<CourseEditorParts, 'editor'>): Readonly<ShallowRef<boolean>> {
   const mayCome = shallowRef(false);
   const come = (): void => {
     mayCome.value = true;

@@ -1,6 +1,6 @@
 import { computed, onBeforeUnmount, onMounted, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-import type { LayoutKind } from '../../layout/use-layout';
+import type { LayoutKind } from '../../layout/layout-model';
 
 /** How the palette lies: see `ToolPalette.vue`. */
 export type PaletteForm = 'words' | 'icons' | 'pairs' | 'strip';

@@ -3,10 +3,12 @@ import { duplicated } from '#editor/clipboard';
 import { removed, selectAll } from '#editor/selection';
 import { nothingSelected } from '#editor/tools/tool';
 
-import { useHardware, type App } from '../../app/use-app';
+import { useHardware } from '../../work/hardware/use-hardware';
+import type { WorkParts } from '../../work/model/parts';
+import type { CourseEditorParts } from './parts';
 
 /** What can be done with what is selected in the arena. */
-export function useSelectionActs(app: App) {
+export function useSelectionActs(app: WorkParts & Pick<CourseEditorParts, 'editor'>) {
   const { editor, work } = app;
   const hardware = useHardware(app);
   const footprint = () => hardware.value?.robot?.body.outlineMm ?? [];

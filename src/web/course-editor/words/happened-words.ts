@@ -4,7 +4,7 @@ import type { Selection } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 
-import type { Happened } from '../state/use-course-editor';
+import type { Happened } from '../state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { cm, countText, kindTexts, namesOf, placeText, whereText } from './object-words';
 import { toolTexts } from './palette-texts';

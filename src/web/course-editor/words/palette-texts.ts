@@ -1,6 +1,6 @@
 import type { Texts } from '#core/texts';
 
-import type { ArenaTool } from '../state/use-course-editor';
+import type { ArenaTool } from '../state/course-editor-model';
 
 /** The words of the tools; they come with the palette. */
 export const paletteTexts = {

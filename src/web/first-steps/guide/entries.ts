@@ -55,7 +55,7 @@ import {
 
 import { paletteTexts, toolTexts } from '../../course-editor/words/palette-texts';
 import { panelTexts } from '../../course-editor/words/panel-texts';
-import type { ArenaTool } from '../../course-editor/state/use-course-editor';
+import type { ArenaTool } from '../../course-editor/state/course-editor-model';
 import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import type { TextKey } from '../../page/i18n/texts';

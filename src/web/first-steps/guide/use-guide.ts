@@ -1,7 +1,8 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { Words } from '../../code/help/words';
-import { useHardware, type App } from '../../app/use-app';
+import { useHardware } from '../../work/hardware/use-hardware';
+import type { WorkParts } from '../../work/model/parts';
 import { shownLanguage } from '../../page/i18n';
 import { commandsOf, type Command } from './commands';
 import { guideSections, type GuideEntry } from './entries';
@@ -28,7 +29,7 @@ export interface GuideModel {
 }
 
 /** The help on what is in use: it follows language, robot and board. */
-export function useGuide(app: App): GuideModel {
+export function useGuide(app: WorkParts): GuideModel {
   const hardware = useHardware(app);
   const robot = computed(() => hardware.value?.robot?.id ?? null);
   const guide = shallowRef<Guide | null>(null);

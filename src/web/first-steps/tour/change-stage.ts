@@ -1,6 +1,8 @@
 import { NO_ROBOT } from '#simulation/hardware';
 
-import { hardwareNow, type App } from '../../app/use-app';
+import { hardwareNow } from '../../work/hardware/use-hardware';
+import type { WorkParts, Workplace } from '../../work/model/parts';
+import type { LayoutParts } from '../../layout/parts';
 import { isOurs, useCourses } from '../../work/use-courses';
 import { useDevice } from '../../work/hardware/use-device';
 import { boardPrograms } from '../../work/catalogue/board-programs';
@@ -12,24 +14,24 @@ import { sightOf, type Stage } from './stage';
  * alone, or the first course. What they have written stays. A greeting
  * that is still there has its answer by that.
  */
-export function changeStage(app: App, stage: Stage): void {
+export function changeStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): void {
   if (stage === 'board') leaveArena(app);
   else enterArena(app);
   app.settings.change({ ...sightOf(stage), welcomed: true });
   app.layout.tab.value = stage === 'board' ? 'code' : 'arena';
 }
 
-const isUntouched = ({ work }: App): boolean => isOurs(work.work.value.project);
+const isUntouched = ({ work }: Pick<WorkParts, 'work'>): boolean => isOurs(work.work.value.project);
 
 /** For the board alone: a program that needs no robot. */
-function leaveArena(app: App): void {
+function leaveArena(app: Workplace): void {
   const [first] = boardPrograms;
   if (first === undefined || !isUntouched(app) || hardwareNow(app)?.robot === null) return;
   useCourses(app).openBoardProgram(first);
 }
 
 /** For the arena: a robot, with something to drive where the board was alone. */
-function enterArena(app: App): void {
+function enterArena(app: Workplace): void {
   if (app.settings.current.value.robot !== NO_ROBOT) return;
   if (isUntouched(app) && firstCourse !== undefined) useCourses(app).openCourse(firstCourse);
   else useDevice(app).allowRobot();

@@ -1,8 +1,9 @@
-import type { App } from '../../app/use-app';
+import type { Workplace } from '../../work/model/parts';
+import type { LayoutParts } from '../../layout/parts';
 import type { Stage } from './stage';
 
 /** Brings a stage into sight, see `changeStage`: what it takes to change the program along with it comes with the first choice. */
-export function chooseStage(app: App, stage: Stage): void {
+export function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): void {
   import('./change-stage')
     .then(({ changeStage }) => changeStage(app, stage))
     .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));

@@ -1,12 +1,16 @@
 import type { Texts } from '#core/texts';
 
-import type { App } from '../../app/use-app';
-import type { Pane } from '../../layout/use-layout';
-import { guide } from '../guide-state';
+import type { RunParts } from '../../run/parts';
+import type { CourseEditorParts } from '../../course-editor/state/parts';
+import type { Pane } from '../../layout/layout-model';
+import type { FirstStepsParts } from '../parts';
 import { stepTexts } from './tour-texts';
 
 /** The steps of the tour by name; where it was left is kept by it. */
 export type TourStepId = keyof typeof stepTexts;
+
+/** What the steps look at. */
+export type TourSubject = Pick<RunParts, 'run'> & Pick<CourseEditorParts, 'editor'> & Pick<FirstStepsParts, 'guide'>;
 
 /** One step: a real control that is pointed at, and words about it. */
 export interface TourStep {
@@ -16,7 +20,7 @@ export interface TourStep {
   /** Selectors of the control, the first that is in sight counts. */
   readonly targets: readonly string[];
   /** What can be done at it. As soon as it is done the tour goes on by itself; `null`: there is only something to see. */
-  readonly isDone: ((app: Pick<App, 'run' | 'editor'>) => boolean) | null;
+  readonly isDone: ((app: TourSubject) => boolean) | null;
 }
 
 /** The button behind which a narrow window keeps what has no room in the bar. */
@@ -43,7 +47,10 @@ const tools: TourStep = {
   isDone: (app) => app.editor.isOpen.value,
 };
 const course = seen('course', null, '[data-testid="course"]', MENU);
-const help: TourStep = { ...seen('help', null, '[data-testid="help"]', MENU), isDone: () => guide.at.value !== null };
+const help: TourStep = {
+  ...seen('help', null, '[data-testid="help"]', MENU),
+  isDone: (app) => app.guide.at.value !== null,
+};
 
 /** The steps for what is on the page: at most eight. Without an arena the board has its place. */
 export const stepsFor = (hasArena: boolean): readonly TourStep[] =>

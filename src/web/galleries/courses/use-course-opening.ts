@@ -1,7 +1,10 @@
 import { computed } from 'vue';
 
 import { AUTO, chooseHardware } from '#simulation/hardware';
-import { useApp } from '../../app/use-app';
+import { usePage } from '../../page/parts';
+import { useRun } from '../../run/parts';
+import { useWork } from '../../work/model/parts';
+import { useLayout } from '../../layout/parts';
 import { useCourses } from '../../work/use-courses';
 import { solved, type Course } from '../../work/catalogue/course';
 
@@ -13,7 +16,7 @@ export function robotName({ scene, solution }: Course): string {
 
 /** Opening courses out of the gallery, which then makes room for them. */
 export function useCourseOpening() {
-  const app = useApp();
+  const app = { ...usePage(), ...useRun(), ...useWork(), ...useLayout() };
   const { openCourse } = useCourses(app);
   const openId = computed(() => app.work.work.value.project.course);
   function open(course: Course): void {

@@ -7,7 +7,7 @@ import { fn, module, type, value, absent } from '#reference/table';
 import { robotTypes } from '#robots/index';
 import { robotReferences } from '#robots/references';
 import { robotSheets } from '#robots/sheets';
-import { galleryPage } from '../use-gallery';
+import { galleryPage } from '../../layout/gallery-model';
 import { deviceTexts, REALITIES } from '../../device/device-texts';
 import { addressesText, addressText, sizeCm } from './facts';
 import { galleryTexts } from './gallery-texts';

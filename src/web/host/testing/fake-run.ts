@@ -4,7 +4,7 @@ import type { Snapshot } from '#simulation/simulation';
 
 import { HostView, noHost } from '../../visit/host-view';
 import type { WorkerPort } from '../../run/run-client';
-import { RunModel } from '../../run/use-run';
+import { RunModel } from '../../run/run-model';
 import type { FromWorker, ToWorker } from '../../run/worker/protocol';
 
 /** The page's end of a run whose worker runs no program: it answers at once, but for starting, which the test does. */

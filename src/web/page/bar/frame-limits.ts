@@ -11,10 +11,7 @@ export function sayMayBeRefused(): boolean {
 }
 
 async function say(): Promise<void> {
-  const [{ showPageBar }, { offlineTexts }] = await Promise.all([
-    import('./page-bar'),
-    import('../../offline/offline-texts'),
-  ]);
+  const [{ showPageBar }, { offlineTexts }] = await Promise.all([import('./page-bar'), import('./offline-texts')]);
   const { close } = offlineTexts;
   showPageBar({ kind: 'may-be-refused', text: offlineTexts.mayBeRefused, actions: [], close });
 }

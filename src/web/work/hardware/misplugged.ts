@@ -2,12 +2,19 @@ import { findBoard } from '#board/boards/index';
 import { filesByName, type Project } from '#project/project';
 import { isMisplugged, robotMeant } from '#simulation/hardware';
 
-import type { OnTable } from '../../console/advice/error-advice';
-import type { TextValues } from '../../page/i18n/texts';
+import type { TextKey, TextValues } from '../../page/i18n/texts';
 import { deviceName } from '../settings/devices';
 import { hardwareOf, settingsFor } from './hardware';
 import type { Settings } from '../settings/settings';
-import type { Notice } from '../../page/use-notices';
+import type { Notice } from '../../page/notices';
+
+/** What is plugged in, as far as an error may come of it. */
+export interface OnTable {
+  /** Name of the robot; `null`: none. */
+  readonly robot: string | null;
+  /** Why it cannot answer, if that is known. */
+  readonly fault: { readonly key: TextKey; readonly values: TextValues } | null;
+}
 
 /**
  * What is wrong when the program is written for another robot, or when the robot stands on a microcomputer that it does

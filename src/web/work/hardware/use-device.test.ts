@@ -1,27 +1,20 @@
+// @vitest-environment happy-dom
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { findRobot } from '#robots/index';
-import { defaultScene } from '#scene/scene';
 
-import { fakeRun } from '../../host/testing/fake-run';
-import type { App } from '../../app/use-app';
+import { createPage } from '../../app/testing/page';
 import { useDevice } from './use-device';
-import { useNotices } from '../../page/use-notices';
-import { useSettings } from '../settings/use-settings';
-import { WorkModel } from '../use-work';
 
 const LITE = 'maqueen-lite';
 
 /** A page whose host holds a robot with a claw on S1, and a pupil who has stored another robot. */
 function pageOfHost() {
-  const { run, host } = fakeRun();
-  const project = { files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null };
-  const work = new WorkModel({ project, open: 'main.py', previous: [] }, () => 1000);
-  const settings = useSettings();
+  const page = createPage();
+  const { settings } = page;
   settings.change({ robot: 'callibot', robotOptions: { callibot: { S1: 'claw' } } });
   settings.hold({ robot: LITE, robotOptions: { [LITE]: { S1: 'claw' } }, device: 'microbit-v2', seed: 3 });
-  const app = { run, host, work, settings, notices: useNotices() } as unknown as App;
-  return { settings, device: useDevice(app) };
+  return { settings, device: useDevice(page) };
 }
 
 describe('a pupil who changes the robot in the page of a host', () => {

@@ -8,8 +8,9 @@ import { AUTO_ROBOT, deviceName } from '../settings/devices';
 import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';
 import { isSeed, LAST_SEED, type Settings } from '../settings/settings';
 import { mispluggedNotice } from './misplugged';
-import { useHardware, type App } from '../../app/use-app';
-import type { Notice } from '../../page/use-notices';
+import { useHardware } from './use-hardware';
+import type { Workplace } from '../model/parts';
+import type { Notice } from '../../page/notices';
 
 /** Choosing what the program runs on. */
 export interface DeviceModel {
@@ -39,7 +40,7 @@ export interface DeviceModel {
   readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
 }
 
-type Parts = Pick<App, 'work' | 'settings' | 'run' | 'notices'>;
+type Parts = Workplace;
 
 export function useDevice(app: Parts): DeviceModel {
   const { settings, work } = app;

@@ -1,0 +1,128 @@
+import { watch, type ShallowRef } from 'vue';
+
+import type { Scene } from '#scene/scene';
+
+import { fetchAdvice } from '../console/advice/explain';
+import { RadioModel } from '../run/radio-model';
+import { RunModel, type RunHost } from '../run/run-model';
+import { SensorsModel } from '../run/sensors-model';
+import type { RunParts } from '../run/parts';
+import { createWorker } from '../run/worker/create-worker';
+import { compileFirmware } from '../run/worker/firmware';
+import type { VisitParts } from '../visit/parts';
+import { runSetup } from '../work/run-setup';
+import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
+
+/** How long after the start of the first run the page fetches what explains errors, in ms. */
+const ADVICE_AFTER_MS = 2000; // chosen: the robot drives by then; an error before that fetches it at once
+
+/** What runs a program: a worker and the VM. */
+export type RunEngine = Pick<RunHost, 'createWorker' | 'firmware'>;
+
+/** The worker and the VM of the built page. */
+export const browserEngine: RunEngine = { createWorker, firmware: compileFirmware };
+
+/** What a run reaches on the page. */
+type Around = RunMessages &
+  VisitParts &
+  Pick<RunParts, 'hand' | 'dataLog' | 'sound'> & {
+    /** The course that the run was given. */
+    readonly runStart: ShallowRef<Scene | null>;
+  };
+
+/** Makes the run and what reaches into it; whatever comes out of it goes to console, notices, sound and host. */
+export function createRun(around: Around, engine: RunEngine): RunParts {
+  const { hand, dataLog, sound } = around;
+  const run: RunModel = new RunModel({
+    ...engine,
+    setup: () => {
+      const setup = runSetup(around, sensors.startInputs());
+      around.runStart.value = setup.scene;
+      return setup;
+    },
+    ...outcome(around, () => run),
+    onEvents: (events) => {
+      radio.take(events.radio, events.radioDropped);
+      dataLog.take(events.log);
+      sound.take(events.sound);
+      if (events.radio.length > 0)
+        around.host.tell({ type: 'radio', packets: events.radio, dropped: events.radioDropped });
+      if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log });
+    },
+    ...starting(around, () => radio.clear()),
+    ...troubles(around),
+  });
+  const sensors = new SensorsModel(run);
+  const radio = new RadioModel(run);
+  // At once: a reset leaves this phase in the same breath.
+  watch(
+    run.phase,
+    (phase) => {
+      if (phase === 'stopped') around.console.addNote('console.stopped');
+    },
+    { flush: 'sync' },
+  );
+  return { run, sensors, radio, dataLog, sound, hand };
+}
+
+/** What begins with a run. */
+function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStart' | 'onRestarted'> {
+  const { host, jump, console, dataLog, notices } = around;
+  let runs = 0;
+  return {
+    onStart: () => {
+      runs += 1;
+      host.tell({ type: 'started' });
+      jump.wrong.value = null;
+      showStart(around);
+      console.startRun(runs);
+      if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
+      dataLog.clear();
+      clearRadio();
+    },
+    onRestarted: () => {
+      host.tell({ type: 'program-restarted' });
+      jump.wrong.value = null;
+      notices.close();
+    },
+  };
+}
+
+/** What is done to a run, and what its program says and comes to. */
+function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' | 'onOutput' | 'onEnded'> {
+  const { host, console } = around;
+  return {
+    onInput: (action) => {
+      const { type } = action;
+      if (type === 'button' || type === 'touch' || type === 'sensor') host.tell({ type: 'sensed', action });
+    },
+    onOutput: (text) => {
+      console.write(text);
+      host.tell({ type: 'output', text });
+    },
+    onEnded: (ended) => {
+      showEnd(around, ended, run());
+      host.tell({ type: 'program-ended', ended, verdict: run().snapshot.value?.verdict ?? null });
+    },
+  };
+}
+
+/** What is said when a run goes wrong through no fault of the program. */
+function troubles(around: Around): Pick<RunHost, 'onFailed' | 'onRefused' | 'onUnavailable' | 'onKilled'> {
+  const { notices, host } = around;
+  return {
+    onFailed: (message) => {
+      void showFailure(around, message);
+      host.tell({ type: 'failed', message });
+    },
+    onRefused: (message) => {
+      notices.show({ kind: 'info', key: 'notice.refused', values: { message } });
+      host.tell({ type: 'refused', message });
+    },
+    onUnavailable: () => {
+      notices.show({ kind: 'error', key: 'notice.firmware' });
+      host.tell({ type: 'failed', message: 'A part of the simulator could not be fetched.' });
+    },
+    onKilled: () => notices.show({ kind: 'warn', key: 'notice.killed' }),
+  };
+}

@@ -1,0 +1,143 @@
+import { shallowRef, watch, type ShallowRef } from 'vue';
+
+import { MAIN } from '#project/project';
+import { defaultScene, type Scene } from '#scene/scene';
+
+import { ConsoleModel } from '../console/console-model';
+import { createJump } from '../console/jump';
+import { provideConsole } from '../console/parts';
+import { provideCourseEditor } from '../course-editor/state/parts';
+import { createCourseEditor, type CourseEditorModel } from '../course-editor/state/course-editor-model';
+import { createEditorPanels } from '../course-editor/state/editor-panels';
+import { movesBodies } from '../course-editor/state/waiting';
+import { createGuide } from '../first-steps/guide-model';
+import { provideFirstSteps } from '../first-steps/parts';
+import { createTour } from '../first-steps/tour-model';
+import { ArenaAlone } from '../layout/arena-alone';
+import { createGallery } from '../layout/gallery-model';
+import { createLayout } from '../layout/layout-model';
+import { provideLayout, type LayoutParts } from '../layout/parts';
+import { createDialogs } from '../page/dialogs';
+import type { Language } from '../page/i18n';
+import { createNotices } from '../page/notices';
+import { providePage } from '../page/parts';
+import { DataLogModel } from '../run/data-log-model';
+import { createHand } from '../run/hand';
+import { provideRun, type RunParts } from '../run/parts';
+import { SoundPlayer } from '../run/sound/sound-player';
+import { heldSettings } from '../visit/held-settings';
+import { HostView, type HostWish } from '../visit/host-view';
+import { provideVisit } from '../visit/parts';
+import { projectOf } from '../work/catalogue/course';
+import { fetchNameOf, firstCourse } from '../work/catalogue/first-course';
+import { deviceSettings } from '../work/hardware/hardware';
+import { tableNow } from '../work/hardware/use-hardware';
+import { keepWork, storedWork } from '../work/model/keep-work';
+import { provideWork, type WorkParts } from '../work/model/parts';
+import { createSettings } from '../work/settings/settings-model';
+import type { Work } from '../work/storage/history';
+import type { TabStorage } from '../work/storage/tab-storage';
+import { useLiveEdits } from '../work/model/use-live-edits';
+import { WorkModel } from '../work/model/work-model';
+import { browserEngine, createRun, type RunEngine } from './create-run';
+
+/** The models of all rooms. */
+export type AllParts = ReturnType<typeof createParts>;
+
+/** Makes the models of all rooms and joins them: the only place that knows all. */
+export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngine = browserEngine) {
+  const page = { notices: createNotices(), dialogs: createDialogs() };
+  const host = new HostView(wish);
+  const settings = createSettings(heldSettings(wish.settings));
+  const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
+  keepWork(work, storage, () => page.notices.show({ kind: 'warn', key: 'files.storageFull' }));
+  const mine = { work, settings };
+  const firstSteps = { guide: createGuide(), tour: createTour() };
+  const sight = {
+    layout: createLayout(settings, host, firstSteps.guide.isShown),
+    alone: new ArenaAlone(),
+    gallery: createGallery(),
+  };
+  const talk = { console: new ConsoleModel(() => tableNow(mine)), jump: createJump(work) };
+  const runStart = shallowRef<Scene | null>(null);
+  const results = { hand: createHand(), dataLog: new DataLogModel(), sound: new SoundPlayer() };
+  const running = createRun({ ...page, ...mine, ...sight, ...talk, ...results, host, runStart }, engine);
+  followSettings({ ...mine, ...running });
+  const editor = createEditor({ ...mine, ...sight, ...running, runStart });
+  const editing = { editor, panels: createEditorPanels() };
+  return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host };
+}
+
+/** Hands each room's models to the components below. */
+export function provideParts(parts: AllParts): void {
+  providePage(parts);
+  provideVisit(parts);
+  provideWork(parts);
+  provideLayout(parts);
+  provideRun(parts);
+  provideConsole(parts);
+  provideCourseEditor(parts);
+  provideFirstSteps(parts);
+}
+
+/** What the settings say reaches the run, and the open course's name comes. */
+function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run'>): void {
+  run.setSpeed(settings.current.value.speed);
+  watch(
+    () => settings.current.value.speed,
+    (speed) => run.setSpeed(speed),
+  );
+  watch(
+    () => settings.current.value.arenaSenses,
+    (on) => run.input({ type: 'arena-senses', on }),
+  );
+  // Another device is another start. At once: a host that chooses one and starts must not be stopped by it afterwards.
+  watch(
+    () => JSON.stringify(deviceSettings(settings.current.value)),
+    () => void run.reset(),
+    { flush: 'sync' },
+  );
+  watch(
+    () => work.work.value.project.course,
+    // Without a connection the course is called as in its file.
+    (id) => void fetchNameOf(id).catch(() => undefined),
+    { immediate: true },
+  );
+}
+
+/** The course editor beside the run. */
+function createEditor(
+  parts: WorkParts &
+    Pick<RunParts, 'run' | 'hand'> &
+    Pick<LayoutParts, 'layout'> & { readonly runStart: ShallowRef<Scene | null> },
+): CourseEditorModel {
+  const { settings, work, run, hand, layout, runStart } = parts;
+  // Another course is another start: the run and the hand belong to the old one. Editing it is none.
+  watch(
+    work.openings,
+    () => {
+      hand.reset();
+      void run.reset();
+    },
+    { flush: 'sync' },
+  );
+  useLiveEdits(run, work, runStart);
+  return createCourseEditor({
+    work,
+    settings,
+    kind: layout.kind,
+    runStart,
+    isActive: run.isActive,
+    onEdit: (before, after) => {
+      hand.letGo(before, after);
+      // The last picture of a stopped run would hide what was changed.
+      const isOver = !run.isActive.value && run.snapshot.value !== null;
+      if (isOver && movesBodies(before, after)) void run.reset();
+    },
+  });
+}
+
+function firstWork(language: Language): Work {
+  const empty = { files: [{ name: MAIN, text: '' }], scene: defaultScene(), course: null };
+  return { project: firstCourse === undefined ? empty : projectOf(firstCourse, language), open: MAIN, previous: [] };
+}

@@ -1,0 +1,79 @@
+import type { Ended } from '#simulation/simulation';
+
+import { fetchAdvice } from '../console/advice/explain';
+import { errorText, placeIn, sourceAt } from '../console/error-text';
+import type { ConsoleParts } from '../console/parts';
+import type { LayoutParts } from '../layout/parts';
+import type { PageParts } from '../page/parts';
+import type { RunModel } from '../run/run-model';
+import { mispluggedNotice } from '../work/hardware/misplugged';
+import { hardwareNow, tableNow } from '../work/hardware/use-hardware';
+import type { WorkParts } from '../work/model/parts';
+
+/** Where a run is talked about. */
+export type RunMessages = WorkParts & ConsoleParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
+
+/** A robot on the wrong board is told in the arena; where that is not in sight, at the foot of the page. */
+export function showStart({ settings, work, layout, notices }: RunMessages): void {
+  const notice = layout.isShown.value.arena
+    ? null
+    : mispluggedNotice(work.work.value.project, settings.current.value, (wish) => settings.change(wish));
+  if (notice === null) notices.close();
+  else notices.show(notice);
+}
+
+/** Tells why a run could not begin. What measures a course is fetched only then. */
+export async function showFailure(parts: RunMessages, message: string): Promise<void> {
+  const { work, notices } = parts;
+  const [hardware, scene] = [hardwareNow(parts), work.scene.value];
+  try {
+    const { failureNotice } = await import('../run/failure-notice');
+    notices.show(failureNotice(message, hardware, scene));
+  } catch {
+    notices.show({ kind: 'error', key: 'notice.failed', values: { message } });
+  }
+}
+
+/** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
+export function showEnd(parts: RunMessages, ended: Ended, run: RunModel): void {
+  const { work, console, jump } = parts;
+  const { exception, kind } = ended;
+  const drives = isDriving(run);
+  if (kind === 'stopped') {
+    console.quieten(); // the pupil wanted it: nothing is wrong
+    console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted');
+    return;
+  }
+  if (kind === 'panic') {
+    console.addNote('console.panic');
+    return;
+  }
+  if (exception === null) {
+    console.addNote(drives ? 'console.finishedDriving' : 'console.finished');
+    return;
+  }
+  const files = work.files.value;
+  const place = placeIn(exception.traceback, files);
+  jump.wrong.value = place;
+  console.addError(place, { failure: exception, source: sourceAt(place, files), table: tableNow(parts) });
+  if (drives) console.addNote('console.motorsOn');
+  showErrorOnPhone(parts, ended, run);
+}
+
+/** A phone shows one pane: an error must not stay hidden behind a tab. Where a host has no console here, it shows its own. */
+function showErrorOnPhone(parts: RunMessages, ended: Ended, run: RunModel): void {
+  const { layout, notices } = parts;
+  if (layout.kind.value !== 'phone' || layout.isShown.value.console || !layout.tabs.value.includes('console')) return;
+  const show = (): void => void (layout.tab.value = 'console');
+  void fetchAdvice().then(() => {
+    const text = errorText(ended, parts);
+    if (text !== null && run.ended.value === ended)
+      notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
+  });
+}
+
+/** Whether the motors turn: they go on when the program is over, as on the real robot. */
+function isDriving(run: RunModel): boolean {
+  const duty = run.snapshot.value?.robot?.state.duty;
+  return duty !== undefined && (duty.left !== 0 || duty.right !== 0);
+}

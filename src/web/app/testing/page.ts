@@ -1,0 +1,42 @@
+import { effectScope, type EffectScope } from 'vue';
+
+import type { WorkerPort } from '../../run/run-client';
+import type { FromWorker, ToWorker } from '../../run/worker/protocol';
+import { noHost, type HostWish } from '../../visit/host-view';
+import { forgetful } from '../../work/model/keep-work';
+import { createParts, type AllParts } from '../provide-parts';
+
+/** A page without its components: all models, joined as in the browser. Its worker runs no program; the test speaks for it. */
+export interface TestPage extends AllParts {
+  /** What the page has sent to the worker so far. */
+  readonly sent: readonly ToWorker[];
+  /** Says something for the worker. */
+  readonly say: (message: FromWorker) => void;
+  /** Ends what the models listen to. */
+  readonly scope: EffectScope;
+}
+
+/** Makes the models of a page that keeps nothing. It needs a document: happy-dom in Node. */
+export function createPage(wish: Partial<HostWish> = {}): TestPage {
+  const sent: ToWorker[] = [];
+  let current: WorkerPort | null = null;
+  const say = (data: FromWorker): void => current?.onmessage?.({ data } as MessageEvent<FromWorker>);
+  const createWorker = (): WorkerPort => {
+    const worker: WorkerPort = {
+      onmessage: null,
+      onerror: null,
+      postMessage(message: ToWorker) {
+        sent.push(message);
+        if (message.type === 'run') current = worker;
+        if (message.type === 'stop') queueMicrotask(() => say({ type: 'stopped' }));
+      },
+      terminate: () => undefined,
+    };
+    return worker;
+  };
+  const engine = { createWorker, firmware: () => Promise.resolve({} as WebAssembly.Module) };
+  const scope = effectScope(true);
+  const parts = scope.run(() => createParts(forgetful, { ...noHost, ...wish }, engine));
+  if (parts === undefined) throw new Error('The scope of the page has ended.');
+  return { ...parts, sent, say, scope };
+}

@@ -1,0 +1,53 @@
+import { computed, onScopeDispose, watch, watchEffect, type ComputedRef } from 'vue';
+
+import type { PageParts } from '../page/parts';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+
+/** The tone that the run makes now, in Hz, whether it is heard or not; 0: none. */
+export function useTone({ run }: Pick<RunParts, 'run'>): ComputedRef<number> {
+  return computed(() => (run.phase.value === 'running' ? (run.snapshot.value?.sound?.hz ?? 0) : 0));
+}
+
+/** Lets the run be heard in time at 1 × and slower, unless muted; says so when the browser does not let it. */
+export function useSound({
+  run,
+  settings,
+  sound,
+  notices,
+}: Pick<PageParts, 'notices'> & Pick<RunParts, 'run' | 'sound'> & Pick<WorkParts, 'settings'>): void {
+  const muted = computed(() => settings.current.value.muted);
+  const speed = computed(() => (settings.current.value.speed === 'max' ? Infinity : settings.current.value.speed));
+  const options = { flush: 'sync' } as const; // inside the tap that starts a run or unmutes
+
+  watch(
+    run.phase,
+    (phase) => {
+      if (phase !== 'starting') return;
+      sound.start();
+      sound.wake();
+    },
+    options,
+  );
+  watchEffect(() => sound.setSpeed(run.phase.value === 'running' ? speed.value : 0), options);
+  watch(
+    muted,
+    (now) => {
+      sound.setMuted(now);
+      if (!now && run.isActive.value) sound.wake();
+    },
+    { ...options, immediate: true },
+  );
+  const wake = (): void => sound.wake();
+  watch(sound.isBlocked, (blocked) => {
+    if (blocked) notices.show({ kind: 'info', key: 'notice.soundBlocked' });
+    const change = blocked ? addEventListener : removeEventListener;
+    change('pointerdown', wake);
+    change('keydown', wake);
+  });
+  onScopeDispose(() => {
+    removeEventListener('pointerdown', wake);
+    removeEventListener('keydown', wake);
+    sound.dispose();
+  });
+}

@@ -1,0 +1,202 @@
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+
+import type { Vec } from '#core/geometry';
+import { usualToolOptions } from '#editor/tools/tool-options';
+import { nothingSelected, type Selection, type ToolId, type ToolOptions } from '#editor/tools/tool';
+import type { SceneEdit } from '#scene/edit';
+import type { SceneProblem } from '#scene/problem';
+import type { Scene } from '#scene/scene';
+
+import { waitsForStart } from './waiting';
+import type { LayoutKind } from '../../layout/layout-model';
+import type { SettingsModel } from '../../work/settings/settings-model';
+import type { WorkModel } from '../../work/model/work-model';
+
+/** What acts in the arena: a tool of the editor, or the hand, which reaches into the run. */
+export type ArenaTool = ToolId | 'hand';
+
+/** What of the editor comes late, with its first use. */
+export interface EditorParts {
+  /** Why an edit would go beyond what a course may hold, or `null`. */
+  problemOf(scene: Scene, edit: SceneEdit): SceneProblem | null;
+  /** What happened, in words for screen readers. */
+  wordsFor(happened: Happened): string;
+}
+
+/** Something that is said to screen readers. */
+export type Happened =
+  | {
+      readonly type: 'edit' | 'undo' | 'redo';
+      readonly before: Scene;
+      readonly after: Scene;
+      readonly edit: SceneEdit | null;
+    }
+  | { readonly type: 'problem'; readonly problem: SceneProblem }
+  | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
+  | { readonly type: 'tool'; readonly tool: ArenaTool };
+
+/** What the course editor is doing: chosen tool, its options, selection. Session state, never in a file. */
+export interface CourseEditorModel {
+  readonly tool: Readonly<ShallowRef<ArenaTool>>;
+  readonly options: Readonly<ShallowRef<ToolOptions>>;
+  readonly selection: Readonly<ShallowRef<Selection>>;
+  /** The palette is unfolded. Folded, only the hand acts. */
+  readonly isOpen: ComputedRef<boolean>;
+  /** Snapping is off. */
+  readonly free: ShallowRef<boolean>;
+  /** What the gesture amounts to so far; `null`: none. */
+  readonly drag: ShallowRef<SceneEdit | null>;
+  /** What the ruler measures, world mm; `null`: nothing yet. */
+  readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
+  /** The course that the run began with whose picture is shown; `null` without a run. */
+  readonly runStart: Readonly<ShallowRef<Scene | null>>;
+  /** A run is under way that does not know all of the course: walls, fixed things, the start. */
+  readonly isWaiting: ComputedRef<boolean>;
+  /** What has just happened, in words. */
+  readonly said: Readonly<ShallowRef<string>>;
+  /** Why the last edit was not done, or `null`. */
+  readonly problem: ShallowRef<SceneProblem | null>;
+  readonly choose: (tool: ArenaTool) => void;
+  readonly setOptions: (part: Partial<ToolOptions>) => void;
+  readonly select: (selection: Selection) => void;
+  /** Does an edit, as one step that can be taken back, in the course and in the run. Returns whether it was done. */
+  readonly commit: (edit: SceneEdit, select?: Selection) => boolean;
+  readonly undo: () => void;
+  readonly redo: () => void;
+  /** Unfolds the palette, or folds it away. */
+  readonly setOpen: (open: boolean) => void;
+  /** Called by what comes late. */
+  readonly join: (parts: EditorParts) => void;
+}
+
+/** What the editor works with. */
+export interface EditorSurroundings {
+  readonly work: WorkModel;
+  readonly settings: SettingsModel;
+  readonly kind: Readonly<ShallowRef<LayoutKind>>;
+  readonly runStart: Readonly<ShallowRef<Scene | null>>;
+  /** A run is under way. */
+  readonly isActive: Readonly<ShallowRef<boolean>>;
+  /** After an edit was done, taken back or done again. */
+  readonly onEdit: (before: Scene, after: Scene) => void;
+}
+
+/** Makes the course editor's state; it lives as long as the app. */
+export function createCourseEditor(around: EditorSurroundings): CourseEditorModel {
+  const editor = new CourseEditor(around);
+  // What is gone cannot be selected.
+  watch(around.work.scene, (scene) => editor.forgetGone(scene), { flush: 'sync' });
+  watch(around.work.openings, () => editor.reset());
+  watch(editor.isOpen, (open) => {
+    if (!open) editor.choose('hand');
+  });
+  return editor;
+}
+
+/** Its functions can be handed on alone. */
+class CourseEditor implements CourseEditorModel {
+  readonly tool = shallowRef<ArenaTool>('hand');
+  readonly options = shallowRef<ToolOptions>(usualToolOptions);
+  readonly selection = shallowRef(nothingSelected);
+  readonly free = shallowRef(false);
+  readonly drag = shallowRef<SceneEdit | null>(null);
+  readonly measure: CourseEditorModel['measure'] = shallowRef(null);
+  readonly said = shallowRef('');
+  readonly problem = shallowRef<SceneProblem | null>(null);
+  readonly runStart: CourseEditorModel['runStart'];
+  readonly isOpen: ComputedRef<boolean>;
+  readonly isWaiting: ComputedRef<boolean>;
+  private parts: EditorParts | null = null;
+
+  constructor(private readonly around: EditorSurroundings) {
+    const { settings, kind, work, runStart, isActive } = around;
+    this.runStart = runStart;
+    // A phone has room for the arena first; elsewhere the tools are in sight.
+    this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
+    this.isWaiting = computed(
+      () => isActive.value && runStart.value !== null && waitsForStart(runStart.value, work.scene.value),
+    );
+  }
+
+  readonly choose = (tool: ArenaTool): void => {
+    this.drag.value = null;
+    this.measure.value = null;
+    if (tool === this.tool.value) return;
+    this.tool.value = tool;
+    if (tool !== 'select' && tool !== 'rotate') this.selection.value = nothingSelected;
+    this.tell({ type: 'tool', tool });
+  };
+
+  readonly setOptions = (part: Partial<ToolOptions>): void => {
+    this.options.value = { ...this.options.value, ...part };
+  };
+
+  readonly select = (selection: Selection): void => {
+    if (isSameSelection(selection, this.selection.value)) return;
+    this.selection.value = selection;
+    this.tell({ type: 'selected', selection, scene: this.around.work.scene.value });
+  };
+
+  readonly commit = (edit: SceneEdit, select?: Selection): boolean => {
+    const { work } = this.around;
+    this.problem.value = this.parts?.problemOf(work.scene.value, edit) ?? null;
+    if (this.problem.value !== null) {
+      this.tell({ type: 'problem', problem: this.problem.value });
+      return false;
+    }
+    const done = this.step('edit', () => work.edit(edit), edit);
+    if (select !== undefined) this.selection.value = select;
+    return done;
+  };
+
+  readonly undo = (): void => void this.step('undo', () => this.around.work.undo(), null);
+
+  readonly redo = (): void => void this.step('redo', () => this.around.work.redo(), null);
+
+  readonly setOpen = (open: boolean): void => this.around.settings.change({ showTools: open });
+
+  readonly join = (parts: EditorParts): void => {
+    const isFirst = this.parts === null;
+    this.parts = parts;
+    // The tool that brought them has been chosen already.
+    if (isFirst && this.tool.value !== 'hand') this.tell({ type: 'tool', tool: this.tool.value });
+  };
+
+  /** Selects no more what a course does not have. */
+  forgetGone(scene: Scene): void {
+    const { ids, robot } = this.selection.value;
+    if (ids.length === 0) return;
+    const all = new Set(scene.objects.map(({ id }) => id));
+    const left = ids.filter((id) => all.has(id));
+    if (left.length < ids.length) this.selection.value = { ids: left, robot };
+  }
+
+  /** For another course. */
+  reset(): void {
+    this.selection.value = nothingSelected;
+    this.drag.value = null;
+    this.measure.value = null;
+    this.problem.value = null;
+  }
+
+  private step(type: 'edit' | 'undo' | 'redo', act: () => boolean, edit: SceneEdit | null): boolean {
+    const { work, onEdit } = this.around;
+    const before = work.scene.value;
+    this.drag.value = null;
+    if (!act()) return false;
+    const after = work.scene.value;
+    onEdit(before, after);
+    this.tell({ type, before, after, edit });
+    return true;
+  }
+
+  private tell(happened: Happened): void {
+    const words = this.parts?.wordsFor(happened) ?? '';
+    // The same words again are only heard if something of them differs.
+    this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;
+  }
+}
+
+/** Whether two selections hold the same. */
+export const isSameSelection = (one: Selection, other: Selection): boolean =>
+  one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);

@@ -1,0 +1,77 @@
+import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+
+/** What a gallery shows: all robots or one, all courses or one. */
+export type GalleryPage =
+  | { readonly kind: 'all' }
+  | { readonly kind: 'robot'; readonly robot: string }
+  | { readonly kind: 'courses' }
+  | { readonly kind: 'course'; readonly course: string };
+
+/**
+ * Which gallery is open, and where: that of the robots or that of the courses. Their pages have addresses (`#robots`,
+ * `#robots/callibot`, `#courses`, `#courses/slalom`): teachers can hand them on, and the browser's back button leads back.
+ */
+export interface GalleryModel {
+  /** `null`: closed. */
+  readonly page: Readonly<ShallowRef<GalleryPage | null>>;
+  /** Opens the page of a robot, or all robots. */
+  open(robot?: string): void;
+  /** Opens the page of a course, or all courses. */
+  openCourses(course?: string): void;
+  /** The page of a course becomes that of another: the back button leads past it. */
+  replaceCourse(course: string): void;
+  close(): void;
+}
+
+const ROBOTS = 'robots';
+const COURSES = 'courses';
+/** Under this name the browser's history keeps how many pages were opened. */
+const DEPTH = 'galleryPages';
+
+/** What a page's address asks for: the part behind `#`. A course is known by what people write from memory, too. */
+export function galleryPage(hash: string): GalleryPage | null {
+  const [name, id = '', ...more] = hash
+    .replace(/^#/, '')
+    .replace(/^courses?[=/]/, 'courses/')
+    .split('/');
+  if (more.length > 0) return null;
+  if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
+  if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
+  return null;
+}
+
+export function createGallery(): GalleryModel {
+  const page = shallowRef(galleryPage(location.hash));
+  const follow = (): void => {
+    page.value = galleryPage(location.hash);
+  };
+  addEventListener('popstate', follow);
+  onScopeDispose(() => removeEventListener('popstate', follow));
+  function go(gallery: string, id: string | undefined): void {
+    history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${gallery}` : `#${gallery}/${id}`);
+    follow();
+  }
+  return {
+    page,
+    open: (robot) => go(ROBOTS, robot),
+    openCourses: (course) => go(COURSES, course),
+    replaceCourse(course) {
+      history.replaceState({ [DEPTH]: depth() }, '', `#${COURSES}/${course}`);
+      follow();
+    },
+    close() {
+      if (page.value === null) return;
+      page.value = null;
+      // The pages that were opened from the app leave the history; an address that was followed is only left.
+      if (depth() > 0) history.go(-depth());
+      else history.replaceState(null, '', location.pathname + location.search);
+    },
+  };
+}
+
+/** How many pages of a gallery were opened since the app itself was in sight. */
+function depth(): number {
+  const state = history.state as Readonly<Record<string, unknown>> | null;
+  const value = state?.[DEPTH];
+  return typeof value === 'number' ? value : 0;
+}

@@ -1,0 +1,11 @@
+import type { DialogsModel } from './dialogs';
+import type { NoticesModel } from './notices';
+import { part } from './part';
+
+/** What any part of the page may say or ask. */
+export interface PageParts {
+  readonly notices: NoticesModel;
+  readonly dialogs: DialogsModel;
+}
+
+export const [providePage, usePage] = part<PageParts>('page');

@@ -1,0 +1,76 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import { textBytesOf } from '#board/radio-text';
+import type { RadioPacket } from '#simulation/outlets';
+
+import type { RunModel } from './run-model';
+
+/** One packet in the list, oldest first. */
+export interface RadioEntry {
+  readonly id: number;
+  /** Simulated time. */
+  readonly timeUs: number;
+  /** Sent by the program, or by hand to the program. */
+  readonly from: 'program' | 'hand';
+  /** Its text, or its bytes as hexadecimal digits where it is none. */
+  readonly text: string;
+  readonly isText: boolean;
+  /** Sent by hand while the program's radio was off: nobody received it. */
+  readonly isLost?: true;
+}
+
+/** Packets that are kept. Chosen: more than anyone reads, little enough to draw. */
+export const RADIO_ENTRIES = 200;
+
+/** Bytes of text that a message has room for as the radio is at its start: 32 (modradio.c), less the 3 before a text. */
+export const USUAL_TEXT_BYTES = 29;
+
+/** Likewise for `radio.config(length=251)`, the longest there is. */
+export const MOST_TEXT_BYTES = 248;
+
+/** What goes over the air in this run: what the program sent, and what was sent to it by hand. */
+export class RadioModel {
+  readonly entries: ShallowRef<readonly RadioEntry[]> = shallowRef([]);
+  /** Older packets have been dropped. */
+  readonly isCut = shallowRef(false);
+  private nextId = 1;
+
+  constructor(private readonly run: Pick<RunModel, 'input' | 'nowUs'>) {}
+
+  /** Adds what the program sent. @param dropped packets before these that nobody kept */
+  take(packets: readonly RadioPacket[], dropped: number): void {
+    if (dropped > 0) this.isCut.value = true;
+    if (packets.length === 0) return;
+    this.add(packets.map(({ timeUs, bytes }) => ({ timeUs, from: 'program' as const, ...readable(bytes) })));
+  }
+
+  /** Sends a text to the program. @param heard whether its radio is on */
+  send(text: string, heard = true): void {
+    this.run.input({ type: 'radio', text });
+    this.add([{ timeUs: this.run.nowUs.value, from: 'hand', text, isText: true, ...(!heard && { isLost: true }) }]);
+  }
+
+  clear(): void {
+    this.entries.value = [];
+    this.isCut.value = false;
+  }
+
+  private add(news: readonly Omit<RadioEntry, 'id'>[]): void {
+    const all = [...this.entries.value, ...news.map((entry) => ({ ...entry, id: this.nextId++ }))];
+    if (all.length > RADIO_ENTRIES) this.isCut.value = true;
+    this.entries.value = all.slice(-RADIO_ENTRIES);
+  }
+}
+
+/** A packet as people read it: the text of `radio.send`, or else the bytes in hexadecimal. */
+export function readable(bytes: readonly number[]): Pick<RadioEntry, 'text' | 'isText'> {
+  const textBytes = textBytesOf(bytes);
+  if (textBytes !== null) {
+    try {
+      return { text: new TextDecoder('utf-8', { fatal: true }).decode(textBytes), isText: true };
+    } catch {
+      // Not a text after all: shown as bytes.
+    }
+  }
+  return { text: bytes.map((byte) => byte.toString(16).padStart(2, '0')).join(' '), isText: false };
+}

@@ -1,0 +1,155 @@
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+
+import { defaultScene } from '#scene/scene';
+
+import type { FromWorker, ToWorker } from './worker/protocol';
+import type { WorkerPort } from './run-client';
+import { RunModel, type RunHost } from './run-model';
+
+/** A worker that answers as ours does, a moment later. */
+class QuickWorker implements WorkerPort {
+  static readonly sent: ToWorker[] = [];
+  onmessage: WorkerPort['onmessage'] = null;
+  onerror: WorkerPort['onerror'] = null;
+  postMessage(message: ToWorker): void {
+    const { type } = message;
+    QuickWorker.sent.push(message);
+    const answer = { prepare: 'prepared', run: 'started', stop: 'stopped' }[type as string];
+    if (answer !== undefined) setTimeout(() => this.say({ type: answer } as FromWorker));
+  }
+  terminate(): void {
+    this.onmessage = null;
+  }
+  private say(data: FromWorker): void {
+    this.onmessage?.({ data } as MessageEvent<FromWorker>);
+  }
+}
+
+const nothing = (): void => undefined;
+const newRun = (host: Partial<RunHost> = {}): RunModel =>
+  new RunModel({
+    createWorker: () => new QuickWorker(),
+    firmware: () => Promise.resolve({} as WebAssembly.Module),
+    setup: () => ({
+      scene: defaultScene(),
+      files: { 'main.py': '' },
+      ...{ robot: 'auto', board: 'auto', seed: 1, reality: 0 },
+    }),
+    ...{ onInput: nothing, onStart: nothing, onOutput: nothing, onEnded: nothing, onRestarted: nothing },
+    ...{ onEvents: nothing, onUnavailable: nothing, onFailed: nothing, onRefused: nothing, onKilled: nothing },
+    ...host,
+  });
+const aMoment = (): Promise<void> => new Promise((resolve) => setTimeout(resolve, 20));
+
+describe('a run that is put back to its start', () => {
+  beforeEach(() => {
+    vi.stubGlobal('requestAnimationFrame', () => 0);
+    vi.stubGlobal('cancelAnimationFrame', nothing);
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+  });
+
+  it('and started in the same breath runs: the start came last', async () => {
+    const run = newRun();
+    void run.reset();
+    void run.start();
+    await aMoment();
+    expect(run.phase.value).toBe('running');
+  });
+
+  it('and started while the run before is being stopped runs, too', async () => {
+    const run = newRun();
+    await run.start();
+    await aMoment();
+    void run.reset();
+    expect(run.phase.value).toBe('stopping');
+    void run.start();
+    await aMoment();
+    expect(run.phase.value).toBe('running');
+    await run.reset();
+    expect(run.phase.value).toBe('ready');
+  });
+
+  it('while it is being stopped is at its start when both are done', async () => {
+    const run = newRun();
+    await run.start();
+    await aMoment();
+    void run.stop();
+    await run.reset();
+    expect(run.phase.value).toBe('ready');
+    await aMoment();
+    expect(run.phase.value).toBe('ready');
+  });
+});
+
+describe('a run whose VM is on its way', () => {
+  beforeEach(() => {
+    vi.stubGlobal('requestAnimationFrame', () => 0);
+    vi.stubGlobal('cancelAnimationFrame', nothing);
+    QuickWorker.sent.length = 0;
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+  });
+  const serial = (text: string) => ({ type: 'serial', text }) as const;
+  const inputs = () => QuickWorker.sent.flatMap((message) => (message.type === 'input' ? [message.action] : []));
+
+  it('is given what is typed meanwhile, also in the moment of the start', async () => {
+    const run: RunModel = newRun({ onStart: () => run.input(serial('first')) });
+    void run.start();
+    run.input(serial('second'));
+    await aMoment();
+    expect(inputs()).toEqual([serial('first'), serial('second')]);
+  });
+
+  it('is not given what was typed for the one before, which was stopped', async () => {
+    const run = newRun();
+    void run.start();
+    run.input(serial('old'));
+    await run.stop();
+    expect(run.phase.value).toBe('stopped');
+    void run.start();
+    run.input(serial('new'));
+    await aMoment();
+    expect(inputs()).toEqual([serial('new')]);
+  });
+
+  it('is stopped at once although it never comes', async () => {
+    const run = newRun({ firmware: () => new Promise(nothing) });
+    void run.start();
+    await run.stop();
+    expect(run.phase.value).toBe('stopped');
+  });
+
+  it('does not begin where it is stopped by who hears of its start', async () => {
+    const run: RunModel = newRun({ onStart: () => void run.stop() });
+    void run.start();
+    await aMoment();
+    expect(run.phase.value).toBe('stopped');
+    expect(QuickWorker.sent.map(({ type }) => type)).not.toContain('run');
+  });
+
+  it('stands still after one step where step is pressed meanwhile, and has the speed that was chosen meanwhile', async () => {
+    const run = newRun();
+    void run.start();
+    run.step();
+    run.setSpeed(4);
+    expect(run.phase.value).toBe('starting');
+    await aMoment();
+    expect(run.phase.value).toBe('paused');
+    expect(QuickWorker.sent.map(({ type }) => type).slice(0, 4)).toEqual(['prepare', 'run', 'step', 'speed']);
+  });
+
+  it('has not failed where it was stopped before its VM failed', async () => {
+    let fail = nothing;
+    const told: string[] = [];
+    const firmware = () => new Promise<WebAssembly.Module>((_, reject) => (fail = () => reject(new Error('offline'))));
+    const run = newRun({ firmware, onUnavailable: () => told.push('unavailable') });
+    void run.start();
+    await run.stop();
+    fail();
+    await aMoment();
+    expect([run.phase.value, told]).toEqual(['stopped', []]);
+  });
+});

@@ -1,0 +1,250 @@
+import { computed, shallowRef, type ShallowRef } from 'vue';
+
+import type { InputAction } from '#simulation/input';
+import type { RunSetup } from '#simulation/run-setup';
+import type { Ended, Snapshot } from '#simulation/simulation';
+
+import { Trail } from './trail';
+import { SPEEDS, type FromWorker, type RunEvents, type Speed } from './worker/protocol';
+import { RunClient, type ClientOptions } from './run-client';
+
+/**
+ * Where a run stands. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: likewise, ended by
+ * force. `failed`: broken inside or never started.
+ */
+export type RunPhase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';
+
+/** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
+const BUSY_AFTER_MS = 1000;
+
+/** What a run needs of the app around it. */
+export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
+  setup(): RunSetup;
+  /** Something was done to the board, whether a run takes it or not. */
+  onInput(action: InputAction): void;
+  onStart(): void;
+  onOutput(text: string): void;
+  onEnded(ended: Ended): void;
+  /** The program runs again from its start: Ctrl-D at the REPL. */
+  onRestarted(): void;
+  /** What sounded, was sent by radio and was logged. */
+  onEvents(events: RunEvents): void;
+  /** The VM could not be loaded: no connection, most likely. */
+  onUnavailable(): void;
+  onFailed(message: string): void;
+  /** The run did not take an input; it goes on without it. */
+  onRefused(message: string): void;
+  onKilled(): void;
+}
+
+/** The run as the page sees it. Reading is free; every wish goes to the worker and comes back as a change here. */
+export class RunModel {
+  readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
+  readonly snapshot: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** Where the robot has come by; what it holds changes with `snapshot`. */
+  readonly trail = new Trail();
+  readonly ended: ShallowRef<Ended | null> = shallowRef(null);
+  readonly nowUs = shallowRef(0);
+  /** Simulated seconds per wall second reached lately; `null` while unknown. */
+  readonly achieved: ShallowRef<number | null> = shallowRef(null);
+  readonly isBusy = shallowRef(false);
+  /** What every Run button does instead of starting, for a host that brings its program first; `null`: it starts. */
+  readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
+  readonly isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(this.phase.value));
+  private speed: Speed = 1;
+  private frameAsked = false;
+  private heardMs = 0;
+  private frame = 0;
+  private readonly client: RunClient;
+
+  constructor(private readonly host: RunHost) {
+    this.client = new RunClient({
+      createWorker: () => host.createWorker(),
+      firmware: () => host.firmware(),
+      onMessage: (message) => this.hear(message),
+      onKilled: () => {
+        this.end('killed');
+        host.onKilled();
+      },
+    });
+  }
+
+  /** Makes the next run immediate. Failing is not told: the run will. */
+  warmUp(): void {
+    this.client.warmUp().catch(() => undefined);
+  }
+
+  /** What every Run button does: the program runs, or a host that brings the program first is asked for it. */
+  press(): void {
+    if (this.ask.value === null) void this.start();
+    else this.ask.value();
+  }
+
+  /** Starts anew, also while a run is under way; `paused` starts it standing still. */
+  async start(paused = false): Promise<void> {
+    this.starts += 1;
+    const { starts } = this;
+    this.client.expect();
+    this.phase.value = 'starting';
+    this.trail.clear();
+    this.snapshot.value = null;
+    this.ended.value = null;
+    this.nowUs.value = 0;
+    this.achieved.value = null;
+    this.frameAsked = false;
+    this.startsPaused = paused;
+    this.host.onStart();
+    const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
+    if (!isWanted()) return; // whoever heard of the start has stopped it
+    try {
+      await this.client.start(this.host.setup(), this.speed, paused);
+    } catch {
+      if (!isWanted()) return;
+      this.end('failed');
+      this.host.onUnavailable();
+    }
+  }
+  private startsPaused = false;
+  /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
+  private starts = 0;
+
+  /** Ends the run, or its start; the last picture stays. Done when it is over, also for who asks a second time. */
+  stop(): Promise<void> {
+    if (this.isActive.value && this.phase.value !== 'stopping') {
+      this.phase.value = 'stopping';
+      this.stopping = this.endRun(this.starts);
+    }
+    return this.stopping;
+  }
+  private stopping: Promise<void> = Promise.resolve();
+
+  private async endRun(starts: number): Promise<void> {
+    const result = await this.client.stop();
+    if (result === 'stopped' && starts === this.starts && this.isActive.value) this.end('stopped');
+  }
+
+  /** Ends the run and puts everything back to the start. */
+  async reset(): Promise<void> {
+    const { starts } = this;
+    await this.stop();
+    if (starts !== this.starts) return;
+    this.phase.value = 'ready';
+    this.trail.clear();
+    this.snapshot.value = null;
+    this.ended.value = null;
+    this.nowUs.value = 0;
+  }
+
+  pause(): void {
+    if (this.phase.value !== 'running') return;
+    this.client.send({ type: 'pause' });
+    this.phase.value = 'paused';
+    this.achieved.value = null;
+  }
+
+  resume(): void {
+    if (this.phase.value !== 'paused') return;
+    this.client.send({ type: 'resume' });
+    this.phase.value = 'running';
+  }
+
+  /** One piece of simulated time, from standing still or from the start. */
+  step(): void {
+    if (!this.isActive.value) {
+      void this.start(true);
+      this.client.send({ type: 'step' });
+      return;
+    }
+    if (this.phase.value === 'stopping') return;
+    this.client.send({ type: 'step' });
+    this.startsPaused = true;
+    if (this.phase.value !== 'starting') this.phase.value = 'paused';
+    this.achieved.value = null;
+  }
+
+  setSpeed(speed: Speed): void {
+    this.speed = SPEEDS.includes(speed) ? speed : 1;
+    this.achieved.value = null;
+    this.client.send({ type: 'speed', speed: this.speed });
+  }
+
+  /** Does something to the run from outside, to one that starts at its first moment; without a run nothing happens. */
+  input(action: InputAction): void {
+    this.host.onInput(action);
+    if (this.isActive.value && !this.client.send({ type: 'input', action }))
+      this.host.onRefused('Too much is done before the program begins.');
+  }
+
+  private hear(message: FromWorker): void {
+    this.heardMs = performance.now();
+    this.isBusy.value = false;
+    switch (message.type) {
+      case 'prepared':
+        break;
+      case 'started':
+        if (this.phase.value === 'starting') this.phase.value = this.startsPaused ? 'paused' : 'running';
+        this.askFrames();
+        this.warmUp();
+        break;
+      case 'snapshot':
+        this.frameAsked = false;
+        this.trail.add(message.way);
+        this.snapshot.value = message.snapshot;
+        this.nowUs.value = message.snapshot.timeUs;
+        break;
+      case 'alive':
+        this.achieved.value = this.phase.value === 'running' ? message.achieved : null;
+        break;
+      case 'console':
+        this.host.onOutput(message.text);
+        this.client.send({ type: 'console-taken' });
+        break;
+      case 'program-ended':
+        this.ended.value = message.ended;
+        this.host.onEnded(message.ended);
+        break;
+      case 'program-restarted':
+        this.ended.value = null;
+        this.host.onRestarted();
+        break;
+      case 'events':
+        this.host.onEvents(message.events);
+        break;
+      case 'stopped':
+        this.end('stopped');
+        break;
+      case 'refused':
+        this.host.onRefused(message.message);
+        break;
+      case 'failed':
+        this.end('failed');
+        this.host.onFailed(message.message);
+        break;
+      default:
+        message satisfies never;
+    }
+  }
+
+  /** Asks for one picture per animation frame, and watches whether the worker still answers. */
+  private askFrames(): void {
+    cancelAnimationFrame(this.frame);
+    const ask = (): void => {
+      if (!this.isActive.value) return;
+      if (!this.frameAsked) {
+        this.frameAsked = true;
+        this.client.send({ type: 'frame' });
+      }
+      this.isBusy.value = this.phase.value === 'running' && performance.now() - this.heardMs > BUSY_AFTER_MS;
+      this.frame = requestAnimationFrame(ask);
+    };
+    ask();
+  }
+
+  private end(phase: 'stopped' | 'killed' | 'failed'): void {
+    cancelAnimationFrame(this.frame);
+    this.phase.value = phase;
+    this.achieved.value = null;
+    this.isBusy.value = false;
+    this.warmUp();
+  }
+}

@@ -1,0 +1,81 @@
+import { FILE_BYTES, freeName, nameProblem, type SourceFile } from '#project/project';
+
+import { stampSettings } from '../work/stamp-settings';
+import type { PageParts } from '../page/parts';
+import type { WorkParts, Workplace } from '../work/model/parts';
+import { useOpenings } from '../work/use-openings';
+import { workName } from '../work/work-name';
+
+/** A loaded file whose name is taken: the pupil says what is to become of it. */
+export interface Conflict {
+  readonly file: SourceFile;
+  /** The free name it could have. */
+  readonly as: string;
+}
+
+/** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
+export async function loadFiles(
+  app: Workplace,
+  files: Iterable<File>,
+  ask: (conflict: Conflict) => void,
+): Promise<void> {
+  for (const loaded of files) {
+    if (!loaded.name.toLowerCase().endsWith('.py')) {
+      await loadOther(app, loaded);
+      continue;
+    }
+    const file = await readFile(app, loaded);
+    if (file === null) continue;
+    const own = app.work.find(file.name);
+    if (own?.text === file.text) app.work.show(file.name);
+    else if (own === undefined) app.work.create(file.name, file.text);
+    else if (own.text.trim() === '') app.work.setText(file.name, file.text);
+    else {
+      ask({ file, as: freeName(file.name, app.work.files.value) });
+      continue;
+    }
+    app.notices.show({ kind: 'ok', key: 'files.loaded', values: { file: file.name } });
+  }
+}
+
+/** Projects and courses, and what is nothing of ours. */
+async function loadOther(app: Workplace, loaded: File): Promise<void> {
+  const share = await import('./open-json').catch(() => null);
+  if (share === null) app.notices.show({ kind: 'error', key: 'notice.firmware' });
+  else await share.openJsonFile(app, loaded);
+}
+
+async function readFile({ notices }: Pick<PageParts, 'notices'>, loaded: File): Promise<SourceFile | null> {
+  const file = loaded.name;
+  if (nameProblem(file, []) !== null) {
+    notices.show({ kind: 'error', key: 'files.notPython', values: { file } });
+    return null;
+  }
+  if (loaded.size > FILE_BYTES) {
+    const values = { file, size: Math.ceil(loaded.size / 1024), max: FILE_BYTES / 1024 };
+    notices.show({ kind: 'error', key: 'files.tooLarge', values });
+    return null;
+  }
+  try {
+    const text = new TextDecoder('utf-8', { fatal: true }).decode(await loaded.arrayBuffer());
+    return { name: file, text: text.replaceAll('\r\n', '\n') };
+  } catch {
+    notices.show({ kind: 'error', key: 'files.notText', values: { file } });
+    return null;
+  }
+}
+
+/** Lets a loaded file take the place of the one with its name; the whole work is put aside first, and can be had back. */
+export function replaceFile(app: Workplace, file: SourceFile): void {
+  stampSettings(app);
+  app.work.replace(file, workName(app));
+  const kept = app.work.work.value.previous[0];
+  const action = kept && ({ key: 'course.restore', run: () => useOpenings(app).restore(kept) } as const);
+  app.notices.show({ kind: 'ok', key: 'files.replaced', values: { file: file.name }, ...(action && { action }) });
+}
+
+/** Takes a loaded file in under a name that is free. */
+export function loadBeside(app: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>, file: SourceFile): void {
+  const as = app.work.takeIn(file);
+  app.notices.show({ kind: 'ok', key: 'files.loadedAs', values: { file: file.name, as } });
+}

@@ -1,0 +1,167 @@
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+
+import { freeName, MAIN, type Project, type SourceFile } from '#project/project';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import { advanced, historyOf, redone, undone, type History } from '#scene/history';
+import type { Scene } from '#scene/scene';
+
+import { putAside, type Previous, type Work } from '../storage/history';
+
+/**
+ * The pupil's work: files, the one that is shown, the course with the way it came about, and what was put aside. All
+ * changes go through here.
+ */
+export class WorkModel {
+  readonly work: ShallowRef<Work>;
+  readonly files: ComputedRef<readonly SourceFile[]>;
+  readonly scene: ComputedRef<Scene>;
+  readonly open: ComputedRef<SourceFile>;
+  /** Counts the courses that were opened: each is another start, with nothing to take back. */
+  readonly openings: ShallowRef<number> = shallowRef(0);
+  readonly canUndo: ComputedRef<boolean>;
+  readonly canRedo: ComputedRef<boolean>;
+  /** The present work was brought by a host or by the address, with what they hold for it. */
+  isBrought = false;
+  private readonly history: ShallowRef<History>;
+  /** What was opened: a course that is called otherwise, or asks for something else, is no ready course any more. */
+  private origin: Project;
+
+  constructor(
+    work: Work,
+    private readonly nowMs: () => number,
+  ) {
+    this.work = shallowRef(work);
+    this.history = shallowRef(historyOf(work.project.scene));
+    this.origin = work.project;
+    this.canUndo = computed(() => this.history.value.past.length > 0);
+    this.canRedo = computed(() => this.history.value.future.length > 0);
+    this.files = computed(() => this.work.value.project.files);
+    this.scene = computed(() => this.work.value.project.scene);
+    this.open = computed(() => this.find(this.work.value.open) ?? { name: MAIN, text: '' });
+  }
+
+  find(name: string): SourceFile | undefined {
+    return this.files.value.find((file) => file.name === name);
+  }
+
+  show(name: string): void {
+    if (this.find(name) !== undefined) this.work.value = { ...this.work.value, open: name };
+  }
+
+  setText(name: string, text: string): void {
+    this.setFiles(this.files.value.map((file) => (file.name === name ? { name, text } : file)));
+  }
+
+  /** Adds a file and shows it; its name must be free. */
+  create(name: string, text = ''): void {
+    this.setFiles([...this.files.value, { name, text }], name);
+  }
+
+  rename(from: string, to: string): void {
+    if (from === MAIN) return;
+    const open = this.work.value.open === from ? to : this.work.value.open;
+    this.setFiles(
+      this.files.value.map((file) => (file.name === from ? { name: to, text: file.text } : file)),
+      open,
+    );
+  }
+
+  remove(name: string): void {
+    if (name === MAIN) return;
+    const index = this.files.value.findIndex((file) => file.name === name);
+    const open = this.work.value.open === name ? this.files.value[index - 1]?.name : this.work.value.open;
+    this.setFiles(
+      this.files.value.filter((file) => file.name !== name),
+      open,
+    );
+  }
+
+  /** Takes a loaded file in under a name that is free; never over another one. Returns the name. */
+  takeIn(file: SourceFile): string {
+    const name = this.find(file.name) === undefined ? file.name : freeName(file.name, this.files.value);
+    this.create(name, file.text);
+    return name;
+  }
+
+  /** Replaces a file's text after putting the whole work aside. */
+  replace(file: SourceFile, nameOfOld: string): void {
+    this.keep(nameOfOld);
+    this.setText(file.name, file.text);
+    this.show(file.name);
+  }
+
+  /** Changes the course; one step that can be taken back. Returns whether anything changed. */
+  edit(edit: SceneEdit): boolean {
+    return this.step(advanced(this.history.value, applyEdit(this.scene.value, edit)));
+  }
+
+  /** Takes the last change of the course back. Returns whether there was one. */
+  undo(): boolean {
+    return this.step(undone(this.history.value));
+  }
+
+  /** Does again what was taken back last. Returns whether there was something. */
+  redo(): boolean {
+    return this.step(redone(this.history.value));
+  }
+
+  /** How the course came about, for who keeps it. */
+  get way(): History {
+    return this.history.value;
+  }
+
+  /** Takes up a way that was kept, unless the course has gone on since. */
+  takeUp(way: History): void {
+    const { past, present, future } = this.history.value;
+    if (past.length + future.length === 0 && present === way.present) this.history.value = way;
+  }
+
+  /** Opens another course, the files stay; the work so far is put aside when `nameOfOld` is given. */
+  setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
+    this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);
+  }
+
+  /** Opens another project; the work so far is put aside when `nameOfOld` is given. */
+  openProject(project: Project, nameOfOld: string | null): void {
+    this.put(project, MAIN, nameOfOld);
+  }
+
+  /** Brings a piece of earlier work back and puts the present one in its place. */
+  restore(entry: Previous, nameOfOld: string): void {
+    const rest = this.work.value.previous.filter((other) => other !== entry);
+    this.work.value = { ...this.work.value, previous: rest };
+    this.openProject(entry.project, nameOfOld);
+  }
+
+  private put(project: Project, open: string, nameOfOld: string | null): void {
+    if (nameOfOld !== null) this.keep(nameOfOld);
+    // Another program in the same course takes nothing from its history.
+    if (this.history.value.present !== project.scene) {
+      this.history.value = historyOf(project.scene);
+      this.origin = project;
+      // Told first: a run of the old course must be over before it hears of the new one.
+      this.openings.value += 1;
+    }
+    this.work.value = { ...this.work.value, project, open };
+  }
+
+  private step(history: History): boolean {
+    const { present } = history;
+    if (present === this.scene.value) return false;
+    this.history.value = history;
+    const { course, scene } = this.origin;
+    const isCalledSo = present.name === scene.name && present.description === scene.description;
+    const project = { ...this.work.value.project, scene: present, course: isCalledSo ? course : null };
+    this.work.value = { ...this.work.value, project };
+    return true;
+  }
+
+  private keep(name: string): void {
+    const { project, previous } = this.work.value;
+    this.work.value = { ...this.work.value, previous: putAside(previous, project, name, this.nowMs()) };
+  }
+
+  private setFiles(files: readonly SourceFile[], open = this.work.value.open): void {
+    this.work.value = { ...this.work.value, open, project: { ...this.work.value.project, files } };
+  }
+}
