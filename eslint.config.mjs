@@ -8,7 +8,13 @@ const outside = ['cli', 'web', 'embed'];
 const pureRooms = Object.keys(layers)
   .filter((room) => !outside.includes(room))
   .map((room) => `src/${room}/**/*.ts`);
-const tests = ['src/**/*.test.ts', 'src/**/testing/**/*.ts', 'e2e/**/*.ts', 'scripts/**/*.test.mjs'];
+const tests = [
+  'src/**/*.test.ts',
+  'examples/dev/*.test.ts',
+  'src/**/testing/**/*.ts',
+  'e2e/**/*.ts',
+  'scripts/**/*.test.mjs',
+];
 const buildCode = ['src/vm/firmware/**'];
 const inNode = ['scripts/**/*.mjs', 'bin/**/*.mjs', '*.mjs', 'src/vm/firmware/**/*.mjs', 'e2e/**/*.mjs'];
 
@@ -90,7 +96,7 @@ export default tseslint.config(
 
   // TypeScript: the strict set, with type information.
   {
-    files: ['src/**/*.ts', 'e2e/**/*.ts', 'bench/**/*.ts', '*.config.ts'],
+    files: ['src/**/*.ts', 'e2e/**/*.ts', 'bench/**/*.ts', 'examples/dev/*.ts', '*.config.ts'],
     extends: [tseslint.configs.strictTypeChecked],
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {

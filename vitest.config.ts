@@ -9,7 +9,7 @@ import { defineConfig } from 'vitest/config';
 export default defineConfig({
   plugins: [vue(), vuetify({ autoImport: true })],
   test: {
-    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'courses/**/*.test.ts'],
+    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'courses/**/*.test.ts', 'examples/dev/*.test.ts'],
     environment: 'node',
     server: { deps: { inline: ['vuetify'] } },
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time

@@ -1,0 +1,21 @@
+// npm run example NAME: runs one of the small programs for developers in examples/dev; without a name it lists them.
+import { existsSync, readdirSync } from 'node:fs';
+import { join } from 'node:path';
+import { runnerImport } from 'vite';
+import { Failure, main, root } from './progress.mjs';
+
+const FOLDER = 'examples/dev';
+const names = () =>
+  readdirSync(join(root, FOLDER)).flatMap((file) => (/^(?!examples?\b).*\.ts$/.test(file) ? [file.slice(0, -3)] : []));
+
+await main(import.meta.url, async ([name]) => {
+  if (name === undefined) {
+    console.log(names().join('\n'));
+    return;
+  }
+  const path = `${FOLDER}/${name}.ts`;
+  if (!existsSync(join(root, path)))
+    throw new Failure(`There is no example ${name}. There are: ${names().join(', ')}.`);
+  const { module } = await runnerImport(join(root, path), { root, configFile: false, logLevel: 'error' });
+  await /** @type {any} */ (module).main(console.log);
+});
