@@ -1,14 +1,16 @@
 import type { Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
+import { boundsOf } from '#scene/kinds/index';
 import type { Bounds, Outline } from '#scene/outline';
 import { sceneLimits, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { boundsAll } from './bounds';
 import { changing, combined, startingAt } from './edits';
+import { kindOf, middleOf, movedBy } from './kinds/index';
 import { middleBetween, toPoint, toVec, turnedAbout, within, wrappedDeg } from './plane';
 import { placeInside } from './robot-place';
 import { selectedObjects } from './selection';
-import { boundsAll, boundsAround } from './shape';
 import type { Selection } from './tools/tool';
-import { middleOf, movedBy, turnedObject, turnsInEighths } from './transform';
 
 /** So much of what is moved stays in the arena, so that it can be taken hold of again. Chosen: a fingertip's width. */
 const STAYS_MM = 10;
@@ -24,7 +26,7 @@ export function moved(
   footprint: readonly Outline[] = [],
 ): SceneEdit | null {
   const objects = selectedObjects(scene, selection);
-  const around = boundsAll(objects.map(boundsAround));
+  const around = boundsAll(objects.map(boundsOf));
   const [dx, dy] = around ? stepInside(around, by, scene.size) : [0, 0];
   return combined([
     dx === 0 && dy === 0 ? null : changing(objects.map((object) => movedBy(object, dx, dy))),
@@ -86,9 +88,9 @@ export function turnedBy(
   const isOne = objects.length + (selection.robot ? 1 : 0) === 1;
   // About a whole place quarter turns of several things lose nothing.
   const pivot = isOne ? middle : toVec(toPoint(middle));
-  const changed = objects.map((object) => withinLimits(turnedObject(object, pivot, angleDeg), object));
+  const changed = objects.map((object) => kindOf(object).turned(object, pivot, angleDeg));
   return combined([
-    changing(changed.filter((object, index) => !isSame(object, objects[index]))),
+    changing(changed.filter((object, index) => !isUnturned(object, objects[index]))),
     selection.robot ? robotTurned(scene, pivot, angleDeg, footprint) : null,
   ]);
 }
@@ -103,7 +105,7 @@ export const turned = (
 
 /** Whether a selection can only be turned in eighths because something in it can. */
 export const selectionTurnsInEighths = (scene: Scene, selection: Selection): boolean =>
-  selectedObjects(scene, selection).some(turnsInEighths);
+  selectedObjects(scene, selection).some((object) => kindOf(object).turnsInEighths);
 
 function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: readonly Outline[]): SceneEdit | null {
   const { robot, size } = scene;
@@ -112,20 +114,6 @@ function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: read
   return startingAt(scene, { at: placeInside({ ...robot, at, heading }, size, footprint), heading });
 }
 
-/** At the very end of what a course may hold a turn could press ends together: then the object stays as it was. */
-function withinLimits(object: SceneObject, before: SceneObject): SceneObject {
-  if (object.type !== 'wall') return object;
-  return object.from[0] === object.to[0] && object.from[1] === object.to[1] ? before : object;
-}
-
 /** Whether rounding to whole mm left a line where it was; what has a turn was turned. */
-function isSame(one: SceneObject, other: SceneObject | undefined): boolean {
-  if (one === other) return true;
-  if (one.type === 'wall' && other?.type === 'wall')
-    return isSamePlace(one.from, other.from) && isSamePlace(one.to, other.to);
-  if (one.type === 'stroke' && other?.type === 'stroke')
-    return one.points.every((point, index) => isSamePlace(point, other.points[index]));
-  return false;
-}
-
-const isSamePlace = (one: Point, other: Point | undefined): boolean => one[0] === other?.[0] && one[1] === other[1];
+const isUnturned = (object: SceneObject, before: SceneObject | undefined): boolean =>
+  object === before || (!('turn' in object) && isSame(object, before));

@@ -1,13 +1,14 @@
 import type { SceneEdit } from '#scene/edit';
+import { boundsOf } from '#scene/kinds/index';
 import type { Scene, SceneObject } from '#scene/scene';
 import { stepInside } from './arrange';
+import { boundsAll } from './bounds';
 import { adding } from './edits';
 import { freeIds } from './ids';
+import { movedBy } from './kinds/index';
+import { nextCheckpoint } from './kinds/zone';
 import { selectedObjects } from './selection';
-import { boundsAll, boundsAround } from './shape';
 import type { Selection } from './tools/tool';
-import { movedBy } from './transform';
-import { nextCheckpoint } from './tools/zone-tool';
 
 /** What was copied: plain data that can be pasted into any course. */
 export interface Clip {
@@ -37,7 +38,7 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
  * @returns `null` when it does not fit into the course any more
  */
 export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_MM): Pasted | null {
-  const around = boundsAll(clip.objects.map(boundsAround));
+  const around = boundsAll(clip.objects.map(boundsOf));
   if (!around) return null;
   const [dx, dy] = stepInside(around, { x: offsetMm, y: -offsetMm }, scene.size);
   const freeId = freeIds(scene);

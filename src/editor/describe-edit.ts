@@ -1,9 +1,9 @@
 import type { Vec } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
-import { directionDeg, distanceMm, minus, toVec, wrappedDeg } from './plane';
-import { distanceTo } from './shape';
-import { middleOf, movedBy } from './transform';
+import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
+import { strokeLengthMm } from './kinds/stroke';
+import { directionDeg, distanceMm, toVec, wrappedDeg } from './plane';
 
 /** What kind of objects something happened to; `several`: of different kinds. */
 export type Kind = SceneObject['type'] | 'several';
@@ -100,13 +100,13 @@ function objectsChange(before: Scene, after: Scene, edit: SceneEdit | null): Edi
     return { type: 'cleared', count: removed.length };
   if (changed.length === 0 && removed.length === 0) return addedChange(added);
   if (changed.length === 0 && added.length === 0)
-    return { type: 'removed', kind: kindOf(removed), count: removed.length };
+    return { type: 'removed', kind: commonKind(removed), count: removed.length };
   const erased = erasedChange(changes);
   if (erased) return erased;
   if (removed.length === 0 && added.length === 0) return alteredChange(changed);
   // Walls of a maze that grow together or are parted.
   const all = [...added, ...removed, ...changed.map(([, now]) => now)];
-  return { type: 'changed', kind: kindOf(all), count: all.length };
+  return { type: 'changed', kind: commonKind(all), count: all.length };
 }
 
 function changesBetween(before: Scene, after: Scene): Changes {
@@ -122,7 +122,7 @@ function changesBetween(before: Scene, after: Scene): Changes {
   return { added, removed: before.objects.filter(({ id }) => !now.has(id)), changed };
 }
 
-function kindOf(objects: readonly SceneObject[]): Kind {
+function commonKind(objects: readonly SceneObject[]): Kind {
   const kinds = new Set(objects.map(({ type }) => type));
   const [kind] = kinds;
   return kinds.size === 1 && kind ? kind : 'several';
@@ -132,7 +132,7 @@ function addedChange(added: readonly SceneObject[]): EditDescription {
   const [first] = added;
   if (added.length === 1 && first?.type === 'stroke')
     return { type: 'drew', lengthMm: lengthMm(first), widthMm: first.width, color: first.color };
-  return { type: 'added', kind: kindOf(added), count: added.length, at: middleOfOnly(added) };
+  return { type: 'added', kind: commonKind(added), count: added.length, at: middleOfOnly(added) };
 }
 
 function middleOfOnly(objects: readonly SceneObject[]): Point | null {
@@ -142,15 +142,7 @@ function middleOfOnly(objects: readonly SceneObject[]): Point | null {
   return [Math.round(x) + 0, Math.round(y) + 0];
 }
 
-const lengthMm = (object: SceneObject): number =>
-  object.type === 'stroke'
-    ? Math.round(
-        object.points.reduce(
-          (sum, point, index) => sum + distanceMm(toVec(object.points[index - 1] ?? point), toVec(point)),
-          0,
-        ),
-      )
-    : 0;
+const lengthMm = (object: SceneObject): number => (object.type === 'stroke' ? Math.round(strokeLengthMm(object)) : 0);
 
 /** Strokes that became shorter or several. */
 function erasedChange({ added, removed, changed }: Changes): EditDescription | null {
@@ -175,7 +167,7 @@ function endsOn(piece: SceneObject, whole: SceneObject): boolean {
 /** Objects that are still there but not as they were. */
 function alteredChange(changed: Changes['changed']): EditDescription {
   const now = changed.map(([, object]) => object);
-  const kind = kindOf(now);
+  const kind = commonKind(now);
   const count = now.length;
   const byMm = commonStep(changed);
   if (byMm) return { type: 'moved', kind, count, byMm, at: middleOfOnly(now) };
@@ -200,18 +192,13 @@ function commonStep(changed: Changes['changed']): Point | null {
   return changed.every(([one, other]) => isSame(movedBy(one, dx, dy), other)) ? [dx, dy] : null;
 }
 
-function placeOf(object: SceneObject): Point {
-  if (object.type === 'wall') return object.from;
-  return object.type === 'stroke' ? (object.points[0] ?? [0, 0]) : object.at;
-}
-
 /** Rounding to whole mm changes lengths by less than this. */
 const ROUNDING_MM = 2;
 
 function isTurned([was, now]: readonly [SceneObject, SceneObject]): boolean {
   if ('turn' in was && 'turn' in now)
     return was.turn !== now.turn && (!('size' in was) || !('size' in now) || isSame(was.size, now.size));
-  const [one, other] = [extentOf(was), extentOf(now)];
+  const [one, other] = [spanOf(was), spanOf(now)];
   return (
     one !== null &&
     other !== null &&
@@ -224,19 +211,13 @@ function isTurned([was, now]: readonly [SceneObject, SceneObject]): boolean {
 const ORIGIN: Vec = { x: 0, y: 0 };
 
 /** From one end of a line to the other. */
-function extentOf(object: SceneObject): Vec | null {
-  if (object.type === 'wall') return minus(toVec(object.to), toVec(object.from));
-  if (object.type !== 'stroke') return null;
-  const [first] = object.points;
-  const last = object.points[object.points.length - 1];
-  return first && last ? minus(toVec(last), toVec(first)) : null;
-}
+const spanOf = (object: SceneObject): Vec | null => kindOf(object).span(object);
 
 /** The angle by which all were turned, in whole degrees, or `null` when it is not the same. */
 function commonTurn(changed: Changes['changed']): number | null {
   const angles = changed.map(([was, now]) => {
     if ('turn' in was && 'turn' in now) return wrappedDeg((now.turn - was.turn) * 45);
-    const [one, other] = [extentOf(was), extentOf(now)];
+    const [one, other] = [spanOf(was), spanOf(now)];
     return one && other ? Math.round(wrappedDeg(directionDeg(ORIGIN, other) - directionDeg(ORIGIN, one))) : 0;
   });
   const [first] = angles;

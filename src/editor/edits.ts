@@ -1,5 +1,6 @@
+import { isSame } from '#core/same';
 import type { Replacement, SceneEdit } from '#scene/edit';
-import { sceneLimits, type Point, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
+import { countPoints, sceneLimits, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
 
 /** Several edits as one, the shortest way to say it; `null` for none. */
 export function combined(edits: readonly (SceneEdit | null)[]): SceneEdit | null {
@@ -20,20 +21,18 @@ export function adding(scene: Scene, objects: readonly SceneObject[]): SceneEdit
  * Puts one object in, unless the very same lies at the same place already: whoever taps twice by mistake would get two
  * blocks in one another, and see one.
  */
-export function addingOnce(scene: Scene, object: Box): SceneEdit | null {
+export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null {
   const isThere = scene.objects.some(
     (other) =>
       other.type === object.type &&
-      isSamePoint(other.at, object.at) &&
-      isSamePoint(other.size, object.size) &&
+      'size' in other &&
+      'size' in object &&
+      isSame(other.at, object.at) &&
+      isSame(other.size, object.size) &&
       other.turn === object.turn,
   );
   return isThere ? null : adding(scene, [object]);
 }
-
-type Box = Extract<SceneObject, { size: unknown }>;
-
-const isSamePoint = (one: Point, other: Point): boolean => one[0] === other[0] && one[1] === other[1];
 
 /** Takes objects away; `null` for none. */
 export const removing = (ids: readonly string[]): SceneEdit | null =>
@@ -69,8 +68,5 @@ export function roomIn(scene: Scene): { readonly objects: number; readonly point
 }
 
 /** How many points the strokes among some objects have together. */
-export function pointsOf(objects: readonly SceneObject[]): number {
-  let points = 0;
-  for (const object of objects) if (object.type === 'stroke') points += object.points.length;
-  return points;
-}
+export const pointsOf = (objects: readonly SceneObject[]): number =>
+  objects.reduce((points, object) => points + countPoints(object), 0);

@@ -1,12 +1,6 @@
-import {
-  sceneLimits,
-  strokeColors,
-  type Label,
-  type RobotStart,
-  type SceneObject,
-  type Stroke,
-  type StrokeColor,
-} from '#scene/scene';
+import { boundsOf } from '#scene/kinds/index';
+import { sceneLimits, type Point, type RobotStart, type Scene, type SceneObject, type StrokeColor } from '#scene/scene';
+import { eighths, within, wrappedDeg } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
 export type NumberName =
@@ -29,8 +23,14 @@ export type NumberName =
 /** Name of something about an object that can be changed. */
 export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'text' | 'type';
 
-/** Something about an object that can be changed in a list: a number with its range, a switch, a choice or words. */
-export type Field =
+/** What a field can be set to. */
+export type FieldValue = number | boolean | string;
+
+/**
+ * Something about a `T` that can be changed in a list: a number with its range, a switch, a choice or words. `with` gives
+ * what it becomes with a value that fits; `null`: that makes no sense.
+ */
+export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | null } & (
   | {
       readonly kind: 'number';
       readonly name: NumberName;
@@ -53,119 +53,91 @@ export type Field =
       readonly value: SceneObject['type'];
       readonly choices: readonly SceneObject['type'][];
     }
-  | { readonly kind: 'text'; readonly name: 'text'; readonly value: string; readonly maxCharacters: number };
-
-/** Kinds of blocks that can become each other. */
-export const boxKinds = ['block', 'fixed-block', 'spikes'] as const;
-
-/** Kinds of zones, which can become each other. */
-export const zoneKinds = ['target', 'checkpoint', 'forbidden'] as const;
+  | { readonly kind: 'text'; readonly name: 'text'; readonly value: string; readonly maxCharacters: number }
+);
 
 type Range = { readonly min: number; readonly max: number };
 
-const lengthMm = (name: NumberName, value: number, range: Range, step = 10): Field => ({
-  kind: 'number',
-  name,
-  value,
-  ...range,
-  step,
-  unit: 'mm',
-});
+/** A field for a length or a place in mm. */
+export const lengthField = <T>(
+  name: NumberName,
+  value: number,
+  range: Range,
+  step: number,
+  withValue: (mm: number) => T | null,
+): Field<T> => ({ kind: 'number', name, value, ...range, step, unit: 'mm', with: withValue });
 
-const place = (name: 'x' | 'y' | 'endX' | 'endY', value: number): Field => lengthMm(name, value, sceneLimits.placeMm);
+/** A field for how many, or which one. */
+export const countField = <T>(
+  name: 'number' | 'blocks',
+  value: number,
+  range: Range,
+  withValue: (count: number) => T,
+): Field<T> => ({ kind: 'number', name, value, ...range, step: 1, unit: 'count', with: withValue });
 
-const count = (name: 'number' | 'blocks', value: number, range: Range): Field => ({
-  kind: 'number',
-  name,
-  value,
-  ...range,
-  step: 1,
-  unit: 'count',
-});
-
-const turnField = ({ turn }: { readonly turn: number }): Field => ({
-  kind: 'number',
-  name: 'turn',
-  value: turn * 45,
-  min: 0,
-  max: 315,
-  step: 45,
-  unit: 'deg',
-});
-
-/** What of an object can be changed by numbers and words, in the order of a list. */
-export function fieldsOf(object: SceneObject): readonly Field[] {
-  switch (object.type) {
-    case 'wall':
-      return [
-        place('x', object.from[0]),
-        place('y', object.from[1]),
-        place('endX', object.to[0]),
-        place('endY', object.to[1]),
-        lengthMm('thickness', object.thickness, sceneLimits.thicknessMm, 1),
-      ];
-    case 'stroke':
-      return strokeFields(object);
-    case 'label':
-      return labelFields(object);
-    case 'block':
-    case 'fixed-block':
-    case 'spikes':
-      return [{ kind: 'choice', name: 'type', value: object.type, choices: boxKinds }, ...boxFields(object)];
-    case 'mover':
-      return [
-        ...boxFields(object),
-        place('endX', object.to[0]),
-        place('endY', object.to[1]),
-        { kind: 'number', name: 'speed', value: object.speed, ...sceneLimits.speedMmS, step: 5, unit: 'mm/s' },
-        { kind: 'switch', name: 'spiked', value: object.spiked },
-      ];
-    case 'target':
-    case 'checkpoint':
-    case 'forbidden':
-      return [
-        { kind: 'choice', name: 'type', value: object.type, choices: zoneKinds },
-        ...(object.type === 'checkpoint' ? [count('number', object.number, sceneLimits.checkpoint)] : []),
-        ...(object.type === 'target' ? [count('blocks', object.blocks, sceneLimits.blocks)] : []),
-        ...boxFields(object),
-        { kind: 'switch', name: 'round', value: object.round },
-      ];
-    default:
-      return object satisfies never;
-  }
-}
-
-function strokeFields({ points, width, color }: Stroke): readonly Field[] {
-  const [first] = points;
-  const last = points.length === 2 ? points[1] : undefined;
+/** The two fields of a place. */
+export function pointFields<T>(
+  [x, y]: Point,
+  withPoint: (to: Point) => T | null,
+  [nameX, nameY]: readonly ['x', 'y'] | readonly ['endX', 'endY'] = ['x', 'y'],
+): readonly Field<T>[] {
   return [
-    ...(first ? [place('x', first[0]), place('y', first[1])] : []),
-    ...(last ? [place('endX', last[0]), place('endY', last[1])] : []),
-    lengthMm('penWidth', width, sceneLimits.widthMm, 1),
-    { kind: 'choice', name: 'color', value: color, choices: strokeColors },
+    lengthField(nameX, x, sceneLimits.placeMm, 10, (mm) => withPoint([mm, y])),
+    lengthField(nameY, y, sceneLimits.placeMm, 10, (mm) => withPoint([x, mm])),
   ];
 }
 
-const labelFields = (label: Label): readonly Field[] => [
-  { kind: 'text', name: 'text', value: label.text, maxCharacters: sceneLimits.labelCharacters },
-  place('x', label.at[0]),
-  place('y', label.at[1]),
-  lengthMm('letterHeight', label.height, sceneLimits.labelMm, 5),
-  turnField(label),
+/** The fields of the ends of a line. */
+export const endFields = <T>(
+  from: Point,
+  to: Point,
+  withEnds: (from: Point, to: Point) => T | null,
+): readonly Field<T>[] => [
+  ...pointFields(from, (start) => withEnds(start, to)),
+  ...pointFields(to, (end) => withEnds(from, end), ['endX', 'endY']),
 ];
 
-const boxFields = (box: Extract<SceneObject, { size: unknown }>): readonly Field[] => [
-  place('x', box.at[0]),
-  place('y', box.at[1]),
-  lengthMm('width', box.size[0], sceneLimits.blockMm),
-  lengthMm('height', box.size[1], sceneLimits.blockMm),
-  turnField(box),
-];
+/** The field of a rotation in eighths of a full turn. */
+export const turnField = <T extends { readonly turn: number }>(object: T): Field<T> => ({
+  ...{ kind: 'number', name: 'turn', value: object.turn * 45, min: 0, max: 315, step: 45, unit: 'deg' },
+  with: (angleDeg: number) => ({ ...object, turn: eighths(angleDeg / 45) }),
+});
+
+/** The field of the kind of something that can become another kind. */
+export const typeField = <T, K extends SceneObject['type']>(
+  value: K,
+  choices: readonly K[],
+  withType: (type: K, scene: Scene) => T | null,
+): Field<T> => ({ kind: 'choice', name: 'type', value, choices, with: withType });
+
+/** The fields of the place of something that moves as a whole: not so far that a part would be beyond what a course holds. */
+export const placeFields = <O extends SceneObject>(
+  object: O,
+  at: Point,
+  move: (object: O, dx: number, dy: number) => O,
+): readonly Field<O>[] =>
+  pointFields(at, (to) => {
+    const { minX, minY, maxX, maxY } = boundsOf(object);
+    const { min, max } = sceneLimits.placeMm;
+    const step = (by: number, low: number, high: number): number =>
+      Math.round(within(by, { min: Math.min(0, Math.ceil(min - low)), max: Math.max(0, Math.floor(max - high)) })) + 0;
+    const [dx, dy] = [step(to[0] - at[0], minX, maxX), step(to[1] - at[1], minY, maxY)];
+    return dx === 0 && dy === 0 ? null : move(object, dx, dy);
+  });
 
 /** What of the robot's start can be changed by numbers. */
-export const robotFields = ({ at, heading, scale }: RobotStart): readonly Field[] => [
-  place('x', at[0]),
-  place('y', at[1]),
-  { kind: 'number', name: 'heading', value: heading, min: -180, max: 180, step: 15, unit: 'deg' },
-  { kind: 'number', name: 'scale', value: scale, ...sceneLimits.scale, step: 0.25, unit: 'times' },
+export const robotFields = ({
+  at,
+  heading,
+  scale,
+}: RobotStart): readonly Field<Partial<Pick<RobotStart, 'at' | 'heading' | 'scale'>>>[] => [
+  ...pointFields(at, (to) => ({ at: to })),
+  {
+    ...{ kind: 'number', name: 'heading', value: heading, min: -180, max: 180, step: 15, unit: 'deg' },
+    with: (angleDeg: number) => ({ heading: wrappedDeg(angleDeg) }),
+  },
+  {
+    ...{ kind: 'number', name: 'scale', value: scale, ...sceneLimits.scale, step: 0.25, unit: 'times' },
+    with: (times: number) => ({ scale: times }),
+  },
 ];

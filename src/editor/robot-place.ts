@@ -1,7 +1,8 @@
 import { boundsOfOutline, type Outline } from '#scene/outline';
+import { robotOutlines } from '#scene/placement';
 import type { Point, RobotStart } from '#scene/scene';
+import { boundsAll } from './bounds';
 import { toPoint, toVec } from './plane';
-import { boundsAll, robotOutlines } from './shape';
 import { intoArena } from './snap';
 
 /**

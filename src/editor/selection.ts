@@ -1,9 +1,13 @@
 import type { Vec } from '#core/geometry';
+import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
+import { robotOutlines } from '#scene/placement';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene, SceneObject } from '#scene/scene';
+import { boundsAll, cornersOf } from './bounds';
 import { removing } from './edits';
-import { boundsAll, boundsAround, cornersOf, distanceTo, distanceToOutline, meets, robotOutlines } from './shape';
+import { distanceTo, kindOf, meets } from './kinds/index';
+import { distanceToOutline } from './plane';
 import type { Selection } from './tools/tool';
 
 /** Something that can be taken hold of: an object by its id, or the robot's start (`null`). */
@@ -65,32 +69,10 @@ export function thingsAt(
   scene.objects.forEach((object, index) => {
     const mm = distanceTo(object, place, reachMm);
     if (mm === null) return;
-    const layer = layerOf(object);
+    const { layer } = kindOf(object);
     hits.push({ thing: object.id, zone: layer === 0 ? 1 : 0, mm, height: layer * scene.objects.length + index });
   });
   return hits.sort((a, b) => a.zone - b.zone || a.mm - b.mm || b.height - a.height).map(({ thing }) => thing);
-}
-
-/** What is drawn over what: zones, then strokes and words on the floor, then what stands on it. */
-function layerOf({ type }: SceneObject): 0 | 1 | 2 | 3 {
-  switch (type) {
-    case 'target':
-    case 'checkpoint':
-    case 'forbidden':
-      return 0;
-    case 'stroke':
-      return 1;
-    case 'label':
-      return 2;
-    case 'wall':
-    case 'block':
-    case 'fixed-block':
-    case 'spikes':
-    case 'mover':
-      return 3;
-    default:
-      return type satisfies never;
-  }
 }
 
 /** Everything that an upright frame between two corners touches. */
@@ -112,7 +94,7 @@ export function boundsOfSelection(
   footprint: readonly Outline[] = [],
 ): Bounds | null {
   return boundsAll([
-    ...selectedObjects(scene, selection).map(boundsAround),
+    ...selectedObjects(scene, selection).map(boundsOf),
     ...(selection.robot ? robotOutlines(scene.robot, footprint).map(boundsOfOutline) : []),
   ]);
 }

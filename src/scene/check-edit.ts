@@ -1,9 +1,10 @@
 import type { Replacement, SceneEdit } from './edit';
 import type { SceneProblem } from './problem';
 import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
-import { readObject, readObjectId } from './read-object';
+import { readObjectId } from './kinds/unread';
+import { readObject } from './read-object';
 import { Reader } from './reader';
-import { sceneLimits, type Scene, type SceneObject } from './scene';
+import { countPoints, sceneLimits, type Scene, type SceneObject } from './scene';
 
 /** An edit, or everything that is wrong with it; `problem` is the first one's message. */
 export type ParsedEdit =
@@ -111,7 +112,7 @@ function readObjects(value: unknown, path: string, room: Room, reader: Reader): 
   room.objects -= entries.length;
   const objects = whileRoom(entries, reader, (entry, index) => {
     const object = readObject(entry, `${path}[${index}]`, room.points, reader);
-    if (object?.type === 'stroke') room.points -= object.points.length;
+    if (object) room.points -= countPoints(object);
     return object;
   });
   return objects.filter((object) => object !== null);
@@ -219,5 +220,3 @@ class Stock {
     this.reader.report('too-many', path, undefined, message, { count, min: 0, max });
   }
 }
-
-const countPoints = (object: SceneObject): number => (object.type === 'stroke' ? object.points.length : 0);

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
-import { boundsMeet, boundsOf, boundsOfOutline, lengthOf, type Bounds } from './outline';
+import { boundsOf } from './kinds/index';
+import { boundsMeet, boundsOfOutline, lengthOf, type Bounds } from './outline';
 import type { Point, Stroke } from './scene';
 import { thinned } from './simplify';
 

@@ -1,18 +1,10 @@
 import { createRng } from '#core/rng';
 import type { Vec } from '#core/geometry';
 import { describe, expect, it } from 'vitest';
-import {
-  boundsOf,
-  boxOutline,
-  convexHull,
-  overlapMm,
-  reachesInto,
-  solidOutline,
-  trackOutline,
-  zoneHolds,
-  zoneOverlaps,
-  type Outline,
-} from './outline';
+import { boundsOf, reachesInto, solidOutline } from './kinds/index';
+import { trackOutline } from './kinds/mover';
+import { zoneHolds, zoneOverlaps } from './kinds/zone';
+import { boxOutline, convexHull, overlapMm, type Outline } from './outline';
 import type { Mover, Point, SceneObject, Stroke, Zone } from './scene';
 
 const zone = (change: Partial<Zone> = {}): Zone => ({

@@ -1,4 +1,5 @@
-import { boundsOfOutline, overlapMm, solidOutline, type Bounds, type Outline } from './outline';
+import { solidOutline } from './kinds/index';
+import { boundsOfOutline, overlapMm, type Bounds, type Outline } from './outline';
 import type { Block, Point, SceneObject } from './scene';
 
 /** Bodies may overlap by so much: the figures of a course are whole mm, and turned corners are not. */

@@ -6,6 +6,7 @@ import { readObject } from './read-object';
 import { Reader, type Fields } from './reader';
 import {
   centreStart,
+  countPoints,
   defaultScene,
   SCENE_FORMAT,
   SCENE_VERSION,
@@ -84,7 +85,7 @@ function readObjects(value: unknown, reader: Reader): SceneObject[] {
     const path = `objects[${index}]`;
     const object = readObject(entry, path, pointsLeft, reader);
     if (!object) continue;
-    if (object.type === 'stroke') pointsLeft -= object.points.length;
+    pointsLeft -= countPoints(object);
     if (object.id !== '') noteId(object.id, path, places, reader); // else it was reported already
     objects.push(object);
   }

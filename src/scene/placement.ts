@@ -1,6 +1,7 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { movedOutline, overlapMm, solidOutline, type Outline } from './outline';
+import { kindOf, solidOutline } from './kinds/index';
+import { movedOutline, overlapMm, type Outline } from './outline';
 import type { SceneProblem } from './problem';
 import type { RobotStart, Scene, SceneObject } from './scene';
 
@@ -54,7 +55,7 @@ function outsideProblem(scene: Scene, parts: readonly Outline[]): SceneProblem |
 
 function insideProblem(robot: RobotStart, object: SceneObject, index: number): SceneProblem {
   const [x, y] = robot.at;
-  const kind = kindInWords(object);
+  const kind = kindOf(object).name;
   return {
     code: 'robot-inside',
     path: 'robot.at',
@@ -62,9 +63,4 @@ function insideProblem(robot: RobotStart, object: SceneObject, index: number): S
     params: { x, y, kind, id: object.id, place: `objects[${index}]` },
     message: `robot.at: at [${x}, ${y}] the robot stands inside the ${kind} "${object.id}" (objects[${index}]). Move one of them.`,
   };
-}
-
-function kindInWords({ type }: SceneObject): string {
-  if (type === 'fixed-block') return 'block';
-  return type === 'mover' ? 'moving block' : type;
 }

@@ -1,5 +1,7 @@
 import type { Vec } from '#core/geometry';
-import { boundsOf, reachesInto, zoneHolds, zoneOverlaps, type Outline } from './outline';
+import { boundsOf, reachesInto } from './kinds/index';
+import { zoneHolds, zoneOverlaps } from './kinds/zone';
+import type { Outline } from './outline';
 import { copies, stuckBlocks, type Stuck } from './overlaps';
 import { placementProblems, robotOutlines } from './placement';
 import type { Block, Mover, Point, Scene, SceneObject, Zone } from './scene';

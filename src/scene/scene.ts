@@ -110,6 +110,9 @@ export interface Label {
 /** Everything that can stand or lie in the arena. */
 export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label;
 
+/** How many points an object holds: a stroke may have tens of thousands, everything else has none. */
+export const countPoints = (object: SceneObject): number => ('points' in object ? object.points.length : 0);
+
 /** What a course asks for besides its zones. */
 export interface Task {
   /** Seconds of simulated time until the task must be done; `null`: no limit. */

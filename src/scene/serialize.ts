@@ -1,18 +1,14 @@
+import { braces, pair, property } from './json-text';
+import { kindOf } from './kinds/index';
 import {
   SCENE_FORMAT,
   SCENE_VERSION,
   sceneDefaults,
   type Background,
-  type Label,
-  type Mover,
-  type Point,
   type RobotStart,
   type Scene,
   type SceneObject,
-  type Stroke,
   type Task,
-  type Wall,
-  type Zone,
 } from './scene';
 
 /**
@@ -34,15 +30,6 @@ export function serializeScene(scene: Scene): string {
   const objects = scene.objects.map((object) => `    ${objectText(object)}`).join(',\n');
   lines.push(objects === '' ? '"objects": []' : `"objects": [\n${objects}\n  ]`);
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
-}
-
-const pair = (point: Point): string => `[${point[0]}, ${point[1]}]`;
-
-type Plain = string | number | boolean | null;
-
-/** No text at all for a value that is the default. */
-function property(name: string, value: Plain, ifMissing: Plain): string[] {
-  return value === ifMissing ? [] : [`"${name}": ${JSON.stringify(value)}`];
 }
 
 function robotText(robot: RobotStart): string {
@@ -82,65 +69,5 @@ function backgroundProperty(background: Background | null): string[] {
   return [`"background": {\n    ${lines.join(',\n    ')}\n  }`];
 }
 
-function objectText(object: SceneObject): string {
-  const head = [`"id": ${JSON.stringify(object.id)}`, `"type": "${object.type}"`];
-  switch (object.type) {
-    case 'wall':
-      return braces([...head, ...wallProperties(object)]);
-    case 'block':
-    case 'fixed-block':
-    case 'spikes':
-      return braces([...head, ...boxProperties(object)]);
-    case 'stroke':
-      return braces([...head, ...strokeProperties(object)]);
-    case 'target':
-    case 'checkpoint':
-    case 'forbidden':
-      return braces([...head, ...boxProperties(object), ...zoneProperties(object)]);
-    case 'mover':
-      return braces([...head, ...boxProperties(object), ...moverProperties(object)]);
-    case 'label':
-      return braces([...head, ...labelProperties(object)]);
-    default:
-      return object satisfies never;
-  }
-}
-
-const braces = (properties: readonly string[]): string => `{ ${properties.join(', ')} }`;
-
-const wallProperties = (wall: Wall): string[] => [
-  `"from": ${pair(wall.from)}`,
-  `"to": ${pair(wall.to)}`,
-  ...property('thickness', wall.thickness, sceneDefaults.thickness),
-];
-
-const boxProperties = (box: { readonly at: Point; readonly size: Point; readonly turn: number }): string[] => [
-  `"at": ${pair(box.at)}`,
-  `"size": ${pair(box.size)}`,
-  ...property('turn', box.turn, sceneDefaults.turn),
-];
-
-const zoneProperties = (zone: Zone): string[] => [
-  ...property('round', zone.round, sceneDefaults.round),
-  ...property('number', zone.number, 0),
-  ...property('blocks', zone.blocks, sceneDefaults.blocks),
-];
-
-const moverProperties = (mover: Mover): string[] => [
-  `"to": ${pair(mover.to)}`,
-  ...property('speed', mover.speed, sceneDefaults.speed),
-  ...property('spiked', mover.spiked, sceneDefaults.spiked),
-];
-
-const labelProperties = (label: Label): string[] => [
-  `"at": ${pair(label.at)}`,
-  `"text": ${JSON.stringify(label.text)}`,
-  ...property('height', label.height, sceneDefaults.labelHeight),
-  ...property('turn', label.turn, sceneDefaults.turn),
-];
-
-const strokeProperties = (stroke: Stroke): string[] => [
-  `"points": [${stroke.points.map(pair).join(', ')}]`,
-  ...property('width', stroke.width, sceneDefaults.width),
-  ...property('color', stroke.color, sceneDefaults.color),
-];
+const objectText = (object: SceneObject): string =>
+  braces([`"id": ${JSON.stringify(object.id)}`, `"type": "${object.type}"`, ...kindOf(object).write(object)]);

@@ -1,6 +1,7 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose } from '#core/geometry';
-import { movedOutline, zoneHolds, type Outline } from '#scene/outline';
+import { zoneHolds } from '#scene/kinds/zone';
+import { movedOutline, type Outline } from '#scene/outline';
 import type { Zone } from '#scene/scene';
 import type { BlockHandle } from '#world/world';
 import type { TaskBrief } from './task-brief';

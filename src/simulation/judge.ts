@@ -1,6 +1,7 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose } from '#core/geometry';
-import { lengthOf, movedOutline, zoneHolds, zoneOverlaps, type Outline } from '#scene/outline';
+import { zoneHolds, zoneOverlaps } from '#scene/kinds/zone';
+import { lengthOf, movedOutline, type Outline } from '#scene/outline';
 import type { Scene, Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { BlockHandle } from '#world/world';

@@ -1,16 +1,19 @@
 import type { Vec } from '#core/geometry';
 import type { Replacement, SceneEdit } from '#scene/edit';
 import { eraserAlong, erased, type Eraser } from '#scene/erase';
+import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, type Bounds } from '#scene/outline';
 import type { Scene, Stroke } from '#scene/scene';
 import { simplified } from '#scene/simplify';
+import { grown } from '../bounds';
 import { endOf, isTap, startOf } from '../drag';
 import { combined, removing, replacing, roomIn } from '../edits';
 import { freeIds } from '../ids';
-import { distanceMm, toVec } from '../plane';
+import { meets } from '../kinds/index';
+import { comesNear, strokeLengthMm } from '../kinds/stroke';
+import { toVec } from '../plane';
 import { alongPath } from './path-fold';
 import { thingsAt } from '../selection';
-import { boundsAround, comesNear, grown, meets } from '../shape';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
 /** Wipes strokes where it passes, or takes whole objects away. */
@@ -36,7 +39,7 @@ const cutsAlong = alongPath<Cuts>({
     const around = grown(boundsOfOutline(places), radiusMm);
     const next = new Map(cuts);
     for (const object of scene.objects) {
-      if (object.type !== 'stroke' || !boundsMeet(boundsAround(object), around)) continue;
+      if (object.type !== 'stroke' || !boundsMeet(boundsOf(object), around)) continue;
       const before = cuts.get(object.id) ?? [object];
       const after = before.flatMap((piece) => piecesLeft(piece, eraser, around));
       if (after.length !== before.length || after.some((piece, index) => piece !== before[index]))
@@ -52,7 +55,7 @@ const fewer = (places: readonly Vec[]): readonly Vec[] => simplified(places, BES
 const BESIDE_MM = 0.5; // chosen: less than what is rounded
 
 function piecesLeft(piece: Stroke, eraser: Eraser, around: Bounds): readonly Stroke[] {
-  if (!boundsMeet(boundsAround(piece), around) || !comesNear(piece, around)) return [piece];
+  if (!boundsMeet(boundsOf(piece), around) || !comesNear(piece, around)) return [piece];
   const lines = erased(piece, eraser);
   return lines === null ? [piece] : lines.map((points) => ({ ...piece, points }));
 }
@@ -76,13 +79,10 @@ function wiped(drag: Drag, context: ToolContext): SceneEdit | null {
 
 /** Where the course is full, cutting would make too many: the longest piece stays, which never needs more room. */
 function longest(pieces: readonly Stroke[]): readonly Stroke[] {
-  const lengths = pieces.map(lengthMm);
+  const lengths = pieces.map(strokeLengthMm);
   const most = Math.max(...lengths);
   return pieces.filter((_, index) => lengths[index] === most).slice(0, 1);
 }
-
-const lengthMm = ({ points }: Stroke): number =>
-  points.reduce((sum, point, index) => sum + distanceMm(toVec(points[index - 1] ?? point), toVec(point)), 0);
 
 /** The first piece keeps the stroke's id; a stroke of which nothing is left goes. */
 function leaving(scene: Scene, cuts: Cuts): SceneEdit | null {
@@ -117,8 +117,7 @@ const passedAlong = alongPath<ReadonlySet<string>>({
     const places = fewer(path);
     const around = boundsOfOutline(places);
     for (const object of scene.objects)
-      if (!next.has(object.id) && boundsMeet(boundsAround(object), around) && isPassed(object, places))
-        next.add(object.id);
+      if (!next.has(object.id) && boundsMeet(boundsOf(object), around) && isPassed(object, places)) next.add(object.id);
     return next;
   },
 });

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { labelTool, oneLine } from './label-tool';
+import { oneLine } from '../kinds/label';
+import { labelTool } from './label-tool';
 import { contextOf, course, drag, newObjects, used } from '../testing/desk';
 
 const put = (labelText: string, x = 300) =>

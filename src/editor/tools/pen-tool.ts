@@ -7,7 +7,7 @@ import { endOf, isTap, startOf } from '../drag';
 import { adding, roomIn } from '../edits';
 import { freeIds } from '../ids';
 import { distanceMm, toPoint, within } from '../plane';
-import { arenaBounds, grown } from '../shape';
+import { arenaBounds, grown } from '../bounds';
 import { smooth } from './smooth';
 import { isInArena, onGrid, snapMarks, snappedLine, strokeEnds, type SnappedLine } from '../snap';
 import type { Drag, Mark, Tool, ToolContext } from './tool';

@@ -5,6 +5,7 @@ import { moved } from '../arrange';
 import { endOf, isTap, startOf } from '../drag';
 import { handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
+import { placeOf } from '../kinds/index';
 import { minus, toVec } from '../plane';
 import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
 import { onGrid } from '../snap';
@@ -109,11 +110,7 @@ function stepOf(drag: Drag, { held }: Extract<Grip, { type: 'things' }>, scene: 
 function anchorOf(thing: Thing, scene: Scene): Vec | null {
   if (thing === null) return toVec(scene.robot.at);
   const object = scene.objects.find(({ id }) => id === thing);
-  if (!object) return null;
-  if (object.type === 'wall') return toVec(object.from);
-  if (object.type !== 'stroke') return toVec(object.at);
-  const [first] = object.points;
-  return first ? toVec(first) : null;
+  return object ? toVec(placeOf(object)) : null;
 }
 
 function tapped(drag: Drag, { scene, selection, footprint }: ToolContext, isOnHandle: boolean): Selection {

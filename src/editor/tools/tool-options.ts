@@ -56,10 +56,3 @@ export const blockSizes: readonly Point[] = [
 
 /** Sides of a maze's cells that have a button of their own, in mm. */
 export const mazeCells: readonly number[] = [100, 150, 200, 300];
-
-/** Sizes of zones that are put by a tap, in mm. Chosen: a robot fits in with room to spare. */
-export const zoneSizes = {
-  target: [200, 200],
-  checkpoint: [150, 150],
-  forbidden: [200, 200],
-} as const satisfies Record<ToolOptions['zone'], Point>;

@@ -2,7 +2,8 @@ import { describe, expect, it } from 'vitest';
 import type { Scene } from '#scene/scene';
 import { checkpoint, contextOf, course, drag, newObjects, used } from '../testing/desk';
 import type { Drag, ToolOptions } from './tool';
-import { nextCheckpoint, zoneTool } from './zone-tool';
+import { nextCheckpoint } from '../kinds/zone';
+import { zoneTool } from './zone-tool';
 
 const put = (one: Drag, options: Partial<ToolOptions> = {}, scene: Scene = course()) =>
   newObjects(scene, used(zoneTool, one, contextOf(scene, options)));

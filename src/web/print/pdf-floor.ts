@@ -1,5 +1,6 @@
 import type { jsPDF } from 'jspdf';
-import { boundsOf, boxOutline, solidOutline, type Bounds, type Outline } from '#scene/outline';
+import { boundsOf, solidOutline } from '#scene/kinds/index';
+import { boxOutline, type Bounds, type Outline } from '#scene/outline';
 import type { Label, Point, Scene, Stroke, Zone } from '#scene/scene';
 
 import { CAPITAL } from '../arena/picture/draw-label';

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark, ToolId } from '#editor/tools/tool';
-import { boundsOf } from '#scene/outline';
+import { boundsOf } from '#scene/kinds/index';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import { drawCrosshair, drawHandle, drawMark, drawSelected, type MarkFrame } from './draw-marks';
 import { drawObject } from '../picture/draw-object';

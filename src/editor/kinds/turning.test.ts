@@ -1,11 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { SceneObject } from '#scene/scene';
-import { stroke, wall } from './testing/desk';
-import { middleOf, turnedObject } from './transform';
+import { stroke, wall } from '../testing/desk';
+import { kindOf, middleOf } from './index';
 
 const turnedTwice = (object: SceneObject): SceneObject => {
-  const once = turnedObject(object, middleOf(object), 45);
-  return turnedObject(once, middleOf(once), 45);
+  const once = kindOf(object).turned(object, middleOf(object), 45);
+  return kindOf(once).turned(once, middleOf(once), 45);
 };
 
 describe('turning by 45° twice', () => {

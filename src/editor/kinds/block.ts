@@ -1,0 +1,23 @@
+import type { Block, Spikes } from '#scene/scene';
+import { typeField } from '../object-fields';
+import { boxed, boxFields } from './box';
+import type { EditorKind } from './kind';
+
+/** Kinds of blocks that can become each other. */
+const boxKinds = ['block', 'fixed-block', 'spikes'] as const;
+
+const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => ({
+  layer: 3,
+  ...boxed,
+  fields: (box) => [typeField(box.type, boxKinds, (type) => ({ ...box, type })), ...boxFields(box)],
+  made: (id, at, _scene, { blockSize }) => ({ type, id, at, size: blockSize, turn: 0 }),
+});
+
+/** Movable blocks. */
+export const block = boxKind('block');
+
+/** Blocks that stand fast. */
+export const fixedBlock = boxKind('fixed-block');
+
+/** Spikes. */
+export const spikes = boxKind('spikes');

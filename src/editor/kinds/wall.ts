@@ -1,0 +1,41 @@
+import { isSame } from '#core/same';
+import { solidOutline } from '#scene/kinds/index';
+import { sceneLimits, type Wall } from '#scene/scene';
+import { endFields, lengthField } from '../object-fields';
+import { distanceMm, middleBetween, minus, toVec } from '../plane';
+import { otherWalls, snappedTo } from '../snap';
+import { hitWithin, shifted, type EditorKind } from './kind';
+import { lineHandles, turnedEnds } from './line';
+
+/** Length of a wall that is added without a pointer, in mm. Chosen: a cell of a maze and a bit. */
+const NEW_MM = 200;
+
+/** Walls; no edit leaves one without length. */
+export const wall: EditorKind<Wall> = {
+  layer: 3,
+  turnsInEighths: false,
+  place: ({ from }) => from,
+  span: ({ from, to }) => minus(toVec(to), toVec(from)),
+  middle: ({ from, to }) => middleBetween(toVec(from), toVec(to)),
+  extentMm: ({ from, to }) => distanceMm(toVec(from), toVec(to)),
+  ...hitWithin<Wall>((wall) => solidOutline(wall) ?? []),
+  moved: (wall, dx, dy) => ({ ...wall, from: shifted(wall.from, dx, dy), to: shifted(wall.to, dx, dy) }),
+  // At the very end of what a course may hold a turn could press the ends together.
+  turned: (wall, pivot, angleDeg) => withEnds(wall, ...turnedEnds(wall.from, wall.to, pivot, angleDeg)) ?? wall,
+  handles: ({ id, from, to, thickness }, reachMm) => lineHandles(id, [from, to], thickness, reachMm),
+  endMoved(wall, end, place, { reachMm, free }, scene) {
+    const stays = end === 'from' ? wall.to : wall.from;
+    const to = snappedTo(stays, place, otherWalls(scene, wall), { size: scene.size, reachMm, free });
+    return isSame(stays, to) ? null : { ...wall, [end]: to };
+  },
+  fields: (wall) => [
+    ...endFields(wall.from, wall.to, (from, to) => withEnds(wall, from, to)),
+    lengthField('thickness', wall.thickness, sceneLimits.thicknessMm, 1, (thickness) => ({ ...wall, thickness })),
+  ],
+  made: (id, [x, y], _scene, { wallThickness }) => ({
+    ...{ type: 'wall', id, from: [x - NEW_MM / 2, y], to: [x + NEW_MM / 2, y], thickness: wallThickness },
+  }),
+};
+
+const withEnds = (wall: Wall, from: Wall['from'], to: Wall['to']): Wall | null =>
+  isSame(from, to) ? null : { ...wall, from, to };

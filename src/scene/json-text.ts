@@ -1,0 +1,24 @@
+import { sceneDefaults, type Point } from './scene';
+import type { Box } from './outline';
+
+/** A place or an extent as it stands in a file. */
+export const pair = (point: Point): string => `[${point[0]}, ${point[1]}]`;
+
+/** A property as it stands in a file; none for a value that is the default. */
+export function property(
+  name: string,
+  value: string | number | boolean | null,
+  ifMissing: string | number | boolean | null,
+): string[] {
+  return value === ifMissing ? [] : [`"${name}": ${JSON.stringify(value)}`];
+}
+
+/** Properties as an object on one line. */
+export const braces = (properties: readonly string[]): string => `{ ${properties.join(', ')} }`;
+
+/** Where a box is, how large and how turned. */
+export const boxProperties = ({ at, size, turn }: Box): readonly string[] => [
+  `"at": ${pair(at)}`,
+  `"size": ${pair(size)}`,
+  ...property('turn', turn, sceneDefaults.turn),
+];

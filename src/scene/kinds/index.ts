@@ -1,0 +1,49 @@
+import { arenaOutline, boundsMeet, boundsOfOutline, type Bounds, type Outline } from '../outline';
+import type { Point, SceneObject } from '../scene';
+import { block, fixedBlock, spikes } from './block';
+import type { SceneKind } from './kind';
+import { label } from './label';
+import { mover } from './mover';
+import { stroke } from './stroke';
+import { wall } from './wall';
+import { checkpoint, forbidden, target } from './zone';
+
+/** Every kind of object by its type. Problems name the types in this order. */
+export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
+  wall,
+  block,
+  'fixed-block': fixedBlock,
+  stroke,
+  target,
+  checkpoint,
+  forbidden,
+  spikes,
+  mover,
+  label,
+};
+
+/** The kind of an object. */
+export const kindOf = ({ type }: SceneObject): SceneKind => sceneKinds[type];
+
+/** The outline of what a robot bumps into, in world mm; `null` for what lies flat on the floor. */
+export const solidOutline = (object: SceneObject): Outline | null => kindOf(object).solid(object);
+
+const knownBounds = new WeakMap<SceneObject, Bounds>();
+
+/**
+ * The smallest rectangle along the axes around an object, with the width of strokes and the track of movers. World mm.
+ * Kept for as long as the object, which never changes: it is asked for on every move of a pointer.
+ */
+export function boundsOf(object: SceneObject): Bounds {
+  const known = knownBounds.get(object);
+  if (known) return known;
+  const bounds = kindOf(object).bounds(object);
+  knownBounds.set(object, bounds);
+  return bounds;
+}
+
+/** Whether a part of an object lies in an arena of this size; for the round ends of strokes this errs towards yes. */
+export function reachesInto(object: SceneObject, size: Point): boolean {
+  const arena = arenaOutline(size);
+  return boundsMeet(boundsOf(object), boundsOfOutline(arena)) && kindOf(object).reachesInto(object, arena);
+}

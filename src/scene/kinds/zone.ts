@@ -1,0 +1,108 @@
+import type { Vec } from '#core/geometry';
+import { boxProperties, property } from '../json-text';
+import {
+  boundsOfOutline,
+  boxOutline,
+  directionOf,
+  lengthOf,
+  overlapMm,
+  squaredDistance,
+  type Bounds,
+  type Box,
+  type Outline,
+} from '../outline';
+import type { Range } from '../reader';
+import { sceneDefaults, sceneLimits, type Zone } from '../scene';
+import type { SceneKind } from './kind';
+import { readBox } from './unread';
+
+const NONE: Range = { min: 0, max: 0 };
+
+function zoneKind(type: Zone['type']): SceneKind<Zone> {
+  const isNumbered = type === 'checkpoint';
+  const numbers = isNumbered ? sceneLimits.checkpoint : NONE;
+  const blocks = type === 'target' ? sceneLimits.blocks : NONE;
+  return {
+    name: type,
+    properties: ['at', 'size', 'turn', 'round', 'number', 'blocks'],
+    read: (given) => ({
+      type,
+      ...readBox(given),
+      round: given.reader.flag(...given.at('round'), sceneDefaults.round),
+      number: given.reader.whole(...given.at('number'), numbers, isNumbered ? undefined : 0),
+      blocks: given.reader.whole(...given.at('blocks'), blocks, sceneDefaults.blocks),
+    }),
+    write: (zone) => [
+      ...boxProperties(zone),
+      ...property('round', zone.round, sceneDefaults.round),
+      ...property('number', zone.number, 0),
+      ...property('blocks', zone.blocks, sceneDefaults.blocks),
+    ],
+    solid: () => null,
+    bounds: (zone) => (zone.round ? ellipseBounds(zone) : boundsOfOutline(boxOutline(zone))),
+    reachesInto: zoneOverlaps,
+  };
+}
+
+/** Where the robot, or blocks, shall come to. */
+export const target = zoneKind('target');
+
+/** What is to be passed in the order of its numbers. */
+export const checkpoint = zoneKind('checkpoint');
+
+/** What must not be entered. */
+export const forbidden = zoneKind('forbidden');
+
+/** Figures of a course are whole mm; so little is an error of rounding. */
+const ROUNDING_MM = 1e-6;
+
+/** Whether a place lies in a zone; its edge belongs to it. World mm. */
+export function zoneHolds(zone: Zone, place: Vec): boolean {
+  const { x, y } = toOwnFrame(zone, place);
+  const halfX = zone.size[0] / 2 + ROUNDING_MM;
+  const halfY = zone.size[1] / 2 + ROUNDING_MM;
+  if (!zone.round) return Math.abs(x) <= halfX && Math.abs(y) <= halfY;
+  const alongX = x / halfX;
+  const alongY = y / halfY;
+  return alongX * alongX + alongY * alongY <= 1;
+}
+
+/** Whether a convex outline in world mm covers a part of a zone; touching its edge is not yet covering. */
+export function zoneOverlaps(zone: Zone, outline: Outline): boolean {
+  if (!zone.round) return overlapMm(outline, boxOutline(zone)) > ROUNDING_MM;
+  const scaleX = 2 / zone.size[0];
+  const scaleY = 2 / zone.size[1];
+  const inCircle = outline.map((corner) => {
+    const { x, y } = toOwnFrame(zone, corner);
+    return { x: x * scaleX, y: y * scaleY };
+  });
+  return coversUnitCircle(inCircle);
+}
+
+function toOwnFrame({ at, turn }: Box, place: Vec): Vec {
+  const { x: cos, y: sin } = directionOf(turn);
+  const x = place.x - at[0];
+  const y = place.y - at[1];
+  return { x: x * cos + y * sin, y: y * cos - x * sin };
+}
+
+/** Whether a convex outline covers a part of the circle of radius 1 about the origin. */
+function coversUnitCircle(outline: Outline): boolean {
+  let lefts = 0;
+  let rights = 0;
+  for (const [index, from] of outline.entries()) {
+    const to = outline[(index + 1) % outline.length] ?? from;
+    if (squaredDistance({ x: 0, y: 0 }, from, to) < 1 - ROUNDING_MM) return true;
+    if (from.x * to.y - from.y * to.x > 0) lefts++;
+    else rights++;
+  }
+  return lefts === 0 || rights === 0; // the origin lies on the same side of all edges: the circle lies inside
+}
+
+function ellipseBounds({ at: [x, y], size, turn }: Box): Bounds {
+  const { x: cos, y: sin } = directionOf(turn);
+  const [halfX, halfY] = [size[0] / 2, size[1] / 2];
+  const reachX = lengthOf(halfX * cos, halfY * sin);
+  const reachY = lengthOf(halfX * sin, halfY * cos);
+  return { minX: x - reachX, minY: y - reachY, maxX: x + reachX, maxY: y + reachY };
+}
