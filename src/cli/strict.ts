@@ -1,8 +1,10 @@
-import type { Language, Texts } from '#core/texts';
+import type { Language } from '#core/texts';
+import { wordsOf } from '#core/words';
 import { checkForDevice } from '#device-check/check-for-device';
 import { explain } from '#device-check/explain';
 import type { Device } from '#device-check/finding';
-import { loadRuleTexts } from '#device-check/texts/load';
+import { loadRuleTexts } from '#device-check/rule-texts';
+import type de from './words/de.json';
 
 /** What `--strict` has to say about a program. */
 export interface StrictReport {
@@ -16,8 +18,8 @@ export interface StrictReport {
   readonly hints: number;
 }
 
-/** What stands before a finding with which the device goes on; French with its narrow space before the colon. */
-const HINT: Texts = { de: 'Hinweis: ', fr: 'remarque : ', it: 'nota: ', en: 'hint: ' };
+/** `hint` stands before a finding with which the device goes on. */
+const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /**
  * Lists what in these files runs here and not on the device.
@@ -34,7 +36,7 @@ export async function strictReport(
   const texts = await loadRuleTexts(language);
   const findings = checkForDevice(files, device);
   const lines = findings.map((finding) => {
-    const kind = finding.severity === 'hint' ? HINT[language] : '';
+    const kind = finding.severity === 'hint' ? words.hint[language] : '';
     return `${finding.file}:${finding.line}:${finding.column}: ${kind}${explain(finding, board, texts)}\n`;
   });
   const hints = findings.filter(({ severity }) => severity === 'hint').length;

@@ -5,11 +5,11 @@ import { mistakesIn } from '#reference/testing/catalogues';
 import { checkForDevice } from './check-for-device';
 import { explain } from './explain';
 import { rules, type RuleId } from './rule-table';
-import { de } from './texts/de';
-import { en } from './texts/en';
-import { fr } from './texts/fr';
-import { it as italian } from './texts/it';
-import { loadRuleTexts } from './texts/load';
+import de from './words/de.json';
+import en from './words/en.json';
+import fr from './words/fr.json';
+import italian from './words/it.json';
+import { loadRuleTexts } from './rule-texts';
 
 const first = (program: string) =>
   checkForDevice({ 'main.py': program }, { features: [], micropython: [1, 18, 0] })[0]!;

@@ -1,5 +1,5 @@
 import type { Finding } from './finding';
-import type { RuleTexts } from './texts/texts';
+import type { RuleTexts } from './rule-texts';
 
 /**
  * One or two sentences about a finding that a pupil understands: what is missing, and the way out.

@@ -9,10 +9,10 @@ import type { Item } from './item';
 import { boardModules } from './modules/index';
 import { mistakesIn } from './testing/catalogues';
 import { allTextKeys } from './text-keys';
-import { de } from './texts/de';
-import { en } from './texts/en';
-import { fr } from './texts/fr';
-import { it as italian } from './texts/it';
+import de from './words/de.json';
+import en from './words/en.json';
+import fr from './words/fr.json';
+import italian from './words/it.json';
 import type { BoardId, Entry, Names } from './types';
 
 const microbit: ReferenceContext = { board: 'microbit-v2', features: [], modules: [], files: {} };

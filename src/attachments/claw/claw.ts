@@ -13,6 +13,7 @@
  */
 import type { Vec } from '#core/geometry';
 import type { GripperType } from '#world/chassis';
+import { attachmentAbout } from '../about';
 import type { Attachment, AttachmentContext, AttachmentType } from '../attachment';
 import { box, onRobot, share } from '../mount';
 import { attachmentTitles } from '../options';
@@ -56,12 +57,7 @@ const FORCE_N = 2;
 export const claw: AttachmentType = {
   id: 'claw',
   title: attachmentTitles.claw,
-  about: {
-    de: 'Bei 30° ist der Greifer offen, bei 86 bis 100° zu. Was er hält, kommt mit.',
-    fr: 'À 30°, la pince est ouverte, de 86 à 100° elle est fermée. Ce qu’elle tient vient avec elle.',
-    it: 'A 30° la pinza è aperta, da 86 a 100° è chiusa. Quello che tiene viene con lei.',
-    en: 'The claw is open at 30° and closed at 86 to 100°. What it holds comes along.',
-  },
+  about: attachmentAbout.claw,
   restDeg: OPEN_DEG,
   attach,
 };

@@ -7,6 +7,7 @@
  * larger angles. Lengths are chosen.
  */
 import type { Vec } from '#core/geometry';
+import { attachmentAbout } from '../about';
 import type { Attachment, AttachmentContext, AttachmentType } from '../attachment';
 import { box, onRobot } from '../mount';
 import { attachmentTitles } from '../options';
@@ -31,12 +32,7 @@ const PLATE: readonly (readonly Vec[])[] = [
 export const push: AttachmentType = {
   id: 'push',
   title: attachmentTitles.push,
-  about: {
-    de: 'Bei 90° schaut der Ultraschallsensor nach vorn, bei 180° nach links, bei 0° nach rechts.',
-    fr: 'À 90°, le capteur à ultrasons regarde devant, à 180° à gauche, à 0° à droite.',
-    it: 'A 90° il sensore a ultrasuoni guarda avanti, a 180° a sinistra, a 0° a destra.',
-    en: 'The ultrasonic sensor looks ahead at 90°, to the left at 180° and to the right at 0°.',
-  },
+  about: attachmentAbout.push,
   restDeg: AHEAD_DEG,
   attach,
 };

@@ -5,7 +5,7 @@ import { ViewPlugin, type EditorView } from '@codemirror/view';
 import { checkForDevice } from '#device-check/check-for-device';
 import { explain } from '#device-check/explain';
 import type { Finding } from '#device-check/finding';
-import { loadRuleTexts } from '#device-check/texts/load';
+import { loadRuleTexts } from '#device-check/rule-texts';
 import { devicePanel } from './device-panel';
 import { deviceLook } from './device-look';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';

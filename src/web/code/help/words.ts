@@ -1,24 +1,17 @@
 import type { Item } from '#reference/item';
+import { loadReferenceTexts, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
 import { t, type Language } from '../../page/i18n';
 
 /** The short words on names of the API, in one language. */
-export type Words = Readonly<Record<string, string>>;
-
-/** The words of the boards' modules, by language: only the one that is asked for is fetched. */
-const boardWords: Readonly<Record<Language, () => Promise<Words>>> = {
-  de: async () => (await import('#reference/texts/de')).de,
-  fr: async () => (await import('#reference/texts/fr')).fr,
-  it: async () => (await import('#reference/texts/it')).it,
-  en: async () => (await import('#reference/texts/en')).en,
-};
+export type Words = ReferenceTexts;
 
 /** The words of the boards' modules and of these libraries. */
 export async function loadWords(
   language: Language,
   libraries: readonly Pick<RobotReference, 'texts'>[],
 ): Promise<Words> {
-  const words = await boardWords[language]();
+  const words = await loadReferenceTexts(language);
   return Object.assign({}, words, ...libraries.map(({ texts }) => texts[language])) as Words;
 }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import type { ReferenceContext } from '#reference/context';
-import { de } from '#reference/texts/de';
+import { loadReferenceTexts } from '#reference/texts';
 import { robotReferences } from '#robots/references';
 import { commandsOf } from './commands';
 
@@ -41,12 +41,12 @@ describe('the commands in the help', () => {
     expect(named('microbit', 'display.rotate')).toBeUndefined();
   });
 
-  it('have words in the reference, for every robot and for the board', () => {
+  it('have words in the reference, for every robot and for the board', async () => {
     for (const { modules, texts } of robotReferences)
       for (const { name } of modules)
         for (const { text } of commandsOf(name, context).filter(({ text }) => text.startsWith(name)))
           expect(texts.de[text] ?? '', text).not.toBe('');
-    const words: Readonly<Record<string, string>> = de;
+    const words = await loadReferenceTexts('de');
     for (const { text } of commandsOf('microbit', context)) expect(words[text] ?? '', text).not.toBe('');
   });
 

@@ -1,4 +1,5 @@
-import type { Texts } from '#core/texts';
+import { languages, type Texts } from '#core/texts';
+import { inEvery } from '#core/words';
 
 /** Every language by its own name. */
-export const languageNames: Texts = { de: 'Deutsch', fr: 'Français', it: 'Italiano', en: 'English' };
+export const languageNames: Texts = inEvery((language) => languages[language].name);

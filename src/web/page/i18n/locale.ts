@@ -1,6 +1,4 @@
-import type { Language } from '#core/texts';
-
-const LOCALES: Readonly<Record<Language, string>> = { de: 'de-CH', fr: 'fr-CH', it: 'it-CH', en: 'en-GB' };
+import { languages, type Language } from '#core/texts';
 
 /** The tag of a language as browsers and screen readers know it, and by which numbers and dates are written. */
-export const localeOf = (language: Language): string => LOCALES[language];
+export const localeOf = (language: Language): string => languages[language].locale;

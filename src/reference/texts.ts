@@ -1,0 +1,11 @@
+import type { Language } from '#core/texts';
+import { byLanguage } from '#core/words';
+import type de from './words/de.json';
+
+/** Short words on names of the API, by the names' keys: `microbit.display.show`. */
+export type ReferenceTexts = Readonly<Record<string, string>>;
+
+const catalogues = byLanguage(import.meta.glob<typeof de>('./words/*.json', { import: 'default' }));
+
+/** The words on every name of the boards' modules and of the language, fetched in one language. Rejects without a connection. */
+export const loadReferenceTexts = (language: Language): Promise<ReferenceTexts> => catalogues[language]();
