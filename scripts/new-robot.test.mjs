@@ -57,6 +57,9 @@ describe('npm run new:robot', () => {
       'robot.ts',
       'sheet.ts',
       'type.ts',
+      ...['reference', 'sheet'].flatMap((piece) =>
+        ['de', 'en', 'fr', 'it'].map((language) => `words/${piece}/${language}.json`),
+      ),
     ]);
   });
 

@@ -1,11 +1,18 @@
 // Checks the texts of the app: all languages, the same places for values, nothing left untranslated, nothing unused.
+import { readFileSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
-import { basename, join } from 'node:path';
+import { basename, join, posix } from 'node:path';
 import ts from 'typescript';
 import { Failure, main, note, root } from './progress.mjs';
 import { sameWords } from './texts-same.mjs';
 
-const LANGUAGES = ['de', 'fr', 'it', 'en'];
+/** The languages of the app, as src/core/texts.ts lists them. */
+const LANGUAGES = Array.from(
+  readFileSync(join(root, 'src/core/texts.ts'), 'utf8').matchAll(/^ {2}(\w+): \{ name: /gm),
+  ([, language]) => language,
+);
+/** The words of a part: a file per language, such as `src/attachments/words/fr.json` or, of a piece that comes late, `words/about/fr.json`. */
+const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;
 /** A catalogue is a file per language: `i18n/fr.ts`, `i18n/error-fr.ts`. */
 const CATALOGUE = /^(src\/.*\/(?:[a-z]+-)?)(de|fr|it|en)\.ts$/;
 /** What the pages of the app are told in by `t`; the keys of other catalogues are names of Python. */
@@ -23,9 +30,11 @@ const KEYED = { 'src/web/page/i18n/': '', 'src/web/page/i18n/error-': 'error.' }
 export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
   const trees = treesOf(files);
   const catalogues = cataloguesIn(trees);
+  const parts = partsIn(files);
   const entries = entriesIn(files, trees, catalogues);
   return [
     ...entries.flatMap((entry) => wrongIn(entry, same)),
+    ...parts.flatMap((part) => wrongInPart(part, files)),
     ...unusedKeys(catalogues, trees, files),
     ...unusedMembers(trees, files),
   ];
@@ -44,11 +53,12 @@ export async function allTexts() {
 
 /** Path → syntax tree of every source among the files. */
 const treesOf = (files) =>
-  new Map([...files].filter(([path]) => !path.endsWith('.json')).map(([path, text]) => [path, treeOf(path, text)]));
+  new Map([...files].filter(([path]) => /\.(ts|vue)$/.test(path)).map(([path, text]) => [path, treeOf(path, text)]));
 
 /** @returns {Entry[]} */
 const entriesIn = (files, trees, catalogues) => [
   ...catalogues.flatMap(({ entries }) => entries),
+  ...partsIn(files).flatMap(({ entries }) => entries),
   ...inlineIn(trees),
   ...courseTexts(files),
 ];
@@ -119,6 +129,80 @@ function cataloguesIn(trees) {
   });
 }
 
+/**
+ * The parts of the app that have words: where these stand, such as `src/attachments/words/`, and its texts by their path
+ * in the file, such as `kinds.block`.
+ *
+ * @param {ReadonlyMap<string, string>} files
+ */
+function partsIn(files) {
+  /** @type {Map<string, Map<string, Map<string, string>>>} */
+  const folders = new Map();
+  for (const [path, text] of files) {
+    const [, folder, language] = WORDS.exec(path) ?? [];
+    if (folder === undefined) continue;
+    const texts = new Map(textsOfWords(JSON.parse(text)));
+    folders.set(folder, (folders.get(folder) ?? new Map()).set(language, texts));
+  }
+  return [...folders].map(([folder, languages]) => {
+    const keys = [...new Set([...languages.values()].flatMap((texts) => [...texts.keys()]))];
+    const textsOf = (key) =>
+      Object.fromEntries(
+        [...languages].flatMap(([language, texts]) => (texts.has(key) ? [[language, texts.get(key)]] : [])),
+      );
+    return { folder, keys, entries: keys.map((key) => ({ where: `${folder}*.json ${key}`, texts: textsOf(key) })) };
+  });
+}
+
+/** Every text in a file of words by its path. The texts of a program stand under the English ones: its own test looks after them. */
+function textsOfWords(value, path = '') {
+  if (typeof value === 'string') return [[path, value]];
+  return Object.entries(value)
+    .filter(([name]) => name !== 'program')
+    .flatMap(([name, inner]) => textsOfWords(inner, path === '' ? name : `${path}.${name}`));
+}
+
+/** What is wrong with who reads a part's words: nobody does, or nobody names a text. */
+function wrongInPart({ folder, keys }, files) {
+  const readers = readersOf(folder, files);
+  // Those of courses, examples and the template for robots are read all together, by what belongs to none of them.
+  const isAlone = folder.startsWith('src/') && !folder.endsWith('/examples/words/');
+  if (readers.length === 0) return isAlone ? [`${folder}*.json: no source reads it`] : [];
+  if (readers.some(({ name }) => name === null)) return []; // a record by names that are no code: those of Python, of rules
+  const used = readers.flatMap(({ path, name }) => usersOf(name, path, files).flatMap((user) => membersNamed(user)));
+  return keys
+    .filter(
+      (key) =>
+        !used.some((member) => member === '' || `${key}.`.startsWith(`${member}.`) || member.startsWith(`${key}.`)),
+    )
+    .map((key) => `${folder}*.json ${key}: used nowhere`);
+}
+
+/** The sources that read a part's words, and how they call them; `null`: they are looked up by language. */
+function readersOf(folder, files) {
+  return [...files].flatMap(([path, text]) => {
+    const types = Array.from(text.matchAll(/^import type (\w+) from '(\.[^']*\/)de\.json';$/gm));
+    const type = types.find(([, , from]) => posix.join(posix.dirname(path), from) === folder)?.[1];
+    if (type === undefined) return [];
+    const name =
+      new RegExp(`const (\\w+) = wordsOf\\(\\s*import\\.meta\\.glob<typeof ${type}>`).exec(text)?.[1] ?? null;
+    return [{ path, name }];
+  });
+}
+
+/** The members of an object that a source names: `kinds.block`; '' for the object as a whole. */
+function membersNamed({ alias, text }) {
+  const code = text.replace(/^import [^;]*;$/gm, '').replace(new RegExp(`const ${alias} =`), '');
+  return Array.from(
+    code.matchAll(new RegExp(`(?<![\\w.'-])${alias}\\b((?:\\??\\.\\w+|\\['[^']+'\\])*)`, 'g')),
+    ([, path]) =>
+      path
+        .replaceAll('?', '')
+        .replace(/\['([^']+)'\]/g, '.$1')
+        .replace(/^\./, ''),
+  );
+}
+
 /** The texts that bring their languages along: `{ de: '…', fr: '…', it: '…', en: '…' }`. */
 function inlineIn(trees) {
   /** @type {Entry[]} */
@@ -170,6 +254,8 @@ const wordsIn = (text) =>
 function wrongIn({ where, texts }, same) {
   const missing = LANGUAGES.filter((language) => texts[language] === undefined);
   const wrong = missing.length > 0 ? [`no text in ${missing.join(', ')}`] : [];
+  const unknown = Object.keys(texts).filter((language) => !LANGUAGES.includes(language));
+  if (unknown.length > 0) wrong.push(`${unknown.join(', ')} is no language of src/core/texts.ts`);
   for (const [language, text] of Object.entries(texts)) {
     if (text.trim() === '') wrong.push(`the text in ${language} is empty`);
     if (placesIn(text) !== placesIn(texts.de ?? text))
@@ -256,10 +342,14 @@ async function sourceFiles() {
   const paths = [
     ...(await readdir(join(root, 'src'), { recursive: true })).map((path) => `src/${path}`),
     ...(await readdir(join(root, 'courses'), { recursive: true })).map((path) => `courses/${path}`),
+    ...(await readdir(join(root, 'scripts/robot-template'), { recursive: true })).map(
+      (path) => `scripts/robot-template/${path}`,
+    ),
   ].map((path) => path.replaceAll('\\', '/'));
   const wanted = paths.filter(
     (path) =>
-      (/^src\/.*\.(ts|vue)$/.test(path) && !/\.test\.ts$|\.d\.ts$|\/testing\//.test(path)) ||
+      (/^(src|scripts)\/.*\.(ts|vue)$/.test(path) && !/\.test\.ts$|\.d\.ts$|\/testing\//.test(path)) ||
+      WORDS.test(path) ||
       path.endsWith('texts.json'),
   );
   /** @type {Map<string, string>} */

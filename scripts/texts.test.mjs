@@ -61,6 +61,56 @@ describe('a text that brings its languages along', () => {
   });
 });
 
+describe('the words of a part', () => {
+  const part = (texts) =>
+    Object.fromEntries(Object.entries(texts).map(([language, text]) => [`src/a/words/${language}.json`, text]));
+  const files = part({
+    de: '{ "title": "Wand", "kinds": { "block": "Block {id}" } }',
+    fr: '{ "title": "Mur", "kinds": { "block": "Bloc {id}" } }',
+    it: '{ "title": "Muro", "kinds": { "block": "Blocco {id}" } }',
+    en: '{ "title": "Wall", "kinds": { "block": "Block no. {id}" } }',
+  });
+  const reader = {
+    'src/a/wall.ts':
+      "import type de from './words/de.json';\n" +
+      "export const wallWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true }));\n" +
+      'say(wallWords.title);',
+  };
+  const user = { 'src/b.ts': "import { wallWords as words } from './a/wall';\nsay(words.kinds[kind]);" };
+
+  it('are all right in four languages, each of them read', () => {
+    expect(problems({ ...files, ...reader, ...user })).toEqual([]);
+  });
+
+  it('may not lack a text, nor have one more', () => {
+    const other = part({ it: '{ "title": "Muro", "kind": { "block": "Blocco {id}" } }' });
+    expect(problems({ ...files, ...other, ...reader, ...user })).toEqual([
+      'src/a/words/*.json kinds.block: no text in it',
+      'src/a/words/*.json kind.block: no text in de, fr, en',
+      'src/a/words/*.json kind.block: used nowhere',
+    ]);
+  });
+
+  it('may not be in a language that the app does not have', () => {
+    expect(problems({ ...files, ...part({ rm: '{ "title": "Mir" }' }), ...reader, ...user })).toEqual([
+      'src/a/words/*.json title: rm is no language of src/core/texts.ts',
+    ]);
+  });
+
+  it('are looked at one by one: places, words left in English, signs', () => {
+    const other = part({ fr: '{ "title": "Wall", "kinds": { "block": "Bloc" } }' });
+    expect(problems({ ...files, ...other, ...reader, ...user })).toEqual([
+      'src/a/words/*.json title: fr is the same as English: Wall',
+      'src/a/words/*.json kinds.block: fr has the places (none), German {id}',
+    ]);
+  });
+
+  it('may not have a text that nobody names', () => {
+    expect(problems({ ...files, ...reader })).toEqual(['src/a/words/*.json kinds.block: used nowhere']);
+    expect(problems(files)).toEqual(['src/a/words/*.json: no source reads it']);
+  });
+});
+
 describe('the catalogues', () => {
   it('are all right with the same keys, each of them shown', () => {
     expect(problems({ ...catalogues("stop: 'Stop'"), ...button })).toEqual([]);

@@ -4,9 +4,14 @@
  */
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
+import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
+import type de from './words/de.json';
+
+/** The words of what can be chosen about it. */
+const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;
@@ -83,55 +88,29 @@ export const callibot: RobotType = {
   options: [
     {
       id: 'model',
-      title: { de: 'Ausführung', fr: 'Version', it: 'Modello', en: 'Model' },
-      about: {
-        de: 'Der 2E hat Radzähler und misst seine Batterie; der 1 kennt weder Stossfänger noch die Register an 0x22.',
-        fr: 'Le 2E a des compteurs de roue et mesure sa batterie ; le 1 n’a ni pare-chocs ni registres à 0x22.',
-        it: 'Il 2E ha contatori delle ruote e misura la sua batteria; l’1 non ha né paraurti né registri a 0x22.',
-        en: 'The 2E counts the turns of its wheels and measures its battery; the 1 has no bumper and no registers at 0x22.',
-      },
+      title: words.options.model.title,
+      about: words.options.model.about,
       choices: [
-        { id: '2E', title: { de: 'Calli:bot 2E', fr: 'Calli:bot 2E', it: 'Calli:bot 2E', en: 'Calli:bot 2E' } },
-        { id: '2', title: { de: 'Calli:bot 2', fr: 'Calli:bot 2', it: 'Calli:bot 2', en: 'Calli:bot 2' } },
-        { id: '1', title: { de: 'Calli:bot 1', fr: 'Calli:bot 1', it: 'Calli:bot 1', en: 'Calli:bot 1' } },
+        { id: '2E', title: words.options.model.choices['2E'] },
+        { id: '2', title: words.options.model.choices['2'] },
+        { id: '1', title: words.options.model.choices['1'] },
       ],
     },
     {
       id: 'bumper',
-      title: { de: 'Stossfänger', fr: 'Pare-chocs', it: 'Paraurti', en: 'Bumper' },
-      about: {
-        de: 'Der Roboter trägt ihn, sobald ein Programm die Sensoren liest (Linie, Abstand, Stossfänger); mit einem Anbauteil an einem Servo nur bei «immer».',
-        fr: 'Le robot le porte dès qu’un programme lit les capteurs (ligne, distance, pare-chocs) ; avec un accessoire sur un servo, seulement avec « toujours ».',
-        it: 'Il robot lo porta appena un programma legge i sensori (linea, distanza, paraurti); con un accessorio su un servo solo con «sempre».',
-        en: 'The robot carries it once a program reads the sensors (line, distance, bumper); with an attachment on a servo only with “always”.',
-      },
+      title: words.options.bumper.title,
+      about: words.options.bumper.about,
       choices: [
-        {
-          id: 'when-read',
-          title: {
-            de: 'sobald Sensoren gelesen werden',
-            fr: 'dès que des capteurs sont lus',
-            it: 'appena si leggono i sensori',
-            en: 'once sensors are read',
-          },
-        },
-        { id: 'always', title: { de: 'immer', fr: 'toujours', it: 'sempre', en: 'always' } },
+        { id: 'when-read', title: words.options.bumper.choices['when-read'] },
+        { id: 'always', title: words.options.bumper.choices.always },
       ],
     },
     {
       id: 'echo',
-      title: {
-        de: 'Ultraschall ohne Hindernis',
-        fr: 'Ultrasons sans obstacle',
-        it: 'Ultrasuoni senza ostacolo',
-        en: 'Ultrasonic without an obstacle',
-      },
+      title: words.options.echo.title,
       choices: [
-        {
-          id: 'far',
-          title: { de: 'meldet 4500 mm', fr: 'indique 4500 mm', it: 'segnala 4500 mm', en: 'reports 4500 mm' },
-        },
-        { id: 'zero', title: { de: 'meldet 0 mm', fr: 'indique 0 mm', it: 'segnala 0 mm', en: 'reports 0 mm' } },
+        { id: 'far', title: words.options.echo.choices.far },
+        { id: 'zero', title: words.options.echo.choices.zero },
       ],
     },
     ...attachmentOptions(SERVO_PORTS),

@@ -4,9 +4,14 @@
  */
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
+import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
+import type de from './words/de.json';
+
+/** The words of what can be chosen about it. */
+const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /** Ports of the two servos. */
 export const SERVO_PORTS = ['S1', 'S2'] as const;
@@ -71,18 +76,10 @@ export const maqueenLite: RobotType = {
     ...attachmentOptions(SERVO_PORTS),
     {
       id: 'echo',
-      title: {
-        de: 'Ultraschall ohne Hindernis',
-        fr: 'Ultrasons sans obstacle',
-        it: 'Ultrasuoni senza ostacolo',
-        en: 'Ultrasonic without an obstacle',
-      },
+      title: words.options.echo.title,
       choices: [
-        { id: 'none', title: { de: 'kein Echo', fr: 'pas d’écho', it: 'nessuna eco', en: 'no echo' } },
-        {
-          id: 'long-pulse',
-          title: { de: 'Echo von 38 ms', fr: 'écho de 38 ms', it: 'eco di 38 ms', en: 'echo of 38 ms' },
-        },
+        { id: 'none', title: words.options.echo.choices.none },
+        { id: 'long-pulse', title: words.options.echo.choices['long-pulse'] },
       ],
     },
   ],

@@ -5,9 +5,14 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Option } from '#core/option';
 import type { Vec } from '#core/geometry';
+import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
+import type de from './words/de.json';
+
+/** The words of what can be chosen about it. */
+const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /** Ports of the three servos, named after the pins they hang on. */
 export const SERVO_PORTS = ['P0', 'P1', 'P2'] as const;
@@ -64,76 +69,37 @@ const options: readonly Option[] = [
   ...attachmentOptions(SERVO_PORTS),
   {
     id: 'version',
-    title: { de: 'Version des Roboters', fr: 'Version du robot', it: 'Versione del robot', en: 'Version of the robot' },
-    about: {
-      de: 'Was der Roboter antwortet, wenn ein Programm nach seiner Version fragt.',
-      fr: 'Ce que le robot répond quand un programme demande sa version.',
-      it: 'Quello che il robot risponde quando un programma chiede la sua versione.',
-      en: 'What the robot answers when a program asks for its version.',
-    },
+    title: words.version.title,
+    about: words.version.about,
     choices: [
-      { id: '2.1', title: { de: '2.1', fr: '2.1', it: '2.1', en: '2.1' } },
-      { id: '2.0', title: { de: '2.0', fr: '2.0', it: '2.0', en: '2.0' } },
+      { id: '2.1', title: words.version.choices['2.1'] },
+      { id: '2.0', title: words.version.choices['2.0'] },
     ],
   },
   {
     id: 'analogOrder',
-    title: {
-      de: 'Reihenfolge der Helligkeitswerte',
-      fr: 'Ordre des valeurs de luminosité',
-      it: 'Ordine dei valori di luminosità',
-      en: 'Order of the brightness values',
-    },
-    about: {
-      de: 'Roboter der gleichen Version melden die Werte der Liniensensoren mal von rechts, mal von links her.',
-      fr: 'Des robots de la même version indiquent les valeurs des capteurs de ligne tantôt depuis la droite, tantôt depuis la gauche.',
-      it: 'Robot della stessa versione danno i valori dei sensori di linea a volte da destra, a volte da sinistra.',
-      en: 'Robots of the same version report the values of the line sensors from the right or from the left.',
-    },
+    title: words.analogOrder.title,
+    about: words.analogOrder.about,
     choices: [
-      {
-        id: 'R2-first',
-        title: { de: 'rechts zuerst', fr: 'droite d’abord', it: 'prima la destra', en: 'right first' },
-      },
-      {
-        id: 'L2-first',
-        title: { de: 'links zuerst', fr: 'gauche d’abord', it: 'prima la sinistra', en: 'left first' },
-      },
+      { id: 'R2-first', title: words.analogOrder.choices['R2-first'] },
+      { id: 'L2-first', title: words.analogOrder.choices['L2-first'] },
     ],
   },
   {
     id: 'analogPolarity',
-    title: {
-      de: 'Grosser Helligkeitswert heisst',
-      fr: 'Une grande valeur signifie',
-      it: 'Un valore alto significa',
-      en: 'A high brightness value means',
-    },
-    about: {
-      de: 'Roboter der gleichen Version melden auf hellem Boden mal einen grossen, mal einen kleinen Wert.',
-      fr: 'Sur un sol clair, des robots de la même version indiquent tantôt une grande valeur, tantôt une petite.',
-      it: 'Su pavimento chiaro, robot della stessa versione danno a volte un valore alto, a volte uno basso.',
-      en: 'On light ground some robots of the same version report a high value, some a low one.',
-    },
+    title: words.analogPolarity.title,
+    about: words.analogPolarity.about,
     choices: [
-      { id: 'light-high', title: { de: 'heller Boden', fr: 'sol clair', it: 'pavimento chiaro', en: 'light ground' } },
-      { id: 'light-low', title: { de: 'dunkler Boden', fr: 'sol sombre', it: 'pavimento scuro', en: 'dark ground' } },
+      { id: 'light-high', title: words.analogPolarity.choices['light-high'] },
+      { id: 'light-low', title: words.analogPolarity.choices['light-low'] },
     ],
   },
   {
     id: 'echo',
-    title: {
-      de: 'Ultraschall ohne Hindernis',
-      fr: 'Ultrasons sans obstacle',
-      it: 'Ultrasuoni senza ostacolo',
-      en: 'Ultrasonic without an obstacle',
-    },
+    title: words.echo.title,
     choices: [
-      { id: 'none', title: { de: 'kein Echo', fr: 'pas d’écho', it: 'nessuna eco', en: 'no echo' } },
-      {
-        id: 'long-pulse',
-        title: { de: 'Echo von 38 ms', fr: 'écho de 38 ms', it: 'eco di 38 ms', en: 'echo of 38 ms' },
-      },
+      { id: 'none', title: words.echo.choices.none },
+      { id: 'long-pulse', title: words.echo.choices['long-pulse'] },
     ],
   },
 ];
