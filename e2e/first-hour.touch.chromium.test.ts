@@ -2,7 +2,6 @@ import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
 import { LANGUAGES, type Language } from '../src/core/texts';
 import { localeOf } from '../src/web/page/i18n/locale';
-import { verdictTexts } from '../src/web/arena/verdict/verdict-texts';
 import { expect, test } from './app';
 import { driveFirst, passFirstCourse, shareIt, takeTour, writeFirstProgram, type Beginner } from './first-hour';
 import { programIn } from './page';
@@ -17,6 +16,12 @@ const SHOWN: readonly string[] = ['tour', 'board', 'drive', 'course', 'share'];
 const FOLDER = process.env['PARCOURS_PICTURES'];
 const isKept = (name: string): boolean =>
   FOLDER !== undefined && (process.env['PARCOURS_PICTURES_OF'] === 'all' || SHOWN.includes(name));
+
+/** What the verdict says in a language when a course is passed. */
+function passedIn(language: Language): string {
+  const words = new URL(`../src/web/arena/words/verdict/${language}.json`, import.meta.url);
+  return (JSON.parse(readFileSync(words, 'utf8')) as { readonly passed: string }).passed;
+}
 
 async function beginnerAt(page: Page, language: Language): Promise<Beginner> {
   const { app } = await withFingers(page);
@@ -53,7 +58,7 @@ for (const language of LANGUAGES)
       const texts = JSON.parse(
         readFileSync(new URL('../courses/square/texts.json', import.meta.url), 'utf8'),
       ) as Record<Language, { readonly name: string; readonly task: string }>;
-      await passFirstCourse(beginner, { task: texts[language].task, passed: verdictTexts.passed[language] });
+      await passFirstCourse(beginner, { task: texts[language].task, passed: passedIn(language) });
       const link = await shareIt(beginner);
       const program = await programIn(beginner.app);
 

@@ -1,6 +1,5 @@
 import { allTexts } from '../scripts/texts.mjs';
-import { LANGUAGES, type Language } from '../src/core/texts';
-import { languageNames } from '../src/web/page/i18n/language-names';
+import { LANGUAGES, languages, type Language } from '../src/core/texts';
 import type { App } from './app';
 
 /** What the app says in one language: as it stands, and as patterns where values have places in a text. */
@@ -61,7 +60,7 @@ export async function wordsInSight(app: App): Promise<readonly string[]> {
 export async function wordsOfOthers(app: App, language: Language): Promise<readonly string[]> {
   const said = await (allSaid ??= readTexts());
   const others = LANGUAGES.filter((it) => it !== language);
-  const names: readonly string[] = Object.values(languageNames); // each is called as it calls itself
+  const names: readonly string[] = Object.values(languages).map(({ name }) => name); // each is called as it calls itself
   const seen = (await wordsInSight(app)).filter((text) => !names.includes(text));
   return seen.filter((text) => others.some((it) => isSaid(text, said[it])) && !isSaid(text, said[language]));
 }

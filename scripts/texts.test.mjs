@@ -2,32 +2,40 @@ import { describe, expect, it } from 'vitest';
 import { problemsOf } from './texts.mjs';
 
 const same = { fr: new Set(['radio']), it: new Set(['radio']) };
-const problems = (files) => problemsOf(new Map(Object.entries(files)), same);
+const languages = ['de', 'fr', 'it', 'en'].map((language) => `  ${language}: { name: '…' },`).join('\n');
+const problems = (files) => problemsOf(new Map(Object.entries({ 'src/core/texts.ts': languages, ...files })), same);
 
-/** A text in its languages as it stands in a source. */
-const inline = (texts) => `const words = ${JSON.stringify({ title: texts })};\nsay(words.title);\n`;
+/** A text in its languages, as a part has it that names all its texts. */
+const inWords = (texts) => ({
+  ...Object.fromEntries(
+    Object.entries(texts).map(([language, title]) => [`src/a/words/${language}.json`, JSON.stringify({ title })]),
+  ),
+  'src/a/wall.ts':
+    "import type de from './words/de.json';\n" +
+    "const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true }));\nsay(words.title);",
+});
 const good = { de: 'Wand', fr: 'Mur', it: 'Muro', en: 'Wall' };
-const found = (texts) => problems({ 'src/web/a.ts': inline({ ...good, ...texts }) }).join('\n');
+const found = (texts) => problems(inWords({ ...good, ...texts })).join('\n');
 
-/** The catalogues of the app with one text each, and a component that shows it. */
+/** The texts of the first page with one text each, and a component that shows it. */
 const catalogues = (english) => ({
-  'src/web/page/i18n/de.ts': "export const de = { bar: { stop: 'Stopp' } } as const;",
-  'src/web/page/i18n/fr.ts': "export const fr: Texts = { bar: { stop: 'Arrêter' } };",
-  'src/web/page/i18n/it.ts': "export const it: Texts = { bar: { stop: 'Ferma' } };",
-  'src/web/page/i18n/en.ts': `export const en: Texts = { bar: { ${english} } };`,
+  'src/web/page/words/de.json': '{ "bar": { "stop": "Stopp" } }',
+  'src/web/page/words/fr.json': '{ "bar": { "stop": "Arrêter" } }',
+  'src/web/page/words/it.json': '{ "bar": { "stop": "Ferma" } }',
+  'src/web/page/words/en.json': `{ "bar": { ${english} } }`,
 });
 const button = {
   'src/web/Stop.vue': '<script setup lang="ts">\n</script>\n<template>{{ t(\'bar.stop\') }}</template>',
 };
 
-describe('a text that brings its languages along', () => {
+describe('a text', () => {
   it('is all right in four languages', () => {
     expect(found({})).toBe('');
   });
 
   it('is told where it stands when a language is missing', () => {
-    const two = "\nconst words = { title: { de: 'Wand', en: 'Wall' } };\nsay(words.title);";
-    expect(problems({ 'src/web/a.ts': two })).toEqual(['src/web/a.ts:2: no text in fr, it']);
+    const { fr: _, it: __, ...two } = good;
+    expect(problems(inWords(two))).toEqual(['src/a/words/*.json title: no text in fr, it']);
   });
 
   it('has the same places for values in every language', () => {
@@ -46,18 +54,10 @@ describe('a text that brings its languages along', () => {
     expect(found({ fr: 'Un mur\u202f?' })).toBe('');
   });
 
-  it('is not mixed up with a program or a function in each language', () => {
+  it('stands in no source', () => {
+    const source = "const words = {\n  title: { de: 'Wand', en: 'Wall' },\n};\nsay(words.title);";
+    expect(problems({ 'src/web/a.ts': source })).toEqual(['src/web/a.ts:2: texts stand in words/<language>.json']);
     expect(problems({ 'src/a.ts': 'const source = { de: german, en: english };' })).toEqual([]);
-  });
-
-  it('is told when nobody shows it', () => {
-    const idle = `export const words = ${JSON.stringify({ title: good, idle: good })};`;
-    const shown = {
-      'src/web/B.vue': "<script setup>\nimport { words as own } from './a';\n</script>\n{{ own.title }}",
-    };
-    expect(problems({ 'src/web/a.ts': idle, ...shown })).toEqual(['src/web/a.ts words.idle: used nowhere']);
-    const late = { 'src/web/b.ts': "const { words } = await import('./a'); show(words.idle, words.used);" };
-    expect(problems({ 'src/web/a.ts': idle, ...shown, ...late })).toEqual([]);
   });
 });
 
@@ -105,6 +105,16 @@ describe('the words of a part', () => {
     ]);
   });
 
+  it('are followed through other names: of an import, of some of them, and where they come late', () => {
+    const late = "const { wallWords } = await import('./a/wall');\nshow(wallWords.kinds.block);";
+    expect(problems({ ...files, ...reader, 'src/b.ts': late })).toEqual([]);
+    const some = "import { wallWords } from './a/wall';\nconst kinds = wallWords.kinds;\nsay(kinds.";
+    expect(problems({ ...files, ...reader, 'src/b.ts': `${some}block);` })).toEqual([]);
+    expect(problems({ ...files, ...reader, 'src/b.ts': `${some}wall);` })).toEqual([
+      'src/a/words/*.json kinds.block: used nowhere',
+    ]);
+  });
+
   it('may not have a text that nobody names', () => {
     expect(problems({ ...files, ...reader })).toEqual(['src/a/words/*.json kinds.block: used nowhere']);
     expect(problems(files)).toEqual(['src/a/words/*.json: no source reads it']);
@@ -113,24 +123,26 @@ describe('the words of a part', () => {
 
 describe('the catalogues', () => {
   it('are all right with the same keys, each of them shown', () => {
-    expect(problems({ ...catalogues("stop: 'Stop'"), ...button })).toEqual([]);
+    expect(problems({ ...catalogues('"stop": "Stop"'), ...button })).toEqual([]);
   });
 
   it('may not lack a key', () => {
-    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/page/i18n/*.ts bar.stop: no text in en']);
+    expect(problems({ ...catalogues(''), ...button })).toEqual(['src/web/page/words/*.json bar.stop: no text in en']);
   });
 
   it('may not have a key more', () => {
-    expect(problems({ ...catalogues("stop: 'Stop', go: 'Go'"), ...button })[0]).toContain('bar.go: no text in de, fr');
+    expect(problems({ ...catalogues('"stop": "Stop", "go": "Go"'), ...button })[0]).toContain(
+      'bar.go: no text in de, fr',
+    );
   });
 
   it('may not have a key that nobody shows', () => {
-    expect(problems(catalogues("stop: 'Stop'"))).toEqual(['src/web/page/i18n/*.ts bar.stop: used nowhere']);
+    expect(problems(catalogues('"stop": "Stop"'))).toEqual(['src/web/page/words/*.json bar.stop: used nowhere']);
   });
 
   it('count a key as shown that is put together: bar.${id}', () => {
     const made = { 'src/web/a.ts': 'const label = t(`bar.${id}`);' };
-    expect(problems({ ...catalogues("stop: 'Stop'"), ...made })).toEqual([]);
+    expect(problems({ ...catalogues('"stop": "Stop"'), ...made })).toEqual([]);
   });
 });
 

@@ -2,6 +2,7 @@
  * The simulator as a device of WebTigerPython, or of any page with the same device interface: what the device's buttons
  * do there happens in a frame with Parcours.
  */
+import type { Language } from '#core/texts';
 import { HOLD_MS, Printing } from '../webtigerpython/printing';
 import { connect } from './connect';
 import { ParcoursError } from './parcours-error';
@@ -40,7 +41,7 @@ export interface ParcoursDeviceOptions {
   readonly robot?: string;
   /** What is shown: `bar`, `code`, `board`, `arena`, `tools`, `console`. At first board and arena. */
   readonly parts?: readonly ('bar' | 'code' | 'board' | 'arena' | 'tools' | 'console')[];
-  readonly language?: 'de' | 'fr' | 'it' | 'en';
+  readonly language?: Language;
   readonly theme?: 'system' | 'light' | 'dark';
   /** How long the page may take to answer, in ms. At first 30,000. */
   readonly timeoutMs?: number;

@@ -1,3 +1,4 @@
+import { LANGUAGES } from '#core/texts';
 import type { Parcours } from '../client/types';
 import { limits } from '../parcours/limits';
 import { PARTS, type HostSpeed } from '../simulator';
@@ -8,7 +9,6 @@ type Wish = (parcours: Parcours, value: string | null) => Promise<void>;
 
 const SPEEDS: readonly HostSpeed[] = [0.25, 0.5, 1, 2, 4, 8, 'max'];
 const THEMES = ['system', 'light', 'dark'] as const;
-const LANGUAGES = ['de', 'fr', 'it', 'en'] as const;
 
 /** Attributes that change the page while it is there. */
 export const wishes: Readonly<Record<string, Wish>> = {

@@ -1,5 +1,5 @@
 import { closePageBar, showPageBar } from '../page/bar/page-bar';
-import { offlineTexts as words } from '../page/bar/offline-texts';
+import { barWords as words } from '../page/bar/bar-words';
 import { versionLock, type ToServiceWorker } from './versions';
 
 /** A page that stays open looks for a new version at most so often, in ms. */

@@ -1,6 +1,6 @@
 import { keepOffline } from './keep-offline';
-import { offlineTexts as words } from '../page/bar/offline-texts';
 import { showPageBar } from '../page/bar/page-bar';
+import { barWords as words } from '../page/bar/bar-words';
 
 /**
  * What the page does about networks and storage once it has nothing more urgent to do.

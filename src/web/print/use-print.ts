@@ -8,9 +8,9 @@ import { useWork } from '../work/model/parts';
 import { courseName } from '../work/catalogue/first-course';
 import { say } from '../page/i18n/say';
 import { coursePng, piecesOf, pictureAddress } from './picture-parts';
-import { printTexts as words } from './print-texts';
 import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
+import { printWords as words } from './print-words';
 
 /** Longer sides of the pictures in pixels: twice a screen's arena, and fine enough for a page of A4. */
 export const PNG_PX = { usual: 1800, large: 4000 } as const;

@@ -1,7 +1,10 @@
 import { say } from '../page/i18n/say';
 import type { PutProblem } from './problem';
 import type { PutProgress, PutResult } from './put-files';
-import { deviceProblemTexts as problems, deviceStateTexts as states, realDeviceTexts } from './real-device-texts';
+import { realDeviceWords as words } from './real-device-words';
+
+const problems = words.problems;
+const states = words.states;
 
 /** What goes on, in one sentence. */
 export function progressSentence({ stage, file }: PutProgress): string {
@@ -22,7 +25,7 @@ export const isTraceback = (said: string): boolean => /^Traceback|^\s*File ".*",
 export function problemSentence(problem: PutProblem): string {
   switch (problem.kind) {
     case 'frame':
-      return say(realDeviceTexts.noFrame);
+      return say(words.noFrame);
     case 'full':
       return `${say(problems.full, { file: problem.file, bytes: problem.overBytes })} ${
         problem.others.length > 0

@@ -2,10 +2,14 @@ import { placementProblems } from '#scene/placement';
 import { runRefusal } from '#scene/run-refusal';
 import type { Scene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
+import { wordsOf } from '#core/words';
 
 import { say } from '../page/i18n/say';
-import { failureTexts } from './failure-texts';
 import type { Notice } from '../page/notices';
+import type de from './words/de.json';
+
+/** Why no run can begin in a course, in the pupil's words; they come with the first failure. */
+const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /**
  * What the page says about a run that could not begin: what is wrong with the course in the pupil's words, anything
@@ -28,5 +32,5 @@ export function failureNotice(message: string, hardware: Pick<Hardware, 'robot'>
 
 function inWords(message: string, scene: Scene): string {
   const refusal = runRefusal(scene);
-  return refusal?.message === message ? say(failureTexts[refusal.code], refusal.params) : message;
+  return refusal?.message === message ? say(words[refusal.code], refusal.params) : message;
 }

@@ -14,7 +14,7 @@ import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
-import { problemTexts, shareTexts } from './share-texts';
+import { shareWords as words } from './share-words';
 
 const courseOf = (id: string): Course | null => courses.find((course) => course.id === id) ?? null;
 
@@ -34,9 +34,9 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
   const id = courseIn(address.trim());
   const course = id === null ? null : courseOf(id.course);
-  if (id !== null && course === null) return say(problemTexts.unknownCourse, { course: id.course });
+  if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id.course });
   if (hasProgram(address)) return openProgramLink(app, address.trim(), course, wish);
-  if (id === null || course === null) return say(problemTexts.notALink);
+  if (id === null || course === null) return say(words.problems.notALink);
   const { openScene, openWhole } = useCourses(app);
   if (id.name === 'task') openWhole(course);
   else openScene(course);
@@ -58,11 +58,11 @@ function openProjectLink(app: Workplace, fragment: string): string | null {
   if ('problem' in read) return linkReason(read.problem);
   const { project, isCourseChanged } = read;
   const { scene, course } = project;
-  const name = scene.name === '' && course === null ? say(shareTexts.shared) : courseName(scene, course);
+  const name = scene.name === '' && course === null ? say(words.shared) : courseName(scene, course);
   openProject(app, project, name);
   if (isCourseChanged) {
     const { current } = app.notices;
-    const text = say(shareTexts.courseChanged, { name });
+    const text = say(words.courseChanged, { name });
     app.notices.show({ ...current.value, kind: 'info', key: 'notice.text', values: { text } });
   }
   return null;
@@ -85,7 +85,7 @@ function openProgramLink(
       : { files, scene: course.scene, course: course.id };
   const settings = { ...defaultProjectSettings, device: device ?? defaultProjectSettings.device };
   const brings = device !== null && wish === 'brought';
-  openProject(app, brings ? { ...project, settings } : project, say(shareTexts.sharedProgram));
+  openProject(app, brings ? { ...project, settings } : project, say(words.sharedProgram));
   if (course !== null) {
     const { allowRobot, setUpForCourse } = useDevice(app);
     allowRobot();

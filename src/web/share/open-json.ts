@@ -8,7 +8,7 @@ import { isReadyArena } from '../work/catalogue/examples';
 import { courseName } from '../work/catalogue/first-course';
 import { say } from '../page/i18n/say';
 import { reasonOf } from './problem-words';
-import { problemTexts } from './share-texts';
+import { shareWords as words } from './share-words';
 
 /** Largest file of JSON that is read: a project with a picture as floor has a few MB. */
 const MAX_BYTES = 16 * 1024 * 1024;
@@ -17,17 +17,17 @@ const MAX_BYTES = 16 * 1024 * 1024;
 export async function openJsonFile(app: Workplace, loaded: File): Promise<void> {
   const file = loaded.name;
   if (!file.toLowerCase().endsWith('.json')) {
-    refuse(app, say(problemTexts.otherKind, { file }));
+    refuse(app, say(words.problems.otherKind, { file }));
     return;
   }
   if (loaded.size > MAX_BYTES) {
     const size = Math.ceil(loaded.size / 1024 / 1024);
-    refuse(app, say(problemTexts.tooLargeFile, { file, size, max: MAX_BYTES / 1024 / 1024 }));
+    refuse(app, say(words.problems.tooLargeFile, { file, size, max: MAX_BYTES / 1024 / 1024 }));
     return;
   }
   const text = await textOf(loaded);
   if (text === null) {
-    refuse(app, say(problemTexts.unreadable, { file }));
+    refuse(app, say(words.problems.unreadable, { file }));
     return;
   }
   const opened = openJson(text);
@@ -46,7 +46,7 @@ export async function openJsonFile(app: Workplace, loaded: File): Promise<void> 
       return;
     }
     case 'problem':
-      refuse(app, say(problemTexts.file, { file, reason: reasonOf(opened.problems) }));
+      refuse(app, say(words.problems.file, { file, reason: reasonOf(opened.problems) }));
       return;
     default:
       opened satisfies never;

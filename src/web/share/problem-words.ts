@@ -5,7 +5,9 @@ import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';
 import type { SceneProblem } from '#scene/problem';
 
 import { say } from '../page/i18n/say';
-import { problemTexts as words } from './share-texts';
+import { shareWords } from './share-words';
+
+const words = shareWords.problems;
 
 type Problem = ProjectProblem | SceneProblem;
 

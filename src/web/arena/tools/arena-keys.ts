@@ -3,12 +3,12 @@ import type { Texts } from '#core/texts';
 import { nothingSelected } from '#editor/tools/tool';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
-import { canvasTexts } from './canvas-texts';
 import { arrowOf, STEP_MM, type SelectionKeys } from './tool-keys';
 import type { ToolPointers } from './tool-pointers';
 import type { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { toMm } from '../view/view-transform';
+import { arenaWords } from '../arena-words';
 
 /** The keys of the arena while a tool is chosen. */
 export interface ArenaKeys {
@@ -43,10 +43,10 @@ export function arenaKeys(
   const middle = (): Vec => middleOfSight(picture);
   const press = (): void => {
     if (!surface.pressKey(middle())) return; // what was done is told by the editor
-    if (surface.crosshair !== null) sources.say(sayPlace(canvasTexts.drawing, surface.crosshair));
+    if (surface.crosshair !== null) sources.say(sayPlace(arenaWords.tools.drawing, surface.crosshair));
   };
   const escape = (): boolean => {
-    if (surface.cancel()) sources.say(say(canvasTexts.dropped));
+    if (surface.cancel()) sources.say(say(arenaWords.tools.dropped));
     else if (isSelected(editor)) editor.select(nothingSelected);
     else return false;
     return true;
@@ -76,7 +76,7 @@ export function arenaKeys(
       keys.keyUp(event.key);
       if (event.key === ' ' && pointers.letGoSpace()) press();
     },
-    focus: () => sources.say(say(isSelected(editor) ? canvasTexts.helpSelected : canvasTexts.help)),
+    focus: () => sources.say(say(isSelected(editor) ? arenaWords.tools.helpSelected : arenaWords.tools.help)),
     blur() {
       pointers.letGoSpace();
       keys.keyUp('ArrowLeft'); // any arrow: what they have moved is done
@@ -90,7 +90,7 @@ function sayer(sources: KeySources): (at: Vec) => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   return (at) => {
     if (timer !== null) clearTimeout(timer);
-    timer = setTimeout(() => sources.say(sayPlace(canvasTexts.place, at)), SAY_MS);
+    timer = setTimeout(() => sources.say(sayPlace(arenaWords.tools.place, at)), SAY_MS);
   };
 }
 

@@ -10,7 +10,6 @@ import type { Scene } from '#scene/scene';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
-import { canvasTexts } from './canvas-texts';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
 import { floorPx } from '../picture/draw-floor';
 import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
@@ -22,6 +21,7 @@ import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';
 import { ToolSurface, type SurfacePicture } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
+import { arenaWords } from '../arena-words';
 
 /** What the tools work on. */
 export interface ToolSources {
@@ -67,7 +67,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     context,
     commit: (edit: SceneEdit, select?: Selection): void => void editor.commit(edit, select),
     select: editor.select.bind(editor),
-    copied: (): void => sources.say(say(canvasTexts.copied)),
+    copied: (): void => sources.say(say(arenaWords.tools.copied)),
     changed: sources.redraw,
   };
   const keys = createSelectionKeys(ports);

@@ -1,10 +1,10 @@
 import { describe, expect, it } from 'vitest';
 
 import { play } from '#vm/library/testing/play';
-import { de } from '../../page/i18n/de';
-import { en } from '../../page/i18n/en';
-import { errorDe } from '../../page/i18n/error-de';
-import { errorEn } from '../../page/i18n/error-en';
+import de from '../../page/words/de.json';
+import en from '../../page/words/en.json';
+import errorDe from '../../page/words/error/de.json';
+import errorEn from '../../page/words/error/en.json';
 import type { TextKey } from '../../page/i18n/texts';
 import { lastPlace } from '../log/console-log';
 import type { OnTable } from '../../work/hardware/misplugged';

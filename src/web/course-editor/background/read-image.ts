@@ -1,12 +1,14 @@
 import { packLevels } from '#scene/background';
 import type { Background, Point } from '#scene/scene';
 
-import type { BackgroundProblem } from './background-texts';
 import { svgProblem, svgSize } from './check-svg';
 import { fitBackground } from './fit-background';
 import { readImageHeader } from './image-header';
 import { pictureOf } from './picture-of';
 import { createRaster } from './raster';
+
+/** Why a file cannot be the floor. */
+export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
 
 /** A file of more than this is not opened, in bytes. */
 const MOST_BYTES = 10_000_000;

@@ -6,97 +6,11 @@ import type { Scene } from '#scene/scene';
 
 import type { Happened } from '../state/course-editor-model';
 import { say } from '../../page/i18n/say';
-import { cm, countText, kindTexts, namesOf, placeText, whereText } from './object-words';
-import { toolTexts } from './palette-texts';
-import { panelTexts } from './panel-texts';
+import { cm, countText, namesOf, placeText, whereText } from './object-words';
+import { editingWords } from './editing-words';
+import { editorWords } from './editor-words';
 
-const texts = {
-  undone: { de: 'Rückgängig: {what}', fr: 'Annulé : {what}', it: 'Annullato: {what}', en: 'Undone: {what}' },
-  redone: { de: 'Wiederholt: {what}', fr: 'Rétabli : {what}', it: 'Ripetuto: {what}', en: 'Done again: {what}' },
-  drew: {
-    de: 'Linie gezeichnet, {cm} cm',
-    fr: 'Ligne dessinée, {cm} cm',
-    it: 'Linea disegnata, {cm} cm',
-    en: 'Line drawn, {cm} cm',
-  },
-  added: { de: '{what} hinzugefügt', fr: 'Ajouté : {what}', it: 'Aggiunto: {what}', en: '{what} added' },
-  addedAt: {
-    de: '{what} hinzugefügt bei {at} cm',
-    fr: 'Ajouté : {what}, à {at} cm',
-    it: 'Aggiunto: {what}, a {at} cm',
-    en: '{what} added at {at} cm',
-  },
-  removed: { de: '{what} gelöscht', fr: 'Supprimé : {what}', it: 'Eliminato: {what}', en: '{what} deleted' },
-  cleared: { de: 'Alles gelöscht', fr: 'Tout est effacé', it: 'Cancellato tutto', en: 'Everything cleared' },
-  erased: {
-    de: 'Linie radiert, {cm} cm',
-    fr: 'Ligne gommée, {cm} cm',
-    it: 'Linea cancellata, {cm} cm',
-    en: 'Line erased, {cm} cm',
-  },
-  movedTo: {
-    de: '{what} verschoben nach {at} cm',
-    fr: 'Déplacé : {what}, à {at} cm',
-    it: 'Spostato: {what}, a {at} cm',
-    en: '{what} moved to {at} cm',
-  },
-  moved: { de: '{what} verschoben', fr: 'Déplacé : {what}', it: 'Spostato: {what}', en: '{what} moved' },
-  turnedBy: {
-    de: '{what} um {deg} Grad gedreht',
-    fr: 'Tourné de {deg} degrés : {what}',
-    it: 'Ruotato di {deg} gradi: {what}',
-    en: '{what} turned by {deg} degrees',
-  },
-  turned: { de: '{what} gedreht', fr: 'Tourné : {what}', it: 'Ruotato: {what}', en: '{what} turned' },
-  sized: {
-    de: '{what} ist jetzt {x} mal {y} cm gross',
-    fr: '{what} : maintenant {x} sur {y} cm',
-    it: '{what}: ora {x} per {y} cm',
-    en: '{what} is now {x} by {y} cm',
-  },
-  changed: { de: '{what} geändert', fr: 'Modifié : {what}', it: 'Modificato: {what}', en: '{what} changed' },
-  startAt: { de: 'Start bei {at} cm', fr: 'Départ à {at} cm', it: 'Partenza a {at} cm', en: 'Start at {at} cm' },
-  startHeading: {
-    de: 'Richtung {deg} Grad',
-    fr: 'direction {deg} degrés',
-    it: 'direzione {deg} gradi',
-    en: 'heading {deg} degrees',
-  },
-  startScale: {
-    de: 'Roboter {scale} mal so gross',
-    fr: 'robot {scale} fois sa taille',
-    it: 'robot {scale} volte la sua grandezza',
-    en: 'robot {scale} times its size',
-  },
-  start: { de: 'Start geändert', fr: 'Départ modifié', it: 'Partenza modificata', en: 'Start changed' },
-  course: { de: 'Strecke geändert', fr: 'Parcours modifié', it: 'Percorso modificato', en: 'Course changed' },
-  several: {
-    de: 'Mehreres geändert',
-    fr: 'Plusieurs choses modifiées',
-    it: 'Più cose modificate',
-    en: 'Several changes',
-  },
-  nothing: { de: 'Nichts geändert', fr: 'Rien n’a changé', it: 'Niente è cambiato', en: 'Nothing changed' },
-  selected: { de: 'Gewählt: {what}', fr: 'Sélectionné : {what}', it: 'Selezionato: {what}', en: 'Selected: {what}' },
-  selectedMany: {
-    de: '{count} Dinge gewählt',
-    fr: '{count} objets sélectionnés',
-    it: '{count} oggetti selezionati',
-    en: '{count} things selected',
-  },
-  deselected: {
-    de: 'Nichts gewählt',
-    fr: 'Rien n’est sélectionné',
-    it: 'Niente è selezionato',
-    en: 'Nothing selected',
-  },
-  robotStart: {
-    de: 'Start des Roboters bei {at} cm',
-    fr: 'Départ du robot à {at} cm',
-    it: 'Partenza del robot a {at} cm',
-    en: 'Start of the robot at {at} cm',
-  },
-} as const satisfies Readonly<Record<string, Texts>>;
+const texts = editingWords.happened;
 
 /** What happened in the editor as a sentence for screen readers. */
 export function wordsFor(happened: Happened): string {
@@ -109,11 +23,11 @@ export function wordsFor(happened: Happened): string {
     case 'redo':
       return say(texts.redone, { what: changeWords(happened.before, happened.after) });
     case 'problem':
-      return say(panelTexts.tooMuch);
+      return say(editorWords.panels.tooMuch);
     case 'selected':
       return selectionWords(happened.scene, happened.selection);
     case 'tool':
-      return say(toolTexts[happened.tool].about);
+      return say(editorWords.tools[happened.tool].about);
     default:
       return happened satisfies never;
   }
@@ -149,7 +63,7 @@ function descriptionWords(it: EditDescription): string {
         ? say(texts.turned, { what: countText(it.kind, it.count) })
         : say(texts.turnedBy, { what: countText(it.kind, it.count), deg: it.byDeg });
     case 'sized':
-      return say(texts.sized, { what: say(kindTexts[it.kind].one), x: cm(it.size[0]), y: cm(it.size[1]) });
+      return say(texts.sized, { what: say(editorWords.kinds[it.kind].one), x: cm(it.size[0]), y: cm(it.size[1]) });
     case 'robot':
       return robotWords(it);
     default:

@@ -3,24 +3,9 @@ import type { Scene, SceneObject } from '#scene/scene';
 import { pendingChanges } from '#simulation/at-once';
 
 import { say } from '../../page/i18n/say';
-import { kindTexts } from './object-words';
+import { editorWords as words } from './editor-words';
 
-const texts = {
-  start: { de: 'Start', fr: 'Départ', it: 'Partenza', en: 'Start' },
-  size: { de: 'Grösse', fr: 'Taille', it: 'Grandezza', en: 'Size' },
-  named: {
-    de: '{what}: gilt erst, wenn du neu startest.',
-    fr: '{what} : compte seulement quand tu redémarres.',
-    it: '{what}: vale solo quando riavvii.',
-    en: '{what}: takes effect when you start again.',
-  },
-  unnamed: {
-    de: 'Gilt erst, wenn du neu startest.',
-    fr: 'Compte seulement quand tu redémarres.',
-    it: 'Vale solo quando riavvii.',
-    en: 'Takes effect when you start again.',
-  },
-} as const satisfies Readonly<Record<string, Texts>>;
+const texts = words.waiting;
 
 /** So many sorts of things are named. Chosen: what fits on a line of a phone. */
 const MOST_NAMED = 2;
@@ -32,7 +17,7 @@ export function waitingWords(start: Scene, now: Scene): string {
   const counts = new Map<SceneObject['type'], number>();
   for (const { type } of [...coming, ...going.filter(({ id }) => !ids.has(id))])
     counts.set(type, (counts.get(type) ?? 0) + 1); // what is otherwise now comes and goes: named once
-  const names = [...counts].map(([type, count]) => say(kindTexts[type][count === 1 ? 'one' : 'many']));
+  const names = [...counts].map(([type, count]) => say(words.kinds[type][count === 1 ? 'one' : 'many']));
   if (robot) names.push(say(texts.start));
   if (arena) names.push(say(texts.size));
   const isShort = names.length > 0 && names.length <= MOST_NAMED;

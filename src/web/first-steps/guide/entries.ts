@@ -53,15 +53,13 @@ import {
   mdiWalk,
 } from '@mdi/js';
 
-import { paletteTexts, toolTexts } from '../../course-editor/words/palette-texts';
-import { panelTexts } from '../../course-editor/words/panel-texts';
 import type { ArenaTool } from '../../course-editor/state/course-editor-model';
 import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import type { TextKey } from '../../page/i18n/texts';
-import { deviceTexts } from '../../device/device-texts';
-import { menuTexts } from '../../share/menu-texts';
 import { toolLetters } from '../../course-editor/palette/tool-list';
+import { editorWords } from '../../course-editor/words/editor-words';
+import { deviceWords } from '../../device/device-words';
 import type { GuideContent, OwnName } from './content/content';
 import { sectionIds, type EntryId, type KEY_IDS, type SectionId } from './content/entry-ids';
 
@@ -89,7 +87,11 @@ const ofKey = (icon: string, key: TextKey, ...covers: readonly string[]): Parts 
 });
 const of = (icon: string, name: () => string, ...covers: readonly string[]): Parts => ({ icon, name, covers });
 const ofOwn = (icon: string, name: OwnName, ...covers: readonly string[]): Parts => ({ icon, name: own(name), covers });
-const tool = (id: ArenaTool): Parts => ({ icon: { tool: id }, name: () => say(toolTexts[id].name), covers: [id] });
+const tool = (id: ArenaTool): Parts => ({
+  icon: { tool: id },
+  name: () => say(editorWords.tools[id].name),
+  covers: [id],
+});
 
 /** A key has no name but its keys. */
 type KeyId = (typeof KEY_IDS)[number];
@@ -121,12 +123,12 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   stages: ofOwn(mdiPencilRuler, 'stages', 'stage-*'),
   tour: ofOwn(mdiWalk, 'tour', 'menu-tour'),
   'real-device': ofOwn(mdiUsb, 'real-device', 'menu-real-device'),
-  'save-program': of(mdiFileCodeOutline, () => say(menuTexts.saveProgram)),
-  'save-scene': of(mdiMapOutline, () => say(menuTexts.saveScene)),
-  'open-link': of(mdiLinkVariant, () => say(menuTexts.openLink)),
+  'save-program': of(mdiFileCodeOutline, () => t('menu.saveProgram')),
+  'save-scene': of(mdiMapOutline, () => t('menu.saveScene')),
+  'open-link': of(mdiLinkVariant, () => t('menu.openLink')),
   'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
-  gallery: of(mdiRobotHappyOutline, () => say(deviceTexts.gallery), 'gallery'),
+  gallery: of(mdiRobotHappyOutline, () => say(deviceWords.gallery), 'gallery'),
   'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
   'new-file': ofKey(mdiPlus, 'code.newFile'),
@@ -138,7 +140,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   radio: ofKey(mdiAccessPoint, 'radio.pane'),
   log: ofKey(mdiTableLarge, 'dataLog.pane'),
   'arena-hand': ofOwn(mdiHandBackRightOutline, 'arena-hand', 'arena'),
-  tools: of(mdiPencilRuler, () => say(paletteTexts.tools), 'tools-toggle'),
+  tools: of(mdiPencilRuler, () => say(editorWords.palette.tools), 'tools-toggle'),
   show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
   readings: ofOwn(mdiCompassOutline, 'readings'),
   zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
@@ -157,14 +159,14 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'tool-label': tool('label'),
   'tool-start': tool('start'),
   'tool-ruler': tool('ruler'),
-  undo: of(mdiUndo, () => say(paletteTexts.undo), 'undo'),
-  redo: of(mdiRedo, () => say(paletteTexts.redo), 'redo'),
-  'course-more': of(mdiDotsVertical, () => say(paletteTexts.more), 'course-more'),
-  'course-list': of(mdiFormatListBulleted, () => say(panelTexts.list), 'editor-*'),
-  'course-settings': of(mdiTextBoxEditOutline, () => say(panelTexts.course)),
-  background: of(mdiImageOutline, () => say(panelTexts.background)),
-  print: of(mdiPrinterOutline, () => say(panelTexts.print)),
-  'clear-course': of(mdiDeleteSweepOutline, () => say(panelTexts.clear), 'editor-clear'),
+  undo: of(mdiUndo, () => say(editorWords.palette.undo), 'undo'),
+  redo: of(mdiRedo, () => say(editorWords.palette.redo), 'redo'),
+  'course-more': of(mdiDotsVertical, () => say(editorWords.palette.more), 'course-more'),
+  'course-list': of(mdiFormatListBulleted, () => say(editorWords.panels.list), 'editor-*'),
+  'course-settings': of(mdiTextBoxEditOutline, () => say(editorWords.panels.course)),
+  background: of(mdiImageOutline, () => say(editorWords.panels.background)),
+  print: of(mdiPrinterOutline, () => say(editorWords.panels.print)),
+  'clear-course': of(mdiDeleteSweepOutline, () => say(editorWords.panels.clear), 'editor-clear'),
   output: ofKey(mdiConsoleLine, 'console.log', 'console'),
   copy: ofKey(mdiContentCopy, 'console.copy'),
   clear: ofKey(mdiDeleteSweepOutline, 'console.clear'),

@@ -4,10 +4,10 @@ import { LANGUAGES } from '#core/texts';
 import { toolGroups } from '../../course-editor/palette/tool-list';
 import { MENU, stepsFor } from '../tour/tour-steps';
 import type { GuideContent } from './content/content';
-import { de } from './content/de';
-import { en } from './content/en';
-import { fr } from './content/fr';
-import { it as italian } from './content/it';
+import de from '../words/guide/de.json';
+import en from '../words/guide/en.json';
+import fr from '../words/guide/fr.json';
+import italian from '../words/guide/it.json';
 import { guideSections, keysOf, sectionOf } from './entries';
 
 const contents: Readonly<Record<(typeof LANGUAGES)[number], GuideContent>> = { de, fr, it: italian, en };

@@ -1,3 +1,4 @@
+import { byLanguage } from '#core/words';
 import { freeReference } from '#libraries/reference';
 import type { ReferenceContext } from '#reference/context';
 import { robotReferences } from '#robots/references';
@@ -7,12 +8,7 @@ import type { Language } from '../../page/i18n';
 import type { GuideContent } from './content/content';
 
 /** The help of each language: nobody waits for those of another one. */
-const contents: Readonly<Record<Language, () => Promise<GuideContent>>> = {
-  de: async () => (await import('./content/de')).de,
-  fr: async () => (await import('./content/fr')).fr,
-  it: async () => (await import('./content/it')).it,
-  en: async () => (await import('./content/en')).en,
-};
+const contents = byLanguage(import.meta.glob<GuideContent>('../words/guide/*.json', { import: 'default' }));
 
 /** The help in one language: its own words, and those of the reference. */
 export interface Guide {

@@ -4,10 +4,10 @@ import type { RunParts } from '../../run/parts';
 import type { CourseEditorParts } from '../../course-editor/state/parts';
 import type { Pane } from '../../layout/layout-model';
 import type { FirstStepsParts } from '../parts';
-import { stepTexts } from './tour-texts';
+import { firstWords as words } from '../first-words';
 
 /** The steps of the tour by name; where it was left is kept by it. */
-export type TourStepId = keyof typeof stepTexts;
+export type TourStepId = keyof typeof words.steps;
 
 /** What the steps look at. */
 export type TourSubject = Pick<RunParts, 'run'> & Pick<CourseEditorParts, 'editor'> & Pick<FirstStepsParts, 'guide'>;
@@ -64,4 +64,4 @@ export const placeOf = (steps: readonly TourStep[], kept: string | null): number
   );
 
 /** The title and the words of a step. */
-export const wordsFor = (id: TourStepId): { readonly title: Texts; readonly text: Texts } => stepTexts[id];
+export const wordsFor = (id: TourStepId): { readonly title: Texts; readonly text: Texts } => words.steps[id];

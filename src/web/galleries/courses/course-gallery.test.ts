@@ -4,11 +4,9 @@ import type { Texts } from '#core/texts';
 import { parseScene } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { courseListTexts } from './course-list-texts';
 import { projectOf, solved } from '../../work/catalogue/course';
 import { courses } from '../../work/catalogue/courses';
 import { isUntouched } from '../../work/catalogue/examples';
-import { courseGalleryTexts, kindTexts, levelTexts, randomTexts, sizeTexts } from './course-gallery-texts';
 import { randomCourse } from './random-course';
 import {
   newSeed,
@@ -20,13 +18,15 @@ import {
   type RandomWish,
 } from '../../work/catalogue/random-wish';
 import { robotName } from './use-course-opening';
+import { courseGalleryWords } from './course-gallery-words';
 
 const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 
 describe('the words of the gallery of courses', () => {
+  const { kinds, levels, sizes, list, randomCourses, ...gallery } = courseGalleryWords;
   const all: readonly Texts[] = [
-    ...[courseGalleryTexts, kindTexts, levelTexts, sizeTexts, courseListTexts].flatMap((texts) => Object.values<Texts>(texts)), // prettier-ignore
-    ...Object.values(randomTexts).flatMap((texts) => Object.values(texts)),
+    ...[gallery, kinds, levels, sizes, list].flatMap((texts) => Object.values<Texts>(texts)),
+    ...Object.values(randomCourses).flatMap((texts) => Object.values(texts)),
   ];
 
   it('leave the same places open in German and English, and no German text has an ß', () => {

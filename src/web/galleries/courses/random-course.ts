@@ -5,8 +5,8 @@ import type { Scene } from '#scene/scene';
 
 import { LANGUAGES, type Language } from '../../page/i18n/texts';
 import type { Course, CourseLevel, CourseTexts } from '../../work/catalogue/course';
-import { randomTexts, sizeTexts } from './course-gallery-texts';
 import { type RandomKind, type RandomSize, type RandomWish, randomId } from '../../work/catalogue/random-wish';
+import { courseGalleryWords } from './course-gallery-words';
 
 /** Whose programs a random course is opened and solved with: ids of ready courses. */
 const models: Readonly<Record<RandomKind, string>> = { maze: 'large-maze', track: 's-bends' };
@@ -51,7 +51,7 @@ function sceneOf({ kind, size, seed }: RandomWish, { name, text, task }: CourseT
 
 function textsOf({ kind, size, seed }: RandomWish, language: Language): CourseTexts {
   const fill = (texts: Texts): string =>
-    texts[language].replace('{seed}', String(seed)).replace('{size}', sizeTexts[size][language]);
-  const { name, text, task } = randomTexts[kind];
+    texts[language].replace('{seed}', String(seed)).replace('{size}', courseGalleryWords.sizes[size][language]);
+  const { name, text, task } = courseGalleryWords.randomCourses[kind];
   return { name: fill(name), text: fill(text), task: fill(task) };
 }

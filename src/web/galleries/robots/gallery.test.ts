@@ -8,18 +8,19 @@ import { robotTypes } from '#robots/index';
 import { robotReferences } from '#robots/references';
 import { robotSheets } from '#robots/sheets';
 import { galleryPage } from '../../layout/gallery-model';
-import { deviceTexts, REALITIES } from '../../device/device-texts';
 import { addressesText, addressText, sizeCm } from './facts';
-import { galleryTexts } from './gallery-texts';
 import { libraryTables } from './library-rows';
 import { robotPicture } from '../../device/robot-picture';
+import { deviceWords, REALITIES } from '../../device/device-words';
+import { galleryWords } from './gallery-words';
 
 const slots = (text: string): string[] => (text.match(/\{\w+\}/g) ?? []).sort();
 
 describe('the words of the gallery and the device panel', () => {
+  const { realities: _, ...panel } = deviceWords;
   const all: readonly Texts[] = [
-    ...Object.values<Texts>(galleryTexts),
-    ...Object.values<Texts>(deviceTexts),
+    ...Object.values<Texts>(galleryWords),
+    ...Object.values<Texts>(panel),
     ...REALITIES.map(({ name }) => name),
   ];
 

@@ -11,7 +11,7 @@ export function sayMayBeRefused(): boolean {
 }
 
 async function say(): Promise<void> {
-  const [{ showPageBar }, { offlineTexts }] = await Promise.all([import('./page-bar'), import('./offline-texts')]);
-  const { close } = offlineTexts;
-  showPageBar({ kind: 'may-be-refused', text: offlineTexts.mayBeRefused, actions: [], close });
+  const [{ showPageBar }, { barWords }] = await Promise.all([import('./page-bar'), import('./bar-words')]);
+  const { close } = barWords;
+  showPageBar({ kind: 'may-be-refused', text: barWords.mayBeRefused, actions: [], close });
 }

@@ -1,5 +1,7 @@
 import { shallowRef } from 'vue';
 
+import { byLanguage } from '#core/words';
+
 import { filled } from './filled';
 import { localeOf } from './locale';
 import { LANGUAGES, type ErrorTexts, type Language, type Texts, type Translate } from './texts';
@@ -11,20 +13,11 @@ type Flat = Readonly<Record<string, string>>;
 type Tree = { readonly [name: string]: string | Tree };
 
 /** The texts of a language, fetched when it is chosen: nobody waits for those of another one. */
-const catalogues: Readonly<Record<Language, () => Promise<Texts>>> = {
-  de: async () => (await import('./de')).de,
-  fr: async () => (await import('./fr')).fr,
-  it: async () => (await import('./it')).it,
-  en: async () => (await import('./en')).en,
-};
+const catalogues = byLanguage(import.meta.glob<Texts>('../words/*.json', { import: 'default' }));
 
 /** What goes wrong in programs, by language. */
-const errorCatalogues: Readonly<Record<Language, () => Promise<ErrorTexts>>> = {
-  de: async () => (await import('./error-de')).errorDe,
-  fr: async () => (await import('./error-fr')).errorFr,
-  it: async () => (await import('./error-it')).errorIt,
-  en: async () => (await import('./error-en')).errorEn,
-};
+const errorCatalogues = byLanguage(import.meta.glob<ErrorTexts>('../words/error/*.json', { import: 'default' }));
+
 /** Once errors are to be explained, every language comes with its texts for them. */
 let explainsErrors = false;
 const errorsIn = new Set<Language>();

@@ -1,14 +1,13 @@
-import type { de } from './de';
-import type { errorDe } from './error-de';
+import type de from '../words/de.json';
+import type error from '../words/error/de.json';
 
-type Shape<T> = { readonly [K in keyof T]: T[K] extends string ? string : Shape<T[K]> };
 type Leaves<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Leaves<T[K]>}` }[keyof T & string];
 
-/** The shape every catalogue has. A language that misses a text does not compile. */
-export type Texts = Shape<typeof de>;
+/** The texts of the first page. */
+export type Texts = typeof de;
 
 /** What goes wrong in a program: a catalogue of its own that comes late. */
-export type ErrorTexts = Shape<typeof errorDe>;
+export type ErrorTexts = typeof error;
 
 /** The name of one text, such as `bar.run`. */
 export type TextKey = Leaves<typeof de> | `error.${keyof ErrorTexts}`;
