@@ -1,4 +1,4 @@
-// A small static server for dist/app: right types, compression and the headers that every host should send (README, "Hosting").
+// A small static server for dist/app: right types, compression and the headers that every host should send (docs/hosting.md).
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
 import { extname, join, normalize, resolve, sep } from 'node:path';
