@@ -44,11 +44,13 @@ const config = v.object({
   kind: v.literal('config'),
   language: v.pipe(
     text(microbitLimits.labelCharacters),
-    about('The language of the host, such as `en` or `fr-CA`. One that the page has not got leaves the page as it is.'),
+    about('The language of the host, such as `en` or `fr-CA`. An unknown language changes nothing.'),
   ),
   translations: v.pipe(
     record(text(microbitLimits.labelCharacters), microbitLimits.labels),
-    about('Words for `button-a`, `button-b`, `touch-logo` and `start-simulator`. Those that are missing are our own.'),
+    about(
+      'Words for `button-a`, `button-b`, `touch-logo` and `start-simulator`. Missing ones are replaced by our own.',
+    ),
   ),
 });
 
@@ -57,7 +59,7 @@ const flash = v.object({
   filesystem: v.pipe(
     record(v.instance(Uint8Array), microbitLimits.files),
     about(
-      'The files by name, UTF-8 as Uint8Array. Without `main.py` the REPL comes at once. Files that the page cannot hold are left out, and named by `internal_error`: more than 20, larger than 256 KiB, no text, or names with spaces and the like.',
+      'The files by name, UTF-8 as Uint8Array. Without `main.py` the REPL comes at once. Files that the page cannot hold are left out and named by `internal_error`: more than 20 files, files larger than 256 KiB, files that are not text, names with spaces and the like.',
     ),
   ),
 });
@@ -80,7 +82,7 @@ const radioInput = v.object({
   data: v.pipe(
     v.instance(Uint8Array),
     v.maxLength(microbitLimits.packetBytes),
-    about('The packet; one for `radio.receive` begins with the bytes 1, 0, 1. Lost while the radio is off.'),
+    about('The packet. A packet for `radio.receive` begins with the bytes 1, 0, 1. It is lost while the radio is off.'),
   ),
 });
 
@@ -89,7 +91,7 @@ const setValue = v.object({
   id: v.pipe(text(microbitLimits.idCharacters), about('A key of the state, such as `temperature` or `buttonA`.')),
   value: v.pipe(
     v.union([v.number(), text(microbitLimits.idCharacters)]),
-    about('A number, also as text, or the name of a gesture. What is out of its present range changes nothing.'),
+    about('A number (also as text) or the name of a gesture. A value outside the present range changes nothing.'),
   ),
 });
 
@@ -136,12 +138,12 @@ export type MicrobitState = Readonly<Record<string, StateEntry>>;
 
 const ready = v.object({
   kind: v.literal('ready'),
-  state: v.pipe(microbitState, about('Everything that the board feels, by id.')),
+  state: v.pipe(microbitState, about('Every sensor of the board, by id.')),
 });
 const requestFlash = v.object({ kind: v.literal('request_flash') });
 const stateChange = v.object({
   kind: v.literal('state_change'),
-  change: v.pipe(microbitState, about('The entries that are others now, each whole; all of them when a program ends.')),
+  change: v.pipe(microbitState, about('The entries that have changed, each whole; all entries when a program ends.')),
 });
 const serialOutput = v.object({
   kind: v.literal('serial_output'),
@@ -149,11 +151,11 @@ const serialOutput = v.object({
 });
 const radioOutput = v.object({
   kind: v.literal('radio_output'),
-  data: v.pipe(v.instance(Uint8Array), about('A packet; one of `radio.send` begins with the bytes 1, 0, 1.')),
+  data: v.pipe(v.instance(Uint8Array), about('A packet. A packet of `radio.send` begins with the bytes 1, 0, 1.')),
 });
 const logOutput = v.object({
   kind: v.literal('log_output'),
-  headings: v.optional(v.pipe(v.array(v.string()), about('All columns, when there are others than before.'))),
+  headings: v.optional(v.pipe(v.array(v.string()), about('All columns, when they have changed.'))),
   data: v.optional(v.pipe(v.array(v.string()), about('A row, in the order of the columns.'))),
 });
 const logDelete = v.object({ kind: v.literal('log_delete') });
@@ -161,7 +163,7 @@ const internalError = v.object({
   kind: v.literal('internal_error'),
   error: v.pipe(
     v.object({ name: v.string(), message: v.string() }),
-    about('An `Error`: what could not be done, in English sentences.'),
+    about('An `Error` that says in English what could not be done.'),
   ),
 });
 
@@ -182,19 +184,24 @@ export type MicrobitEvent = v.InferOutput<typeof microbitEvent>;
 export const microbitMessages = [
   { name: 'config', direction: 'in', schema: config, about: 'Sets the language and the words of the board.' },
   { name: 'flash', direction: 'in', schema: flash, about: 'Puts a program on the board and starts it, at any time.' },
-  { name: 'stop', direction: 'in', schema: stop, about: 'Ends the run; the play button stands over the board.' },
+  { name: 'stop', direction: 'in', schema: stop, about: 'Ends the run. The play button appears over the board.' },
   {
     name: 'reset',
     direction: 'in',
     schema: reset,
-    about: 'Starts the program that is on the board, also after a stop.',
+    about: 'Starts the program on the board again, also after a stop.',
   },
   { name: 'mute', direction: 'in', schema: mute, about: 'Silences the loudspeaker.' },
-  { name: 'unmute', direction: 'in', schema: unmute, about: 'Lets it be heard again.' },
+  { name: 'unmute', direction: 'in', schema: unmute, about: 'Turns the loudspeaker on again.' },
   { name: 'serial_input', direction: 'in', schema: serialInput, about: 'Types on the serial line.' },
-  { name: 'radio_input', direction: 'in', schema: radioInput, about: 'A packet comes by radio.' },
-  { name: 'set_value', direction: 'in', schema: setValue, about: 'Sets what a sensor feels; it holds for later runs.' },
-  { name: 'ready', direction: 'out', schema: ready, about: 'The page is there. Said once.' },
+  { name: 'radio_input', direction: 'in', schema: radioInput, about: 'Delivers a packet by radio.' },
+  {
+    name: 'set_value',
+    direction: 'in',
+    schema: setValue,
+    about: 'Sets what a sensor measures. The value holds for later runs.',
+  },
+  { name: 'ready', direction: 'out', schema: ready, about: 'The page is ready. Sent once.' },
   { name: 'request_flash', direction: 'out', schema: requestFlash, about: 'Play was pressed: send `flash`.' },
   {
     name: 'state_change',
@@ -210,7 +217,7 @@ export const microbitMessages = [
     name: 'log_delete',
     direction: 'out',
     schema: logDelete,
-    about: 'The log is empty: with every flash, and as asked.',
+    about: 'The log is empty. Sent with every flash, and whenever the log is deleted.',
   },
   { name: 'internal_error', direction: 'out', schema: internalError, about: 'Something could not be done.' },
 ] as const;

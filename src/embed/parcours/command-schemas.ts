@@ -44,27 +44,27 @@ const robotOptions = pipe(
 
 const sensorValue = pipe(
   v.union([pipe(v.number(), v.finite()), textOf(limits.nameCharacters)]),
-  description('What it feels: a number within the range of the sensor, for `gesture` a word such as `shake`.'),
+  description('A number within the range of the sensor; for `gesture` a word such as `shake`.'),
 );
 
 /** Fields of every command, by its name. */
 export const commandSchemas = {
   hello: v.strictObject({
-    session: maybe(pipe(textOf(limits.idCharacters), description('Any text: a second hello with it goes on with the same conversation.'))), // prettier-ignore
-    client: maybe(pipe(textOf(limits.nameCharacters), description('What the host calls itself.'))),
+    session: maybe(pipe(textOf(limits.idCharacters), description('Any text. A second hello with the same text continues the same conversation.'))), // prettier-ignore
+    client: maybe(pipe(textOf(limits.nameCharacters), description('Name of the host.'))),
     versions: maybe(pipe(v.array(v.number()), v.maxLength(20), description('Versions of this dialect that the host speaks.'))), // prettier-ignore
   }),
   bye: nothing,
   state: nothing,
   subscribe: v.strictObject({
     events: maybe(
-      pipe(v.array(v.picklist(eventNames)), v.maxLength(eventNames.length), description('The events that shall come; left out: as before. At first all.')), // prettier-ignore
+      pipe(v.array(v.picklist(eventNames)), v.maxLength(eventNames.length), description('The events to send. Left out: as before. At first: all.')), // prettier-ignore
     ),
-    snapshotHz: maybe(pipe(v.number(), v.minValue(0), v.maxValue(limits.snapshotHz), description('Snapshots per second; left out: as before. At first 0: none.'))), // prettier-ignore
+    snapshotHz: maybe(pipe(v.number(), v.minValue(0), v.maxValue(limits.snapshotHz), description('Snapshots per second. Left out: as before. At first: 0.'))), // prettier-ignore
   }),
   'get-project': nothing,
   'set-project': v.strictObject({
-    project: document<ProjectFile | string>('project file', 'The file as text or as value; what it says of robot, microcomputer and seed is taken over.'), // prettier-ignore
+    project: document<ProjectFile | string>('project file', 'The file as text or as value. Its robot, microcomputer and seed are adopted.'), // prettier-ignore
   }),
   'get-files': nothing,
   'set-files': v.strictObject({ files }),
@@ -73,34 +73,34 @@ export const commandSchemas = {
   edit: v.strictObject({ edit: document<SceneEdit>('edit of a course', 'One step: see `src/scene/edit.ts`.') }),
   'get-robot': nothing,
   'set-robot': v.strictObject({
-    robot: maybe(idOf('Id of a robot type, `none` for the bare board, or `auto`: as the course or the program says.')),
+    robot: maybe(idOf('Id of a robot type, `none` for the bare board, or `auto` (the course or the program decides).')),
     robotOptions: maybe(robotOptions),
     device: maybe(idOf('Id of a microcomputer, or `auto`.')),
-    firmware: maybe(idOf('Id of its firmware; empty: the usual one.')),
+    firmware: maybe(idOf('Id of its firmware. Empty: the usual one.')),
   }),
   'get-settings': nothing,
   settings: v.strictObject({
     language: maybe(pipe(v.picklist(LANGUAGES), description('Of the whole page.'))),
-    theme: maybe(pipe(v.picklist(THEMES), description('`system`: as the device is set.'))),
-    muted: maybe(flag('Whether the board makes no sound.')),
+    theme: maybe(pipe(v.picklist(THEMES), description('`system`: as set on the device.'))),
+    muted: maybe(flag('Whether the board is silent.')),
     parts: maybe(pipe(v.array(v.picklist(PARTS)), v.minLength(1), v.maxLength(PARTS.length), description('The parts of the page that are shown.'))), // prettier-ignore
     labels: maybe(pipe(smallMap(textOf(limits.labelCharacters), limits.labels), description('Words of the host for the controls of the board: `button-a`, `button-b`, `touch-logo`, `start-simulator`.'))), // prettier-ignore
   }),
-  run: v.strictObject({ paused: maybe(flag('Begin standing still.')) }),
+  run: v.strictObject({ paused: maybe(flag('Whether the run begins paused.')) }),
   stop: nothing,
   reset: nothing,
   pause: nothing,
   resume: nothing,
   step: nothing,
   speed: v.strictObject({ speed }),
-  seed: v.strictObject({ seed: pipe(v.number(), v.integer(), v.minValue(projectLimits.seed.min), v.maxValue(projectLimits.seed.max), description('Which of the used robots it is; it begins with the next run.')) }), // prettier-ignore
-  reality: v.strictObject({ reality: pipe(v.number(), v.minValue(0), v.maxValue(1), description('0: ideal … 1: like a used school robot; it begins with the next run.')) }), // prettier-ignore
+  seed: v.strictObject({ seed: pipe(v.number(), v.integer(), v.minValue(projectLimits.seed.min), v.maxValue(projectLimits.seed.max), description('Which of the used robots it is. Takes effect with the next run.')) }), // prettier-ignore
+  reality: v.strictObject({ reality: pipe(v.number(), v.minValue(0), v.maxValue(1), description('0: ideal … 1: like a used school robot. Takes effect with the next run.')) }), // prettier-ignore
   place: v.strictObject(poseFields),
   'place-block': v.strictObject({ block: idOf('Id of a movable block.'), ...poseFields }),
-  press: v.strictObject({ button: pipe(v.picklist(['a', 'b']), description('Which one.')), down: flag('Pressed or let go.') }), // prettier-ignore
-  touch: v.strictObject({ pad: idOf('`pinLogo`, `pin0`, `pin1`, `pin2`, …'), down: flag('Touched or let go.') }),
+  press: v.strictObject({ button: pipe(v.picklist(['a', 'b']), description('Which button.')), down: flag('Pressed or released.') }), // prettier-ignore
+  touch: v.strictObject({ pad: idOf('`pinLogo`, `pin0`, `pin1`, `pin2`, …'), down: flag('Touched or released.') }),
   sensor: v.strictObject({ sensor: idOf('`lightLevel`, `temperature`, `accelerometerX`, `gesture`, …'), value: sensorValue }), // prettier-ignore
-  'arena-senses': v.strictObject({ on: flag('Compass, accelerometer and light sensor feel the arena.') }),
+  'arena-senses': v.strictObject({ on: flag('Whether compass, accelerometer and light sensor measure the arena.') }),
   serial: v.strictObject({ text: pipe(textOf(limits.serialCharacters), description('As typed; Enter is `\\r`, Ctrl-C `\\x03`.')) }), // prettier-ignore
   interrupt: nothing,
   radio: v.union([

@@ -19,7 +19,7 @@ const ENDS = ['finished', 'exception', 'panic', 'stopped', 'stuck'] as const;
 
 const phase = pipe(
   v.picklist(PHASES),
-  description('Where the run stands; `stopped` keeps the last picture, `killed`: ended by force.'),
+  description('State of the run. `stopped`: the last picture stays. `killed`: ended by force.'),
 );
 const atMs = numberOf('Simulated time of the run, in ms.');
 const colour = v.strictTuple([v.number(), v.number(), v.number()]);
@@ -29,32 +29,35 @@ const verdict = pipe(
   v.nullable(
     v.strictObject({
       state: pipe(v.picklist(['open', 'passed', 'failed']), description('`passed` and `failed` are final.')),
-      atMs: pipe(v.nullable(v.number()), description('When it was decided.')),
+      atMs: pipe(v.nullable(v.number()), description('Time of the decision.')),
       reason: pipe(v.nullable(v.picklist(['time', 'forbidden', 'spikes', 'touched'])), description('Why it failed.')),
-      by: pipe(v.nullable(v.string()), description('Id of the object that was touched; `null`: the edge, or none.')),
+      by: pipe(
+        v.nullable(v.string()),
+        description('Id of the object that was touched; `null` for the edge or nothing.'),
+      ),
       checkpoints: v.strictObject({ passed: v.number(), of: v.number() }),
       targets: v.strictObject({ reached: v.number(), of: v.number() }),
       blocks: v.strictObject({ delivered: v.number(), of: v.number() }),
-      touches: pipe(v.number(), description('How often walls, blocks, the edge or obstacles were touched.')),
+      touches: pipe(v.number(), description('Number of touches of walls, blocks, the edge or obstacles.')),
     }),
   ),
-  description('How well the task of the course is done; `null` where it sets none.'),
+  description('How well the task of the course is done; `null` if the course has no task.'),
 );
 
-const display = text('Digits 0 … 9 per LED of the display, rows parted by colons.');
+const display = text('Digits 0 … 9 per LED of the display, rows separated by colons.');
 const robot = pipe(
   v.nullable(
     v.strictObject({
       type: text('Id of the robot type.'),
       ...poseFields,
-      turnedDeg: numberOf('Turned since the start, counter-clockwise positive, not wrapped.'),
-      pathMm: numberOf('Length of the way.'),
+      turnedDeg: numberOf('Rotation since the start, counter-clockwise positive, not wrapped.'),
+      pathMm: numberOf('Length of the path.'),
       collisions: numberOf('Touches of walls and blocks.'),
       leds: v.strictObject({ left: v.number(), right: v.number() }),
       rgb: colours('Colour lights: red, green, blue, 0 … 255.'),
       servos: record(v.number(), 'Degrees by port.'),
       motors: v.strictObject({ left: v.number(), right: v.number() }),
-      distanceMm: pipe(v.nullable(v.number()), description('What the distance sensor faces.')),
+      distanceMm: pipe(v.nullable(v.number()), description('Distance to what the distance sensor faces.')),
       lineSensors: v.array(
         v.strictObject({ name: v.string(), bright: v.boolean(), reading: v.exactOptional(v.number()) }),
       ),
@@ -66,16 +69,16 @@ const pose = v.strictObject(poseFields);
 
 const snapshot = v.strictObject({
   atMs,
-  running: pipe(v.picklist(['program', 'world']), description('Whose time it is; after the end of the program the world goes on.')), // prettier-ignore
+  running: pipe(v.picklist(['program', 'world']), description('`world`: the program has ended, and the world goes on.')), // prettier-ignore
   repl: flag('The REPL has greeted.'),
   board: text('Id of the board.'),
   display,
   buttons: v.strictObject({ a: v.boolean(), b: v.boolean() }),
-  touch: record(v.boolean(), 'Whether a finger is on each pad.'),
-  sensors: record(v.union([v.number(), v.string()]), 'What every sensor feels, by its id.'),
+  touch: record(v.boolean(), 'Whether each pad is touched.'),
+  sensors: record(v.union([v.number(), v.string()]), 'Value of every sensor, by id.'),
   rgb: colours('Colour LEDs of the board itself.'),
   motors: pipe(v.array(v.number()), description('Duty of its own motor outputs, −1 … 1.')),
-  soundHz: pipe(v.nullable(v.number()), description('The tone that sounds.')),
+  soundHz: pipe(v.nullable(v.number()), description('Frequency of the present tone.')),
   robot,
   blocks: record(pose, 'Where the movable blocks are, by id.'),
   movers: record(pose, 'Where the moving obstacles are, by id.'),
@@ -97,7 +100,7 @@ const robotChoice = {
   robot: text('Id of a robot type, `none` or `auto`.'),
   robotOptions: record(v.record(v.string(), v.string()), 'Robot → option → choice.'),
   device: text('Id of a microcomputer, or `auto`.'),
-  firmware: text('Id of its firmware; empty: the usual one.'),
+  firmware: text('Id of its firmware. Empty: the usual one.'),
 };
 const pageSettings = {
   language: v.picklist(LANGUAGES),
@@ -113,7 +116,7 @@ const runSettings = {
 };
 const message = text('One English sentence.');
 const omitted = (what: string) =>
-  v.exactOptional(pipe(v.number(), description(`So many ${what} came too fast and are left out.`)));
+  v.exactOptional(pipe(v.number(), description(`Number of ${what} that came too fast and are left out.`)));
 
 /** Fields of every event, by its name. */
 export const eventSchemas = {
@@ -140,11 +143,11 @@ export const eventSchemas = {
   }),
   output: v.strictObject({
     text: text('Lines may end in `\\n` or `\\r\\n`.'),
-    omitted: omitted('characters before it'),
+    omitted: omitted('characters before this text'),
   }),
   snapshot: v.strictObject({ snapshot: pipe(snapshot, description('The run at one moment.')) }),
-  'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('How many objects it has.') }),
-  'files-changed': v.strictObject({ names: texts('Of all files.') }),
+  'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('Number of its objects.') }),
+  'files-changed': v.strictObject({ names: texts('Names of all files.') }),
   'settings-changed': v.strictObject({
     settings: v.strictObject({ ...pageSettings, ...robotChoice, ...runSettings }),
   }),
@@ -167,15 +170,15 @@ const fileValue = (shown: string) => pipe(v.looseObject({ format: v.string(), ve
 const welcome = v.strictObject({
   versions: pipe(v.array(v.number()), description('Versions of this dialect that the page speaks.')),
   app: text('Version of the app.'),
-  page: text('Another one after every load of the page.'),
+  page: text('Changes with every load of the page.'),
   abilities: v.strictObject({
     commands: texts('All commands.'),
     events: texts('All events.'),
     devices: texts('Ids of the microcomputers.'),
     robots: texts('Ids of the robots.'),
-    languages: texts('Of the page.'),
+    languages: texts('Languages of the page.'),
     speeds: v.array(v.picklist(HOST_SPEEDS)),
-    parts: texts('Of the page.'),
+    parts: texts('Parts of the page.'),
     limits: record(v.number(), 'Limits of this dialect.'),
   }),
 });
@@ -184,7 +187,7 @@ const state = v.strictObject({
   phase,
   atMs,
   board: text('Id of the board of the next run.'),
-  ended: pipe(v.nullable(v.picklist(ENDS)), description('`null` while the program runs and before.')),
+  ended: pipe(v.nullable(v.picklist(ENDS)), description('`null` before and while the program runs.')),
   snapshot: pipe(
     v.nullable(snapshot),
     v.metadata({ shown: 'object or `null`' }),

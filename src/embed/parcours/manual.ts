@@ -5,62 +5,63 @@ import type { CommandName, EventName } from './protocol';
 import { PROTOCOL_VERSION } from './read-command';
 
 const COMMANDS: Readonly<Record<CommandName, string>> = {
-  hello: 'Begins. The page answers only the parent that said hello, and from then on only its origin. May bring a `MessagePort`: then everything else goes over that.', // prettier-ignore
+  hello: 'Begins the conversation. The page answers only its parent, and from then on only the origin that said hello. `hello` may carry a `MessagePort`; everything else then goes over that port.', // prettier-ignore
   bye: 'Ends the conversation; the page stays as it is.',
-  state: 'Asks where the run stands.',
-  subscribe: 'Chooses events and the rate of snapshots.',
+  state: 'Asks for the state of the run.',
+  subscribe: 'Chooses which events are sent, and the rate of snapshots.',
   'get-project': 'Asks for the whole work: files, course, settings of the run.',
-  'set-project': 'Opens a project, stopped. What the pupil had before stays one click away.',
+  'set-project': 'Opens a project, stopped. Earlier work of the pupil stays one click away.',
   'get-files': 'Asks for the files of the program.',
-  'set-files': 'Replaces the files of the program; the course stays, a run that is going on ends.',
+  'set-files': 'Replaces the files of the program. The course stays; a current run ends.',
   'get-scene': 'Asks for the course.',
-  'set-scene': 'Opens a course, stopped; the program stays.',
-  edit: 'Changes the course by one step, also while the robot drives on it; the pupil can undo it.',
-  'get-robot': 'Asks what is chosen to run on.',
-  'set-robot': 'Chooses robot, its options, microcomputer, firmware. Another one is another start: a run ends.',
+  'set-scene': 'Opens a course, stopped. The program stays.',
+  edit: 'Changes the course by one step, also during a run. The pupil can undo it.',
+  'get-robot': 'Asks which robot, microcomputer and firmware are chosen.',
+  'set-robot': 'Chooses robot, its options, microcomputer, firmware. A change ends the run.',
   'get-settings': 'Asks for the settings of the page.',
-  settings: 'Sets language, theme, sound, shown parts and words. Nothing of it is kept in the browser.',
-  run: 'Starts anew, also while a run is under way. Answered when the program runs; refused when it could not begin.',
-  stop: 'Ends the run, also one that has not begun yet; the last picture stays. Answered when it has ended.',
-  reset: 'Ends the run, likewise, and puts everything back to the start. Answered when it has ended.',
-  pause: 'Lets simulated time stand still.',
-  resume: 'Lets it go on.',
-  step: 'Lets 20 ms of simulated time pass, from standing still or from the start.',
-  speed: 'Chooses how fast simulated time passes; the run comes out the same.',
+  settings: 'Sets language, theme, sound, shown parts and words. The browser keeps none of these.',
+  run: 'Starts a new run, also during a run. Answered when the program runs; refused when it cannot begin.',
+  stop: 'Ends the run, also one that has not begun yet. The last picture stays. Answered when the run has ended.',
+  reset: 'Ends the run, as `stop` does, and puts everything back to the start. Answered when the run has ended.',
+  pause: 'Stops simulated time.',
+  resume: 'Continues simulated time.',
+  step: 'Lets 20 ms of simulated time pass, from a pause or from the start.',
+  speed: 'Chooses how fast simulated time passes. The result of the run is the same.',
   seed: 'Chooses which of the used robots drives.',
-  reality: 'Chooses how much the robot is like a used one.',
-  place: 'The hand puts the robot somewhere during a run. The start is moved by `edit`.',
-  'place-block': 'The hand puts a movable block somewhere during a run.',
+  reality: 'Chooses how much the robot resembles a used one.',
+  place: 'Puts the robot somewhere by hand during a run. (`edit` moves its start.)',
+  'place-block': 'Puts a movable block somewhere by hand during a run.',
   press:
-    'Presses a button of the board or lets it go, during a run. However soon one follows the other, the board notices both.',
-  touch: 'Puts a finger on a pad of the board or takes it away, during a run; likewise.',
+    'Presses or releases a button of the board during a run. The board notices both, however quickly one follows the other.',
+  touch: 'Touches or releases a pad of the board during a run. The board notices both, as with `press`.',
   sensor:
-    'Sets what a sensor feels. A number holds for later runs as well; a gesture needs a run. Accelerations go up to ±8000 mg; beyond the range that the program has set, the sensor is at its end.',
-  'arena-senses': 'Chooses whether the board on the robot feels the arena or what is set by hand.',
+    'Sets what a sensor measures. A number also holds for later runs; a gesture needs a run. Accelerations go up to ±8000 mg; beyond the range that the program has set, the sensor reports its limit.',
+  'arena-senses': 'Chooses whether the board on the robot measures the arena or the values set by hand.',
   serial: 'Types text into the serial line, for `input()` or the REPL.',
-  interrupt: 'KeyboardInterrupt in the program, as Ctrl-C.',
-  radio: 'Lets a radio packet arrive.',
+  interrupt: 'Raises KeyboardInterrupt in the program, like Ctrl-C.',
+  radio: 'Delivers a radio packet to the board.',
   'clear-console': 'Empties the console of the page.',
 };
 
 const EVENTS: Readonly<Record<EventName, string>> = {
-  phase: 'Where the run stands has changed.',
-  started: 'A run begins, by whomever.',
-  'program-restarted': 'The program begins anew within its run: Ctrl-D at the REPL.',
-  ended: 'The program has ended, with what became of robot and task. The world goes on until `stop`, so a verdict may still change: snapshots have it.', // prettier-ignore
-  output: 'The program or the REPL printed. More than 200,000 characters a second are left out and counted.',
-  snapshot: 'The run at one moment, at the chosen rate while something moves and the page is visible; the last one before things stand still comes at any rate.', // prettier-ignore
-  'scene-changed': 'The course was edited, or is another one, by whomever; `get-scene` brings it.',
-  'files-changed': 'A file was changed, by whomever; `get-files` brings them.',
-  'settings-changed': 'Settings were changed, by whomever.',
-  sensed: 'A person pressed, touched or set something on the page.',
+  phase: 'The state of the run has changed.',
+  started: 'A run begins, no matter who started it.',
+  'program-restarted': 'The program starts again within its run: Ctrl-D at the REPL.',
+  ended: 'The program has ended; the event carries the final state of robot and task. The world goes on until `stop`, so the verdict may still change: see the snapshots.', // prettier-ignore
+  output:
+    'The program or the REPL printed something. Beyond 200,000 characters a second, output is left out and counted.',
+  snapshot: 'The run at one moment. Snapshots come at the chosen rate while something moves and the page is visible. The last one before everything stands still always comes.', // prettier-ignore
+  'scene-changed': 'The course was edited or replaced, no matter who did it; `get-scene` fetches it.',
+  'files-changed': 'A file was changed, no matter who did it; `get-files` fetches the files.',
+  'settings-changed': 'Settings were changed, no matter who did it.',
+  sensed: 'The user pressed, touched or set something on the page.',
   radio: 'The program sent packets.',
   log: 'The program logged data.',
-  refused: 'The run did not take an input.',
-  failed: 'The run could not start, or broke inside.',
+  refused: 'The run refused an input.',
+  failed: 'The run could not start, or failed inside.',
 };
 
-/** What the manual says of our own dialect. */
+/** Our own dialect, for the manual. */
 export const manual: DialectManual = {
   title: 'Parcours',
   version: String(PROTOCOL_VERSION),

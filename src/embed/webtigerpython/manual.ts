@@ -7,21 +7,21 @@ const noData = v.object({});
 const withData = (data: v.GenericSchema) => v.object({ data });
 
 const told: readonly (readonly [name: keyof typeof pageData, about: string])[] = [
-  ['pythonReady', 'The page is there and takes messages. Those that came before are done now, in their order.'],
+  ['pythonReady', 'The page is ready for messages. Messages that came earlier are now carried out in order.'],
   [
     'code',
-    'A program starts: somebody pressed Run, or `run_code` was sent. This is what runs, also after changes on the page.',
+    'A program starts, by the Run button or by `run_code`. These are the files that run, with any changes made on the page.',
   ],
   [
     'output',
-    'What the program prints, as it prints it. What is typed into the REPL after its end does not come, and its traceback comes as `error`.',
+    'Output of the program, as it is printed. Input typed into the REPL after the end of the program is not sent. A traceback comes as `error`.',
   ],
   [
     'error',
-    'The exception that ended the program, as Python shows it; `KeyboardInterrupt` by the Stop button is none. Also, in one English sentence, why files cannot be opened or a run cannot start.',
+    'The exception that ended the program, as Python shows it (not `KeyboardInterrupt` by the Stop button). Or one English sentence that says why files cannot be opened or a run cannot start.',
   ],
-  ['full_output', 'The program is over, by itself or by Stop: everything that it printed, once more.'],
-  ['program_finished', 'After that: nothing more comes of this run.'],
+  ['full_output', 'The program is over, by itself or by Stop. This is its whole output once more.'],
+  ['program_finished', 'Comes after `full_output`: no more messages of this run follow.'],
 ];
 
 const out: readonly ManualMessage[] = told.map(([name, about]) => ({
@@ -41,19 +41,19 @@ export const manual: DialectManual = {
       direction: 'in',
       schema: withData(filesData),
       about:
-        'Replaces the program, stopped; the course stays. What the pupil had is kept under “Earlier work” where the page keeps work.',
+        'Replaces the program, stopped; the course stays. Previous work of the pupil is kept under “Earlier work” if the page keeps work.',
     },
     {
       name: 'settings',
       direction: 'in',
       schema: withData(settingsData),
-      about: 'Sets what is shown, and how. It holds for this visit; fields and values that are unknown change nothing.',
+      about: 'Sets what is shown, and how. It holds for this visit. Unknown fields and values change nothing.',
     },
     {
       name: 'run_code',
       direction: 'in',
       schema: noData,
-      about: 'Starts the program anew. It may follow `files` at once: nobody has to wait in between.',
+      about: 'Starts the program anew. It may follow `files` at once, without waiting.',
     },
     ...out,
   ],

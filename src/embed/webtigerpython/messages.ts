@@ -33,7 +33,7 @@ const programText = pipe(v.string(), v.maxLength(FILE_BYTES), description('The t
 export const filesData = pipe(
   v.union([listOf(file, projectLimits.files), file, programText]),
   description(
-    'All files of the program as a list; also a single one, or its text. Without a `main.py` the first file is the program.',
+    'All files of the program as a list, or a single file, or only its text. Without a `main.py` the first file is the program.',
   ),
 );
 
@@ -50,10 +50,10 @@ export const settingsData = v.object({
   dark_mode: given(flag, 'Dark or light.'),
   layout: given(
     v.union([pipe(v.string(), v.maxLength(LAYOUT_CHARACTERS)), listOf(v.unknown(), LAYOUT_ENTRIES)]),
-    'The panes that are shown, as a list or as its JSON: `Editor` (the program), `Canvas` (board and arena), `Console`; nested at will, their places are ours.',
+    'The panes that are shown, as a list or as its JSON: `Editor` (the program), `Canvas` (board and arena), `Console`. The list may be nested; the page decides where the panes go.',
   ),
-  hide_topbar: given(flag, 'Leaves the bar out.'),
-  full_screen: given(flag, 'Board and arena alone.'),
+  hide_topbar: given(flag, 'Hides the bar.'),
+  full_screen: given(flag, 'Shows only board and arena.'),
 });
 
 /** What a host says. */
@@ -80,7 +80,9 @@ export const pageData = {
   ),
   output: text('The next piece of what the program prints; lines end in `\\n`, a piece may end anywhere.'),
   error: text('The traceback of the exception that ended the program, or why it could not start.'),
-  full_output: text(`All that the program printed, with the traceback at its end; of a very long one its last part.`),
+  full_output: text(
+    `The whole output of the program with the traceback at its end. If it is very long, only its last part.`,
+  ),
   program_finished: nothing,
 } as const;
 
