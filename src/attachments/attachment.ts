@@ -8,7 +8,7 @@ import type { Texts } from '#core/texts';
 import type { Vec } from '#core/geometry';
 import type { Chassis } from '#world/chassis';
 
-/** A kind of attachment: what everyone may know of it. */
+/** A kind of attachment, as everyone may know it. */
 export interface AttachmentType {
   /** Used in course files and on the command line. */
   readonly id: string;
@@ -16,9 +16,8 @@ export interface AttachmentType {
   /** What its servo's angles mean, in a sentence. */
   readonly about: Texts;
   /**
-   * Where its servo stands at the start, in degrees: as somebody leaves it who has just switched the robot on. Nothing
-   * holds a servo without a signal, so fork and shovel have sunk to the floor, the claw stands open and the sensor looks
-   * ahead.
+   * Where its servo stands at the start, in degrees: as on a robot that was just switched on. Nothing holds a servo
+   * without a signal, so fork and shovel have sunk to the floor, the claw stands open and the sensor looks ahead.
    */
   readonly restDeg: number;
   attach(context: AttachmentContext): Attachment;
@@ -41,7 +40,7 @@ export interface Attachment {
   isHolding(): boolean;
   /** How far it turns the distance sensor away from forward, in rad, left positive; 0 for most. */
   sonarTurnRad(): number;
-  /** What is seen of its moving parts. */
+  /** The visible pose of its moving parts. */
   pose(): AttachmentPose;
   readonly remove: Stop;
 }
@@ -54,7 +53,7 @@ export interface AttachmentPose {
   readonly heightMm: number;
 }
 
-/** What can be seen of an attachment: plain data. */
+/** The visible state of an attachment, as plain data. */
 export interface AttachmentState extends AttachmentPose {
   /** Id of its type. */
   readonly type: string;

@@ -1,12 +1,12 @@
 /**
- * The attachments as seen from above, one SVG document each. Loaded late: only who shows one needs it.
+ * The attachments as seen from above, one SVG document each. Loaded late: only code that shows one needs it.
  *
  * Rules: 1 unit = 1 mm of the real robot, front up, origin where it is fixed to the robot (`mountMm`); `viewBox` around
  * everything. The groups right below the root are its parts. Those named like a part of the attachment's pose move:
  * - `jaw-left`, `jaw-right` turn about their `data-pivot`, "x y"; `data-rest` is how far, in degrees counter-clockwise,
  *   they are turned while nothing runs;
  * - `fork` is raised;
- * - `sonar` stands for the distance sensor: on a robot that has one its own is turned instead.
+ * - `sonar` stands for the distance sensor: a robot with a sensor of its own turns that one instead.
  * All others stand still.
  */
 import claw from './claw/claw.svg?raw';

@@ -15,11 +15,11 @@ export const TOP_MM = 45;
 /** From this height on a block no longer scrapes over the floor. Chosen: the unevenness of a school floor. */
 const CLEAR_MM = 4;
 
-/** What differs between fork and bucket, in the frame of the attachment. */
+/** The differences between fork and bucket, in the frame of the attachment. */
 export interface LiftShape {
-  /** Solid and always there: what a block is driven against. */
+  /** Solid and always there: blocks are driven against it. */
   readonly backMm: readonly Vec[];
-  /** What goes under the block. */
+  /** The part that goes under the block. */
   readonly plateMm: readonly Vec[];
 }
 

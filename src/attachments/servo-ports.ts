@@ -9,7 +9,7 @@ import { findAttachment } from './types';
 export interface ServoPorts {
   /** The program sets a servo: degrees, 0 … 180, clamped. It goes there at its own speed. */
   set(port: string, angleDeg: number): void;
-  /** To be called after each step of the world. */
+  /** Call it after each step of the world. */
   step(): void;
   /** How far the distance sensor looks away from forward, in rad, left positive. */
   sonarTurnRad(): number;
@@ -19,11 +19,11 @@ export interface ServoPorts {
   readonly stop: Stop;
 }
 
-/** A servo without an attachment: whoever sees it sees its arm in the middle. */
+/** A servo without an attachment; its arm is shown in the middle. */
 const BARE_DEG = 90;
 
 /**
- * Puts a servo on each port and on it what the option of the same name says.
+ * Puts a servo on each port, and on the servo the attachment that the option of the same name chooses.
  *
  * All of them are fixed to the same place, so two go together as in the kit with two servos: a lift and a claw lift
  * what the claw holds, a pusher's sensor turns above a claw. Two of the same kind lie on top of each other.
@@ -52,7 +52,7 @@ export function attachServoPorts(
 
 interface Port {
   readonly name: string;
-  /** As the program set it, or `null` while it never did. */
+  /** As the program set it, or `null` if it never did. */
   readonly setDeg: number | null;
   set(angleDeg: number): void;
   step(): void;

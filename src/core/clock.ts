@@ -54,7 +54,7 @@ export class Clock {
     let cancel: Stop = () => undefined;
     const schedule = (timeUs: number): void => {
       cancel = this.at(timeUs, () => {
-        // Also after an error: it ends the run, not the world's clockwork.
+        // Also after an error: an error ends the run, but the clock goes on.
         try {
           ring();
         } finally {

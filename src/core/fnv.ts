@@ -1,11 +1,11 @@
-/** Where FNV-1a begins, 32 bits (Fowler, Noll, Vo). */
+/** Start value of FNV-1a, 32 bits (Fowler, Noll, Vo). */
 export const FNV_BASIS = 0x811c9dc5;
 const FNV_PRIME = 0x01000193;
 
 /**
- * FNV-1a over the UTF-16 units of a text: enough to tell texts apart by chance, not meant against anybody.
+ * FNV-1a over the UTF-16 units of a text: enough to tell texts apart, not secure against an attacker.
  *
- * @param before where it goes on from
+ * @param before hash to continue from
  * @returns 0 … 2³² − 1
  */
 export function fnvOfText(text: string, before: number = FNV_BASIS): number {

@@ -1,13 +1,13 @@
 import type { Texts } from './texts';
 
-/** Something about a robot that can be chosen: what hangs on a servo port, how a sensor of its series behaves. */
+/** A property of a robot that can be chosen: what is on a servo port, how a sensor of its series behaves. */
 export interface Option {
   /** Used in course files and on the command line. */
   readonly id: string;
   readonly title: Texts;
-  /** A sentence on what it changes, where the title does not say it. */
+  /** One sentence on its effect, where the title does not say it. */
   readonly about?: Texts;
-  /** At least two; the first is what holds when nothing is chosen. */
+  /** At least two; the first is the default. */
   readonly choices: readonly OptionChoice[];
 }
 
@@ -20,14 +20,17 @@ export interface OptionChoice {
 /** Chosen values: id of an option → id of a choice. */
 export type OptionValues = Readonly<Record<string, string>>;
 
-/** Every option with its value: the chosen one where that is one of its choices, else its first. */
+/** Every option with its value: the chosen one if it is one of the choices, else the first. */
 export function completeOptions(options: readonly Option[], chosen: OptionValues): OptionValues {
   const value = ({ id, choices }: Option): string =>
     (choices.find((choice) => choice.id === chosen[id]) ?? choices[0])?.id ?? '';
   return Object.fromEntries(options.map((option) => [option.id, value(option)]));
 }
 
-/** What is wrong with chosen values: a message naming option, value and what there is, or `null`. */
+/**
+ * The mistake in chosen values, as a message naming option, value and the existing choices; `null` if there is no
+ * mistake.
+ */
 export function optionProblem(options: readonly Option[], chosen: OptionValues): string | null {
   for (const [id, value] of Object.entries(chosen)) {
     const option = options.find((candidate) => candidate.id === id);

@@ -40,5 +40,5 @@ function streamOf(seed: number, salt: number): Rng {
   };
 }
 
-/** Begun with a salt: so forks of forks depend on the order of their names. */
+/** Starts with a salt, so that forks of forks depend on the order of their names. */
 const hashOf = (name: string, salt: number): number => fnvOfText(name, FNV_BASIS ^ salt) | 0;

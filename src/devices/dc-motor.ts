@@ -1,9 +1,9 @@
 /**
- * What a motor driver makes of its two numbers: a direction and a speed byte become a signed duty.
- * Source of the coding: DFRobot pxt-maqueen `maqueen.ts` (direction 0 forward, 1 backward; PWM 0 … 255, 0 stops).
+ * Turns the two numbers of a motor driver, a direction and a speed byte, into a signed duty. Source of the coding:
+ * DFRobot pxt-maqueen `maqueen.ts` (direction 0 forward, 1 backward; PWM 0 … 255, 0 stops).
  */
 
-/** The speed byte of a motor that is driven all the time. */
+/** Speed byte of a motor that is driven all the time. */
 export const FULL_SPEED = 255;
 
 /**

@@ -88,7 +88,7 @@ export function attachHcSr04(
   };
 }
 
-/** Length of the echo in whole µs, or `null` when there is none. */
+/** Length of the echo in whole µs, or `null` if there is no echo. */
 function echoUs(distanceMm: number, withoutTarget: 'none' | 'long-pulse'): number | null {
   if (distanceMm <= FARTHEST_MM) return Math.round(Math.max(distanceMm, NEAREST_MM) * US_PER_MM);
   return withoutTarget === 'none' ? null : NO_TARGET_US;

@@ -5,13 +5,13 @@
  *      write  [register]                 selects it
  *      read   n bytes                    from the selected register on; the selection moves along
  *
- * Register numbers are bytes and wrap from 255 to 0. What no part answers for ignores writes and reads as 0.
+ * Register numbers are bytes and wrap from 255 to 0. A register without a part ignores writes and reads as 0.
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
 
 const REGISTER_COUNT = 256;
 
-/** Some registers in a row that belong together. `offset` counts from the first of them. */
+/** Consecutive registers that belong together. `offset` counts from the first of them. */
 export interface RegisterPart {
   readonly first: number;
   readonly count: number;
@@ -40,7 +40,7 @@ export function memoryRegisters(
   };
 }
 
-/** Registers that can only be read: asked anew for every byte. */
+/** Read-only registers, asked again for every byte. */
 export function liveRegisters(first: number, count: number, read: (offset: number) => number): RegisterPart {
   return { first, count, read };
 }

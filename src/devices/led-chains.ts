@@ -1,8 +1,8 @@
 /**
- * Chains of WS2812 LEDs that somebody has plugged onto free pins: rings, strips, matrices. Nobody says that they are
- * there; the bytes that a program sends them do.
+ * Chains of WS2812 LEDs plugged onto free pins: rings, strips, matrices. Nothing declares them; they appear when a
+ * program sends them bytes.
  *
- * Bytes as in `ws2812.ts`. A chain is as long as the longest stream that it was sent since the start.
+ * Bytes as in `ws2812.ts`. A chain is as long as the longest stream sent to it since the start.
  */
 import type { Wire } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
@@ -29,8 +29,8 @@ export const LONGEST_CHAIN = 1024;
 const BYTES_PER_LED = 3;
 
 /**
- * Shows a chain on each of these wires as soon as a stream for at least one LED arrives there, unless somebody else
- * listens for streams on the wire: then the LEDs are a robot's or the board's own.
+ * Shows a chain on each of these wires as soon as a stream for at least one LED arrives there. If something else
+ * listens for streams on the wire, the LEDs belong to a robot or to the board, and no chain is shown.
  */
 export function watchLedChains(wires: readonly Wire[]): LedChains {
   const watched = [...new Set(wires)].map(watchWire);
@@ -46,12 +46,12 @@ export function watchLedChains(wires: readonly Wire[]): LedChains {
 }
 
 interface WatchedWire {
-  /** `null` while nothing was sent. */
+  /** `null` until something is sent. */
   chain(): LedChain | null;
   readonly stop: Stop;
 }
 
-/** Keeps the bytes as they come and makes colours of them only when they are asked for. */
+/** Keeps the bytes as they come and converts them to colours only on request. */
 function watchWire(wire: Wire): WatchedWire {
   let bytes = new Uint8Array(0);
   let shown: LedChain | null = null;

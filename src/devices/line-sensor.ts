@@ -9,15 +9,15 @@ import type { Stop } from '#core/stop';
 
 /**
  * Comparator thresholds on the reflectance seen, 0 black … 1 bare floor: dark below the first, light above the second,
- * as it was in between. Chosen symmetrically around half coverage: the gap keeps the output steady while a sensor
- * rests on an edge, and is narrower than 1 mm of way for the sensor spots of the robots here.
+ * as it was in between. Chosen symmetrically around half coverage: the gap keeps the output steady while a sensor rests
+ * on an edge, and is narrower than 1 mm of travel for the sensor spots of the robots here.
  */
 export const DARK_BELOW = 0.45;
 export const LIGHT_ABOVE = 0.55;
 
-/** A sensor whose digital value is asked for. */
+/** A sensor with a digital value. */
 export interface LineComparator {
-  /** Looks at the ground. To be called after each step of the world, see `attachLineSensor`. */
+  /** Looks at the ground. Call it after each step of the world, see `attachLineSensor`. */
   sample(): void;
   isBright(): boolean;
   /** What it saw last: 0 black … 1 bare floor. */

@@ -31,7 +31,7 @@ export interface Servo {
   readonly angleDeg: number;
   /** The angle it turns to, clamped to 0 … 180. */
   set(angleDeg: number): void;
-  /** Lets so much simulated time pass. */
+  /** Advances by this much simulated time. */
   pass(us: number): void;
 }
 
@@ -69,7 +69,7 @@ export const USUAL_PULSES: PulseRange = { at0Us: 500, at180Us: 2500 };
  */
 export const SERVO_PERIODS_US = { least: 2_500, most: 30_000 } as const;
 
-/** What a PWM servo may be told besides. */
+/** Further options of a PWM servo. */
 export interface PwmServoOptions {
   /** @default USUAL_PULSES */
   readonly pulses?: PulseRange;
@@ -81,10 +81,10 @@ export interface PwmServoOptions {
 }
 
 /**
- * Makes a wire's pulses the angle of a servo. Longer and shorter pulses than those of the ends stop at the ends. A
- * steady level, no PWM or one with an unsuitable period says nothing: the arm stays where it is.
+ * Reads the angle of a servo from a wire's pulses. Pulses beyond the two ends are clamped. A steady level, or PWM with
+ * an unsuitable period, sets no angle: the arm stays where it is.
  *
- * @param onAngle called with 0 … 180 whenever the wire says an angle
+ * @param onAngle called with 0 … 180 whenever the wire sets an angle
  * @returns lets go of the wire
  */
 export function attachPwmServo(wire: Wire, onAngle: (angleDeg: number) => void, options: PwmServoOptions = {}): Stop {
@@ -102,7 +102,10 @@ export function attachPwmServo(wire: Wire, onAngle: (angleDeg: number) => void, 
 /** Shortest and longest single pulse that counts, in µs. Chosen: outside it is a switch, not a signal for a servo. */
 const SINGLE_PULSE_US = { least: 300, most: 3_000 } as const;
 
-/** Tells the length of each pulse that is made by hand; PWM, whose mean may look like a level, is left out. */
+/**
+ * Reports the length of each pulse that a program makes by hand. PWM is left out, because its mean may look like a
+ * level.
+ */
 function onPulses(clock: Clock, wire: Wire, tell: (pulseUs: number) => void): Stop {
   let roseUs: number | null = null;
   return wire.onLevel((level) => {
@@ -112,7 +115,7 @@ function onPulses(clock: Clock, wire: Wire, tell: (pulseUs: number) => void): St
   });
 }
 
-/** Length of the pulse in µs, or `null` when the signal is none for a servo. */
+/** Length of the pulse in µs, or `null` if it is not a signal for a servo. */
 function pulseOf({ periodUs, dutyFraction }: Pwm): number | null {
   if (!(periodUs >= SERVO_PERIODS_US.least && periodUs <= SERVO_PERIODS_US.most)) return null;
   return dutyFraction > 0 && dutyFraction < 1 ? periodUs * dutyFraction : null;

@@ -39,7 +39,7 @@ const robot = {
 
 const told = saidBy('simrobot.RobotContext', fn('(*arguments) -> None'));
 
-/** The names of simrobot.py and short words on each. */
+/** The names of simrobot.py with short descriptions. */
 const simrobot = module('simrobot', {
   ...moves,
   ...brick,

@@ -26,7 +26,7 @@ export const CLOSED_DEG = 86;
 
 const OPEN_SWING_RAD = (50 / 180) * Math.PI; // chosen: tips 75 mm apart
 
-/** What carries the hinges; a block stops at it. */
+/** The part that carries the hinges; it stops a block. */
 const BASE: readonly Vec[] = box(0, 11, -18, 18);
 
 /** Hinge of the left jaw. */

@@ -2,9 +2,9 @@
  * The Maqueen Mechanic kit "Push": a fixed plate at the front that pushes blocks, and a servo that turns the robot's
  * ultrasonic sensor to the left, ahead and to the right.
  *
- * Source of what it does: Copilli's MakeCode extension "Robotics" (three angles, the front plate pushes while driving).
- * Which angle is which is not public: chosen as on most servos with the shaft up, 90° ahead and counter-clockwise for
- * larger angles. Lengths are chosen.
+ * Source of the behaviour: Copilli's MakeCode extension "Robotics" (three angles, the front plate pushes while
+ * driving). Which angle is which is not public: chosen as on most servos with the shaft up, 90° ahead and
+ * counter-clockwise for larger angles. Lengths are chosen.
  */
 import type { Vec } from '#core/geometry';
 import { attachmentAbout } from '../about';
