@@ -47,7 +47,7 @@ export class Board {
   readonly motion: Motion;
   readonly compass: Compass;
   readonly microphone: Microphone;
-  /** The processor's own, whole degrees Celsius or a part of one as the sensor has it. */
+  /** The processor's temperature in degrees Celsius, whole or with the fraction that the sensor gives. */
   readonly thermometer: SampledSensor;
   readonly radio: Radio;
   readonly dataLog: DataLog;
@@ -105,8 +105,8 @@ export class Board {
   }
 
   /**
-   * Everything as after a start: pins, buses, display, sound. What is outside stays: fingers, sensor values, chips on
-   * the wires.
+   * Resets pins, buses, display and sound to their state after a start. What is outside stays: fingers, sensor values,
+   * chips on the wires.
    */
   reset(): void {
     this.music.stop();
@@ -126,7 +126,7 @@ export class Board {
     this.rgbLeds?.reset();
   }
 
-  /** The wire of this name. @throws RangeError when the board has none */
+  /** The wire of this name. @throws RangeError if the board has no such wire */
   wire(name: string): Wire {
     const wire = this.wires.get(name);
     if (!wire)
@@ -134,7 +134,7 @@ export class Board {
     return wire;
   }
 
-  /** The pin of this Python name. @throws RangeError when the board has none */
+  /** The pin of this Python name. @throws RangeError if the board has no such pin */
   pin(name: string): Pin {
     const pin = this.pins.get(name);
     if (!pin) throw new RangeError(`${this.type.name} has no pin ${name}. It has ${[...this.pins.keys()].join(', ')}.`);
@@ -152,7 +152,7 @@ export class Board {
     );
   }
 
-  /** Sensor ids of what can be pressed: `buttonA`, `pin0`, and `pinLogo` for `pin_logo`. */
+  /** Sensor ids of everything that can be pressed: `buttonA`, `pin0`, and `pinLogo` for `pin_logo`. */
   private pressables(): ReadonlyMap<string, Pressable> {
     const all = new Map<string, Pressable>([
       ['buttonA', this.buttonA],

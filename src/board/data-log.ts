@@ -9,7 +9,7 @@ export type LogEvent =
 /** One value of a row. */
 export type LogEntry = readonly [heading: string, value: string];
 
-/** Units of the timestamp; but for the first they are how many ms a hundredth has (MicroBitLog.h). */
+/** Units of the timestamp. From the second on, the value is the ms in a hundredth of the unit (MicroBitLog.h). */
 const UNITS: ReadonlyMap<number, string> = new Map([
   [1, 'milliseconds'],
   [10, 'seconds'],
@@ -21,12 +21,12 @@ const UNITS: ReadonlyMap<number, string> = new Map([
 export const NO_TIMESTAMP = 0;
 const MILLISECONDS = 1;
 
-/** micropython-microbit-v2-simulator data-logging.ts: what a program on the device found to be free. */
+/** micropython-microbit-v2-simulator data-logging.ts: free bytes that a program on the device found. */
 export const LOG_BYTES = 118_780;
 
 /**
- * The table in the flash memory. Columns are only ever added, at the end; the timestamp comes first when it is asked
- * for before anything is logged. It outlives resets. Source: codal-microbit-v2 MicroBitLog.cpp.
+ * The table in the flash memory. Columns are only ever added, at the end; the timestamp comes first if it is requested
+ * before anything is logged. The table survives resets. Source: codal-microbit-v2 MicroBitLog.cpp.
  */
 export class DataLog {
   private text = '';
@@ -44,7 +44,7 @@ export class DataLog {
     return this.text;
   }
 
-  /** How long that is in bytes: of the 118,780 that there are. */
+  /** Its length in bytes, out of 118,780. */
   get byteCount(): number {
     return this.bytes;
   }
@@ -59,18 +59,18 @@ export class DataLog {
     return [...this.columns];
   }
 
-  /** Also tells every line that is logged, without its end; `null` for nobody. */
+  /** Mirrors every logged line, without its end, to this function; `null` for none. */
   mirrorTo(mirror: ((line: string) => void) | null): void {
     this.mirror = mirror;
   }
 
-  /** @param unit 1, 10, 600, 36,000 or 864,000 for ms, s, min, h, days; 0 for no timestamp. False for another one */
+  /** @param unit 1, 10, 600, 36,000 or 864,000 for ms, s, min, h, days; 0 for none. @returns false for another one */
   setTimestamp(unit: number): boolean {
     if (unit !== NO_TIMESTAMP && !UNITS.has(unit)) return false;
     if (unit === this.timestamp && unit === NO_TIMESTAMP) return true;
     if (this.bytes === 0 && this.columns.length > 0) {
       if (unit !== NO_TIMESTAMP && this.columns[0] === headingOf(unit)) return true;
-      // While nothing is logged the timestamp's column may still be replaced.
+      // Until something is logged, the timestamp's column may still be replaced.
       if (this.timestamp !== NO_TIMESTAMP) this.columns.shift();
     }
     this.timestamp = unit;
@@ -79,7 +79,7 @@ export class DataLog {
   }
 
   /**
-   * Logs one row; unknown columns are added. When all its values are empty only new headings are logged.
+   * Logs one row; unknown columns are added. If all its values are empty, only new headings are logged.
    *
    * @param nowMs the board's own time, for the timestamp
    * @returns false when the log is full
@@ -103,7 +103,7 @@ export class DataLog {
     return !this.full;
   }
 
-  /** Empties the log; columns and all. The timestamp stays as it was set. */
+  /** Empties the log, columns included. The timestamp stays as it was set. */
   delete(): void {
     this.text = '';
     this.bytes = 0;
@@ -114,12 +114,12 @@ export class DataLog {
     this.tell({ type: 'clear' });
   }
 
-  /** What happens to the log when a program writes a new `main.py`: it is worthless then, hence empty. */
+  /** Empties the log when a program writes a new `main.py`, because it is then worthless. */
   invalidate(): void {
     if (this.bytes > 0 || this.columns.length > 0) this.delete();
   }
 
-  /** Tells what happens to the log. */
+  /** Reports what happens to the log. */
   onEvent(listener: (event: LogEvent) => void): Stop {
     this.listeners.push(listener);
     return () => {
@@ -128,7 +128,7 @@ export class DataLog {
     };
   }
 
-  /** As after a start of the board: no mirror, no timestamp. What was logged stays. */
+  /** Back to the state after a start of the board: no mirror, no timestamp. The logged rows stay. */
   reset(): void {
     this.mirror = null;
     this.timestamp = NO_TIMESTAMP;
@@ -170,14 +170,14 @@ export class DataLog {
 
 const headingOf = (unit: number): string => `Time (${UNITS.get(unit) ?? ''})`;
 
-/** Whole ms, or the unit with two decimals, both cut off. */
+/** Whole ms, or the unit with two decimals, both truncated. */
 function timeText(nowMs: number, unit: number): string {
   if (unit === MILLISECONDS) return String(nowMs);
   const hundredths = Math.floor(nowMs / unit);
   return `${Math.floor(hundredths / 100)}.${String(hundredths % 100).padStart(2, '0')}`;
 }
 
-/** What would break the table becomes an underline. */
+/** Replaces characters that would break the table by underscores. */
 function clean(text: string): string {
   return text.replaceAll('-->', '___').replaceAll(/[\t,\n]/g, '_');
 }

@@ -1,24 +1,24 @@
-/** Whether the board works. */
+/** The power state of the board. */
 export type PowerState = 'on' | 'asleep' | 'off';
 
-/** What can wake a board that sleeps: a pin or a button. */
+/** What can wake a sleeping board: a pin or a button. */
 export interface WakeSource {
-  /** To be asked when the board falls asleep; gives a question that is true as soon as it wants to wake the board. */
+  /** Called when the board falls asleep; returns a function that becomes true to wake the board. */
   arm(): () => boolean;
 }
 
-/** Deep sleep and off. While it is not on, its LEDs are dark. */
+/** Deep sleep and off. While the board is not on, its LEDs are dark. */
 export class Power {
   private current: PowerState = 'on';
 
-  /** @param darken is told whether the LEDs are to be dark */
+  /** @param darken called with whether the LEDs are dark */
   constructor(private readonly darken: (isDark: boolean) => void) {}
 
   get state(): PowerState {
     return this.current;
   }
 
-  /** Falls asleep. @returns a question that is true as soon as one of the sources wants to wake the board */
+  /** Falls asleep. @returns a function that becomes true when one of the sources wants to wake the board */
   sleep(sources: readonly WakeSource[]): () => boolean {
     this.become('asleep');
     const wakes = sources.map((source) => source.arm());
@@ -35,7 +35,7 @@ export class Power {
     this.become('off');
   }
 
-  /** As after a start: on. */
+  /** Back to the state after a start: on. */
   reset(): void {
     this.become('on');
   }

@@ -1,7 +1,7 @@
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 
-/** How the radio is set. Who is to hear each other needs the same channel, address, group and data rate. */
+/** Settings of the radio. Boards hear each other if they share channel, address, group and data rate. */
 export interface RadioConfig {
   /** Longest message in bytes, 1 … 251. */
   readonly length: number;
@@ -42,15 +42,15 @@ const RSSI_DBM = -50; // chosen: another board some metres away in the same room
 const OVERHEAD_BYTES = 6; // drv_radio.c: length, strength and time are kept with each message
 
 /**
- * The radio: packets out, packets in. Whoever sits outside is on the same channel and in the same group.
+ * The radio: packets out, packets in. Senders outside are on the same channel and in the same group.
  *
  * Settings take effect when the radio is switched on or configured while on; `forget` alone changes nothing yet, as on
  * the device (modradio.c). Received messages share a buffer of `queue` messages of full length, so that more short ones
- * fit; when it is full, what arrives is lost (drv_radio.c).
+ * fit; when it is full, arriving messages are lost (drv_radio.c).
  */
 export class Radio {
   private wanted = START_RADIO;
-  /** What the chip is set to; `null` while it is off. */
+  /** The chip's settings; `null` while it is off. */
   private active: RadioConfig | null = null;
   private waiting: RadioMessage[] = [];
   private readonly listeners: ((packet: Uint8Array) => void)[] = [];
@@ -69,7 +69,7 @@ export class Radio {
     return this.config.channel;
   }
 
-  /** What it is set to, or will be when it is switched on. */
+  /** Its settings, or those for when it is switched on. */
   get config(): RadioConfig {
     return this.active ?? this.wanted;
   }
@@ -79,7 +79,7 @@ export class Radio {
     return (this.wanted.length + OVERHEAD_BYTES) * (this.wanted.queue + 1);
   }
 
-  /** Changes settings; another length or queue empties the queue. */
+  /** Changes settings; a new length or queue size empties the queue. */
   configure(changes: Partial<RadioConfig>): void {
     const before = this.wanted;
     this.wanted = { ...before, ...changes };
@@ -88,7 +88,7 @@ export class Radio {
     this.active = this.wanted;
   }
 
-  /** Puts the settings back to those of the start, for the next `on` or `configure`. */
+  /** Resets the settings to those of the start, for the next `on` or `configure`. */
   forget(): void {
     this.wanted = START_RADIO;
   }
@@ -99,20 +99,20 @@ export class Radio {
     this.waiting = [];
   }
 
-  /** Switches it off; what was waiting is lost. */
+  /** Switches it off; waiting messages are lost. */
   off(): void {
     this.active = null;
     this.waiting = [];
   }
 
-  /** Sends one packet, cut to the longest length. Nothing while it is off. */
+  /** Sends one packet, cut to the longest length. Does nothing while the radio is off. */
   send(bytes: Uint8Array): void {
     if (!this.active) return;
     const packet = bytes.slice(0, this.active.length);
     for (const tell of [...this.listeners]) tell(packet);
   }
 
-  /** A packet arrives, as it was on the air. Lost while the radio is off or the queue full; cut to the longest length. */
+  /** Receives a packet, cut to the longest length. It is lost while the radio is off or the queue is full. */
   receive(packet: Uint8Array): void {
     if (!this.active) return;
     const bytes = packet.slice(0, this.active.length);
@@ -122,7 +122,7 @@ export class Radio {
     this.waiting.push({ bytes, rssiDbm: RSSI_DBM, timeUs: this.clock.nowUs });
   }
 
-  /** The oldest message that waits; it stays. */
+  /** The oldest waiting message; it stays in the queue. */
   get oldest(): RadioMessage | null {
     return this.waiting[0] ?? null;
   }
@@ -132,7 +132,7 @@ export class Radio {
     return this.waiting.shift() ?? null;
   }
 
-  /** Tells every packet that is sent, as it is on the air. */
+  /** Reports every packet that is sent, as it is on the air. */
   onSend(listener: (packet: Uint8Array) => void): Stop {
     this.listeners.push(listener);
     return () => {
@@ -141,7 +141,7 @@ export class Radio {
     };
   }
 
-  /** As after a start: off, set as at first. Who listens outside stays. */
+  /** Back to the state after a start: off, with the first settings. Listeners outside stay. */
   reset(): void {
     this.forget();
     this.off();

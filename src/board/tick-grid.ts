@@ -1,14 +1,14 @@
 import type { Clock } from '#core/clock';
 
-/** One participant's way to ask for ticks. */
+/** One participant's way to request ticks. */
 export interface TickSlot {
-  /** Asks for ticks from the next one on, until `tick` says that it needs no more. */
+  /** Requests ticks from the next one on, until `tick` says that it needs no more. */
   wake(): void;
 }
 
 /**
- * A periodic interrupt of the board: it ticks at whole multiples of its period since the start of the run.
- * An alarm is set only while somebody needs ticks; nobody can tell the difference.
+ * A periodic interrupt of the board. It ticks at whole multiples of its period since the start of the run. An alarm is
+ * set only while a participant needs ticks; the result is the same.
  */
 export class TickGrid {
   private readonly slots: { awake: boolean; readonly tick: () => boolean }[] = [];
@@ -20,7 +20,7 @@ export class TickGrid {
   ) {}
 
   /**
-   * Takes part; the participants tick in the order in which they joined (rule T4).
+   * Adds a participant; participants tick in the order in which they joined (rule T4).
    *
    * @param tick one tick; returns whether it needs the next one too
    */
@@ -41,7 +41,7 @@ export class TickGrid {
     const next = (Math.floor(this.clock.nowUs / this.periodUs) + 1) * this.periodUs;
     this.clock.at(next, () => {
       this.armed = false;
-      const due = this.slots.filter((slot) => slot.awake); // who is woken by a tick waits for the next one (rule T3)
+      const due = this.slots.filter((slot) => slot.awake); // a participant woken by a tick waits for the next one (rule T3)
       for (const slot of due) slot.awake = false;
       for (const slot of due) if (slot.tick()) slot.awake = true;
       if (this.slots.some((slot) => slot.awake)) this.arm();

@@ -15,11 +15,11 @@ export type PinMode =
 /** How a pin senses a finger: through a loop over ground, or by its charge. */
 export type TouchKind = 'resistive' | 'capacitive';
 
-/** One pin of a board, as its Python program knows it. */
+/** One pin of a board, as a Python program knows it. */
 export interface PinType {
   /** Python name: `pin0`, `pin_logo`. */
   readonly name: string;
-  /** Name of its wire: the edge connector's `P0` … `P20`, else a name of its own (`logo`, `speaker`). */
+  /** Name of its wire: the edge connector's `P0` … `P20`, otherwise a name of its own (`logo`, `speaker`). */
   readonly wire: string;
   /** The number in the device's message "Pin %d in %q mode". */
   readonly number: number;
@@ -28,11 +28,11 @@ export interface PinType {
   /** True when `read_analog` exists. Every digital pin can write analog. */
   readonly analog: boolean;
   readonly touch: TouchKind | null;
-  /** What the board itself uses the pin for after a start; `unused` for a free pin. */
+  /** The board's own use of the pin after a start; `unused` for a free pin. */
   readonly startMode: PinMode;
 }
 
-/** What things cost in simulated µs. Each board names the source of every row. */
+/** Costs in simulated µs. Each board names the source of every row. */
 export interface BoardCosts {
   /** One MicroPython bytecode. */
   readonly bytecodeUs: number;
@@ -50,7 +50,7 @@ export interface BoardCosts {
   readonly i2cProbeUs: number;
   /** One byte of an LED stream (three bytes are one LED). */
   readonly ws2812ByteUs: number;
-  /** What every LED stream costs besides its bytes. */
+  /** Cost of every LED stream besides its bytes. */
   readonly ws2812SetupUs: number;
   /** One packet sent by radio. */
   readonly radioPacketUs: number;
@@ -79,10 +79,10 @@ export interface Uname {
 export interface FirmwareType {
   /** Option value: `v2.1.2`. */
   readonly id: string;
-  /** What people call it. */
+  /** Its name for users. */
   readonly name: string;
   readonly features: readonly Feature[];
-  /** How the REPL introduces itself. */
+  /** Its greeting in the REPL. */
   readonly banner: string;
   readonly uname: Uname;
   /** `sys.version`. */
@@ -103,20 +103,20 @@ export interface MotorOutputType {
 export interface BoardType {
   /** File name and option value: `microbit-v2`. */
   readonly id: string;
-  /** What people call it. */
+  /** Its name for users. */
   readonly name: string;
   /** Python names of the board's module; all of them are the same module, which calls itself by the first. */
   readonly modules: readonly string[];
-  /** What it can run, the default first. */
+  /** The firmwares it can run, the default first. */
   readonly firmwares: readonly [FirmwareType, ...FirmwareType[]];
   readonly pins: readonly PinType[];
-  /** Python names of the pins the two buttons hang on. */
+  /** Python names of the pins of the two buttons. */
   readonly buttons: { readonly a: string; readonly b: string };
   /** Python names of the pins that the display's columns share. */
   readonly displayPins: readonly string[];
   /** Python names of the I2C pins and the bus clock after a start, in Hz. */
   readonly i2c: { readonly scl: string; readonly sda: string; readonly frequencyHz: number };
-  /** Python name of the pin music comes out of unless the program names another. */
+  /** Python name of the pin for music, unless the program names another. */
   readonly musicPin: string;
   /** RGB LEDs (ws2812) soldered to the board: the Python name of their pin, and how many. */
   readonly rgb: { readonly pin: string; readonly count: number } | null;

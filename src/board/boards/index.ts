@@ -2,7 +2,7 @@ import type { BoardType } from './board-type';
 import { calliopeMini3 } from './calliope-mini-3';
 import { microbitV2 } from './microbit-v2';
 
-/** Every board there is, the default first. */
+/** All boards, the default first. */
 export const boardTypes: readonly BoardType[] = [microbitV2, calliopeMini3];
 
 /** The board with this id, or `undefined`. */

@@ -1,6 +1,6 @@
 import type { BoardCosts } from './board-type';
 
-/** What things cost on an nRF52833 at 64 MHz with this family of firmwares: micro:bit V2 and Calliope mini 3 alike. */
+/** Costs on an nRF52833 at 64 MHz with this family of firmwares: micro:bit V2 and Calliope mini 3 alike. */
 export const nrf52833CostsUs: BoardCosts = {
   bytecodeUs: 1, // fitted together with allocationUs to the next row's measurement
   allocationUs: 9, // fitted: 13,700 rounds of `number = number * 1.001 - 1.001` take 442 ms (kevinjwalters/micropython-examples)
@@ -13,8 +13,8 @@ export const nrf52833CostsUs: BoardCosts = {
   ws2812SetupUs: 125, // measured by users, micropython-microbit-v2 issue #227: 125 … 300 µs besides the bits
   radioPacketUs: 700, // micropython-microbit-v2 drv_radio.c: between packets sent one after the other
   // The log lies in the flash memory of the chip behind the USB socket: codal-microbit-v2 MicroBitUSBFlashManager.cpp
-  // sends 8 bytes of order and fetches 9 of answer over the board's own I2C bus, 400 kHz, nine bits a byte. Erasing a page
-  // and the journal are left out.
+  // sends 8 bytes of command and fetches 9 of answer over the board's own I2C bus, 400 kHz, nine bits a byte. Erasing a
+  // page and the journal are left out.
   logLineUs: 17 * 22.5,
   logByteUs: 22.5 + 42.5 / 4, // and that chip writes a word of four bytes in 42.5 µs (nRF52833 product specification)
 };

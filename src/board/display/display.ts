@@ -15,11 +15,11 @@ export interface ShowOptions {
   readonly loop: boolean;
   /** A blank picture follows, for one more delay. */
   readonly clear: boolean;
-  /** Called in the tick in which it ends by itself, and not when something else takes its place. */
+  /** Called in the tick in which the animation ends by itself, and not when another one replaces it. */
   readonly onOver?: () => void;
 }
 
-/** How a text runs through. */
+/** How a text scrolls through. */
 export interface ScrollOptions {
   /** Time for one column, in ms; rounded up to whole ticks of 6 ms. */
   readonly delayMs: number;
@@ -40,8 +40,8 @@ interface Animation {
 }
 
 /**
- * The 5 × 5 LEDs and what moves on them. The animation advances on the board's 6 ms tick (rule D1); a new `show`,
- * `showFrames`, `scroll` or `clear` ends the one before. Source: micropython-microbit-v2 drv_display.c.
+ * The 5 × 5 LEDs and their animation. The animation advances on the board's 6 ms tick (rule D1); a new `show`,
+ * `showFrames`, `scroll` or `clear` ends the previous one. Source: micropython-microbit-v2 drv_display.c.
  */
 export class Display {
   private readonly image = new Uint8Array(SIDE * SIDE);
@@ -60,14 +60,14 @@ export class Display {
     this.slot = grid.join(() => this.tick());
   }
 
-  /** What the LEDs show, 0 … 9, row by row; dark while the display is off or the board sleeps. To be read only. */
+  /** What the LEDs show, 0 … 9, row by row; dark while the display is off or the board sleeps. Read-only. */
   get pixels(): Uint8Array {
     if (!this.enabled || this.darkened) return DARK;
     return this.quarterTurns === 0 ? this.image : turned(this.image, this.quarterTurns);
   }
 
   /**
-   * Turns what is shown, now and from now on; `setPixel` and `getPixel` turn along.
+   * Turns what is shown from now on; `setPixel` and `getPixel` turn with it.
    *
    * @param quarterTurns counter-clockwise, as the picture moves: upright again on a board that was turned clockwise
    */
@@ -79,12 +79,12 @@ export class Display {
     return this.enabled;
   }
 
-  /** True until an animation (or a `clear`) has ended: what a waiting call waits for. */
+  /** True until an animation (or a `clear`) has ended. A waiting call waits for it. */
   get isAnimating(): boolean {
     return this.animation !== null || this.clearing;
   }
 
-  /** Takes the display's pins back. @returns `null`, or the device's ValueError when one of them is held */
+  /** Takes the display's pins back. @returns `null`, or the device's ValueError if one of them is held */
   on(): string | null {
     for (const pin of this.pins) {
       const holder = pin.acquire('display');
@@ -101,7 +101,7 @@ export class Display {
     for (const pin of this.pins) pin.free();
   }
 
-  /** Cuts the LEDs' power, while the board sleeps; the picture is kept. */
+  /** Cuts the LEDs' power while the board sleeps; the picture is kept. */
   darken(isDark: boolean): void {
     this.darkened = isDark;
   }
@@ -124,22 +124,22 @@ export class Display {
     this.slot.wake();
   }
 
-  /** Shows one picture at once and lets it stay. */
+  /** Shows one picture at once and keeps it. */
   show(frame: Uint8Array): void {
     this.stopAnimation();
     this.draw(frame);
   }
 
   /**
-   * Shows pictures one after the other, the first at once; the last stays for its delay like the others, and after it
-   * when nothing else comes. No pictures: nothing happens, or the blank one of `clear`. The pictures are copied.
+   * Shows pictures one after the other, the first at once. The last stays for its delay like the others, and longer if
+   * nothing else follows. Without pictures nothing happens, or `clear` shows its blank one. The pictures are copied.
    */
   showFrames(frames: readonly Uint8Array[], options: ShowOptions): void {
     const copies = frames.map((frame) => frame.slice());
     this.run({ length: copies.length, frameAt: (place) => copies[place] ?? DARK }, options);
   }
 
-  /** Runs a text through the display from the right; it has left when the animation ends. */
+  /** Runs a text through the display from the right; the text has left when the animation ends. */
   scroll(text: string, options: ScrollOptions): void {
     this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });
   }
@@ -149,7 +149,7 @@ export class Display {
     return glyphOf(char);
   }
 
-  /** As after a start: on, dark, nothing moves. The pins must have been reset before. */
+  /** Back to the state after a start: on, dark, nothing moves. The pins must have been reset before. */
   reset(): void {
     this.stopAnimation();
     this.image.fill(0);
@@ -192,7 +192,7 @@ export class Display {
     return this.animation !== null;
   }
 
-  /** Draws the next picture; returns false when there is none left. */
+  /** Draws the next picture; returns false if there is no next one. */
   private advance(animation: Animation): boolean {
     if (animation.loop && animation.next >= animation.film.length) animation.next = 0;
     if (animation.next < animation.film.length) {
@@ -217,7 +217,7 @@ function placeOf(x: number, y: number): number {
   return y * SIDE + x;
 }
 
-/** The picture after so many quarter turns: its top row becomes the left column (codal-nrf52 NRF52LedMatrix.cpp). */
+/** The picture after this many quarter turns: its top row becomes the left column (codal-nrf52 NRF52LedMatrix.cpp). */
 function turned(image: Uint8Array, quarterTurns: number): Uint8Array {
   let from = image;
   for (let turn = 0; turn < quarterTurns; turn++) {

@@ -8,8 +8,8 @@ const DARK: Rgb = [0, 0, 0];
 
 /**
  * RGB LEDs soldered to the board, on a one-wire stream. They take the bytes in the order green, red, blue and keep
- * their colours until the next stream; a stream that is too short leaves the rest as it was.
- * Source: WS2812B datasheet, "Composition of 24bit data"; the Calliope mini 3 carries three that understand it.
+ * their colours until the next stream; a stream that is too short leaves the other LEDs as they were. Source: WS2812B
+ * datasheet, "Composition of 24bit data"; the Calliope mini 3 carries three of them.
  */
 export class RgbLeds {
   private leds: readonly Rgb[];

@@ -35,7 +35,7 @@ export function scrollFilm(text: string, monospace: boolean): Film {
   };
 }
 
-/** The columns of a text as it runs through the display, the five blank ones behind it included. */
+/** The columns of a text as it runs through the display, including the five blank ones behind it. */
 function columnsOf(text: string, monospace: boolean): Column[] {
   const columns: Column[] = [];
   const glyphs = new Map<string, readonly Column[]>();
@@ -62,7 +62,7 @@ function widthOf(glyph: readonly Column[]): number {
 
 const isLit = (column: Column | undefined): boolean => column?.some((value) => value > 0) ?? false;
 
-/** The characters of a text as the device counts them: it knows bytes, so an umlaut is two, neither of them known. */
+/** The characters of a text as the device counts them. It knows bytes: an umlaut is two unknown characters. */
 function* bytesOf(text: string): Generator<string> {
   for (const char of text) {
     const code = char.codePointAt(0) ?? 0;

@@ -3,8 +3,8 @@ import type { TickGrid } from '../tick-grid';
 import type { Wire, WireEnd } from '../wires/wire';
 
 /**
- * A push button between a wire and ground, with the pull-up of the board. Whoever else pulls the wire low presses it
- * too, as on the device.
+ * A push button between a wire and ground, with the pull-up of the board. A chip that pulls the wire low also presses
+ * it, as on the device.
  */
 export class Button {
   private readonly end: WireEnd;
@@ -25,12 +25,12 @@ export class Button {
     this.end.drive(0);
   }
 
-  /** The finger lets go. */
+  /** Lifts the finger. */
   release(): void {
     this.end.release();
   }
 
-  /** Forgets presses; a finger on it stays. */
+  /** Forgets presses; a finger on the button stays. */
   reset(): void {
     this.contact.reset();
   }
@@ -40,17 +40,17 @@ export class Button {
     return this.wire.level === 0;
   }
 
-  /** What the program sees: 36 ms after a press, 44 ms after a release (rule B1). */
+  /** The debounced state for the program: 36 ms after a press, 44 ms after a release (rule B1). */
   isPressed(): boolean {
     return this.contact.isOn;
   }
 
-  /** Whether it was pressed since the last question; independent of `takePresses`. */
+  /** Whether it was pressed since the last call; independent of `takePresses`. */
   wasPressed(): boolean {
     return this.contact.wasOn();
   }
 
-  /** How often it was pressed since the last question; independent of `wasPressed`. */
+  /** How often it was pressed since the last call; independent of `wasPressed`. */
   takePresses(): number {
     return this.contact.takeCount();
   }

@@ -18,7 +18,7 @@ export class Compass {
 
   constructor(private readonly sensors: Sensors) {}
 
-  /** Where the logo points: whole degrees from north, clockwise, 0 … 359. Calibrates when that has not been done. */
+  /** Direction of the logo: whole degrees from north, clockwise, 0 … 359. Calibrates if that has not been done. */
   heading(): number {
     this.calibrated = true;
     return Math.trunc(this.sensors.get('compassHeading')) % 360;
@@ -30,7 +30,7 @@ export class Compass {
     return { x: read('compassX'), y: read('compassY'), z: read('compassZ') };
   }
 
-  /** The strength of the field in all directions together, whole nT. */
+  /** The strength of the whole field, whole nT. */
   get fieldStrength(): number {
     const { x, y, z } = this.field;
     return Math.floor(Math.sqrt(x * x + y * y + z * z));
@@ -48,7 +48,7 @@ export class Compass {
     this.calibrated = false;
   }
 
-  /** As after a start. */
+  /** Back to the state after a start. */
   reset(): void {
     this.calibrated = true;
   }

@@ -23,12 +23,12 @@ export class Debounce {
     this.slot = grid.join(() => this.sample());
   }
 
-  /** To be called whenever the contact may have changed. */
+  /** Call it whenever the contact may have changed. */
   changed(): void {
     this.slot.wake();
   }
 
-  /** Forgets what it has seen; a contact that is closed goes on anew. */
+  /** Forgets what it has seen; a contact that is still closed switches on again. */
   reset(): void {
     this.sigma = 0;
     this.on = false;
@@ -41,14 +41,14 @@ export class Debounce {
     return this.on;
   }
 
-  /** True when it went on since this was last asked. Leaves the count alone. */
+  /** True if it switched on since the last call. Does not change the count. */
   wasOn(): boolean {
     const was = this.was;
     this.was = false;
     return was;
   }
 
-  /** How often it went on since this was last asked. Leaves `wasOn` alone. */
+  /** How often it switched on since the last call. Does not change `wasOn`. */
   takeCount(): number {
     const count = this.count;
     this.count = 0;

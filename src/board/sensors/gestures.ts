@@ -15,7 +15,7 @@ export const GESTURE_NAMES = [
   '2g',
 ] as const;
 
-/** A gesture, as Python names it; empty for none. */
+/** A gesture, as Python names it; empty for no gesture. */
 export type Gesture = (typeof GESTURE_NAMES)[number];
 
 // All from codal-core Accelerometer.h, in mg and samples.
@@ -33,7 +33,7 @@ const SHAKE_CROSSINGS = 4;
 const SHAKE_DAMPING = 10; // samples after which a swing is forgotten
 const SHAKE_PAUSE = 30; // samples after a shake before the next can begin
 
-/** After so many samples of the same values nothing changes any more: 30 to forget swings, or for the pause; 5 of damping. */
+/** After this many equal samples nothing changes any more: 30 to forget swings, or for the pause; 5 of damping. */
 export const SAMPLES_TO_REST = 64;
 
 /** Acceleration along the three axes in mg. */
@@ -52,7 +52,7 @@ export class GestureRecogniser {
   private posture: Gesture = '';
   private stable = 0;
   private last: Gesture = '';
-  /** Blows that have been told and not subsided; at a start all of them, so that switching on is none. */
+  /** Blows that were reported and have not subsided. At a start these are all, so that switching on is not a blow. */
   private readonly told = new Set<Gesture>(IMPULSES.map(([gesture]) => gesture));
   private sinceImpulse = 0;
   private readonly swing = { x: false, y: false, z: false };
@@ -60,15 +60,15 @@ export class GestureRecogniser {
   private swingTimer = 0;
   private shaken = false;
 
-  /** @param tell is told every gesture at the moment it is made */
+  /** @param tell called with every gesture when it is made */
   constructor(private readonly tell: (gesture: Gesture) => void) {}
 
-  /** The last gesture that was recognised; a posture stays until another one comes. */
+  /** The last gesture that was recognised; a posture stays until another gesture comes. */
   get current(): Gesture {
     return this.last;
   }
 
-  /** @param canFall false while it is not known what the board weighs: then nothing is a free fall */
+  /** @param canFall false while the weight on the board is unknown: then there is no free fall */
   sample(a: Acceleration, canFall: boolean): void {
     const square = a.x * a.x + a.y * a.y + a.z * a.z;
     this.feelBlows(square);

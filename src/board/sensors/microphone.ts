@@ -2,28 +2,28 @@ import type { Clock } from '#core/clock';
 import { MEDIUM_SENSITIVITY, Recorder, type RecordingOrder } from './recorder';
 import type { Sensors } from './sensors';
 
-/** What the microphone can tell apart. */
+/** The events that the microphone distinguishes. */
 export type SoundKind = 'quiet' | 'loud' | 'clap';
 
 const HISTORY = 8; // microbit_microphone.c: EVENT_HISTORY_SIZE
 const MAX_LEVEL = 255;
 /**
- * At or above `loud` it is loud, at or below `quiet` quiet: the official simulator's (micropython-microbit-v2-simulator
- * microphone.ts). CODAL's own, 65 and 85 dB, would be 69 and 175.
+ * At or above `loud` it is loud, at or below `quiet` it is quiet: values of the official simulator
+ * (micropython-microbit-v2-simulator microphone.ts). CODAL's own, 65 and 85 dB, would be 69 and 175.
  */
 const START_THRESHOLDS = { quiet: 75, loud: 150 } as const;
 const DB_AT_0 = 52; // codal-microbit-v2: LEVEL_DETECTOR_SPL_8BIT_000_POINT
 const DB_AT_255 = 100; // codal-core LevelDetectorSPL.h: LEVEL_DETECTOR_SPL_8BIT_255_POINT
 /**
- * A clap is a noise after a silence, neither a click nor a roar. codal-core LevelDetectorSPL.h: at least 20 quiet
- * blocks, then 2 … 13 noisy ones; a block is 128 samples at 11 kHz, 11.6 ms.
+ * A clap is a noise after a silence. It is longer than a click and shorter than a roar. codal-core LevelDetectorSPL.h:
+ * at least 20 quiet blocks, then 2 … 13 noisy ones; a block is 128 samples at 11 kHz, 11.6 ms.
  */
 const CLAP_MS = { silenceBefore: 232, shortest: 23, longest: 151 } as const;
 
 /**
- * The microphone: loudness 0 … 255, and the events quiet and loud, which alternate (LevelDetectorSPL.cpp): after loud
- * comes nothing until it is quiet, and the other way round. It begins to listen when a program first uses it, and its
- * light goes on; what happened before is not known to it.
+ * The microphone: loudness 0 … 255, and the events quiet and loud, which alternate (LevelDetectorSPL.cpp): after a loud
+ * event only a quiet one can follow, and vice versa. The microphone begins to listen, and its light goes on, when a
+ * program first uses it; it knows nothing of what happened before.
  */
 export class Microphone {
   private used = false;
@@ -33,7 +33,7 @@ export class Microphone {
   private readonly were = new Set<SoundKind>();
   private history: SoundKind[] = [];
   private gain: number = MEDIUM_SENSITIVITY;
-  /** How loud it was up to now: a recording asks after a change too. */
+  /** The level up to now; also called by a recording after a change. */
   private level: number;
   private noiseSinceUs: number | null = null;
   private silenceSinceUs: number;
@@ -62,7 +62,7 @@ export class Microphone {
     return this.used || this.recorder.isRecording;
   }
 
-  /** Begins to listen; every call of the program's that uses the microphone does this first. */
+  /** Begins to listen; every call of the program that uses the microphone does this first. */
   listen(): void {
     if (this.used) return;
     this.used = true;
@@ -74,17 +74,17 @@ export class Microphone {
     return Math.trunc(this.level);
   }
 
-  /** The same in dB: 52 … 100. */
+  /** The level in dB: 52 … 100. */
   get soundLevelDb(): number {
     return DB_AT_0 + (this.level * (DB_AT_255 - DB_AT_0)) / MAX_LEVEL;
   }
 
-  /** From which level on it is loud, and from which down quiet. */
+  /** The level from which it counts as loud, and the level down from which it counts as quiet. */
   get threshold(): { readonly quiet: number; readonly loud: number } {
     return this.thresholds;
   }
 
-  /** Sets one of them, brought within 0 … 255; a loud one below the quiet one moves that one along, and vice versa. */
+  /** Sets one threshold, clamped to 0 … 255. A loud one below the quiet one moves the quiet one, and vice versa. */
   setThreshold(kind: 'quiet' | 'loud', level: number): void {
     const within = Math.max(0, Math.min(MAX_LEVEL, level));
     const { quiet, loud } = this.thresholds;
@@ -98,20 +98,20 @@ export class Microphone {
     return this.latest;
   }
 
-  /** Whether there was such an event since this was last asked; the list of `takeEvents` is cleared too. */
+  /** Whether this event occurred since the last call; also clears the list of `takeEvents`. */
   wasEvent(kind: SoundKind): boolean {
     this.history = [];
     return this.were.delete(kind);
   }
 
-  /** The events since the last question, oldest first, at most 8. */
+  /** The events since the last call, oldest first, at most 8. */
   takeEvents(): readonly SoundKind[] {
     const taken = this.history;
     this.history = [];
     return taken;
   }
 
-  /** How much recordings are amplified: 0.2 at the start. */
+  /** Amplification of recordings: 0.2 at the start. */
   setSensitivity(gain: number): void {
     this.recorder.catchUp();
     this.gain = Math.max(0, gain);
@@ -121,7 +121,7 @@ export class Microphone {
     return this.recorder.isRecording;
   }
 
-  /** Records while time passes, in place of a recording under way. */
+  /** Records while time passes, replacing a current recording. */
   record(order: RecordingOrder): void {
     this.recorder.start(order);
   }
@@ -130,7 +130,7 @@ export class Microphone {
     this.recorder.stop();
   }
 
-  /** As after a start: off, nothing heard. How loud it is stays. */
+  /** Back to the state after a start: off, nothing heard. The level stays. */
   reset(): void {
     this.recorder.stop();
     this.used = false;
@@ -156,7 +156,7 @@ export class Microphone {
     else if (this.state === 'loud' && this.level <= quiet) this.note((this.state = 'quiet'));
   }
 
-  /** A clap is known when it is over. What is noisy and what is silent: the thresholds of the start (chosen). */
+  /** A clap is recognised when it is over. Noise and silence are told apart by the thresholds of the start (chosen). */
   private feelClap(): void {
     const { nowUs } = this.clock;
     if (this.noiseSinceUs === null) {

@@ -5,17 +5,17 @@ import type { Sensors } from './sensors';
 const SAMPLE_US = 20_000; // codal-core Accelerometer.cpp: samplePeriod
 const HISTORY = 16; // microbit_accelerometer.c: GESTURE_LIST_SIZE 8, two gestures a byte
 const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
-/** The farthest that a program can make the accelerometer reach, in g. */
+/** The largest range that a program can set for the accelerometer, in g. */
 export const WIDEST_G = RANGES_G[2];
 const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
 
 /**
- * The accelerometer. It looks every 20 ms, at whole multiples since the start of the run; gestures are found in these
- * samples, and the sensor `gesture` makes one more each time it is set.
+ * The accelerometer. It samples every 20 ms, at whole multiples since the start of the run; gestures are found in these
+ * samples, and each setting of the sensor `gesture` makes another one.
  *
- * No alarm is set for it: samples are made up for when somebody asks, which comes to the same. At the start all axes
- * read 0 (as in the official simulator), which is a free fall; therefore nothing counts as one until `accelerometerZ`
- * has been set for the first time.
+ * It sets no alarm: missed samples are caught up when a program asks, with the same result. At the start all axes read
+ * 0 (as in the official simulator), which is a free fall. Therefore no fall is found until `accelerometerZ` has been
+ * set for the first time.
  */
 export class Motion {
   private raw: { x: number; y: number; z: number } = { x: 0, y: 0, z: 0 };
@@ -41,18 +41,18 @@ export class Motion {
     return this.latest;
   }
 
-  /** How strong it is in all directions together, whole mg. */
+  /** The strength of the acceleration, whole mg. */
   get strength(): number {
     const { x, y, z } = this.acceleration;
     return Math.floor(Math.sqrt(x * x + y * y + z * z));
   }
 
-  /** How far each axis reaches either way, mg. */
+  /** Range of each axis in both directions, mg. */
   get rangeMg(): number {
     return this.reachMg;
   }
 
-  /** Rounds up to 2, 4 or 8 g (beyond that: 8), which is also how far the three sensors then reach. */
+  /** Rounds up to 2, 4 or 8 g (larger values: 8). The three sensors then have the same range. */
   setRange(g: number): void {
     this.catchUp();
     this.reachMg = (RANGES_G.find((range) => range >= g) ?? WIDEST_G) * 1000;
@@ -60,20 +60,20 @@ export class Motion {
     this.readSensors();
   }
 
-  /** The gesture that is being made; empty for none. A posture stays until another one comes. */
+  /** The present gesture; empty for none. A posture stays until another gesture comes. */
   get gesture(): Gesture {
     this.catchUp();
     return this.lastGesture;
   }
 
-  /** Whether the gesture was made since this was last asked; the list of `takeGestures` is cleared too. */
+  /** Whether the gesture was made since the last call; also clears the list of `takeGestures`. */
   wasGesture(gesture: Gesture): boolean {
     this.catchUp();
     this.history = [];
     return this.were.delete(gesture);
   }
 
-  /** The gestures since the last question, oldest first, at most 16. */
+  /** The gestures since the last call, oldest first, at most 16. */
   takeGestures(): readonly Gesture[] {
     this.catchUp();
     const taken = this.history;
@@ -81,7 +81,7 @@ export class Motion {
     return taken;
   }
 
-  /** As after a start: 2 g, no gestures. What the sensors feel stays. */
+  /** Back to the state after a start: 2 g, no gestures. The sensor values stay. */
   reset(): void {
     this.setRange(2);
     this.recogniser = this.createRecogniser();
@@ -118,7 +118,7 @@ export class Motion {
     for (const [id, axis] of Object.entries(AXES)) this.raw[axis] = Math.trunc(this.sensors.get(id));
   }
 
-  /** Makes up for the samples since the last question: all of them were the same. */
+  /** Catches up on the samples since the last call: they were all equal. */
   private catchUp(): void {
     const due = Math.floor(this.clock.nowUs / SAMPLE_US);
     const missing = Math.min(due - this.samples, SAMPLES_TO_REST);

@@ -2,27 +2,27 @@ import type { Clock } from '#core/clock';
 import { exactSin } from '#core/exact-math';
 import type { Stop } from '#core/stop';
 
-const CHUNK_US = 20_000; // chosen: what has been recorded arrives in pieces of so much time
-const TONE_HZ = 440; // chosen: what a microphone hears that only knows how loud it is
+const CHUNK_US = 20_000; // chosen: a recording arrives in pieces of this duration
+const TONE_HZ = 440; // chosen: the sound of a microphone that only knows how loud it is
 const SILENCE = 128; // microbithal_microphone.cpp: unsigned 8-bit samples
 const FULL_SCALE = 127;
 const FULL_LEVEL = 255;
-/** The gain at which a level of 255 fills the scale: main.cpp sets it at the start. */
+/** The gain at which a level of 255 reaches full scale: main.cpp sets it at the start. */
 export const MEDIUM_SENSITIVITY = 0.2;
 
-/** What is to be recorded, and where it goes. */
+/** The parameters of a recording, and where it goes. */
 export interface RecordingOrder {
   /** Samples a second, at least 1. */
   readonly rateHz: number;
-  /** How many samples fit. */
+  /** Room for this many samples. */
   readonly length: number;
-  /** Takes the next samples, `offset` samples after the first. */
+  /** Receives the next samples, `offset` samples after the first. */
   readonly write: (offset: number, samples: Uint8Array) => void;
 }
 
 /**
- * Records 8-bit samples while simulated time passes: a tone of 440 Hz as loud as the sound level is at that moment,
- * since the sensor knows the loudness alone.
+ * Records 8-bit samples while simulated time passes. They are a tone of 440 Hz with the loudness of the moment, since
+ * the sensor knows the loudness alone.
  */
 export class Recorder {
   private order: RecordingOrder | null = null;
@@ -31,8 +31,8 @@ export class Recorder {
   private stopClock: Stop = () => undefined;
 
   /**
-   * @param level how loud it is now, 0 … 255
-   * @param gain how much that is amplified now; see `MEDIUM_SENSITIVITY`
+   * @param level the present loudness, 0 … 255
+   * @param gain its present amplification; see `MEDIUM_SENSITIVITY`
    */
   constructor(
     private readonly clock: Clock,
@@ -44,7 +44,7 @@ export class Recorder {
     return this.order !== null;
   }
 
-  /** Begins; a recording that is under way ends. */
+  /** Begins a recording and ends the current one. */
   start(order: RecordingOrder): void {
     this.stop();
     if (order.length <= 0) return;
@@ -54,14 +54,14 @@ export class Recorder {
     this.next();
   }
 
-  /** Ends; what was recorded up to now has been written. */
+  /** Ends; everything recorded up to now has been written. */
   stop(): void {
     this.catchUp();
     this.order = null;
     this.stopClock();
   }
 
-  /** To be called before the sound level changes: what came before is as loud as it was. */
+  /** Call it before the sound level changes: the samples up to now have the old level. */
   catchUp(): void {
     const { order } = this;
     if (!order) return;

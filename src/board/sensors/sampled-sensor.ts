@@ -2,14 +2,14 @@ import type { Clock } from '#core/clock';
 import type { Sensors } from './sensors';
 
 /**
- * A sensor that the board reads once, when it is first asked, and then periodically: in between it gives the last
- * reading. No alarm is set for it; what is set outside is kept until its reading would have come.
+ * A sensor that the board reads at its first use and then periodically; in between, it gives the last reading. It sets
+ * no alarm: a value from outside is kept until its reading would have come.
  */
 export class SampledSensor {
-  /** When the first reading was taken; `null` before. */
+  /** When the first reading was taken; `null` before it. */
   private firstUs: number | null = null;
   private reading = 0;
-  /** What the sensor has felt since `rawSinceUs`. */
+  /** The value of the sensor since `rawSinceUs`. */
   private raw: number;
   private rawSinceUs = 0;
 
@@ -38,14 +38,14 @@ export class SampledSensor {
     return this.reading;
   }
 
-  /** As after a start: the next question takes a new reading. */
+  /** Back to the state after a start: the next call takes a new reading. */
   reset(): void {
     this.firstUs = null;
   }
 
   private look(firstUs: number): void {
     const lastUs = this.clock.nowUs - ((this.clock.nowUs - firstUs) % this.periodUs);
-    // What came in the very µs of a reading was too late for it (rule T3).
+    // A value that arrives in the very µs of a reading is too late for it (rule T3).
     if (lastUs > this.rawSinceUs) this.reading = this.raw;
   }
 }

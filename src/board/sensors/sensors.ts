@@ -16,7 +16,7 @@ export type SensorInfo =
       readonly min: number;
       readonly max: number;
       readonly start: number;
-      /** Empty for a mere number. */
+      /** Empty for a plain number. */
       readonly unit: string;
     }
   | { readonly id: string; readonly kind: 'choice'; readonly choices: readonly string[]; readonly start: string };
@@ -45,17 +45,17 @@ const RANGES: Readonly<Record<string, Range>> = {
 const PRESSABLE: Range = { min: 0, max: 1, start: 0, unit: '' };
 const NO_GESTURE = 'none';
 
-/** What `gesture` may be; `none` for no gesture. Same source. */
+/** The values of `gesture`; `none` for no gesture. Same source. */
 export const GESTURES: readonly string[] = [
   NO_GESTURE,
-  ...GESTURE_NAMES.filter((name) => name !== '' && name !== '2g'), // no 2g in the official simulator
+  ...GESTURE_NAMES.filter((name) => name !== '' && name !== '2g'), // the official simulator has no 2g
 ];
 
 /**
- * What the board feels of the world around it, set from outside.
+ * The board's sensor values, set from outside.
  *
  * Ids: accelerometerX/Y/Z (mg), compassX/Y/Z (nT), compassHeading (degrees), temperature (°C), lightLevel, soundLevel,
- * gesture (a name), and 0 or 1 for whatever can be pressed: buttonA, buttonB, pinLogo, pin0 …
+ * gesture (a name), and 0 or 1 for everything that can be pressed: buttonA, buttonB, pinLogo, pin0 …
  */
 export class Sensors {
   private readonly values = new Map<string, number>();
@@ -63,7 +63,7 @@ export class Sensors {
   private readonly listeners: ((id: string) => void)[] = [];
   private gesture = NO_GESTURE;
 
-  /** @param pressables what can be pressed, by sensor id */
+  /** @param pressables everything that can be pressed, by sensor id */
   constructor(private readonly pressables: ReadonlyMap<string, Pressable>) {
     for (const [id, range] of Object.entries(RANGES)) this.values.set(id, range.start);
   }
@@ -96,7 +96,7 @@ export class Sensors {
     for (const tell of [...this.listeners]) tell(id);
   }
 
-  /** Changes how far a sensor reaches; a value beyond comes within. @throws RangeError for an id without a range */
+  /** Changes the range of a sensor; a value beyond it is clamped. @throws RangeError for an id without a range */
   limit(id: string, min: number, max: number): void {
     const range = this.ranges.get(id);
     if (!range) throw unknown(id, [...this.ranges.keys()]);
@@ -104,13 +104,13 @@ export class Sensors {
     this.values.set(id, Math.max(min, Math.min(max, this.values.get(id) ?? range.start)));
   }
 
-  /** The value within the sensor's present range that comes nearest to this one; what has no range stays as it is. */
+  /** The nearest value within the sensor's present range; a sensor without a range takes the value as it is. */
   nearest(id: string, value: number | string): number | string {
     const range = this.ranges.get(id);
     return range === undefined || typeof value !== 'number' ? value : Math.max(range.min, Math.min(range.max, value));
   }
 
-  /** What there is to set, and within which bounds now: for panels and files. In the order of `ids`. */
+  /** All sensors with their present ranges: for panels and files. In the order of `ids`. */
   describe(): readonly SensorInfo[] {
     return this.ids.map((id) => {
       if (id === 'gesture') return { id, kind: 'choice', choices: GESTURES, start: NO_GESTURE };
@@ -123,7 +123,7 @@ export class Sensors {
     return [...this.values.keys(), 'gesture', ...this.pressables.keys()];
   }
 
-  /** Tells the id of everything that was set, also when the value is the one before (a second shake counts). */
+  /** Reports the id of everything that was set, also when the value is the same as before (a second shake counts). */
   onSet(listener: (id: string) => void): Stop {
     this.listeners.push(listener);
     return () => {

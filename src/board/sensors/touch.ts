@@ -30,7 +30,7 @@ export class Touch {
     this.contact.changed();
   }
 
-  /** Forgets touches and how it was to sense; a finger on it stays. */
+  /** Forgets touches and the kind of sensing; a finger on the pad stays. */
   reset(): void {
     this.currentKind = this.pin.type.touch ?? 'capacitive';
     this.contact.reset();
@@ -46,24 +46,24 @@ export class Touch {
     if (this.pin.mode === 'touch') this.sense();
   }
 
-  /** The contact itself, without debouncing. A resistive pad also feels a chip that pulls its wire low. */
+  /** The contact itself, without debouncing. A resistive pad also notices a chip that pulls its wire low. */
   get isDown(): boolean {
     if (this.finger) return true;
     return this.currentKind === 'resistive' && this.pin.mode === 'touch' && this.pin.wire.level === 0;
   }
 
-  /** What the program sees. Takes the pin for touching; ask `pin.acquire('touch')` first. */
+  /** The debounced state for the program. Takes the pin for touch; call `pin.acquire('touch')` first. */
   isTouched(): boolean {
     this.sense();
     return this.contact.isOn;
   }
 
-  /** Whether it was touched since the last question; independent of `takeTouches`. */
+  /** Whether it was touched since the last call; independent of `takeTouches`. */
   wasTouched(): boolean {
     return this.contact.wasOn();
   }
 
-  /** How often it was touched since the last question; independent of `wasTouched`. */
+  /** How often it was touched since the last call; independent of `wasTouched`. */
   takeTouches(): number {
     return this.contact.takeCount();
   }

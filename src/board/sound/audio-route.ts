@@ -1,8 +1,8 @@
 import { busyMessage, type Pin, type PinMode } from '../wires/pin';
 
 /**
- * Which pin carries the sound besides the speaker: one for music, audio and speech together.
- * Source: micropython-microbit-v2 microbit_pinaudio.c.
+ * The pin that carries the sound besides the speaker: one for music, audio and speech together. Source:
+ * micropython-microbit-v2 microbit_pinaudio.c.
  */
 export class AudioRoute {
   private pin: Pin | null = null;
@@ -10,7 +10,7 @@ export class AudioRoute {
 
   constructor(private readonly changed: (pin: Pin | null) => void) {}
 
-  /** The pin that the sound still owns, or `null`: whoever frees it or takes it for another use ends that. */
+  /** The pin that the sound still owns, or `null`. Freeing the pin or taking it for another use ends the ownership. */
   get current(): Pin | null {
     if (this.pin && this.pin.mode !== this.mode) this.leave();
     return this.pin;
@@ -20,7 +20,7 @@ export class AudioRoute {
    * Sends the sound to this pin, or to none, and gives back the pin that had it.
    *
    * @param mode `music` holds the pin against other uses, `audio` lets it be taken
-   * @returns `null`, or the device's ValueError when the pin is held; the sound goes to no pin then
+   * @returns `null`, or the device's ValueError if the pin is held; the sound then goes to no pin
    */
   select(pin: Pin | null, mode: 'music' | 'audio'): string | null {
     const before = this.current;

@@ -1,6 +1,6 @@
 import type { Rng } from '#core/rng';
 
-/** One part of a sound effect, its chance drawn. Source of fields and encoding: codal-microbit-v2 SoundExpressions.cpp. */
+/** One part of a sound effect, random values drawn. Source: codal-microbit-v2 SoundExpressions.cpp. */
 export interface EffectPart {
   /** 0 sine, 1 sawtooth, 2 triangle, 3 square, 4 noise. */
   readonly waveform: number;
@@ -10,9 +10,11 @@ export interface EffectPart {
   readonly startHz: number;
   readonly endHz: number;
   readonly durationMs: number;
-  /** How the frequency moves: 0 not at all, 1 linear, 2 curve, 5 and 6 rising and falling, 8 … 17 scales, 18 logarithmic. */
+  /**
+   * Course of the frequency: 0 constant, 1 linear, 2 curve, 5 and 6 rising and falling, 8 … 17 scales, 18 logarithmic.
+   */
   readonly shape: number;
-  /** How many steps the frequency makes. */
+  /** Number of steps of the frequency. */
   readonly steps: number;
   /** 0 none, 1 vibrato, 2 tremolo, 3 warble. */
   readonly fx: number;
@@ -24,7 +26,7 @@ export interface EffectPart {
 /** Characters of one part. */
 export const PART_LENGTH = 72;
 
-/** Where the fields stand in a part: first digit, number of digits, first digit of the field with the chance. */
+/** Position of each field in a part: first digit, number of digits, first digit of its random range. */
 const FIELDS = {
   waveform: [0, 1, null],
   startVolume: [1, 4, 52],
@@ -39,15 +41,15 @@ const FIELDS = {
   fxSteps: [40, 4, 68],
 } as const satisfies Record<keyof EffectPart, readonly [number, number, number | null]>;
 
-/** The order in which the device draws its chance. */
+/** The order in which the device draws its random values. */
 const DRAWN = ['startHz', 'endHz', 'startVolume', 'endVolume', 'durationMs', 'fxParameter', 'fxSteps'] as const;
 const CHANCE_DIGITS = 4;
 
 /**
  * Reads a sound effect: parts of 72 digits with a comma between them.
  *
- * @param chance draws what a part leaves open: up to so much more or less
- * @returns `null` for anything else; the device plays nothing then
+ * @param chance draws the random part of a field: up to this much more or less
+ * @returns `null` for anything else; the device then plays nothing
  */
 export function readEffect(text: string, chance: Rng): readonly EffectPart[] | null {
   const parts: EffectPart[] = [];
@@ -85,7 +87,7 @@ function readPart(text: string, chance: Rng): EffectPart {
 
 const MAX_VOLUME = 1023;
 
-/** How long an effect sounds, in ms. */
+/** Duration of an effect, in ms. */
 export function effectMs(parts: readonly EffectPart[]): number {
   return parts.reduce((sum, part) => sum + part.durationMs, 0);
 }

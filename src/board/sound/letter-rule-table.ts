@@ -1,10 +1,10 @@
 /**
- * Letter-to-sound rules: `left[letters]right=phonemes`; of the rules for a letter the first that fits is taken.
+ * Letter-to-sound rules: `left[letters]right=phonemes`; of the rules for a letter, the first match is taken.
  *
  * In the contexts a space is the edge of a word, `#` one or more vowels, `:` any number of consonants, `^` one
  * consonant, `.` a voiced consonant, `+` one of E, I, Y, and `%` an ending such as ER, ED, ING. The notation and many
- * of the rules are those of NRL Report 7948 (public domain), in the phonemes of the micro:bit's speech module; words
- * of computer lessons were added.
+ * of the rules are those of NRL Report 7948 (public domain), in the phonemes of the micro:bit's speech module; words of
+ * computer lessons were added.
  */
 export const LETTER_RULES = `
 [A] =AX

@@ -1,6 +1,6 @@
 import { LETTER_RULES } from './letter-rule-table';
 
-/** What a rule's context and letters look like once the notation is taken apart. */
+/** A rule's context and letters, parsed. */
 interface Rule {
   readonly left: string;
   readonly letters: string;
@@ -11,7 +11,7 @@ interface Rule {
 const VOWELS = 'AEIOUY';
 const FRONT_VOWELS = 'EIY';
 const VOICED = 'BDVGJLMNRWZ';
-/** Endings that leave the vowel before them as it is. */
+/** Endings that do not change the vowel before them. */
 const SUFFIXES = ['ER', 'ES', 'ED', 'ELY', 'ING', 'E'];
 /** Words that are not stressed. */
 const SMALL_WORDS = new Set(
@@ -32,11 +32,11 @@ const rulesByLetter: ReadonlyMap<string, readonly Rule[]> = (() => {
 })();
 
 /**
- * Reads English text aloud: phonemes in the names of the micro:bit's speech module, words parted by spaces.
+ * Reads English text aloud: phonemes in the names of the micro:bit's speech module, words separated by spaces.
  *
- * By letter-to-sound rules in the manner of H. S. Elovitz et al., "Automatic Translation of English Text to Phonetics by
- * Means of Letter-to-Sound Rules", NRL Report 7948 (1976, public domain), with our own table. The device's rules differ:
- * its words may come out otherwise.
+ * By letter-to-sound rules in the manner of H. S. Elovitz et al., "Automatic Translation of English Text to Phonetics
+ * by Means of Letter-to-Sound Rules", NRL Report 7948 (1976, public domain), with our own table. The device's rules
+ * differ, so some words sound different there.
  *
  * @returns `null` for text with a character that the rules do not know
  */
@@ -80,7 +80,7 @@ const isOneOf = (set: string, letter: string): boolean => letter !== '' && set.i
 const isConsonantAt = (text: string, place: number): boolean =>
   /^[A-Z]$/.test(text.charAt(place)) && !isVowelAt(text, place);
 
-/** Looks at a rule's left context from its end backwards. */
+/** Compares a rule's left context with the text, from its end backwards. */
 function matchesLeft(text: string, place: number, context: string): boolean {
   const sign = context.at(-1);
   if (sign === undefined) return true;
@@ -142,7 +142,7 @@ function matchesRight(text: string, place: number, context: string): boolean {
   }
 }
 
-/** Marks the first full vowel of a word that carries weight. */
+/** Marks the first full vowel of a stressed word. */
 function stressed(sounds: string, word: string): string {
   if (SMALL_WORDS.has(word) || /\d/.test(sounds)) return sounds;
   return sounds.replace(/IY|IH|EH|AE|AA|AH|AO|OH|UH|UX|ER|EY|AY|OY|AW|OW|UW/, `$&${STRESS}`);

@@ -25,7 +25,7 @@ interface Tune {
   readonly notes: readonly string[];
   readonly loop: boolean;
   next: number;
-  /** What happens when the time has come: silence before the next note, or the next note. */
+  /** What to do when the time has come: silence before the next note, or the next note. */
   then: 'gap' | 'note';
   untilMs: number;
 }
@@ -56,7 +56,7 @@ export class MusicPlayer {
     return this.periodUs === null ? null : 1_000_000 / this.periodUs;
   }
 
-  /** True until a tune or a timed pitch has ended: what a waiting call waits for. An endless pitch does not count. */
+  /** True until a tune or a timed pitch has ended; a waiting call waits for it. An endless pitch does not count. */
   get isPlaying(): boolean {
     return this.tune !== null;
   }
@@ -65,23 +65,23 @@ export class MusicPlayer {
     return this.currentTempo;
   }
 
-  /** Changes the tempo; 0 or nothing leaves a value as it is. Values are 16 bits wide, as on the device. */
+  /** Changes the tempo; 0 or nothing keeps a value. Values are 16 bits wide, as on the device. */
   setTempo(tempo: { readonly bpm?: number; readonly ticks?: number }): void {
     const bpm = tempo.bpm ? tempo.bpm & 0xffff : this.currentTempo.bpm;
     const ticks = tempo.ticks ? tempo.ticks & 0xffff : this.currentTempo.ticks;
     this.currentTempo = { bpm, ticks };
   }
 
-  /** Tempo, octave and note length as after a start; what plays goes on. */
+  /** Resets tempo, octave and note length to those after a start; the current sound goes on. */
   reset(): void {
     this.currentTempo = START_TEMPO;
     this.memory = START_MEMORY;
   }
 
   /**
-   * Plays notes (see `readNote`) in the background, from the next tick on, in place of what was playing.
+   * Plays notes (see `readNote`) in the background from the next tick on, replacing what was playing.
    *
-   * @returns `null`, or the device's ValueError when the pin is held
+   * @returns `null`, or the device's ValueError if the pin is held
    */
   play(notes: readonly string[], options: PlayOptions): string | null {
     this.memory = START_MEMORY;
@@ -95,7 +95,7 @@ export class MusicPlayer {
    * Sounds one pitch at once. After its duration come silence and the articulation gap, then `isPlaying` ends.
    *
    * @param hz whole Hz, 0 for silence
-   * @param durationMs negative: until something else is played or stopped
+   * @param durationMs negative: until something else is played, or a stop
    * @returns `null`, or the device's ValueError: the pin is held, or "invalid pitch" for less than 0 or more than 1 MHz
    */
   pitch(hz: number, durationMs: number, pin: Pin | null): string | null {
@@ -113,7 +113,7 @@ export class MusicPlayer {
     return null;
   }
 
-  /** Silence at once; the pin is free again. */
+  /** Silences at once; the pin is free again. */
   stop(): void {
     this.tune = null;
     this.sound(null);
@@ -168,7 +168,7 @@ export class MusicPlayer {
     tune.then = 'gap';
   }
 
-  /** Whole ms, divided in the device's order; a division by zero gives 0 there. */
+  /** Whole ms, divided in the device's order; there, a division by zero gives 0. */
   private get msPerTick(): number {
     const { bpm, ticks } = this.currentTempo;
     if (bpm === 0 || ticks === 0) return 0;

@@ -1,4 +1,4 @@
-/** What notes leave behind for the next one: octave and length stick. */
+/** Settings that a note leaves to the next one: octave and length. */
 export interface NoteMemory {
   readonly octave: number;
   /** In ticks, 0 … 255. */
@@ -9,13 +9,13 @@ export interface NoteMemory {
 export interface Note {
   /** Period of the tone in µs, or `null` for silence. */
   readonly periodUs: number | null;
-  /** Octave and length that hold from now on, this note's length included. */
+  /** Octave and length from now on, including this note's length. */
   readonly memory: NoteMemory;
 }
 
 /** Periods in µs of the octave of middle C, a … g. Source: micropython-microbit-v2 modmusic.c (MIT). */
 const NATURAL_US: readonly number[] = [2273, 2025, 3822, 3405, 3034, 2863, 2551];
-/** The sharps a# … g#; 0 where there is none. Same source. */
+/** The sharps a# … g#; 0 for a missing one. Same source. */
 const SHARP_US: readonly number[] = [2145, 0, 3608, 3214, 0, 2703, 2408];
 
 const A = 0;
@@ -26,9 +26,9 @@ const MIDDLE_OCTAVE = 4;
 /**
  * Reads a note `name[#|b][octave][:ticks]`, name a … g or r for a rest.
  *
- * Nothing is an error, as on the device (modmusic.c, start_note): what is not understood is skipped, so `c5,1` is a c5
- * with the length of the note before. Letters, digits and signs count by the low bits of their character. A note that
- * the tables do not have (e#, b#, fb, cb, h) is silent for its length; there the device reads beyond its table.
+ * There are no errors, as on the device (modmusic.c, start_note): unknown characters are skipped, so `c5,1` is a c5
+ * with the length of the previous note. Letters, digits and signs count by the low bits of their character. A note that
+ * is not in the tables (e#, b#, fb, cb, h) is silent for its length; the device reads beyond its table.
  */
 export function readNote(text: string, memory: NoteMemory): Note {
   let letter = ((text.charCodeAt(0) & 0x1f) - 1) & 0xff; // a = 0 … g = 6, r = 17, nothing = 255

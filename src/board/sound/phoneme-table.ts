@@ -1,7 +1,7 @@
 /** How a phoneme is made. */
 export type PhonemeKind = 'vowel' | 'sonorant' | 'nasal' | 'fricative' | 'stop' | 'breath' | 'pause';
 
-/** A phoneme of the speech module: how long it is and how mouth and throat stand. */
+/** A phoneme of the speech module: its length and the posture of mouth and throat. */
 export interface Phoneme {
   readonly kind: PhonemeKind;
   /** Length at speed 72, in ms. Chosen, after D. H. Klatt's table of inherent durations (1976), for a clear slow voice. */
@@ -50,7 +50,7 @@ const stop = (
 ): Phoneme => ({ kind: 'stop', ms, formants, voice, noise });
 const pause = (ms: number): Phoneme => ({ kind: 'pause', ms, formants: [500, 1500, 2500], voice: 0 });
 
-/** Where the tongue stands for consonants: their pull on the formants of the vowels beside them. */
+/** Position of the tongue for consonants: their pull on the formants of the vowels beside them. */
 const LIPS = [300, 900, 2200] as const;
 const TEETH = [300, 1400, 2600] as const;
 const RIDGE = [300, 1750, 2700] as const;

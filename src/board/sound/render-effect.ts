@@ -25,7 +25,7 @@ const SCALES: Readonly<Record<number, readonly number[]>> = {
   16: degrees(0, 2, 4, 6, 8, 10), // whole tones
 };
 
-/** What sounds now; one part hands it on to the next. */
+/** The state of the sound; each part hands it to the next. */
 interface Oscillator {
   /** Place within the period, 0 … TONE_WIDTH. */
   position: number;
@@ -33,7 +33,7 @@ interface Oscillator {
   volume: number;
 }
 
-/** Something that happens in steps while a part sounds. */
+/** Something that changes in steps while a part sounds. */
 interface Change {
   readonly steps: number;
   readonly apply: (step: number) => void;
@@ -64,7 +64,7 @@ function renderPart(part: EffectPart, oscillator: Oscillator, out: Float32Array)
     (change) => change !== null,
   );
   const next = changes.map(() => 0);
-  // The last step of a change comes when the part is over: it is never heard.
+  // The last step of a change falls on the end of the part: it is never heard.
   const dueAt = ({ steps }: Change, step: number): number =>
     step >= steps - 1 ? out.length : Math.floor((out.length / steps) * step);
   for (let i = 0; i < out.length;) {
@@ -75,7 +75,7 @@ function renderPart(part: EffectPart, oscillator: Oscillator, out: Float32Array)
       next[place] = step;
       until = Math.min(until, dueAt(change, step));
     });
-    // Scales of many steps and falling curves leave what can be heard, and what a number can hold.
+    // Scales of many steps and falling curves leave the audible range, and the range of numbers.
     const skip = (TONE_WIDTH * Math.min(Math.max(oscillator.hz, 0), EFFECT_RATE / 2)) / EFFECT_RATE;
     const { volume } = oscillator;
     let { position } = oscillator;

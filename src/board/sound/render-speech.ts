@@ -6,11 +6,11 @@ import { utteranceUs, type SpeechSound, type Utterance } from './utterance';
 /** Samples a second of what `renderSpeech` makes. Chosen: up to 11 kHz, so that S is not F. */
 export const SPEECH_RATE = 22_050;
 
-/** Parameters are reckoned anew every so many samples (0.4 ms): in larger steps the glides crackle. */
+/** Parameters are computed every so many samples (0.4 ms): with larger steps the glides crackle. */
 const BLOCK = 8;
 const MIDDLE_SETTING = 128;
 
-/** What the voice does at one moment. */
+/** State of the voice at one moment. */
 interface Posture {
   readonly formants: readonly [number, number, number];
   /** Loudness of the voice, of breath through the mouth, of noise at one place; 0 … 1. */
@@ -27,18 +27,18 @@ interface Segment {
   readonly endS: number;
   readonly from: Posture;
   readonly to: Posture;
-  /** How long before the segment its posture begins to be taken, in s. */
+  /** Time before the segment at which the voice begins to take its posture, in s. */
   readonly rampS: number;
   readonly startHz: number;
   readonly endHz: number;
 }
 
-/** Samples that `speechPieces` makes at a time: a quarter of a second, which takes a weak tablet a frame or two. */
+/** Samples that `speechPieces` makes at a time: a quarter of a second, a frame or two on a weak tablet. */
 const PIECE = 5504; // a multiple of BLOCK
 
 /**
- * Makes samples of speech, −1 … 1, at `SPEECH_RATE`, piece by piece, so that the first words can be heard while the last
- * ones are not made yet.
+ * Makes samples of speech, −1 … 1, at `SPEECH_RATE`, piece by piece, so that the first words can be heard before the
+ * last ones are made.
  *
  * A pulse train and noise go through five resonators in a row, noise of tongue and teeth through one beside them: after
  * D. H. Klatt, "Software for a cascade/parallel formant synthesizer" (1980), made smaller. The same utterance gives the
@@ -76,7 +76,7 @@ export function renderSpeech(utterance: Utterance): Float32Array {
   return samples;
 }
 
-/** The posture of a moment: the segment's own, leaning towards the next one when that is near. */
+/** The posture at one moment: the segment's own, leaning towards the next one when that is near. */
 function postureAt(segments: readonly Segment[], place: number, timeS: number, share: number): Posture {
   const segment = segments[place];
   if (!segment) throw new RangeError(`There is no segment ${place}.`);
@@ -103,7 +103,7 @@ function mix(a: Posture, b: Posture, share: number): Posture {
   };
 }
 
-/** How long a sound leans into the one before it, in s. Chosen by spectrograms. */
+/** How long a sound leans into the previous one, in s. Chosen by spectrograms. */
 const RAMP_S = { vowel: 0.045, sonorant: 0.06, nasal: 0.025, fricative: 0.025, stop: 0.03, breath: 0.03, pause: 0.03 };
 /** Parts of a stop: how long it is shut, how long it bursts; the rest is breath or nothing. */
 const SHUT_SHARE = 0.6;
@@ -155,7 +155,7 @@ function segmentsOfSound(
     { startS, endS, from, to, rampS: Math.min(RAMP_S[phoneme.kind], (endS - startS) / 2), startHz, endHz },
   ];
   if (phoneme.kind === 'breath') {
-    // Breath has the mouth of the vowel that follows.
+    // Breath uses the mouth of the vowel that follows.
     const from = { ...quiet, formants: shape((after ?? phoneme).formants), breath: noise.gain };
     return whole(from, from);
   }
@@ -178,7 +178,7 @@ function segmentsOfSound(
 /** Widths of the resonators in Hz, and the fixed upper formants. Klatt 1980, table I. */
 const WIDTHS_HZ = [60, 90, 150, 250, 300] as const;
 const UPPER_FORMANTS_HZ = [3500, 4500] as const;
-/** How fast the voice grows dull upwards. Chosen brighter than a human one, for small loudspeakers. */
+/** How fast the voice loses high frequencies. Chosen brighter than a human voice, for small loudspeakers. */
 const GLOTTIS_WIDTH_HZ = 500;
 /** Loudness of breath and of noise beside the voice's 1. Fitted: an S is half as loud as the vowel beside it. */
 const BREATH_GAIN = 0.6;

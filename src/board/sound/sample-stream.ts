@@ -1,7 +1,7 @@
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 
-/** Samples as a program hands them over. */
+/** Samples as a program passes them on. */
 export interface SampleBlock {
   /** 8 bits each, 128 is the middle. */
   readonly samples: readonly number[];
@@ -15,9 +15,9 @@ export const CHUNK_SAMPLES = 32;
 /**
  * The output of samples: blocks that follow one another without a gap, as long as the next one comes in time.
  *
- * When the last 32 samples of a block begin to sound it asks for the next block; one that comes too late begins at
- * once, after a gap. Source of the double buffer: micropython-microbit-v2 modaudio.c. Left out: the mixer's own
- * buffer, which delays everything by some ms.
+ * When the last 32 samples of a block begin to sound the stream asks for the next block. A late block begins at once,
+ * after a gap. Source of the double buffer: micropython-microbit-v2 modaudio.c. Left out: the mixer's own buffer, which
+ * delays everything by some ms.
  */
 export class SampleStream {
   private askForMore: (() => void) | null = null;
@@ -30,7 +30,7 @@ export class SampleStream {
     private readonly began: (block: SampleBlock, startUs: number) => void,
   ) {}
 
-  /** True from `open` until `close`: what a waiting program waits for. The samples of the last block still sound then. */
+  /** True from `open` until `close`; a waiting program waits for it. The samples of the last block still sound then. */
   get isOpen(): boolean {
     return this.askForMore !== null;
   }
@@ -40,7 +40,7 @@ export class SampleStream {
     return this.playing !== null;
   }
 
-  /** Begins a new series of blocks, in place of one that was going on. */
+  /** Begins a new series of blocks and ends the current one. */
   open(askForMore: () => void): void {
     this.silence();
     this.askForMore = askForMore;
@@ -52,7 +52,7 @@ export class SampleStream {
     else this.begin(block, this.clock.nowUs);
   }
 
-  /** Nothing more will come; what has been handed over sounds to its end. */
+  /** Says that nothing more will come; what has been handed over sounds to its end. */
   close(): void {
     this.askForMore = null;
   }

@@ -2,9 +2,8 @@ import type { EffectPart } from './effect';
 import type { Utterance } from './utterance';
 
 /**
- * Something that the board's sound hardware begins or ends to do. Plain data: it can be logged and sent. What sounds
- * follows from the events alone; `render-effect` and `render-speech` make samples of them, which a run without ears
- * never does.
+ * An event of the board's sound hardware. It is plain data: it can be logged and sent. The sound follows from the
+ * events alone. `render-effect` and `render-speech` make samples of them, which a headless run never does.
  *
  * The device mixes four sources: a tone, an effect, samples and speech. Each goes on until it has ended, is replaced by
  * the next event of its kind, or is silenced.
@@ -14,21 +13,21 @@ export type SoundEvent = {
   readonly timeUs: number;
 } & SoundChange;
 
-/** What a sound event says, without its time. */
+/** A sound event without its time. */
 export type SoundChange =
   /** The square wave of music; `null` is silence. */
   | { readonly type: 'tone'; readonly hz: number | null }
   /** A sound effect or a built-in sound: its parts follow one another without a gap. */
   | { readonly type: 'effect'; readonly parts: readonly EffectPart[] }
-  /** Samples of 8 bits, 128 is the middle; `rate` in samples a second. They begin `startUs` after the start, not whole. */
+  /** Samples of 8 bits, 128 is the middle; `rate` in samples a second. They begin at `startUs` (may be a fraction). */
   | { readonly type: 'samples'; readonly startUs: number; readonly rate: number; readonly samples: readonly number[] }
   | { readonly type: 'speech'; readonly utterance: Utterance }
-  /** A source ends before its time. */
+  /** A source ends early. */
   | { readonly type: 'silence'; readonly source: SoundSource }
-  /** Loudness of everything, 0 … 255. */
+  /** Overall loudness, 0 … 255. */
   | { readonly type: 'volume'; readonly volume: number }
-  /** Where the sound goes: to the board's speaker or not, and to the wire of a pin or of none (`null`). */
+  /** The destination of the sound: to the board's speaker or not, and to the wire of a pin or of none (`null`). */
   | { readonly type: 'output'; readonly isSpeakerOn: boolean; readonly pin: string | null };
 
-/** What can be silenced before its time; a tone is silenced by the tone `null`. */
+/** The sources that can be silenced early; a tone is silenced by the tone `null`. */
 export type SoundSource = 'effect' | 'samples' | 'speech';

@@ -9,12 +9,12 @@ import { utteranceUs, type Utterance } from './utterance';
 const MAX_VOLUME = 255;
 
 /**
- * The board's sound hardware: the mixer of four sources, its volume, and where it goes. It knows what sounds from when
- * to when and tells it; it makes no samples. Source: codal-microbit-v2 MicroBitAudio.cpp, micropython-microbit-v2
- * modaudio.c and modspeech.c. Left out: the mixer's buffers, some 6 ms.
+ * The board's sound hardware: the mixer of four sources, its volume and its outputs. It reports what sounds from when
+ * to when; it makes no samples. Source: codal-microbit-v2 MicroBitAudio.cpp, micropython-microbit-v2 modaudio.c and
+ * modspeech.c. Left out: the mixer's buffers, some 6 ms.
  */
 export class Sound {
-  /** The pin that carries the sound too. */
+  /** The pin that also carries the sound. */
   readonly route = new AudioRoute(() => this.tellOutput());
   /** Samples that a program makes itself. */
   readonly stream: SampleStream;
@@ -30,7 +30,7 @@ export class Sound {
     );
   }
 
-  /** Loudness of everything, 0 … 255; 255 after a start. */
+  /** Overall loudness, 0 … 255; 255 after a start. */
   get volume(): number {
     return this.currentVolume;
   }
@@ -42,7 +42,7 @@ export class Sound {
     this.tell({ type: 'volume', volume });
   }
 
-  /** False after `setSpeaker(false)`: the sound goes to the pin alone. */
+  /** False after `setSpeaker(false)`: the sound then goes to the pin alone. */
   get isSpeakerOn(): boolean {
     return this.speakerOn;
   }
@@ -58,40 +58,40 @@ export class Sound {
     return this.effectEndUs > nowUs || this.speechEndUs > nowUs || this.stream.isSounding;
   }
 
-  /** When the effect that sounds now ends, in µs; a time that has passed when none does. */
+  /** When the current effect ends, in µs; a time in the past if there is none. */
   get effectUntilUs(): number {
     return this.effectEndUs;
   }
 
-  /** When the speech that sounds now ends, in µs; a time that has passed when none does. */
+  /** When the current speech ends, in µs; a time in the past if there is none. */
   get speechUntilUs(): number {
     return this.speechEndUs;
   }
 
-  /** Plays an effect in place of the one that sounds. */
+  /** Plays an effect, replacing the current one. */
   playEffect(parts: readonly EffectPart[]): void {
     this.effectEndUs = this.clock.nowUs + effectMs(parts) * 1000;
     this.tell({ type: 'effect', parts });
   }
 
-  /** Speaks in place of what is being said. */
+  /** Speaks, replacing the current speech. */
   speak(utterance: Utterance): void {
     this.speechEndUs = this.clock.nowUs + utteranceUs(utterance);
     this.tell({ type: 'speech', utterance });
   }
 
-  /** Ends a source before its time. */
+  /** Ends a source early. */
   silence(source: SoundSource): void {
     if (this.stopSource(source)) this.tell({ type: 'silence', source });
   }
 
-  /** Tells everything that the sound hardware does from now on, in the order of time. */
+  /** Reports everything that the sound hardware does from now on, in the order of time. */
   onEvent(listener: (event: SoundEvent) => void): Stop {
     this.listeners.add(listener);
     return () => this.listeners.delete(listener);
   }
 
-  /** As after a start: silence, full volume, speaker on, no pin. The tone of music is reset by `MusicPlayer.reset`. */
+  /** Back to silence, full volume, speaker on, no pin. `MusicPlayer.reset` resets the tone of music. */
   reset(): void {
     for (const source of ['effect', 'samples', 'speech'] as const) this.silence(source);
     this.route.free();
@@ -99,7 +99,7 @@ export class Sound {
     if (!this.speakerOn) this.setSpeaker(true);
   }
 
-  /** Tells those who listen. */
+  /** Notifies the listeners. */
   tell(change: SoundChange): void {
     if (this.listeners.size === 0) return;
     const event: SoundEvent = { timeUs: this.clock.nowUs, ...change };

@@ -1,45 +1,45 @@
 import { PAIRS, PHONEMES, type Phoneme } from './phoneme-table';
 import type { SpeechSound, Utterance } from './utterance';
 
-/** How a voice speaks; the values of the speech module, 0 … 255 each. */
+/** Settings of a voice: the values of the speech module, 0 … 255 each. */
 export interface Voice {
-  /** A higher number is a lower voice: 64 is the ordinary one. */
+  /** A higher number is a lower voice; 64 is normal. */
   readonly pitch: number;
-  /** A higher number is slower: 72 is ordinary. */
+  /** A higher number is slower; 72 is normal. */
   readonly speed: number;
   readonly mouth: number;
   readonly throat: number;
-  /** Singing keeps the pitch as it is written, speaking moves it as a sentence does. */
+  /** Singing keeps the pitch as it is written; speaking moves it as a sentence does. */
   readonly sings: boolean;
 }
 
-/** Times a pitch number: the voice's Hz. Fitted to the notes in the documentation of the speech module: #115 is C2. */
+/** Pitch number times the voice's Hz. Fitted to the notes in the speech module's documentation: #115 is C2. */
 const HZ_OF_PITCH = 7600;
 const ORDINARY_SPEED = 72; // documentation of the speech module
 const LONGEST = 255; // documentation of the speech module: characters of phonemes
 
-/** A phoneme as it is written, with what was said about it. */
+/** A phoneme as it is written, with its marks. */
 interface Written {
   readonly name: string;
   readonly phoneme: Phoneme;
-  /** 1 (very strong) … 8 (falling), 0 when there is no mark. */
+  /** 1 (very strong) … 8 (falling), 0 without a mark. */
   readonly stress: number;
   readonly pitch: number;
 }
 
-/** What stress does to the voice, by its mark: no mark, 1 … 8. Chosen to follow the words of the documentation. */
+/** Effect of stress on the voice, by its mark: no mark, 1 … 8. Chosen to follow the words of the documentation. */
 const STRESS_PITCH = [1, 1.3, 1.24, 1.18, 1.12, 1.06, 1, 0.88, 0.78] as const;
 const STRESS_LENGTH = [1, 1.45, 1.4, 1.3, 1.25, 1.15, 1.1, 1.1, 1.1] as const;
 const UNSTRESSED_GAIN = 0.8;
-/** Speaking, the voice sinks from the begin to the end of a sentence: share of its pitch. Chosen by ear. */
+/** When speaking, the voice sinks from the beginning to the end of a sentence: share of its pitch. Chosen by ear. */
 const SENTENCE_FROM = 1.06;
 const SENTENCE_TO = 0.9;
-/** The last sounds before a full stop fall, before a question mark they rise, before a comma they stay up. */
+/** The last sounds fall before a full stop, rise before a question mark, and stay up before a comma. */
 const ENDINGS: Readonly<Record<string, number>> = { '.': 0.78, '?': 1.35, ',': 1.08 };
 const ENDING_SOUNDS = 4;
 
 /**
- * Says how a text of phonemes is spoken.
+ * Works out how a text of phonemes is spoken.
  *
  * @param text as `speech.pronounce` takes it: phonemes, stress marks 1 … 8 after a vowel, spaces, punctuation and, to
  *   sing, pitches such as `#115`
@@ -79,7 +79,7 @@ function readPhonemes(text: string, startPitch: number): readonly Written[] | nu
   return written;
 }
 
-/** The longest name of a phoneme that stands here. */
+/** The longest phoneme name at this place. */
 function nameAt(text: string, place: number): string | null {
   for (const length of [2, 1]) {
     const name = text.slice(place, place + length);

@@ -1,4 +1,4 @@
-/** What the speech synthesiser says: phonemes with their lengths and pitches, as plain data. */
+/** The speech synthesiser's output: phonemes with their lengths and pitches, as plain data. */
 export interface Utterance {
   /** One after the other, without gaps. */
   readonly sounds: readonly SpeechSound[];
@@ -14,14 +14,14 @@ export interface SpeechSound {
   readonly phoneme: string;
   /** Whole µs. */
   readonly durationUs: number;
-  /** Pitch of the voice in Hz at its begin and its end. */
+  /** Pitch of the voice in Hz at its beginning and at its end. */
   readonly startHz: number;
   readonly endHz: number;
   /** Loudness, 0 … 1: a stressed vowel is louder. */
   readonly gain: number;
 }
 
-/** How long it takes to say it, in µs. */
+/** Its duration, in µs. */
 export function utteranceUs({ sounds }: Utterance): number {
   return sounds.reduce((sum, sound) => sum + sound.durationUs, 0);
 }

@@ -14,16 +14,16 @@ export interface Bench {
   readonly passMs: (ms: number) => void;
   readonly passUs: (us: number) => void;
   /**
-   * Lets time pass until something is so, and tells the ms since the start. It looks after every alarm.
+   * Lets time pass until a condition holds, and returns the ms since the start. It checks after every alarm.
    *
-   * @throws Error when it is still not so after `limitMs`
+   * @throws Error if it still does not hold after `limitMs`
    */
   readonly waitUntil: (isSo: () => boolean, limitMs?: number) => number;
-  /** Something from outside that is connected to a wire. */
+  /** Something outside that is connected to a wire. */
   readonly chip: (wire: string) => WireEnd;
-  /** Writes down what happens on a wire from now on: `['2 ms: 1', '5 ms: 0']`. */
+  /** Logs what happens on a wire from now on: `['2 ms: 1', '5 ms: 0']`. */
   readonly record: (wire: string) => readonly string[];
-  /** What the LEDs show, `.` for dark: `'.9.9.\n99999\n…'`. */
+  /** The picture on the LEDs, `.` for dark: `'.9.9.\n99999\n…'`. */
   readonly picture: () => string;
 }
 

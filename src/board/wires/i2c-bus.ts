@@ -5,30 +5,30 @@ import type { Wire } from './wire';
 export interface I2cTarget {
   /**
    * Receives the bytes after the address of one write transfer; may be empty (an address probe). They may be a view of
-   * somebody's memory: copy what is to be kept.
+   * other memory: copy what you keep.
    */
   write(bytes: Uint8Array): void;
   /** Gives the bytes of one read transfer: exactly `count`, missing ones are read as 0xFF (the released bus). */
   read(count: number): Uint8Array;
 }
 
-/** Where a bus runs. */
+/** The wires of a bus. */
 export interface I2cWires {
   readonly scl: Wire;
   readonly sda: Wire;
 }
 
-/** What became of a transfer. */
+/** The result of a transfer. */
 export interface I2cTransfer {
-  /** False when nobody owns the address: the controller sees no acknowledge (rule I1). */
+  /** False if no chip has the address: the controller sees no acknowledge (rule I1). */
   readonly acknowledged: boolean;
-  /** How long the bus was busy, in whole µs; the same as `transferUs` told before. */
+  /** How long the bus was busy, in whole µs; equals `transferUs`. */
   readonly durationUs: number;
-  /** What was read; empty for a write. */
+  /** The bytes read; empty for a write. */
   readonly bytes: Uint8Array;
 }
 
-/** What the controller adds to the bits on the bus, in µs. */
+/** The controller's overhead besides the bits on the bus, in µs. */
 export interface I2cOverhead {
   /** After every transfer. */
   readonly gapUs: number;
@@ -50,7 +50,7 @@ const NOTHING = new Uint8Array(0);
 export class I2cBus {
   private readonly chips: { readonly address: number; readonly target: I2cTarget; readonly wires: I2cWires | null }[] =
     [];
-  /** The wires in use; `null` for those of a start. */
+  /** The wires in use; `null` for those after a start. */
   private wires: I2cWires | null = null;
 
   private clockHz: number;
@@ -68,18 +68,18 @@ export class I2cBus {
     return this.clockHz;
   }
 
-  /** Clock and wires of a start; the chips stay. */
+  /** Resets clock and wires to those after a start; the chips stay. */
   reset(): void {
     this.clockHz = this.startHz;
     this.wires = null;
   }
 
-  /** Leads the bus over other wires: from now on only the chips there are heard (rule I8). `null`: those of a start. */
+  /** Moves the bus to other wires; only the chips there are heard (rule I8). `null`: the wires after a start. */
   useWires(wires: I2cWires | null): void {
     this.wires = wires;
   }
 
-  /** Chooses the fastest clock of 100, 250 and 400 kHz that does not exceed the wish; 100 kHz for less (rule I5). */
+  /** Chooses the fastest clock of 100, 250 and 400 kHz up to the requested one; 100 kHz for less (rule I5). */
   setFrequency(wishHz: number): void {
     this.clockHz = CLOCKS_HZ.find((clockHz) => clockHz <= wishHz) ?? 100_000;
   }
@@ -87,8 +87,8 @@ export class I2cBus {
   /**
    * Puts a chip on the bus.
    *
-   * @param wires where it hangs; left out: on the wires that the bus uses after a start
-   * @throws RangeError when the address is taken there or not 0 … 127
+   * @param wires where it is; left out: the wires that the bus uses after a start
+   * @throws RangeError if the address is taken there or not 0 … 127
    */
   attach(address: number, target: I2cTarget, wires: I2cWires | null = null): Stop {
     if (!(Number.isInteger(address) && address >= 0 && address <= MAX_ADDRESS)) {
@@ -105,7 +105,7 @@ export class I2cBus {
     };
   }
 
-  /** True when a chip owns the address. */
+  /** True if a chip has the address. */
   answers(address: number): boolean {
     return this.find(address) !== undefined;
   }
@@ -115,13 +115,13 @@ export class I2cBus {
     return Math.ceil(((byteCount + 1) * BITS_PER_BYTE * 1_000_000) / this.frequencyHz) + this.overhead.gapUs;
   }
 
-  /** How long a write would take, in µs: the address alone when nobody answers, the probe time when it is empty. */
+  /** Duration of a write, in µs: the address alone if no chip answers, the probe time if it is empty. */
   writeUs(address: number, byteCount: number): number {
     if (!this.answers(address)) return this.transferUs(0);
     return byteCount > 0 ? this.transferUs(byteCount) : Math.max(this.transferUs(0), this.overhead.probeUs);
   }
 
-  /** How long a read would take, in µs. */
+  /** Duration of a read, in µs. */
   readUs(address: number, byteCount: number): number {
     return this.transferUs(this.answers(address) ? byteCount : 0);
   }

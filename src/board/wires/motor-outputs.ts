@@ -9,7 +9,7 @@ export interface MotorWires {
   readonly speed: Wire;
 }
 
-/** What a motor connector gives to its motor. */
+/** The output of a motor connector to its motor. */
 export interface MotorOutput {
   readonly name: string;
   /** Mean share of the supply, −1 … 1, positive forwards. */
@@ -20,8 +20,8 @@ export interface MotorOutput {
  * The motor driver of the Calliope mini 3, two bridges with a common mode wire.
  *
  * Mode high (phase/enable): direction 0 forwards, 1 backwards, the speed wire's duty is the motor's. Mode low (IN/IN):
- * forwards while only IN1 is high, backwards while only IN2 is, braked or free otherwise. Nobody drives: every input is
- * low. Source: Texas Instruments DRV8835 datasheet, tables of the IN/IN and the phase/enable mode.
+ * forwards while only IN1 is high, backwards while only IN2 is, braked or free otherwise. Undriven inputs are low.
+ * Source: Texas Instruments DRV8835 datasheet, tables of the IN/IN and the phase/enable mode.
  */
 export class MotorOutputs {
   constructor(
@@ -29,7 +29,7 @@ export class MotorOutputs {
     private readonly motors: readonly MotorWires[],
   ) {}
 
-  /** What the motors get just now. */
+  /** The present output to the motors. */
   get outputs(): readonly MotorOutput[] {
     const isPhaseEnable = this.mode.level === 1;
     return this.motors.map(({ name, direction, speed }) => {

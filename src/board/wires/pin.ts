@@ -4,19 +4,19 @@ import type { Level, Pull, SerialFrame, Wire, WireEnd } from './wire';
 
 export type { PinMode } from '../boards/board-type';
 
-/** Modes that hold a pin: taking it for something else is the device's "Pin %d in %q mode". */
+/** Modes that hold a pin: taking it for something else gives the device's "Pin %d in %q mode". */
 const HOLDING_MODES: ReadonlySet<PinMode> = new Set<PinMode>(['display', 'button', 'music', 'i2c', 'spi']);
 
 const DEFAULT_PULL: Pull = 'down'; // codal-microbit-v2: DEVICE_DEFAULT_PULLMODE
 
-/** What the pin's own end does to the wire just now. */
+/** The present action of the pin's own end on the wire. */
 type Role = 'nothing' | 'input' | 'level' | 'pwm' | 'tone' | 'touch' | 'bus';
 
 /**
- * The microcomputer's own end of a wire, as its Python program knows it.
+ * The microcomputer's own end of a wire, as a Python program knows it.
  *
- * `acquire` asks whether a use is allowed; the calls that use the pin acquire it themselves and throw an Error when it
- * is held, so ask first. Source of the modes: micropython-microbit-v2 microbit_pinmode.c and microbit_pin.c.
+ * `acquire` says whether a use is allowed. The calls that use the pin acquire it themselves and throw an Error if it is
+ * held, so call `acquire` first. Source of the modes: micropython-microbit-v2 microbit_pinmode.c and microbit_pin.c.
  */
 export class Pin {
   private readonly end: WireEnd;
@@ -58,14 +58,14 @@ export class Pin {
   }
 
   /**
-   * What `get_pull()` tells: the resistor that was chosen last, `up` (0) while none was, although the input then pulls
-   * down. So the device does (microbithal.cpp, pin_pull_state).
+   * The result of `get_pull()`: the resistor that was chosen last. Before the first choice it is `up` (0), although the
+   * input then pulls down. The device does the same (microbithal.cpp, pin_pull_state).
    */
   get toldPull(): Pull {
     return this.chosenPull ?? 'up';
   }
 
-  /** The shared PWM period in µs, or -1 while this pin is no analog output. */
+  /** The shared PWM period in µs, or -1 while this pin is not an analog output. */
   get analogPeriodUs(): number {
     return this.role === 'pwm' ? this.pwm.periodUs : -1;
   }
@@ -73,7 +73,7 @@ export class Pin {
   /**
    * Takes the pin for a use. A button's pin may be read without being taken.
    *
-   * @returns `null` when it is taken, else the mode that holds it: ValueError "Pin 3 in display mode" (`busyMessage`)
+   * @returns `null` on success, otherwise the mode that holds it: ValueError "Pin 3 in display mode" (`busyMessage`)
    */
   acquire(mode: PinMode): PinMode | null {
     if (this.currentMode === mode) return null;
@@ -83,14 +83,14 @@ export class Pin {
     return null;
   }
 
-  /** Gives the pin back, whatever held it; nothing drives the wire from here any more. */
+  /** Gives the pin back, whatever held it; its own end then drives nothing. */
   free(): void {
     this.currentMode = 'unused';
     this.become('nothing');
     this.end.release();
   }
 
-  /** As after a start: mode, pull, and nothing on the wire. */
+  /** Resets mode, pull and the pin's end of the wire to the state after a start. */
   reset(): void {
     this.become('nothing');
     this.end.release();
@@ -124,7 +124,7 @@ export class Pin {
   /**
    * Puts a PWM signal on the wire. Zero is a steady low and leaves the pin `unused`, as on the device.
    *
-   * @param value 0 … 1023; outside it throws a RangeError
+   * @param value 0 … 1023; a RangeError is thrown beyond
    */
   writeAnalog(value: number): void {
     if (!(value >= 0 && value <= ANALOG_MAX)) throw new RangeError(`Analog value ${value} is not within 0 … 1023.`);
@@ -135,7 +135,7 @@ export class Pin {
   }
 
   /**
-   * Changes the PWM period of this and every other pin. A free pin that is no analog output yet becomes one, at 0.
+   * Changes the PWM period of this and every other pin. A free pin that is not an analog output yet becomes one, at 0.
    *
    * @returns false for the device's ValueError "invalid period", with nothing changed
    */
@@ -165,7 +165,7 @@ export class Pin {
     this.end.pull(kind === 'resistive' ? 'up' : 'none');
   }
 
-  /** Puts a tone's square wave on the wire, or silence; a pin that something else holds is left alone (rule G7). */
+  /** Puts a tone's square wave on the wire, or silence; does not touch a pin that something else holds (rule G7). */
   playTone(periodUs: number | null): void {
     if (this.currentMode !== 'music' && HOLDING_MODES.has(this.currentMode)) return;
     this.become('tone');
@@ -173,26 +173,26 @@ export class Pin {
     else this.end.drivePwm({ periodUs, dutyFraction: TONE_DUTY });
   }
 
-  /** Sends the bytes of an LED stream, low before and after. Asks for no mode and changes none, as on the device. */
+  /** Sends the bytes of an LED stream, low before and after. Needs no mode and changes none, as on the device. */
   sendStream(bytes: Uint8Array): void {
     this.become('level');
     this.end.drive(0);
     this.wire.stream(bytes);
   }
 
-  /** Sends bytes of a serial line; the line rests high. Asks for no mode and changes none, as on the device. */
+  /** Sends bytes of a serial line; the line rests high. Needs no mode and changes none, as on the device. */
   sendSerial(frame: SerialFrame): void {
     this.holdLevel(1);
     this.wire.serial(frame);
   }
 
-  /** Drives a resting level for a bus that uses the pin. Asks for no mode and changes none. */
+  /** Drives a resting level for a bus that uses the pin. Needs no mode and changes none. */
   holdLevel(level: Level): void {
     this.become('level');
     this.end.drive(level);
   }
 
-  /** Listens for a bus that uses the pin. Asks for no mode and changes none. */
+  /** Listens for a bus that uses the pin. Needs no mode and changes none. */
   holdInput(pull: Pull): void {
     this.become('bus');
     this.end.release();
@@ -211,7 +211,7 @@ export class Pin {
     this.end.pull(this.currentPull);
   }
 
-  /** Leaves what the pin did before: its PWM channel and any pull. */
+  /** Ends what the pin did before: its PWM channel and any pull. */
   private become(role: Role): void {
     if (role === this.role) return;
     if (this.role === 'pwm') this.pwm.drop(this.output);
@@ -223,7 +223,7 @@ export class Pin {
 const ANALOG_MAX = 1023;
 const TONE_DUTY = 0.5; // chosen: the synthesiser's square wave is high half of the time
 
-/** The device's ValueError for a pin that is held. */
+/** The device's ValueError for a held pin. */
 export function busyMessage(pin: Pin, holder: PinMode): string {
   return `Pin ${pin.number} in ${holder} mode`;
 }

@@ -1,8 +1,8 @@
 import type { Pwm } from './wire';
 
-/** A pin as the PWM unit sees it. */
+/** A pin, as the PWM unit sees it. */
 export interface PwmOutput {
-  /** Shows this signal from now on. A duty of 0 is a steady low. */
+  /** Outputs this signal from now on. A duty of 0 is a steady low. */
   show(pwm: Pwm): void;
 }
 
@@ -20,23 +20,23 @@ export class PwmUnit {
     this.setPeriodUs(DEFAULT_PERIOD_US);
   }
 
-  /** No pin has a channel, and the period is that of a start. The pins must have been reset before. */
+  /** Frees all channels and resets the period. The pins must have been reset before. */
   reset(): void {
     this.channels.fill(null);
     this.lastGiven = this.channels.length - 1;
     this.setPeriodUs(DEFAULT_PERIOD_US);
   }
 
-  /** The period of all channels in µs: what the hardware could reach, at or just below what was asked for. */
+  /** The period of all channels in µs: the nearest possible value at or below the requested one. */
   get periodUs(): number {
     return (this.countTop << this.prescaler) / TICKS_PER_US;
   }
 
   /**
-   * Changes the period of every channel; each keeps its share (rule P2).
+   * Changes the period of every channel; each keeps its duty (rule P2).
    *
    * @param periodUs 1 … 262143 µs
-   * @returns false, with nothing changed, when the hardware cannot do it
+   * @returns false, with nothing changed, if the hardware cannot do it
    */
   setPeriodUs(periodUs: number): boolean {
     const ticks = Math.trunc(periodUs) * TICKS_PER_US;
@@ -67,7 +67,7 @@ export class PwmUnit {
     output.show(this.signal(value));
   }
 
-  /** Takes an output off its channel; what the pin does next is the pin's affair. */
+  /** Takes an output off its channel; the pin decides what it does next. */
   drop(output: PwmOutput): void {
     const place = this.channels.findIndex((channel) => channel?.output === output);
     if (place >= 0) this.channels[place] = null;

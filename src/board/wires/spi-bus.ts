@@ -5,20 +5,20 @@ import type { Wire } from './wire';
 /** The wires of an SPI bus. */
 export interface SpiWires {
   readonly clock: Wire;
-  /** Controller to chip; `null` for a chip that only talks. */
+  /** Controller to chip; `null` for a chip that only sends. */
   readonly mosi: Wire | null;
-  /** Chip to controller; `null` for a chip that only listens. */
+  /** Chip to controller; `null` for a chip that only receives. */
   readonly miso: Wire | null;
 }
 
-/** A chip on an SPI bus. Whether it is selected it finds out itself, from its select wire. */
+/** A chip on an SPI bus. It finds out itself from its select wire whether it is selected. */
 export interface SpiTarget {
   /**
    * One byte each way at the same time.
    *
    * @param sent what the controller sends
-   * @param mode clock polarity and phase, 0 … 3; a chip that knows another one does as its datasheet says
-   * @returns what the chip sends meanwhile, or `null` when it leaves the wire alone (it is not selected)
+   * @param mode clock polarity and phase, 0 … 3; a chip made for another mode behaves as its datasheet says
+   * @returns the byte that the chip sends meanwhile, or `null` if it leaves the wire alone (it is not selected)
    */
   transfer(sent: number, mode: number): number | null;
 }
@@ -36,7 +36,7 @@ const START_HZ = 1_000_000; // NRF52SPI.cpp, constructor
 const BITS_PER_BYTE = 8;
 
 /**
- * The microcomputer's SPI controller. It is off until `init`; chips hear it on the wires that it uses then.
+ * The microcomputer's SPI controller. It is off until `init`; chips then hear it on its wires.
  *
  * A transfer happens at its end: let `transferUs` pass first, then call `transfer`. Its bits are not seen as levels on
  * the wires (rule Q2).
@@ -58,8 +58,8 @@ export class SpiBus {
   }
 
   /**
-   * Switches the bus on, on these pins; they have to be taken for `spi` before. The clock is the fastest one that does
-   * not exceed the wish, 125 kHz for less (rule Q3).
+   * Switches the bus on, on these pins; they must have been taken for `spi`. The clock is the fastest one that does not
+   * exceed the requested one, 125 kHz for less (rule Q3).
    *
    * @param mode clock polarity and phase; its two low bits count
    */
@@ -73,7 +73,7 @@ export class SpiBus {
     pins.miso.holdInput(idle === 0 ? 'down' : 'up');
   }
 
-  /** Off, as after a start; the chips stay. */
+  /** Switches off, as after a start; the chips stay. */
   reset(): void {
     this.pins = null;
     this.clockHz = START_HZ;
@@ -89,16 +89,16 @@ export class SpiBus {
     };
   }
 
-  /** How long so many bytes take, in whole µs, rounded up. */
+  /** Duration of this many bytes, in whole µs, rounded up. */
   transferUs(byteCount: number): number {
     return Math.ceil((byteCount * BITS_PER_BYTE * 1_000_000) / this.clockHz);
   }
 
   /**
-   * Sends bytes and receives as many. Where no chip answers, the level of the wire is read for all eight bits; where
-   * two answer, a low bit wins (rule Q4).
+   * Sends bytes and receives as many. If no chip answers, the level of the wire is read for all eight bits. If two
+   * answer, a low bit wins (rule Q4).
    *
-   * @throws Error while the bus is off: ask `isOn` first
+   * @throws Error while the bus is off: check `isOn` first
    */
   transfer(sent: Uint8Array): Uint8Array {
     const { pins } = this;

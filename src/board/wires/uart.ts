@@ -1,7 +1,7 @@
 import type { Stop } from '#core/stop';
 import type { Pin } from './pin';
 
-/** Where the serial line goes: to these pins, or (`null`) to the USB socket, each direction for itself. */
+/** The pins of the serial line, or `null` for the USB socket; each direction separately. */
 export interface UartPins {
   readonly tx: Pin | null;
   readonly rx: Pin | null;
@@ -11,15 +11,15 @@ const START_BAUD = 115_200; // micropython-microbit-v2 README: the REPL's speed
 const BITS_PER_BYTE = 10; // start bit, eight data bits, stop bit; bits, parity and stop have no effect on the device
 const BUFFER_BYTES = 128; // micropython-microbit-v2 main.cpp: setRxBufferSize
 const ON_USB: UartPins = { tx: null, rx: null };
-/** nRF52833 product specification, UARTE BAUDRATE; every other wish becomes 115200 (codal-nrf52 NRF52Serial.cpp). */
+/** nRF52833 product specification, UARTE BAUDRATE; every other speed becomes 115200 (codal-nrf52 NRF52Serial.cpp). */
 const BAUDS: ReadonlySet<number> = new Set([
   1200, 2400, 4800, 9600, 14_400, 19_200, 28_800, 31_250, 38_400, 56_000, 57_600, 76_800, 115_200, 230_400, 250_000,
   460_800, 921_600, 1_000_000,
 ]);
 
 /**
- * The one serial line of the microcomputer. It carries `print` and the REPL over USB, until a program puts it on pins:
- * then both directions leave the USB socket, or the one whose pin was given.
+ * The one serial line of the microcomputer. It carries `print` and the REPL over USB, until a program puts it on pins.
+ * Then both directions leave the USB socket, or only the direction whose pin was given.
  */
 export class Uart {
   private currentPins = ON_USB;
@@ -35,12 +35,12 @@ export class Uart {
     return this.currentBaud;
   }
 
-  /** What a byte takes on the line, in µs (not whole). */
+  /** Duration of a byte on the line, in µs (may be a fraction). */
   get byteUs(): number {
     return (BITS_PER_BYTE * 1_000_000) / this.currentBaud;
   }
 
-  /** Puts the line on pins or back to USB. Asks for no mode and changes none, as on the device. */
+  /** Puts the line on pins or back to USB. Needs no mode and changes none, as on the device. */
   init(wishBaud: number, pins: UartPins): void {
     this.stopListening();
     this.currentPins = pins;
@@ -53,23 +53,23 @@ export class Uart {
     });
   }
 
-  /** On USB at 115200 baud, nothing received. */
+  /** Back on USB at 115200 baud, with nothing received. */
   reset(): void {
     this.init(START_BAUD, ON_USB);
     this.received = [];
   }
 
-  /** Sends bytes on the pin for sending; without one nothing happens. Let `byteUs` pass for each before. */
+  /** Sends bytes on the pin for sending; without such a pin nothing happens. Let `byteUs` pass for each byte first. */
   send(bytes: Uint8Array): void {
     this.currentPins.tx?.sendSerial({ bytes, baud: this.currentBaud });
   }
 
-  /** How many bytes have arrived on the pin for receiving and wait. */
+  /** Number of bytes that have arrived on the pin for receiving and wait. */
   get waiting(): number {
     return this.received.length;
   }
 
-  /** How many of them make up the next line with its newline; all of them when no newline came yet. */
+  /** Number of them that make up the next line with its newline; all of them if no newline has come yet. */
   get lineLength(): number {
     const end = this.received.indexOf(0x0a);
     return end < 0 ? this.waiting : end + 1;

@@ -1,9 +1,9 @@
 import type { Stop } from '#core/stop';
 
-/** What a digital input makes of a wire: 0 = low, 1 = high. */
+/** The level that a digital input reads from a wire: 0 = low, 1 = high. */
 export type Level = 0 | 1;
 
-/** The resistor that decides where nobody drives. */
+/** The resistor that decides while nothing drives. */
 export type Pull = 'up' | 'down' | 'none';
 
 /** A pulse-width modulated output. */
@@ -30,16 +30,16 @@ type Drive =
 /** One participant's connection to a wire. A new end neither drives nor pulls. */
 export interface WireEnd {
   readonly owner: string;
-  /** Drives low or high, replacing what this end drove before. Low wins over whoever else drives (rule W2). */
+  /** Drives low or high, replacing what this end drove before. Low wins over everything else that drives (rule W2). */
   drive(level: Level): void;
   /** Drives a voltage as a fraction of the supply, clamped to 0 … 1. */
   driveAnalog(fraction: number): void;
   /** Drives a PWM signal. */
   drivePwm(pwm: Pwm): void;
-  /** Drives nothing any more (high impedance). The pull stays. */
+  /** Stops driving (high impedance). The pull stays. */
   release(): void;
   pull(pull: Pull): void;
-  /** Releases, lets go of the pull and leaves the wire. */
+  /** Stops driving and pulling, and leaves the wire. */
   readonly detach: Stop;
 }
 
@@ -50,9 +50,9 @@ interface EndState {
 }
 
 /**
- * A conductor between the microcomputer and chips. Several ends may be connected; who wins is written in SPEC.md.
- * Listeners run at once, in the order in which they were attached; a change made by a listener is told after the
- * present round, so that everyone sees the changes in the same order.
+ * A conductor between the microcomputer and chips. Several ends may be connected; SPEC.md says which one wins.
+ * Listeners run at once, in the order in which they were attached. A change made by a listener is reported after the
+ * present round, so that all listeners see the changes in the same order.
  */
 export class Wire {
   private readonly ends: EndState[] = [];
@@ -72,12 +72,12 @@ export class Wire {
     return this.settled;
   }
 
-  /** The PWM signal on the wire, or `null` when nobody drives one. */
+  /** The PWM signal on the wire, or `null` without one. */
   get pwm(): Pwm | null {
     return this.settledPwm;
   }
 
-  /** The mean voltage as a fraction of the supply, 0 … 1: what an analog input measures. */
+  /** The mean voltage as a fraction of the supply, 0 … 1: the value that an analog input measures. */
   get fraction(): number {
     const drive = this.winner();
     switch (drive?.kind) {
@@ -118,45 +118,45 @@ export class Wire {
     };
   }
 
-  /** Tells every change of the digital level. */
+  /** Reports every change of the digital level. */
   onLevel(listener: (level: Level) => void): Stop {
     return attach(this.levelListeners, listener);
   }
 
-  /** Tells when a PWM signal starts, changes or (`null`) ends. */
+  /** Reports when a PWM signal starts, changes or (`null`) ends. */
   onPwm(listener: (pwm: Pwm | null) => void): Stop {
     return attach(this.pwmListeners, listener);
   }
 
   /**
    * Receives the bytes of a one-wire LED stream (ws2812), most significant bit first as sent. They may be a view of
-   * somebody's memory: copy what is to be kept.
+   * other memory: copy what you keep.
    */
   onStream(listener: (bytes: Uint8Array) => void): Stop {
     return attach(this.streamListeners, listener);
   }
 
-  /** How many listen for LED streams: more than the one who asks means that the LEDs have an owner (rule S4). */
+  /** Number of listeners for LED streams. More than one's own means that the LEDs have an owner (rule S4). */
   get streamListenerCount(): number {
     return this.streamListeners.size;
   }
 
-  /** Sends an LED stream. The level does not move: afterwards the wire is where its ends leave it (rule S2). */
+  /** Sends an LED stream. The level does not change: afterwards the wire is where its ends leave it (rule S2). */
   stream(bytes: Uint8Array): void {
     tellAll(this.streamListeners, bytes);
   }
 
-  /** Receives what is sent over this wire as a serial line. The bytes may be a view of somebody's memory. */
+  /** Receives what is sent over this wire as a serial line. The bytes may be a view of other memory. */
   onSerial(listener: (frame: SerialFrame) => void): Stop {
     return attach(this.serialListeners, listener);
   }
 
-  /** Sends bytes as a serial line does; they count as received now. The level does not move (rule U2). */
+  /** Sends bytes as a serial line does; they count as received now. The level does not change (rule U2). */
   serial(frame: SerialFrame): void {
     tellAll(this.serialListeners, frame);
   }
 
-  /** Low wins over high, a stronger statement (level, analog, PWM) over a pull: rules W2, W3. */
+  /** Low wins over high, and driving (level, analog, PWM) wins over a pull: rules W2, W3. */
   private winner(): Drive | undefined {
     let winner: Drive | undefined;
     for (const { drive } of this.ends) {
@@ -220,7 +220,7 @@ function attach<T>(listeners: Listeners<T>, tell: (news: T) => void): Stop {
   };
 }
 
-/** Tells those who listen now; one who is stopped on the way hears nothing any more (rule W10). */
+/** Notifies the present listeners; one that is stopped on the way hears nothing more (rule W10). */
 function tellAll<T>(listeners: Listeners<T>, news: T): void {
   for (const listener of [...listeners]) if (listeners.has(listener)) listener.tell(news);
 }
