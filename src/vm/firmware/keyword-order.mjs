@@ -6,8 +6,8 @@ const IS_ORDERED = 4;
 
 /**
  * C functions of the device get keyword arguments in the order of the call: `log.add(x=1, y=2)` has its columns in that
- * order. Ours are written in Python, where `**kwargs` is a hash table and forgets the order; here it becomes a table in
- * order, such as OrderedDict uses. It happens where mp_setup_code_state makes that dict.
+ * order. Our functions are written in Python, where `**kwargs` is a hash table and loses the order. Here it becomes an
+ * ordered table, as in OrderedDict, at the place where mp_setup_code_state makes that dict.
  */
 export function orderKeywordArguments(module) {
   const text = addressOfText(module, "function missing required keyword argument '%q'");
@@ -16,7 +16,7 @@ export function orderKeywordArguments(module) {
     'mp_setup_code_state',
   );
   const [name, body] = [setUp[0], flat(setUp[1])];
-  // It makes one dict for so many arguments, and the same with room for none when there are none.
+  // It makes one dict for that many arguments, and an empty one without arguments.
   const empty = [...body.matchAll(/\(call \$([^\s)]+) \(i32\.const 0\)\)/g)].map((match) => match[1]);
   const made = onlyMatch(
     body,

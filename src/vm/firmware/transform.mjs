@@ -1,6 +1,6 @@
 // Turns the published MicroPython .wasm into one that can be suspended anywhere, counts its work, collects garbage
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
-// What the run-time side expects of the result stands in ../run/firmware.ts.
+// ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import {
@@ -15,7 +15,7 @@ import {
   splitModule,
 } from './wat.mjs';
 
-/** How many bytecodes of our library one call may run for nothing; the run-time side has the same number. */
+/** Number of our library's bytecodes that one call may run free of charge; the run-time side has the same number. */
 const FREE_LIBRARY_BYTECODES = 20_000;
 
 /** How much of the C stack Python may use before it raises "maximum recursion depth exceeded", in bytes. */
@@ -25,7 +25,7 @@ const EMPTY = '\\(i32\\.const 0\\)';
 
 /**
  * @param {Uint8Array} published the .wasm of the npm package
- * @param {(step: string) => void} report is told what happens now
+ * @param {(step: string) => void} report called with the name of each step
  * @returns {Uint8Array} the firmware
  */
 export function transform(published, report) {
@@ -39,7 +39,7 @@ export function transform(published, report) {
     result.runPasses(passes);
     return result;
   };
-  // The pass that spills pointers looks the stack pointer up by its name.
+  // The pass that spills pointers finds the stack pointer by its name.
   const module = splitModule(original.emitText().replace(/\$global\$0(?!\d)/g, '$__stack_pointer'));
   original.dispose();
   declareHost(module);
@@ -55,9 +55,9 @@ export function transform(published, report) {
 
   report('spilling pointers for the collector');
   const spilled = build(module, ['spill-pointers']);
-  // Metering comes after: a tick allocates nothing, so pointers need not be spilled for it, and must not be. What lies
-  // in the stack slots would depend on when ticks come, hence on how often the program is suspended, and with it what
-  // the (conservative) collector keeps.
+  // Metering comes after. A tick allocates nothing, so pointers need not be spilled for it, and must not be: the
+  // contents of the stack slots would depend on when ticks come, and so on how often the program is suspended. What the
+  // (conservative) collector keeps would depend on it, too.
   const metered = splitModule(spilled.emitText());
   spilled.dispose();
   meter(metered, findInterpreter(metered));
@@ -144,7 +144,7 @@ function collectInsideFixedHeap(module) {
   chargeAllocations(module, collect.name);
 }
 
-/** gc_init tells where the heap lies, so that the run-time side can divide it between library and program. */
+/** gc_init reports where the heap lies, so that the run-time side can divide it between library and program. */
 function tellHeapPlace(module) {
   const init = onlyFunction(
     module,
@@ -171,7 +171,7 @@ function chargeAllocations(module, collect) {
   module.functions.set(allocate.name, `${text.slice(0, body)}${charge} ${text.slice(body)}`);
 }
 
-/** Where the instructions begin, after the parameters, results and locals. */
+/** Start of the instructions, after the parameters, results and locals. */
 function bodyStart(text) {
   let place = text.indexOf(' ', '(func '.length) + 1;
   while (/^\((param|result|local|type) /.test(text.slice(place))) place = expressionEnd(text, place) + 1;
@@ -179,10 +179,10 @@ function bodyStart(text) {
 }
 
 /**
- * A MemoryError needs memory itself, for its message and its traceback. A reserve is laid aside in the heap; the C
- * function that raises the error gives it free first, so that even a heap full of small objects ends in an error that
- * names its line. What keeps the reserve until then is the last word of the C stack (see src/vm/run/heap.ts, which also
- * takes it back after a collection).
+ * A MemoryError needs memory itself, for its message and its traceback. The heap holds a reserve. The C function that
+ * raises the error frees it first, so that even a heap full of small objects ends in an error that names its line.
+ * Until then, the last word of the C stack keeps the reserve (see src/vm/run/heap.ts, which also takes it back after a
+ * collection).
  */
 function freeReserveOnMemoryError(module) {
   const fail = addressOfText(module, 'memory allocation failed, allocating %u bytes');
@@ -206,8 +206,8 @@ function freeReserveOnMemoryError(module) {
 }
 
 /**
- * At each bytecode: code of the pupil (above `program_start` in memory, where the library ends) uses up `gas`, which
- * is simulated time; code of our library uses up `library_gas`, which only makes sure that nothing spins for ever.
+ * At each bytecode: code of the pupil (above `program_start` in memory, where the library ends) uses up `gas`, which is
+ * simulated time; code of our library uses up `library_gas`, which only prevents endless spinning.
  */
 function meter(module, interpreter) {
   const text = flat(module.functions.get(interpreter));
@@ -232,7 +232,9 @@ function meter(module, interpreter) {
   module.functions.set(interpreter, text.slice(0, operand) + metered + text.slice(end));
 }
 
-/** Frames of library code are left out of tracebacks where they arise: the interpreter adds one per function it leaves. */
+/**
+ * Leaves frames of library code out of tracebacks as they are recorded: one per function that the interpreter leaves.
+ */
 function hideLibraryFrames(module, interpreter) {
   const addFrame = importName(module, 'invoke_viiii');
   const text = flat(module.functions.get(interpreter));
@@ -253,8 +255,8 @@ function importName(module, name) {
 }
 
 /**
- * Exports mp_sched_schedule, a question (1 = a callback can run, 2 = an exception is pending) and a way to have any
- * exception raised in the program, as the published mp_sched_keyboard_interrupt does with its own.
+ * Exports mp_sched_schedule, a query (1 = a callback can run, 2 = an exception is pending) and a function that raises
+ * any exception in the program, as the published mp_sched_keyboard_interrupt does with its own.
  */
 function exportScheduler(module) {
   const interrupt = onlyMatch(
@@ -292,7 +294,9 @@ function exportScheduler(module) {
   );
 }
 
-/** The C code ends a hopeless situation in an empty endless loop (nlr_jump_fail, a fatal error): tell the host instead. */
+/**
+ * The C code ends a hopeless situation (nlr_jump_fail, a fatal error) in an empty endless loop. Ours tells the host.
+ */
 function replaceEndlessLoops(module) {
   const loop = /\(loop \$(\S+) \(br \$\1\)\)/g;
   let count = 0;
@@ -313,9 +317,9 @@ function limitStack(module) {
 }
 
 /**
- * What is pasted into the REPL is a program whose expressions print their values. The built-in compile() makes only
- * single statements that way; here `echo` says it for all that is compiled: mp_parse_compile_execute calls mp_compile,
- * which calls mp_compile_to_raw_code, whose third parameter is is_repl.
+ * A program that is pasted into the REPL prints the values of its expressions. The built-in compile() does so only for
+ * single statements; here `echo` switches it on for everything that is compiled: mp_parse_compile_execute calls
+ * mp_compile, which calls mp_compile_to_raw_code, whose third parameter is is_repl.
  */
 function echoPasted(module) {
   const execute = onlyFunction(
@@ -334,7 +338,7 @@ function echoPasted(module) {
   module.functions.set(compile, `${text.slice(0, body)}${echo} ${text.slice(body)}`);
 }
 
-/** What the firmware needs of its host beside the published imports, and the counters it shares with it. */
+/** What the firmware imports from its host besides the published imports, and the counters it shares with it. */
 function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);

@@ -1,7 +1,7 @@
 // Finding and replacing places in WebAssembly text. The text comes from binaryen, so its layout is regular:
 // one expression a line, functions at one blank of indentation.
 
-/** Splits a module's text into what stands before the functions, the functions by name, and the closing parenthesis. */
+/** Splits a module's text into the part before the functions, the functions by name, and the closing parenthesis. */
 export function splitModule(text) {
   const parts = text.split(/\n (?=\(func )/);
   const head = parts[0];
@@ -16,12 +16,12 @@ export function joinModule({ head, functions }) {
   return `${head}\n ${[...functions.values()].join('\n ')}\n)\n`;
 }
 
-/** A function's text on one line with single blanks: what patterns are matched against. */
+/** A function's text on one line with single blanks: patterns are matched against it. */
 export const flat = (text) => text.replace(/\s+/g, ' ').replace(/ \)/g, ')').trim();
 
 /**
- * The one function that matches. The build stops when none or several do: then the published file has changed, and
- * someone has to look.
+ * The one function that matches. The build stops if no function or several match: then the published file has changed,
+ * and someone has to look.
  */
 export function onlyFunction(module, what, pattern) {
   const found = [];
@@ -32,18 +32,18 @@ export function onlyFunction(module, what, pattern) {
   return only(found, what);
 }
 
-/** The one element of a list, or an error that says what was looked for. */
+/** The only element of a list, or an error that names what was looked for. */
 export function only(list, what) {
   if (list.length !== 1) throw new Error(`${what}: expected one place, found ${list.length}.`);
   return list[0];
 }
 
-/** The one match of a pattern in a text. */
+/** The only match of a pattern in a text. */
 export function onlyMatch(text, what, pattern) {
   return only([...text.matchAll(new RegExp(pattern, 'g'))], what);
 }
 
-/** Replaces the one occurrence of a pattern in a function. */
+/** Replaces the only occurrence of a pattern in a function. */
 export function replaceOnce(module, name, what, pattern, replacement) {
   const text = flat(module.functions.get(name));
   onlyMatch(text, what, pattern);
@@ -60,7 +60,7 @@ export function expressionEnd(text, start) {
   throw new Error('Unbalanced parentheses.');
 }
 
-/** The address at which a text constant of the C code lies in memory. */
+/** The address of a text constant of the C code in memory. */
 export function addressOfText(module, text) {
   const segments = [...module.head.matchAll(/\(data \$\S+ \(i32\.const (\d+)\) "((?:[^"\\]|\\.)*)"\)/g)];
   const found = segments

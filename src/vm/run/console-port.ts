@@ -2,16 +2,16 @@ const CTRL_C = 3;
 
 /** The serial line between the board and a person: bytes both ways. */
 export class ConsolePort {
-  /** The byte that interrupts the program instead of being received; `null` while there is none. */
+  /** The byte that interrupts the program instead of being received; `null` for none. */
   interruptByte: number | null = CTRL_C;
   /** Called when that byte comes. */
   onInterrupt: () => void = () => undefined;
   private line: number[] = [];
-  /** Where in `line` the first byte stands that was not taken. */
+  /** Index in `line` of the first byte that was not taken. */
   private next = 0;
   private count = 0;
 
-  /** @param send what the board sends goes here */
+  /** @param send receives what the board sends */
   constructor(private readonly send: (bytes: Uint8Array) => void) {}
 
   /** Text that a person types. */

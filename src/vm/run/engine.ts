@@ -5,8 +5,8 @@ import type { Machine, Syscall, SyscallTable, Value, Wait } from './syscall';
 import type { Memory } from './values';
 
 /**
- * Library bytecodes that one call of the API may use for nothing; a longer one costs time like the pupil's own code. The
- * firmware counts anew with each bytecode of the program (../firmware/transform.mjs).
+ * Library bytecodes that one API call may use free of charge; beyond that they cost time like the pupil's own code. The
+ * firmware restarts the count with each bytecode of the program (../firmware/transform.mjs).
  */
 const FREE_LIBRARY_BYTECODES = 20_000;
 /** The longest stretch without a tick, in µs: keeps the counter well within 32 bits. */
@@ -14,7 +14,7 @@ const LONGEST_STRETCH_US = 1_000_000;
 /** Where a suspended program's stack is kept: the deepest recursion that the VM allows needs less (engine tests). */
 const UNWIND_BYTES = 1024 * 1024;
 
-/** No buffer of a program is longer: the device's heap. */
+/** Upper limit for a program's buffer: the device's heap. */
 const MOST_BYTES = 64 * 1024;
 
 const WANTS_TO_RUN = 1;
@@ -22,18 +22,18 @@ const EXCEPTION_WAITS = 2;
 const REWINDING = 2;
 const UNWINDING = 1;
 
-/** Nobody's fault but ours or the C code's: the VM is in a state that it cannot leave, and its run ends. */
+/** An error in our code or the C code: the VM is in a state that it cannot leave, and its run ends. */
 export class VmFault extends Error {}
 
 /**
  * Runs the firmware in pieces under the run's clock. It turns the firmware's counters into simulated time, answers
- * syscalls, lets time pass while Python waits, and suspends the program where the time that it may use is over.
+ * syscalls, lets time pass while Python waits, and suspends the program when its time is used up.
  */
 export class Engine implements Machine {
   private readonly table: readonly Syscall[];
   private readonly references: ReadonlyMap<string, number>;
   private readonly unwindBuffer: number;
-  /** What `gas` was set to last: the difference to what is left is the time used since, in µs. */
+  /** The last value that `gas` was set to: the difference to the present value is the time used since, in µs. */
   private stretchUs = 0;
   private limitUs = 0;
   private suspended = false;
@@ -91,17 +91,17 @@ export class Engine implements Machine {
     this.firmware.set_pending(address);
   }
 
-  /** Forgets an exception that is waiting to be raised in the program. */
+  /** Forgets an exception that waits to be raised in the program. */
   forgetInterrupt(): void {
     if (this.firmware.queued() & EXCEPTION_WAITS) this.firmware.set_pending(0);
   }
 
-  /** Whether what is compiled from here on prints the values of its expressions. */
+  /** Whether code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void {
     this.firmware.echo.value = Number(on);
   }
 
-  /** Lets `run` come back at the next wait that a syscall asks for, as if its time were over. */
+  /** Makes `run` return at the next wait of a syscall, as if its time were over. */
   pause(): void {
     this.pausing = true;
   }
@@ -111,12 +111,12 @@ export class Engine implements Machine {
     this.ending = true;
   }
 
-  /** From here on Python finds no functions of these names in `_hal`. What it has taken before keeps working. */
+  /** Hides the functions of these names in `_hal` from now on. Python keeps those that it has already taken. */
   hide(names: readonly string[]): void {
     this.hidden = new Set(names);
   }
 
-  /** Lets go of all that was asked for with `onEnd`. */
+  /** Releases everything that was registered with `onEnd`. */
   dispose(): void {
     for (const stop of this.stops) stop();
     this.stops = [];
@@ -125,10 +125,10 @@ export class Engine implements Machine {
   // --- running -----------------------------------------------------------------------------------------------------
 
   /**
-   * Runs `enter` (a call into the firmware) until it returns or the clock has reached the limit.
-   * Called again while suspended it goes on where it was.
+   * Runs `enter` (a call into the firmware) until it returns or the clock has reached the limit. If called again while
+   * suspended, it continues.
    *
-   * @returns true when the call has returned, false while it is suspended
+   * @returns true once the call has returned, false while it is suspended
    */
   run(enter: () => void, limitUs: number): boolean {
     this.limitUs = limitUs;
@@ -161,8 +161,8 @@ export class Engine implements Machine {
   }
 
   /**
-   * The program prints: this takes as long as the serial line needs for it. The time passes before the program's next
-   * bytecode or syscall, where it can be suspended.
+   * The program prints: this takes as long as the serial line needs. The time passes before the program's next bytecode
+   * or syscall, where the program can be suspended.
    */
   print(us: number): void {
     this.catchUp();
@@ -175,7 +175,7 @@ export class Engine implements Machine {
     return this.hidden.has(name) ? -1 : (this.references.get(name) ?? -1);
   }
 
-  /** Python calls a function of `_hal`; also the way back in when the program was suspended in such a call. */
+  /** Python calls a function of `_hal`. A program that was suspended in such a call also resumes here. */
   call(reference: number, args: readonly Value[], resultAddress: number): void {
     if (!this.stopRewinding()) this.catchUp();
     else if (!this.isDue) {
@@ -198,7 +198,7 @@ export class Engine implements Machine {
     return true;
   }
 
-  /** Lets time pass until what Python waits for has come, or until this stretch of time is used up. */
+  /** Lets time pass until Python's wait is over, or until this stretch of time is used up. */
   private goOnWaiting(wait: Wait, resultAddress: number): void {
     this.waiting = wait;
     if (this.pausing) {
@@ -207,7 +207,7 @@ export class Engine implements Machine {
     }
     while (!this.isOver(wait)) {
       const next = Math.min(wait.untilUs, this.clock.nextAlarmUs);
-      // Without limit and without anything to come there is no time to move to.
+      // Without a limit and without an alarm there is no time to move to.
       if (next === Infinity && this.limitUs === Infinity) return this.suspend();
       if (next > this.limitUs) {
         this.clock.advanceTo(Math.max(this.limitUs, this.clock.nowUs));
@@ -219,13 +219,13 @@ export class Engine implements Machine {
     this.answer(wait.result(), resultAddress);
   }
 
-  /** Inside a callback the scheduler is locked: nothing can run then, and an interrupt waits for the callback's end. */
+  /** Inside a callback the scheduler is locked: no callback can run, and an interrupt waits for its end. */
   private isOver(wait: Wait): boolean {
     const wantsToRun = !wait.solid && (this.firmware.queued() & WANTS_TO_RUN) !== 0;
     return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || wantsToRun || this.ending;
   }
 
-  /** Lets the time pass that printing took. @returns false when the time to use is over before */
+  /** Lets the time of printing pass. @returns false if the available time is used up before */
   private payOwed(): boolean {
     if (this.owedUs === 0) return true;
     const now = this.clock.nowUs;
@@ -240,14 +240,14 @@ export class Engine implements Machine {
     this.refill();
   }
 
-  /** Brings the clock up to what the program has used since it was set last. */
+  /** Advances the clock by the time that the program has used since the last call. */
   private catchUp(): void {
     const usedUs = this.stretchUs - this.firmware.gas.value;
     this.stretchUs = this.firmware.gas.value;
     if (usedUs > 0) this.clock.advanceTo(this.clock.nowUs + usedUs);
   }
 
-  /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the time to use. */
+  /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the available time. */
   private refill(): void {
     const now = this.clock.nowUs;
     const untilUs = this.owedUs > 0 ? now : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
@@ -256,7 +256,7 @@ export class Engine implements Machine {
   }
 
   private suspend(): void {
-    // The buffer opens with two words of its own: up to where it is filled, and where it ends.
+    // The buffer begins with two words: where its filled part ends, and where the buffer ends.
     this.ram.setWord(this.unwindBuffer, this.unwindBuffer + 8);
     this.ram.setWord(this.unwindBuffer + 4, this.unwindBuffer + UNWIND_BYTES);
     this.firmware.asyncify_start_unwind(this.unwindBuffer);

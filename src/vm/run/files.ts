@@ -5,7 +5,7 @@ const CHUNK_COUNT = 192; // chosen: 24 kB of flash in chunks of 128 bytes
 const HEADER_BYTES = 2; // microbitfs.c file_header: end offset and length of the name, before the name
 const MAX_NAME_CHARACTERS = 120; // microbitfs.c: MAX_FILENAME_LENGTH
 
-/** One stored file. The object stays the same until the file is removed or written anew. */
+/** One stored file. The object stays the same until the file is removed or overwritten. */
 export interface StoredFile {
   /** Its number: no other file of this board ever gets it. */
   readonly id: number;
@@ -22,7 +22,7 @@ export class Files {
   private readonly byId = new Map<number, StoredFile>();
   private nextId = 0;
 
-  /** @param initial what is on the board from the start; it is taken as it is, even when it does not fit (see `fileHint`) */
+  /** @param initial the files on the board from the start, accepted even if they do not fit (see `fileHint`) */
   constructor(initial: Readonly<Record<string, string>> = {}) {
     const encoder = new TextEncoder();
     for (const [name, text] of Object.entries(initial)) this.store(name, encoder.encode(text));
@@ -38,12 +38,12 @@ export class Files {
     return this.stored.get(name);
   }
 
-  /** The file with this number, or `undefined` when it was removed or begun anew. */
+  /** The file with this number, or `undefined` if it was removed or overwritten. */
   byNumber(id: number): StoredFile | undefined {
     return this.byId.get(id);
   }
 
-  /** Begins a file anew, empty. @returns the file, or a negative errno: name too long, no room */
+  /** Creates a file, or empties it. @returns the file, or a negative errno: name too long, no room */
   create(name: string): StoredFile | number {
     if (Array.from(name).length > MAX_NAME_CHARACTERS) return -Errno.ENOENT;
     this.remove(name);
@@ -51,7 +51,7 @@ export class Files {
     return this.store(name, new Uint8Array(0));
   }
 
-  /** Adds bytes at the end. When they do not fit, the whole file is lost, as on the device. @returns 0 or a negative errno */
+  /** Appends bytes. If they do not fit, the whole file is lost, as on the device. @returns 0 or a negative errno */
   append(file: StoredFile, bytes: Uint8Array): number {
     if (!this.byId.has(file.id)) return -Errno.EBADF;
     const more = chunksOf(file.name, file.bytes.length + bytes.length) - chunksOf(file.name, file.bytes.length);
@@ -66,7 +66,7 @@ export class Files {
     return 0;
   }
 
-  /** Removes a file. @returns false when there is none */
+  /** Removes a file. @returns false if it does not exist */
   remove(name: string): boolean {
     const file = this.stored.get(name);
     if (!file) return false;
@@ -89,8 +89,8 @@ export class Files {
 }
 
 /**
- * What a real board would say about files that a run starts with, in words for the user; `null` when they fit. Only a
- * hint: the simulated board takes them all the same, since drivers of others may be longer than what is free.
+ * What a real board would say about files that a run starts with, in words for the user; `null` if they fit. It is only
+ * a hint: the simulated board accepts them anyway, since drivers of others may be larger than the free space.
  */
 export function fileHint(files: Readonly<Record<string, string>>): string | null {
   let chunks = 0;

@@ -17,7 +17,7 @@ export interface Firmware {
   /** Compiles and runs source text; the result or the exception goes to the 12 bytes at `resultAddress`. */
   mp_js_do_exec(sourceAddress: number, bytes: number, resultAddress: number): void;
   mp_sched_keyboard_interrupt(): void;
-  /** Queues a function and its argument (object references). 0 when the queue is full. */
+  /** Queues a function and its argument (object references). Returns 0 if the queue is full. */
   mp_sched_schedule(callable: number, argument: number): number;
   /** 1 = a queued callback can run, 2 = an exception is pending. */
   queued(): number;
@@ -38,23 +38,23 @@ export interface Firmware {
   readonly gas: WebAssembly.Global;
   /** Bytecodes of our library until `tick`. */
   readonly library_gas: WebAssembly.Global;
-  /** What one allocation by the pupil's code costs, in units of `gas`. */
+  /** Cost of one allocation by the pupil's code, in units of `gas`. */
   readonly allocation_cost: WebAssembly.Global;
-  /** Where in memory the library ends and the pupil's part of the heap begins. */
+  /** Address where the library ends and the pupil's part of the heap begins. */
   readonly program_start: WebAssembly.Global;
-  /** Where the C stack begins (it grows downwards); the collector scans from the stack pointer to here. */
+  /** Start of the C stack (it grows downwards); the collector scans from the stack pointer to here. */
   readonly stack_base: WebAssembly.Global;
-  /** A block of the heap that is given free when memory runs out, for the error's own needs (heap.ts); 0 when it is used. */
+  /** A block of the heap that is freed when memory runs out, for the error itself (heap.ts); 0 once it is used. */
   readonly reserve: WebAssembly.Global;
-  /** 1: what is compiled now prints the values of its expressions, as in the REPL. */
+  /** 1: code that is compiled now prints the values of its expressions, as in the REPL. */
   readonly echo: WebAssembly.Global;
-  /** Where the collector's tables begin; the heap's blocks follow them. */
+  /** Start of the collector's tables; the heap's blocks follow them. */
   readonly heap_start: WebAssembly.Global;
-  /** Where the heap ends. */
+  /** End of the heap. */
   readonly heap_end: WebAssembly.Global;
 }
 
-/** What the firmware asks of the run-time side. */
+/** The functions that the firmware calls on the run-time side. */
 export interface FirmwareHost {
   /** A counter ran out. */
   tick(): void;
@@ -81,8 +81,7 @@ const EROFS = 69;
 
 /**
  * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
- * for host objects and its file system are not used, so nothing of the host is in reach and nothing is shared between
- * copies.
+ * for host objects and its file system are not used, so the host is out of reach and copies share nothing.
  */
 export function instantiateFirmware(
   module: WebAssembly.Module,
@@ -112,8 +111,8 @@ function notLoaded(): never {
 
 /**
  * Calls through the function table that catch what C's longjmp throws (any number; ours and the engine's errors are
- * objects and pass). While a suspended call is resumed the stack pointer stands at the deep place already, so the one
- * taken on the way in is kept per nesting depth; else each exception caught after a suspension would leak C stack.
+ * objects and pass). When a suspended call is resumed, the stack pointer is already at the deep place. So the one saved
+ * on entry is kept per nesting depth; otherwise each exception caught after a suspension would leak C stack.
  */
 function invokers(running: () => Firmware, memory: () => Memory): HostFunctions {
   const stackAt: number[] = [];
@@ -126,7 +125,7 @@ function invokers(running: () => Firmware, memory: () => Memory): HostFunctions 
     return (functions[index] ??= firmware.__indirect_function_table.get(index));
   };
   const caught = (thrown: unknown, level: number): number => {
-    // What the frames left behind in the C stack would keep dead objects alive: later frames lie over it unfilled, and
+    // Remains of frames in the C stack would keep dead objects alive: later frames cover them without filling them, and
     // the collector takes any word there for a pointer.
     memory().bytes.fill(0, running().emscripten_stack_get_current(), stackAt[level]);
     running()._emscripten_stack_restore(stackAt[level] ?? 0);
@@ -134,7 +133,7 @@ function invokers(running: () => Firmware, memory: () => Memory): HostFunctions 
     running().setThrew(1, 0);
     return 0;
   };
-  // Five arguments for all: what a function does not take it does not see, and nothing is gathered into an array.
+  // Five arguments for all functions. A function ignores those it does not take, and no array is built.
   const invoke = (index: number, a: number, b: number, c: number, d: number, e: number): number => {
     const level = depth;
     try {
@@ -193,7 +192,7 @@ function boundary(memory: () => Memory, host: FirmwareHost): HostFunctions {
   };
 }
 
-/** Time and chance of the C code. Its own clock is never read: every way to it is replaced in the library. */
+/** Time and random numbers of the C code. Its own clock is never read: the library replaces every access to it. */
 function system(host: FirmwareHost): HostFunctions {
   return {
     mp_js_random_u32: () => host.randomU32() | 0,
@@ -209,7 +208,7 @@ function system(host: FirmwareHost): HostFunctions {
   };
 }
 
-/** What the C code prints. */
+/** Output of the C code. */
 function output(memory: () => Memory, host: FirmwareHost): HostFunctions {
   const write = (_file: number, vectors: number, count: number, written: number): number => {
     let total = 0;

@@ -13,9 +13,9 @@ const Kind = { FREE: 0, HEAD: 1, TAIL: 2, MARK: 3 } as const;
  * begins. Chosen so that the program measured in micropython-microbit-v2 issue #146 starts with the same 63984 bytes.
  */
 const PROGRAM_BLOCKS = 4022;
-/** What the device's heap has in all: `gc.mem_free()` and `gc.mem_alloc()` together. */
+/** Total size of the device's heap: `gc.mem_free()` and `gc.mem_alloc()` together. */
 const DEVICE_BYTES = 64_512;
-/** Room for errors when the heap is full: the message, the traceback, what the library needs to report it. Chosen. */
+/** Room for errors when the heap is full: the message, the traceback, and the library's report. Chosen. */
 const RESERVE_BLOCKS = 256;
 
 /** What `micropython.mem_info()` tells. */
@@ -23,7 +23,7 @@ export interface HeapInfo {
   readonly totalBytes: number;
   readonly usedBytes: number;
   readonly freeBytes: number;
-  /** How many things take one block, how many two. */
+  /** Number of objects of one block, and of two. */
   readonly oneBlock: number;
   readonly twoBlocks: number;
   /** The longest run of used and of free blocks. */
@@ -34,8 +34,8 @@ export interface HeapInfo {
 /**
  * The collector's heap seen from outside: our library below, the reserve and the program's part above it.
  *
- * The reserve is a block that nothing in Python holds. The C function that raises a MemoryError gives it free; after the
- * next collection that finds all of it free again it is taken back here, so that the program's part never grows.
+ * The reserve is a block that nothing in Python holds. The C function that raises a MemoryError frees it. It is taken
+ * back here after the next collection that finds all of it free again, so that the program's part never grows.
  */
 export class Heap {
   private reserve = 0;
@@ -49,14 +49,14 @@ export class Heap {
     private readonly memory: Memory,
   ) {}
 
-  /** Divides the heap, before anything is in it: everything from here on is the reserve's and the program's. */
+  /** Divides the empty heap: everything from here on belongs to the reserve and the program. */
   divide(): void {
     this.firmware.program_start.value = this.firmware.heap_end.value - (PROGRAM_BLOCKS + RESERVE_BLOCKS) * BLOCK_BYTES;
   }
 
   /**
-   * Fills what is free in the library's part, so that every program finds the same empty heap above it, and none of its
-   * code ever lies below. Each gap becomes a thing of its own whose first word leads to the next one.
+   * Fills the free blocks of the library's part, so that every program finds the same empty heap above it and none of
+   * its code lies below. Each gap becomes an object whose first word points to the next one.
    */
   seal(): void {
     this.isSealed = true;
@@ -78,18 +78,18 @@ export class Heap {
     this.setRoot(Root.GAPS, this.gaps);
   }
 
-  /** How many bytes the block must have that becomes the reserve. */
+  /** Number of bytes of the block that becomes the reserve. */
   get reserveBytes(): number {
     return RESERVE_BLOCKS * BLOCK_BYTES;
   }
 
-  /** Makes this allocated block the reserve; it need not be held otherwise. */
+  /** Makes this allocated block the reserve; nothing else has to hold it. */
   setReserve(address: number): void {
     this.reserve = address;
     this.arm();
   }
 
-  /** Gives the reserve free now, for a report on a full heap; `hold` lets it be taken back. */
+  /** Frees the reserve now, for a report on a full heap; `hold` allows it to be taken back. */
   giveReserve(): void {
     this.isHeld = false;
     if (!this.isArmed) return;
@@ -102,7 +102,7 @@ export class Heap {
     this.isHeld = true;
   }
 
-  /** The collector has run: fills what has died in the library's part, and takes the reserve back if it can. */
+  /** The collector has run: fills what has died in the library's part, and takes the reserve back if possible. */
   collected(): void {
     if (this.isSealed) this.seal();
     if (!this.reserve || this.isArmed || !this.isHeld) return;
@@ -114,7 +114,7 @@ export class Heap {
     this.arm();
   }
 
-  /** True for the address of something in the heap, as objects have it. */
+  /** True for the address of an object in the heap. */
   isObject(address: number): boolean {
     if (address % BLOCK_BYTES !== 0 || address < this.poolStart || address >= this.firmware.heap_end.value)
       return false;
@@ -122,7 +122,7 @@ export class Heap {
     return kind === Kind.HEAD || kind === Kind.MARK;
   }
 
-  /** What `gc.mem_free()` gives. Nothing runs for it. */
+  /** The result of `gc.mem_free()`, without running anything. */
   get freeBytes(): number {
     return this.info().freeBytes;
   }
@@ -152,7 +152,7 @@ export class Heap {
       }
     }
     endRun();
-    // While the reserve is given away, the program does not gain by it.
+    // While the reserve is free, the program does not gain by it.
     const free = Math.max(0, counts.free - (this.isArmed ? 0 : RESERVE_BLOCKS)) * BLOCK_BYTES;
     return { ...counts, totalBytes: DEVICE_BYTES, usedBytes: DEVICE_BYTES - free, freeBytes: free };
   }
@@ -166,7 +166,7 @@ export class Heap {
     this.setRoot(Root.RESERVE, this.reserve);
   }
 
-  /** The last words of the C stack, which the collector takes for pointers like all the others. */
+  /** The last words of the C stack; the collector takes them for pointers like all others. */
   private setRoot(place: number, address: number): void {
     this.memory.setWord(this.firmware.stack_base.value - place * WORD_BYTES, address);
   }
@@ -177,8 +177,8 @@ export class Heap {
   }
 
   /**
-   * Where the blocks begin. The heap opens with the table of kinds; with the finaliser table of half its size and the
-   * blocks, one byte of it stands for 65.5 bytes of heap.
+   * Start of the blocks. The heap begins with the table of kinds; together with the finaliser table of half its size
+   * and the blocks, one byte of it stands for 65.5 bytes of heap.
    */
   private get poolStart(): number {
     return this.firmware.heap_end.value - this.tableBytes * 64;

@@ -15,19 +15,19 @@ const INDENT = '    ';
 /** MICROPY_READLINE_HISTORY_SIZE: MicroPython py/mpconfig.h. */
 const HISTORY_LINES = 8;
 
-/** What a key means beyond the line itself: the line is complete, Tab was pressed, or a control key that the line leaves to others. */
+/** Meaning of a key beyond the line itself: the line is complete, Tab, or a control key for others to handle. */
 export type Signal = 'line' | 'tab' | 'ctrl-a' | 'ctrl-b' | 'ctrl-c' | 'ctrl-d' | 'ctrl-e';
 
 const CONTROLS: readonly Signal[] = ['ctrl-a', 'ctrl-b', 'ctrl-c', 'ctrl-d', 'ctrl-e'];
 
-/** Where the keys of an escape sequence (arrows, Home, …) stand. */
+/** Position within the keys of an escape sequence (arrows, Home, …). */
 type Escape = 'none' | 'escape' | 'bracket' | 'digit' | 'letter-o';
 
 /**
  * Reads a line key by key, echoing what a terminal needs to show it: cursor keys, Home, End, backspace, delete, a
  * history of 8 lines, automatic indentation. Keys and answers are those of MicroPython's shared/readline/readline.c (as
- * micropython-microbit-v2 builds it: without the Emacs keys), but letters beyond ASCII are kept, which the device drops,
- * and a newline ends a line like Return does.
+ * micropython-microbit-v2 builds it: without the Emacs keys), except that letters beyond ASCII are kept (the device
+ * drops them) and a newline ends a line as Return does.
  */
 export class LineEditor {
   private letters: string[] = [];
@@ -42,7 +42,7 @@ export class LineEditor {
   private place = -1;
   private decoder = new TextDecoder();
 
-  /** @param send what the terminal gets */
+  /** @param send receives what goes to the terminal */
   constructor(private readonly send: (text: string) => void) {}
 
   /** The line so far. */
@@ -58,7 +58,7 @@ export class LineEditor {
   /**
    * Begins a line.
    *
-   * @param before the lines that it goes on, each with its newline: they tell how deep it is indented
+   * @param before the lines that it continues, each with its newline; they determine its indentation
    */
   begin(prompt: string, before = ''): void {
     this.letters = [];
@@ -75,7 +75,7 @@ export class LineEditor {
     this.isIndented = true;
   }
 
-  /** Takes one byte. @returns what else it means, or `null` */
+  /** Takes one byte. @returns its further meaning, or `null` */
   key(byte: number): Signal | null {
     // Return and newline one after the other are one end of line, not two.
     const isRestOfReturn = byte === Key.NEWLINE && this.lastWasReturn;
@@ -109,7 +109,7 @@ export class LineEditor {
     }
   }
 
-  /** Puts text at the cursor, as if it was typed. */
+  /** Inserts text at the cursor, as if it was typed. */
   type(text: string): null {
     const letters = Array.from(text);
     if (letters.length === 0) return null;
@@ -120,7 +120,7 @@ export class LineEditor {
     return null;
   }
 
-  /** Shows prompt and line again, below something else that was printed. */
+  /** Shows prompt and line again, below other output. */
   showAgain(): void {
     this.send(this.prompt + this.textToCursor);
     this.redrawRest();
@@ -146,7 +146,7 @@ export class LineEditor {
     return 'tab';
   }
 
-  /** A space after an automatic indentation leaves one space of it, and none is made from here on. */
+  /** A space after an automatic indentation leaves one space of it, and switches the indentation off. */
   private unindent(): null {
     this.indents = false;
     return this.cut(this.cursor - (INDENT.length - 1), INDENT.length - 1);
@@ -241,7 +241,7 @@ export class LineEditor {
   }
 }
 
-/** By how many steps the next line is indented: as the last one, one more after a colon, none after two blank lines. */
+/** Indentation of the next line in steps: as the last one, one more after a colon, none after two blank lines. */
 function indentAfter(before: string): number {
   if (!before.endsWith('\n')) return 0;
   const lines = before.slice(0, -1).split('\n');

@@ -9,7 +9,7 @@ export interface Loader {
   readonly wasi: HostFunctions;
 }
 
-/** Gives the bytes of a file by its path (`main.py`, `/lib/microbit.mpy`), or `undefined` when there is none. */
+/** Gives the bytes of a file by its path (`main.py`, `/lib/microbit.mpy`), or `undefined` if there is no such file. */
 export type FileLookup = (path: string) => Uint8Array | undefined;
 
 const ENOENT = 44; // WASI error numbers
@@ -19,7 +19,7 @@ const REGULAR_FILE = 0o100000;
 const DIRECTORY = 0o040000;
 const WRITE_FLAGS = 3 | 0o100 | 0o1000; // O_WRONLY, O_RDWR, O_CREAT, O_TRUNC
 const FIRST_FILE = 3; // 0, 1, 2 are the console
-/** Where `struct stat` of the firmware's C library has the mode and the size. */
+/** Offsets of mode and size in the `struct stat` of the firmware's C library. */
 const STAT_BYTES = 96;
 const STAT_MODE = 4;
 const STAT_SIZE = 24;

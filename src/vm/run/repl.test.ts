@@ -9,7 +9,7 @@ const SECOND = 1_000_000;
 const GREETING =
   'MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2 with nRF52833\r\nType "help()" for more information.\r\n>>> ';
 
-/** A program that has ended, and what the REPL answers to what is typed after it. */
+/** A program that has ended, and what the REPL answers to input after it. */
 function replAfter(program: string, options: ProgramOptions = {}): Device & { type: (text: string) => string } {
   const device = deviceWith(program, options);
   device.vm.resume(60 * SECOND);

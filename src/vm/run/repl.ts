@@ -2,15 +2,15 @@ import type { ConsolePort } from './console-port';
 import { LineEditor, type Signal } from './line-editor';
 import { wantsMore } from './repl-input';
 
-/** What the REPL wants of Python next. */
+/** The REPL's next request to Python. */
 export type Request =
   /** Runs a statement; the value of an expression is printed. */
   | { readonly type: 'statement'; readonly source: string }
   /** Runs a program of several lines that a tool sends. */
   | { readonly type: 'program'; readonly source: string }
-  /** The same, pasted by a person: the values of its expressions are printed. */
+  /** The same, pasted by a person: values of expressions are printed. */
   | { readonly type: 'pasted'; readonly source: string }
-  /** Lists the names that the last name of `a.b.` may have. */
+  /** Lists the possible completions of the last name of `a.b.`. */
   | { readonly type: 'names'; readonly path: string }
   | { readonly type: 'reboot' };
 
@@ -26,21 +26,21 @@ const COLUMN = 16;
 const LINE_COLUMNS = 64;
 
 /**
- * The dialogue on the serial line after the program's end, byte for byte as MicroPython's shared/runtime/pyexec.c leads
- * it: prompt and line, paste mode, raw mode for tools. It knows no Python: it collects what is to be run and says what
- * the terminal shows. It outlives a soft reboot, as the device's mode does.
+ * The dialogue on the serial line after the program's end, byte for byte as in MicroPython's shared/runtime/pyexec.c:
+ * prompt and line, paste mode, raw mode for tools. It knows no Python: it collects what to run and says what the
+ * terminal shows. It survives a soft reboot, as the device's mode does.
  */
 export class Repl {
   private state: 'asleep' | 'line' | 'paste' | 'raw' | 'busy' = 'asleep';
   private mode: 'friendly' | 'raw' = 'friendly';
   private readonly editor: LineEditor;
-  /** The lines of a compound statement so far, or what was pasted, or sent in raw mode. */
+  /** The lines of a compound statement so far, or the text that was pasted or sent in raw mode. */
   private before = '';
   private raw: number[] = [];
   private lastWasReturn = false;
   private request: Request | null = null;
   private failed = false;
-  /** How many bytes had come when the program ended: in a run that nobody types into the REPL stays asleep. */
+  /** Number of bytes received when the program ended: without later input, the REPL stays asleep. */
   private wakeAfter = 0;
 
   constructor(
@@ -51,7 +51,7 @@ export class Repl {
     this.editor = new LineEditor((text) => this.send(text));
   }
 
-  /** True when tools talk to the board: no main.py is run after a soft reboot then. */
+  /** True while tools talk to the board: then main.py does not run after a soft reboot. */
   get isRaw(): boolean {
     return this.mode === 'raw';
   }
@@ -61,13 +61,13 @@ export class Repl {
     return this.state === 'asleep';
   }
 
-  /** The program has ended: everything typed from here on is the REPL's. */
+  /** The program has ended: the REPL receives everything typed from now on. */
   programEnded(): void {
     this.state = 'asleep';
     this.wakeAfter = this.greetsAtOnce || this.mode === 'raw' ? -1 : this.port.received;
   }
 
-  /** What was asked for is done: the next prompt. */
+  /** The request is done: the next prompt. */
   listen(): void {
     if (this.state !== 'busy') return;
     if (this.mode === 'raw') {
@@ -76,13 +76,13 @@ export class Repl {
     } else this.beginLine();
   }
 
-  /** What was asked for ends with an exception, whose traceback follows. */
+  /** The request ends with an exception, whose traceback follows. */
   fail(): void {
     this.failed = true;
     if (this.mode === 'raw') this.send(END);
   }
 
-  /** Takes what was typed, up to the next request. */
+  /** Takes typed input, up to the next request. */
   next(): Request | null {
     if (this.state === 'asleep' && this.port.received > this.wakeAfter) this.greet();
     while (this.request === null && this.state !== 'asleep') {
@@ -97,7 +97,7 @@ export class Repl {
     return request;
   }
 
-  /** The names that begin like the one before the cursor: one is completed, several are listed. */
+  /** The names that begin like the one before the cursor: a single one is completed, several are listed. */
   complete(names: readonly string[]): void {
     this.state = 'line';
     const start = lastPart(this.editor.textToCursor);
@@ -207,7 +207,7 @@ export class Repl {
     if (byte === 1) {
       const isPasteQuestion = this.raw.length === 2 && this.raw[0] === 5;
       if (!isPasteQuestion) return this.greetRaw();
-      // A tool asks for a way of sending that this firmware does not have: it falls back to the plain one.
+      // A tool requests a mode of sending that this firmware does not have: it falls back to the plain one.
       this.send('R\x00');
       return this.beginRaw();
     }
@@ -234,7 +234,7 @@ export class Repl {
 
 const textOf = (bytes: readonly number[]): string => new TextDecoder().decode(Uint8Array.from(bytes));
 
-/** `a.b` of `print(a.b.c`: whose names are asked for; empty for the program's own. */
+/** `a.b` of `print(a.b.c`: the object whose names are requested; empty for the program's own. */
 const pathOf = (line: string): string => (NAME.exec(line)?.[0] ?? '').split('.').slice(0, -1).join('.');
 
 const lastPart = (line: string): string => (NAME.exec(line)?.[0] ?? '').split('.').pop() ?? '';

@@ -14,12 +14,12 @@ export interface VmException {
   /** Its class, `NameError`. */
   readonly type: string;
   readonly message: string;
-  /** The line where it arose, in the innermost function of the pupil's files; `null` when no line is known. */
+  /** The line where it was raised, in the innermost function of the pupil's files; `null` if no line is known. */
   readonly line: number | null;
   readonly traceback: string;
 }
 
-/** A program of fewer characters fits, whatever is in it; then memory ran out later. Measured with lines of assignments. */
+/** A program with fewer characters fits: memory ran out later. Measured with lines of assignments. */
 const LONG_PROGRAM = 12_000;
 const NEWLINE = 10;
 const LINE_END = [13, 10];
@@ -30,13 +30,13 @@ const MACHINE_CODE = /^\s*@micropython\.(asm_thumb|native|viper)\b/;
 export class Report {
   private readonly decoder = new TextDecoder();
   private tracebackFrom: string[] | null = null;
-  /** Somebody has stopped the program: what the console shows of its traceback waits here until its exception is known. */
+  /** The program was stopped: the console text of its traceback waits here until its exception is known. */
   private held: string[] | null = null;
   private end: VmEnd | null = null;
 
   /**
-   * @param tell receives what the console shows
-   * @param readFile gives the text of a file on the board; empty when there is none
+   * @param tell receives the console's text
+   * @param readFile gives the text of a file on the board; empty if it does not exist
    * @param filesHint what a real board would say about the files that the run starts with
    */
   constructor(
@@ -57,8 +57,8 @@ export class Report {
   /**
    * Bytes that Python prints.
    *
-   * @param asOnTheWire ends lines with a carriage return and a newline, as a terminal wants it: while somebody talks to
-   *   the REPL. What a program prints on its own keeps its plain newlines, for those who read it.
+   * @param asOnTheWire ends lines with a carriage return and a newline, as a terminal needs it, while the REPL is used.
+   *   Output of a program keeps its plain newlines.
    */
   print(bytes: Uint8Array, asOnTheWire: boolean): void {
     if (!asOnTheWire || !bytes.includes(NEWLINE)) return this.write(bytes);
@@ -73,12 +73,12 @@ export class Report {
     else this.tell(text);
   }
 
-  /** From here on the traceback of a KeyboardInterrupt is not shown: whoever presses Stop has found no error. */
+  /** From now on the traceback of a KeyboardInterrupt is not shown: a user who presses Stop has not found an error. */
   hideInterrupt(): void {
     this.held ??= [];
   }
 
-  /** A program begins anew, after a reset. */
+  /** A program starts again, after a reset. */
   restart(): void {
     this.end = null;
     this.tracebackFrom = null;
@@ -115,7 +115,7 @@ export class Report {
     this.end ??= { kind: 'panic', exception: null };
   }
 
-  /** MicroPython, or our side of it, broke. */
+  /** MicroPython or our side of it failed. */
   fault(thrown: unknown): void {
     const isKnown = thrown instanceof VmFault;
     const message = thrown instanceof Error ? thrown.message : String(thrown);
@@ -124,13 +124,13 @@ export class Report {
     this.end ??= { kind: 'fault', exception: { type: 'InternalError', message: text, line: null, traceback: text } };
   }
 
-  /** What the device's own words leave open, for whoever reads the console; `null` when they say it all. */
+  /** An addition to the device's own words, for readers of the console; `null` if those say it all. */
   private hint(type: string, message: string, place: Place | null): string | null {
     const length = this.readFile('main.py').length;
-    // Without a line, memory was used up before the program began: while it was being translated.
+    // Without a line, memory was used up before the program began, while it was being compiled.
     if (type === 'MemoryError' && place === null && length > LONG_PROGRAM)
       return `main.py: the program is too long for the board. It has ${length} characters.`;
-    // The board takes more files than it has room for, but then the program can write none.
+    // The board accepts more files than it has room for, but then the program can write none.
     if (type === 'OSError' && message.includes('ENOSPC')) return this.filesHint;
     if (type !== 'SyntaxError' || place === null) return null;
     const line = this.readFile(place.file).split('\n')[place.line - 1] ?? '';

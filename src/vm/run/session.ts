@@ -17,24 +17,24 @@ import type { SyscallTable, Value, Wait } from './syscall';
 import { VALUE_BYTES, type Memory } from './values';
 import type { VmSetup } from './vm-setup';
 
-/** What outlives a reset of the board. */
+/** The state that survives a reset of the board. */
 export interface SessionPorts {
   readonly files: Files;
   readonly port: ConsolePort;
   readonly report: Report;
   readonly repl: Repl;
-  /** When the board was switched on or reset last. */
+  /** When the board was last switched on or reset. */
   readonly startUs: number;
 }
 
 /**
  * Library (78 kB, measured when everything was in it), reserve and program together, with room for a library that grows
- * by a quarter: heap.ts fills what is left, so that the program's part is always the same.
+ * by a quarter: heap.ts fills the rest, so that the program's part is always the same.
  */
 const HEAP_BYTES = 192 * 1024;
-/** Room for the frames of running Python functions, in words: enough that the limit of the C stack decides. */
+/** Room for the frames of running Python functions, in words: large enough that the C stack sets the limit. */
 const PYSTACK_WORDS = 16 * 1024;
-/** The C stack. Larger than MicroPython is allowed to use (../firmware/transform.mjs), for what it calls at the limit. */
+/** The C stack. Larger than MicroPython may use (../firmware/transform.mjs), for the calls it makes at the limit. */
 const STACK_BYTES = 256 * 1024;
 
 const BOOT = "import sys\nsys.path[:]=['/lib']\ndel sys\n_run=__import__('_boot').run";
@@ -103,28 +103,28 @@ export class Session {
     this.engine.interrupt();
   }
 
-  /** When the board was switched on or reset last. */
+  /** When the board was last switched on or reset. */
   get startUs(): number {
     return this.ports.startUs;
   }
 
-  /** Lets go of everything that would reach into this MicroPython later. */
+  /** Releases everything that would reach into this MicroPython later. */
   dispose(): void {
     this.engine.dispose();
     this.ports.port.onInterrupt = () => undefined;
   }
 
-  /** Free bytes of the program's part of the heap, counted in the collector's table: nothing runs for it. */
+  /** Free bytes of the program's part of the heap, counted in the collector's table without running anything. */
   get heapFree(): number {
     return this.heap.freeBytes;
   }
 
-  /** What the serial line needs for a byte, in µs: as the program has set it, else as fast as the REPL's. */
+  /** Time of a byte on the serial line, in µs: at the speed that the program has set, else at the REPL's. */
   private get printByteUs(): number {
     return this.setup.board.uart.byteUs;
   }
 
-  /** What Python prints goes where the serial line goes; a report on the program's end always to the console. */
+  /** Python's output goes where the serial line goes; a report on the program's end always goes to the console. */
   private print(bytes: Uint8Array): void {
     const { uart } = this.setup.board;
     if (uart.pins.tx && !this.ports.report.isReporting) uart.send(bytes.slice());
@@ -149,7 +149,7 @@ export class Session {
    * - seal() · reserve_bytes() → size, reserve(address of a block), reserve_give(), reserve_hold(): see heap.ts
    * - on_callback(address of the dispatcher) · throw(address of an exception) → whether it is one
    * - finish(): the program has ended · shown() waits for the error on the display → True when over · shown_skip()
-   * - reboot(): main.py begins anew
+   * - reboot(): main.py starts again
    */
   private runnerCalls(engine: Engine): SyscallTable {
     const { heap, setup } = this;
@@ -219,7 +219,7 @@ export class Session {
     const { firmware, memory } = this;
     const stack = firmware.malloc(STACK_BYTES);
     const base = stack + STACK_BYTES;
-    // The last words are no frame's: the heap holds its reserve by one of them.
+    // The last words do not belong to a frame: the heap holds its reserve by one of them.
     firmware._emscripten_stack_restore(base - STACK_ALIGNMENT);
     memory.bytes.fill(0, base - STACK_ALIGNMENT, base);
     firmware.stack_base.value = base;
@@ -239,7 +239,7 @@ export class Session {
     if (!this.engine.run(this.executor(BOOT), Infinity)) throw new VmFault('The library did not load.');
   }
 
-  /** A call that compiles and runs a text of our own; an exception that leaves it is our bug. */
+  /** Compiles and runs a text of our own; an exception that leaves it is our bug. */
   private executor(source: string): () => void {
     const { firmware, memory } = this;
     const text = memory.allocateText(source);
@@ -252,7 +252,7 @@ export class Session {
   }
 }
 
-/** What the library's runner takes for itself before it hides them. */
+/** Functions that the library's runner takes for itself before it hides them. */
 const RUNNERS = [
   ...['seal', 'reserve_bytes', 'reserve', 'reserve_give', 'reserve_hold', 'on_callback', 'throw', 'booted'],
   ...['report_begin', 'report_end', 'finish', 'shown', 'shown_skip', 'reboot'],
@@ -260,10 +260,10 @@ const RUNNERS = [
 ];
 /** The kind of a result that is an exception: ports/webassembly/proxy_c.c. */
 const EXCEPTION = -1;
-/** How the C stack is aligned: WebAssembly tool conventions, basic C ABI. */
+/** Alignment of the C stack: WebAssembly tool conventions, basic C ABI. */
 const STACK_ALIGNMENT = 16;
 
-/** What is on the board wins over the robot's libraries; the device's own modules lie in a folder of their own. */
+/** Files on the board win over the robot's libraries; the device's own modules lie in a folder of their own. */
 function lookupIn(files: Files, libraries: Readonly<Record<string, string>>): FileLookup {
   const encoder = new TextEncoder();
   const sources = new Map(Object.entries(libraries).map(([name, text]) => [name, encoder.encode(text)]));

@@ -9,15 +9,15 @@ const picture = (leds: string): Uint8Array => Uint8Array.from(leds, (led) => (le
 const SAD = picture('0000001010000000111010001');
 const DARK = new Uint8Array(25);
 
-/** What is shown of an error, until somebody has had enough. */
+/** The display's pictures of an error, until they are skipped. */
 export interface Shown {
   readonly isOver: () => boolean;
   skip(): void;
 }
 
 /**
- * Shows an uncaught exception as the board does when nobody watches its console: a sad face for a second, then
- * "line 3 NameError name 'x' isn't defined" scrolls by. Nothing of Python runs for it.
+ * Shows an uncaught exception as the board does: a sad face for a second, then "line 3 NameError name 'x' isn't
+ * defined" scrolls by. No Python runs for it.
  */
 export function showError(board: Board, { type, message, line }: VmException): Shown {
   const words = [line === null ? '' : `line ${line}`, type, message].filter((word) => word !== '');
@@ -38,7 +38,7 @@ export function showError(board: Board, { type, message, line }: VmException): S
   };
 }
 
-/** How long each picture of a panic stays, and the dark between two. Chosen as in micropython-microbit-v2-simulator. */
+/** Duration of each picture of a panic, and of the dark between two. Chosen as in micropython-microbit-v2-simulator. */
 const PANIC_MS = { picture: 600, dark: 60 } as const;
 
 /** Shows a panic until the next reset: the sad face and the three digits of its number, over and over. */

@@ -4,7 +4,7 @@ import type { Value } from './syscall';
 const FROM_PYTHON = { none: 1, bool: 2, int: 3, float: 4, str: 5 } as const;
 const TO_PYTHON = { null: 1, bool: 2, int: 3, double: 4, str: 5, object: 7 } as const;
 
-// One of each for all texts: making one costs more than a short text.
+// One of each for all texts: creating one costs more than a short text.
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
 
@@ -32,7 +32,7 @@ export class Memory {
     this.view.setInt32(address, value, true);
   }
 
-  /** The UTF-8 text of so many bytes. */
+  /** The UTF-8 text of this many bytes. */
   text(address: number, length: number): string {
     return decoder.decode(this.bytes.subarray(address, address + length));
   }
@@ -51,7 +51,7 @@ export class Memory {
     return { address, length: bytes.length };
   }
 
-  /** Reads a value that Python passes. What is neither number, text, bool nor None reads as null. */
+  /** Reads a value that Python passes. Anything except numbers, text, bool and None reads as null. */
   read(address: number): Value {
     const view = this.view;
     switch (view.getInt32(address, true)) {

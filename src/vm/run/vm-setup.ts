@@ -13,8 +13,8 @@ export interface VmSetup {
   readonly libraries: Readonly<Record<string, string>>;
   readonly seed: number;
   /**
-   * When the REPL greets after the program's end: at once, as the device does, or (the default) with the first byte
-   * that is typed, so that the output of a run that nobody types into is the program's alone.
+   * When the REPL greets after the program's end: at once, as on the device, or (the default) with the first byte
+   * typed, so that a run without input prints only the program's output.
    */
   readonly repl?: 'at-once' | 'when-typed';
   /** Receives what the program prints. */

@@ -11,21 +11,21 @@ export type { VmSetup } from './vm-setup';
 /** A microcomputer's MicroPython: one program, run piece by piece under the run's clock, and the REPL after its end. */
 export interface Vm {
   /**
-   * Runs until the clock reaches the limit (µs; a call of the device that is under way may pass it), or comes back at
-   * once when the program ends. Resumed after that, time goes on, and the REPL answers what is typed.
+   * Runs until the clock reaches the limit (µs; a current call of the device may pass it), or returns at once when the
+   * program ends. If resumed after that, time goes on, and the REPL answers input.
    */
   resume(limitUs: number): void;
-  /** How main.py ended; `null` while it runs, also when the REPL has rebooted and it runs anew. */
+  /** How main.py ended; `null` while it runs, also when the REPL has rebooted and it runs again. */
   readonly ended: VmEnd | null;
-  /** True once the REPL has greeted: what is typed is its. */
+  /** True once the REPL has greeted: it then receives the input. */
   readonly isInRepl: boolean;
   /** Raises KeyboardInterrupt in the program; in the REPL it is Ctrl-C. */
   interrupt(): void;
-  /** The same for good: whoever stops the program shall not see the traceback of the interrupt. Any other one is printed. */
+  /** The same for good: the traceback of this interrupt is not shown to the user. Any other one is printed. */
   stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
-  /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end those it left. */
+  /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end, the bytes it left. */
   heapFree(): number;
 }
 
@@ -50,7 +50,7 @@ export function createVm(setup: VmSetup): Vm {
   let session = start(clock.nowUs);
   let isOver = false;
   const restart = (kind: 'reset' | 'reboot'): void => {
-    // Like the device: files stay, everything else begins anew. Only a reset also starts its clock again.
+    // Like the device: files stay, everything else starts again. Only a reset also restarts its clock.
     const { startUs } = session;
     if (kind === 'reboot') report.write(REBOOT);
     session.dispose();
@@ -69,7 +69,7 @@ export function createVm(setup: VmSetup): Vm {
   };
   return {
     resume: (limitUs) => {
-      // After a panic nothing answers, and time goes on.
+      // After a panic the board answers nothing, and time goes on.
       if (isOver && limitUs > clock.nowUs && limitUs < Infinity) clock.advanceTo(limitUs);
       const before = report.ended;
       while (!isOver && clock.nowUs < limitUs) {

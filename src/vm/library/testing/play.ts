@@ -7,20 +7,20 @@ import { createVm, type Vm, type VmEnd } from '../../run/vm';
 export interface Play {
   readonly bench: Bench;
   readonly vm: Vm;
-  /** Everything printed so far; lines end with a newline, whatever the console ends them with. */
+  /** Everything printed so far. Lines end with a newline, whatever the console ends them with. */
   readonly printed: () => string;
-  /** Lets simulated time pass, the program running, until this many ms after the start. */
+  /** Lets simulated time pass until this many ms after the start, while the program runs. */
   readonly until: (ms: number) => Play;
   readonly ended: () => VmEnd | null;
 }
 
-/** Which board, with which firmware: a micro:bit V2 with its default unless said otherwise. */
+/** The board and its firmware: a micro:bit V2 with its default firmware unless given otherwise. */
 export interface Device {
   readonly type?: BoardType;
   readonly firmware?: FirmwareType | undefined;
 }
 
-/** Prepares a program (main.py) with further files; `setUp` connects what it is to meet. */
+/** Prepares a program (main.py) with further files; `setUp` connects what the program will meet. */
 export function play(
   program: string,
   files: Readonly<Record<string, string>> = {},

@@ -3,11 +3,11 @@ import type { Pin } from '#board/wires/pin';
 import { textOf, wholeOf } from '../arguments';
 import type { SyscallTable, Value } from '../syscall';
 
-/** What the classes of pins are called in Python: micropython-microbit-v2 microbit_pin.c. */
+/** Python names of the classes of pins: micropython-microbit-v2 microbit_pin.c. */
 type PinClass = 'touch' | 'analog' | 'digital' | 'touch-only';
 
 /**
- * What board this is, for the library to build its modules from. Nothing of it costs time.
+ * Describes the board, so that the library can build its modules. None of these calls costs time.
  *
  * - board_module(i) → the i-th Python name of the board's module, None after the last
  * - board_pin(i) → "name number class" of the i-th pin (class: touch, analog, digital, touch-only), None after the last

@@ -2,15 +2,15 @@ import type { ConsolePort } from '../console-port';
 import { LineEditor } from '../line-editor';
 import type { SyscallTable, Wait } from '../syscall';
 
-/** What `serial_input` answers for Ctrl-C (where it does not interrupt) and for Ctrl-D on an empty line. */
+/** The answer of `serial_input` for Ctrl-C (where it does not interrupt) and for Ctrl-D on an empty line. */
 const CTRL_C = 3;
 const CTRL_D = 4;
 
 /**
  * The serial line as `input()` sees it.
  *
- * - serial_input(fresh) waits for a line and echoes it → text, None when a callback came in between (call again with
- *   False; what was typed is kept), 3 for Ctrl-C, 4 for Ctrl-D on an empty line
+ * - serial_input(fresh) waits for a line and echoes it → text, None if a callback came in between (call again with
+ *   False; typed characters are kept), 3 for Ctrl-C, 4 for Ctrl-D on an empty line
  */
 export function createConsoleCalls(port: ConsolePort): SyscallTable {
   const encoder = new TextEncoder();

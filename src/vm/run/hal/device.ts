@@ -6,7 +6,7 @@ import type { Machine, SyscallTable } from '../syscall';
 const UNIQUE_ID_BYTES = 8; // micropython-microbit-v2 modmachine.c: two words of the chip's device number
 
 const DEVICE_ID = 0x1000_0060;
-/** nRF52833 product specification, FICR: what both boards' chip says of itself. */
+/** nRF52833 product specification, FICR: the chip's data about itself, on both boards. */
 const CHIP_WORDS: readonly (readonly [address: number, word: number])[] = [
   [0x1000_0010, 0x1000], // CODEPAGESIZE: bytes in a page of flash
   [0x1000_0014, 0x80], // CODESIZE: pages
@@ -21,7 +21,7 @@ const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.b
  * The rest of the board.
  *
  * - sensor(id) → its value (ids: board/sensors.ts) · unique_id(address): writes 8 bytes, the same for the same seed
- * - chip_word(address) → the word of the chip's memory there, None for what is not simulated
+ * - chip_word(address) → the word of the chip's memory there, None if it is not simulated
  */
 export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): SyscallTable {
   const chance = rng.fork('unique-id');

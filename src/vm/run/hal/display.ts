@@ -9,17 +9,17 @@ const BAD_BRIGHTNESS = -2;
 
 /**
  * The display. A picture is given as 25 bits (the built-in images: first row in the highest bits, lit means 9) or as
- * the address of its pixels, its width and height; what lies beyond 5 × 5 is cut off, what is missing is dark.
+ * the address of its pixels, its width and height; pixels beyond 5 × 5 are cut off, missing pixels are dark.
  *
  * - display_show_bits(bits), display_show_image(address, w, h): at once, and stay
  * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
- *   clears is shown at once, no text at all only ends what was moving
+ *   clears is shown at once, an empty text only ends what was moving
  * - display_begin(), then display_add_bits(bits), display_add_image(address, w, h), display_add_text(text), then
  *   display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
- *   unless something else has taken its place: display_moves_on() tells the callback whether that is still so
+ *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
- * - display_busy() waits until the animation of now is over or replaced → True when a callback came in between
+ * - display_busy() waits until the present animation is over or replaced → True if a callback came in between
  * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
  * - display_on() → None or the device's words · display_off() · display_is_on() → bool · display_rotate(quarterTurns)
  * - glyph(character, address): writes 25 pixels
@@ -29,9 +29,9 @@ export function createDisplayCalls(machine: Machine, board: Board): SyscallTable
   return { ...atOnce(machine, board, stage), ...sequences(machine, board, stage), ...pixels(machine, board) };
 }
 
-/** What the calls that show something share. */
+/** Shared by the calls that show something. */
 interface Stage {
-  /** A new picture or animation begins and replaces the one before; costs the call. */
+  /** A new picture or animation replaces the previous one; costs the call. */
   readonly begin: () => void;
   /** Counts them. */
   readonly turn: () => number;

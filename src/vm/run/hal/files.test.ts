@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createHalBench, type HalBench } from '../testing/hal-bench';
 
-/** Reads like an open file: from its own place on. */
+/** Reads like an open file: from its own position on. */
 const reader = (hal: HalBench, name: string): ((unit: number, count: number) => string) => {
   const file = Number(hal.call('file_open', name, false));
   let place = 0;

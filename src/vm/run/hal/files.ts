@@ -12,7 +12,7 @@ const NEWLINE = 10;
  * file's number and its own place, so that any number of them may be left open.
  *
  * - file_name(index) → name or None · file_size(name) → bytes or −ENOENT · file_remove(name) → 0 or −ENOENT
- * - file_open(name, writable) → the file's number ≥ 0, −ENOENT, −ENOSPC; a file to write begins anew
+ * - file_open(name, writable) → the file's number ≥ 0, −ENOENT, −ENOSPC; a file to write is emptied
  * - file_span(number, place, unit, count) → how many bytes from `place` the next `count` bytes (0), characters (1), or
  *   the next line of at most `count` bytes (2) take, `count` < 0 for no limit; −EBADF
  * - file_read(number, place, address, bytes) → bytes, −EBADF · file_write(number, address, bytes) appends → bytes,

@@ -21,9 +21,9 @@ import { createUartCalls } from './uart';
 import type { Machine, SyscallTable } from '../syscall';
 
 /**
- * All functions of the module `_hal` that reach the board. What only the VM can do it adds itself (session.ts).
+ * All functions of the module `_hal` that reach the board. The session adds those that only the VM can do (session.ts).
  *
- * @param rng chance for what differs from board to board
+ * @param rng random numbers for what differs from board to board
  */
 export function createHal(machine: Machine, board: Board, files: Files, port: ConsolePort, rng: Rng): SyscallTable {
   return {

@@ -8,9 +8,9 @@ const ADDRESS_MASK = 0x7f; // microbit_i2c.c hands on address << 1 in a byte
 const LAST_ADDRESS = 0x77; // microbit_i2c.c: 0x78 … 0x7f are reserved
 
 /**
- * The I2C bus. A transfer costs what it takes on the bus; the bytes count as received when it is over.
+ * The I2C bus. A transfer costs its time on the bus; the bytes count as received when it is over.
  *
- * - i2c_write(chip, address, bytes), i2c_read(chip, address, bytes) → 0 or −ENODEV (nobody answers)
+ * - i2c_write(chip, address, bytes), i2c_read(chip, address, bytes) → 0 or −ENODEV (no chip answers)
  * - i2c_next(chip) → the next address after this one that answers, −1 for none
  * - i2c_init(Hz, scl, sda): pins by number
  */
@@ -21,7 +21,7 @@ export function createI2cCalls(machine: Machine, board: Board): SyscallTable {
     return whole === null ? null : whole & ADDRESS_MASK;
   };
   const pins = pinsByNumber(board);
-  // Asks for no mode and changes none, as on the device; the pins are pulled up (codal-nrf52 NRF52I2C.cpp).
+  // Needs no mode and changes none, as on the device; the pins are pulled up (codal-nrf52 NRF52I2C.cpp).
   const useWires = (scl: Pin | undefined, sda: Pin | undefined): void => {
     if (!scl || !sda) return;
     if (scl.name === board.type.i2c.scl && sda.name === board.type.i2c.sda) return i2c.useWires(null);

@@ -5,12 +5,13 @@ import { SPEAKER_PIN, SPEAKER_REFUSED } from './sound';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
 /**
- * Music. A pin goes by number, −1 for the speaker alone.
+ * Music. A pin is given by its number, −1 for the speaker alone.
  *
- * - music_play(notes, pin, loop), music_pitch(Hz, ms, pin) → None, or the device's words when it cannot; each note has a
+ * - music_play(notes, pin, loop), music_pitch(Hz, ms, pin) → None, or the device's words if it cannot; each note has a
  *   newline before it
- * - music_busy() waits until what plays now has ended or been replaced → True when a callback came in between
- * - music_stop(pin) → None, or the device's words when the pin is held · music_silence() · music_reset() · music_set_tempo(bpm, ticks), 0 leaves it
+ * - music_busy() waits until the present tune has ended or been replaced → True if a callback came in between
+ * - music_stop(pin) → None, or the device's words if the pin is held · music_silence() · music_reset() ·
+ *   music_set_tempo(bpm, ticks), 0 leaves it
  * - music_bpm(), music_ticks()
  */
 export function createMusicCalls(machine: Machine, board: Board): SyscallTable {

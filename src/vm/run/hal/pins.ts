@@ -19,7 +19,7 @@ export function pinsByNumber(board: Board): readonly (Pin | undefined)[] {
 }
 
 /**
- * Pins, touch pads and buttons. Pins go by number.
+ * Pins, touch pads and buttons. Pins are given by their numbers.
  *
  * - pin_read(n) → 0, 1 or −1 (held) · pin_write(n, level) → 0, −1 (held), −2 (not 0 or 1)
  * - pin_read_analog(n) → 0 … 1023 or −1 · pin_write_analog(n, value) → 0, −1, −2 (not 0 … 1023), −3 (no number)
@@ -116,7 +116,7 @@ function fingers(machine: Machine, board: Board): SyscallTable {
   const pads = new Map([...board.touch.values()].map((pad) => [pad.pin.number, pad]));
   const padAt = (n: Value | undefined) => pads.get(wholeOf(n) ?? -1);
   const button = (i: Value | undefined) => (i === 1 ? board.buttonB : board.buttonA);
-  // Like the device: a pad in button mode is asked without being taken.
+  // Like the device: a pad in button mode is read without being taken.
   const isHeld = (pin: Pin): boolean => pin.mode !== 'button' && pin.acquire('touch') !== null;
   return {
     touch_is: (n) => {

@@ -14,9 +14,9 @@ const WOKEN = 1;
  * Deep sleep and off.
  *
  * - power_off() never comes back
- * - power_wake_clear(), power_wake_pin(n), power_wake_button(n): what is to wake the board
- * - power_sleep(ms), negative: without end → 0 when the time is over, 1 when it was woken, −1 when a callback came in
- *   between: power_sleep_on() answers likewise
+ * - power_wake_clear(), power_wake_pin(n), power_wake_button(n): what will wake the board
+ * - power_sleep(ms), negative: without end → 0 when the time is over, 1 when it was woken, −1 if a callback came in
+ *   between; power_sleep_on() answers in the same way
  */
 export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
   const { power } = board;
@@ -65,7 +65,7 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
     power_sleep: (ms) => {
       machine.spend(callUs);
       const duration = numberOf(ms) ?? -1;
-      // Without anything that could wake it the device does not fall asleep: MicroBitPowerManager.cpp, canDeepSleep.
+      // Without a wake source the device does not fall asleep: MicroBitPowerManager.cpp, canDeepSleep.
       if (duration < 0 && sources.length === 0) return WOKEN;
       untilUs = duration < 0 ? Infinity : clock.nowUs + Math.trunc(duration) * 1000;
       hush(board);
@@ -81,12 +81,12 @@ function hush({ music, sound }: Board): void {
   for (const source of ['effect', 'samples', 'speech'] as const) sound.silence(source);
 }
 
-/** A button wakes the board while it is down: one that is held does not let it fall asleep. */
+/** A button wakes the board while it is down, so a held button does not let it fall asleep. */
 function buttonSource(button: Button): WakeSource {
   return { arm: () => () => button.isDown };
 }
 
-/** A pin wakes the board when its level changes, or a finger comes (chosen: the device looks for one of the edges). */
+/** A pin wakes the board when its level changes or a finger touches it (chosen: the device uses one of the edges). */
 function pinSource(board: Board, pin: Pin): WakeSource {
   const pad = board.touch.get(pin.type.name);
   return {

@@ -27,7 +27,7 @@ const LIMITS: Readonly<Record<string, readonly [setting: keyof RadioConfig, min:
  * - radio_set(name, value) → 0, −1 unknown, −2 out of range; nothing changes before radio_apply(); radio_discard()
  * - radio_send(address, length) → False while it is off
  * - radio_waiting() → length of the oldest message, −1 none, −2 off
- * - radio_take(address, room) → takes the oldest message; its length; −1 when there is none or it does not fit
+ * - radio_take(address, room) → takes the oldest message; its length; −1 if there is none or it does not fit
  * - radio_rssi(), radio_time() → of the message taken last: dBm, µs · radio_copy(to, from, bytes)
  */
 export function createRadioCalls(machine: Machine, board: Board): SyscallTable {

@@ -4,23 +4,23 @@ import type { Repl, Request } from '../repl';
 import type { SyscallTable, Wait } from '../syscall';
 
 const CTRL_C = 3;
-/** How a request reads in Python. */
+/** The Python form of a request. */
 const Code = { statement: 1, program: 2, names: 3, reboot: 4, pasted: 2 } as const;
 
-/** What the REPL's functions ask of the engine. */
+/** What the REPL's functions need from the engine. */
 export interface ReplMachine {
-  /** Forgets a KeyboardInterrupt that nothing has taken yet. */
+  /** Forgets a pending KeyboardInterrupt. */
   forgetInterrupt(): void;
-  /** Whether what is compiled from here on prints the values of its expressions. */
+  /** Whether code that is compiled from now on prints the values of its expressions. */
   echo(on: boolean): void;
 }
 
 /**
- * The REPL's side of the runner. Python only compiles and runs; what is typed and shown is `Repl`'s.
+ * The REPL's side of the runner. Python only compiles and runs; `Repl` handles what is typed and shown.
  *
- * - repl() waits → 1 a statement, 2 a program, 3 names are asked for, 4 reboot; None when a callback came in between
- * - repl_text() → the source, or the path of the object whose names are asked for · repl_names(text) ← them, by spaces
- * - repl_run(on): Ctrl-C interrupts from here on, or no more · repl_fail(): a traceback follows
+ * - repl() waits → 1 a statement, 2 a program, 3 names are requested, 4 reboot; None if a callback came in between
+ * - repl_text() → the source, or the path of the object whose names are requested · repl_names(text) ← them, by spaces
+ * - repl_run(on): whether Ctrl-C interrupts from now on · repl_fail(): a traceback follows
  * - repl_raw() → whether tools talk to the board, so that main.py is not run
  */
 export function createReplCalls(repl: Repl, port: ConsolePort, machine: ReplMachine): SyscallTable {

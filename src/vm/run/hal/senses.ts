@@ -6,23 +6,24 @@ import type { Machine, Syscall, SyscallTable, Value } from '../syscall';
 
 const SOUND_KINDS: readonly SoundKind[] = ['quiet', 'loud', 'clap'];
 const SEPARATOR = '\n';
-/** A sample a microsecond: the clock tells no more apart. */
+/** One sample a microsecond: the clock has no finer resolution. */
 const FASTEST_HZ = 1_000_000;
-/** No recording is longer than the device's heap. */
+/** Upper limit for a recording: the device's heap. */
 const MOST_SAMPLES = 64 * 1024;
 
 /**
- * What the board feels. Gestures and sounds go by name, lists of them parted by newlines.
+ * The board's sensors. Gestures and sounds are given by name; lists of them are separated by newlines.
  *
  * - temperature() → whole °C
- * - acceleration(axis 0 … 2) → mg, acceleration_too(axis): likewise, of the same call · acceleration_strength() · acceleration_range(g)
+ * - acceleration(axis 0 … 2) → mg, acceleration_too(axis): the same within one call · acceleration_strength() ·
+ *   acceleration_range(g)
  * - gesture() · gesture_was(name) → bool, None for an unknown one · gestures()
- * - compass_heading() · compass_field(axis), compass_strength() → nT · compass_is_calibrated() ·
- *   compass_calibrate() · compass_forget()
+ * - compass_heading() · compass_field(axis), compass_strength() → nT · compass_is_calibrated() · compass_calibrate() ·
+ *   compass_forget()
  * - mic_level() · mic_level_db() · mic_event() · mic_was(kind) → bool · mic_events() · mic_threshold(kind, level) ·
  *   mic_sensitivity(gain)
- * - mic_record(address, length, rate) begins · mic_recorded() waits → True when it goes on (a callback came in between)
- *   · mic_is_recording() · mic_stop() · mic_count() → samples recorded so far
+ * - mic_record(address, length, rate) begins · mic_recorded() waits → True if it goes on (a callback came in between) ·
+ *   mic_is_recording() · mic_stop() · mic_count() → samples recorded so far
  */
 export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
   const { callUs } = board.type.costsUs;
@@ -46,7 +47,7 @@ export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
   return { ...calls, ...furtherCalls(board) };
 }
 
-/** Unpriced: parts of a call that has been paid. */
+/** Free of charge: parts of a call that is already paid. */
 function furtherCalls({ motion }: Board): SyscallTable {
   return { acceleration_too: (axis) => motion.acceleration[axisOf(axis)] };
 }
@@ -116,7 +117,7 @@ function microphoneCalls({ microphone }: Board): SyscallTable {
 
 function recordingCalls(machine: Machine, { microphone }: Board): SyscallTable {
   let count = 0;
-  // What is recorded lands in the program's memory: not after its end.
+  // Recordings land in the program's memory: not after its end.
   machine.onEnd(() => microphone.stopRecording());
   return {
     mic_record: (address, length, rate) => {

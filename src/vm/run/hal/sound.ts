@@ -14,20 +14,20 @@ export const SPEAKER_PIN = 'pin_speaker';
 export const SPEAKER_REFUSED = 'pin_speaker not allowed';
 
 /**
- * Audio and speech. A pin goes by number, −1 for the speaker alone.
+ * Audio and speech. A pin is given by its number, −1 for the speaker alone.
  *
- * - audio_pin(pin) → None, or the device's words when the pin is held: where audio and speech sound from now on
+ * - audio_pin(pin) → None, or the device's words if the pin is held; audio and speech sound there from now on
  * - audio_effect(text): plays a built-in sound by name or an effect of 72 digits a part; anything else is silent
  * - audio_open(callback): a series of frames begins, the callback is queued whenever the next one is due ·
- *   audio_frame(address, length, rate): hands it over · audio_close(): there are no more
- * - audio_frames() → whether a series goes on · audio_level() → loudness of what sounds now
- * - audio_playing() → whether an effect or frames sound · audio_wait() waits until they have ended → True when a
- *   callback came in between · audio_stop(), audio_stop_effect()
+ *   audio_frame(address, length, rate): passes it on · audio_close(): there are no more
+ * - audio_frames() → whether a series goes on · audio_level() → present loudness
+ * - audio_playing() → whether an effect or frames sound · audio_wait() waits until they have ended → True if a callback
+ *   came in between · audio_stop(), audio_stop_effect()
  * - samples_add(address, address, length, ±1), samples_multiply(address, length, factor): sums and products in place
  * - set_volume(0 … 255) · speaker(on)
- * - speech_translate(text) → phonemes, or None for what cannot be read
- * - speech_say(phonemes, pitch | speed << 8 | mouth << 16, throat, sings) → True, or False for what are no phonemes ·
- *   speech_wait() waits until it has been said → True when a callback came in between · speech_stop()
+ * - speech_translate(text) → phonemes, or None if it cannot be read
+ * - speech_say(phonemes, pitch | speed << 8 | mouth << 16, throat, sings) → True, or False if these are not phonemes ·
+ *   speech_wait() waits until it has been said → True if a callback came in between · speech_stop()
  */
 export function createSoundCalls(machine: Machine, board: Board, rng: Rng): SyscallTable {
   return {
@@ -163,7 +163,7 @@ function speechCalls(machine: Machine, board: Board): SyscallTable {
 const FIXED_POINT = 32_768; // modaudio.c: factors have 15 bits behind the point
 const clamp = (sample: number): number => Math.min(255, Math.max(0, sample));
 
-/** Makes syscalls cost what every call of the board costs. */
+/** Gives syscalls the cost that every call of the board has. */
 function withCost(machine: Machine, board: Board) {
   return (answer: (...args: readonly Value[]) => Value) =>
     (...args: readonly Value[]): Value => {

@@ -6,9 +6,10 @@ import type { Machine, SyscallTable, Value } from '../syscall';
 const OFF = -1;
 
 /**
- * The SPI bus. A transfer costs what it takes on the bus; the bytes count as exchanged when it is over.
+ * The SPI bus. A transfer costs its time on the bus; the bytes count as exchanged when it is over.
  *
- * - spi_hold(n) → None, or the mode that holds the pin · spi_init(clock, mosi, miso, Hz, mode): pins by number, held before
+ * - spi_hold(n) → None, or the mode that holds the pin · spi_init(clock, mosi, miso, Hz, mode): pins by number, held
+ *   before
  * - spi_is_on() → bool
  * - spi_transfer(address to send, address to receive or 0, bytes) → 0 or −1 (off)
  */

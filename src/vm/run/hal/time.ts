@@ -16,10 +16,11 @@ const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are 
  * Time on the simulated clock.
  *
  * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms; all since the last reset
- * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for less than nothing (which
- *   a number of more than 32 bits may come as), else (a callback came in between) a moment for sleep_until(moment), which answers likewise
+ * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for negative numbers (a
+ *   number of more than 32 bits may arrive as one), otherwise (a callback came in between) a moment for
+ *   sleep_until(moment), which answers in the same way
  * - run_every(callback, periodMs): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
- * - set_irq(on) → what it was; while off no callback is queued
+ * - set_irq(on) → the previous value; while off no callback is queued
  * - pulse(n, level, timeoutUs), pulse_on(token): see `createPulseCalls`
  */
 export function createTimeCalls(machine: Machine, board: Board): SyscallTable {
@@ -33,7 +34,7 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
   const ms = (): number => Math.floor(runningUs() / 1000);
   const sleepUntil = (untilUs: number): Wait => ({
     untilUs,
-    // The half keeps the moment a float at the boundary, so that it may lie beyond 32 bits of µs.
+    // The half keeps the moment a float at the boundary, so that it may exceed 32 bits of µs.
     result: () => (clock.nowUs >= untilUs ? 0 : untilUs + 0.5),
   });
   const sleep = (us: number | null): Value | Wait => {
@@ -115,10 +116,10 @@ function callbackCalls(machine: Machine): SyscallTable {
   };
 }
 
-/** A measurement going on; it goes on while a callback runs. */
+/** A current measurement; it continues while a callback runs. */
 interface Pulse {
   readonly timeoutUs: number;
-  /** Start of the present phase: waiting for the level, then measuring how long it stays. */
+  /** Start of the present phase: waiting for the level, then measuring its length. */
   sinceUs: number;
   measuring: boolean;
   answer: number | null;
@@ -130,9 +131,9 @@ const NEVER_BEGAN = -2;
 const FIRST_TOKEN = -3;
 
 /**
- * machine.time_pulse_us, exact to the µs: pulse(n, level, timeoutUs) → length of the pulse, −2 when it did not begin in
- * time, −1 when it did not end in time; a smaller number is a token for pulse_on(token), given when a callback came in
- * between. A level that is there already counts as begun. Source: MicroPython extmod/machine_pulse.c.
+ * machine.time_pulse_us, exact to the µs: pulse(n, level, timeoutUs) → length of the pulse, −2 if it did not begin in
+ * time, −1 if it did not end in time; a smaller number is a token for pulse_on(token), given if a callback came in
+ * between. A level that is already there counts as begun. Source: MicroPython extmod/machine_pulse.c.
  */
 function createPulseCalls(machine: Machine, board: Board): SyscallTable {
   const { clock } = machine;
@@ -156,7 +157,7 @@ function createPulseCalls(machine: Machine, board: Board): SyscallTable {
     },
   });
   const begin = (pin: Pin, wanted: Level, timeoutUs: number): Pulse => {
-    // The device measures on a held pin too.
+    // The device also measures on a held pin.
     const level = pin.acquire('read_digital') === null ? pin.readDigital() : pin.wire.level;
     const measuring = level === wanted;
     const edge = (now: Level): void => {

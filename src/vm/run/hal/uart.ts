@@ -11,9 +11,9 @@ const GAP_BITS_MS = 13_000;
  * The serial line as `uart` sees it: the console, or chips on pins.
  *
  * - uart_init(baud, tx, rx): pins by number, −1 for the USB socket
- * - uart_waiting(), uart_line() → how many bytes wait, in all or up to the next newline
- * - uart_more() waits for the byte after the last one → True when one has come, False when the gap was too long, None
- *   when a callback came in between (call again)
+ * - uart_waiting(), uart_line() → number of waiting bytes, in all or up to the next newline
+ * - uart_more() waits for the byte after the last one → True if one has come, False if the gap was too long, None if a
+ *   callback came in between (call again)
  * - uart_read(address, bytes) · uart_write(address, bytes)
  */
 export function createUartCalls(machine: Machine, board: Board, port: ConsolePort): SyscallTable {

@@ -5,24 +5,24 @@ import { Files } from '../files';
 import { createHal } from '../hal/hal';
 import type { Machine, Value } from '../syscall';
 
-/** A board on the table whose syscalls a test calls by name, in place of a Python program. */
+/** A board on the table whose syscalls a test calls by name, instead of a Python program. */
 export interface HalBench {
   readonly bench: Bench;
   readonly port: ConsolePort;
   readonly files: Files;
-  /** What Python's buffers would be. */
+  /** Memory for what would be Python's buffers. */
   readonly memory: Uint8Array;
   /** Callbacks queued so far. */
   readonly queued: number[];
   /** Everything sent over the serial line. */
   readonly sent: () => string;
-  /** What all the syscalls are called. */
+  /** Names of all syscalls. */
   readonly names: readonly string[];
   /** Calls a syscall to its end; a wait that never ends is an error. */
   readonly call: (name: string, ...args: Value[]) => Value;
   /** The same, with the time that it took in µs. */
   readonly timed: (name: string, ...args: Value[]) => { value: Value; us: number };
-  /** Calls one that waits, and cuts the wait short after `us`, as a queued callback does. */
+  /** Calls a waiting syscall, and cuts the wait short after `us`, as a queued callback does. */
   readonly interrupted: (us: number, name: string, ...args: Value[]) => Value;
   /** Puts bytes at an address and gives the address. */
   readonly put: (bytes: readonly number[], address?: number) => number;

@@ -16,10 +16,10 @@ export interface Device {
   readonly console: () => string;
 }
 
-/** What became of a program. */
+/** The result of a program. */
 export interface Outcome {
   readonly console: string;
-  /** `null` when it still ran after the time given. */
+  /** `null` if it was still running at the end of the given time. */
   readonly ended: VmEnd | null;
   readonly nowUs: number;
   readonly heapFree: number;
@@ -32,9 +32,9 @@ export interface ProgramOptions {
   readonly repl?: 'at-once' | 'when-typed';
   /** False for a board without main.py. */
   readonly main?: boolean;
-  /** Suspends the program whenever so many simulated µs have passed; by default never. */
+  /** Suspends the program whenever this many simulated µs have passed; by default never. */
   readonly sliceUs?: number;
-  /** Gives up after so much simulated time; by default ten minutes. */
+  /** Gives up after this much simulated time; by default ten minutes. */
   readonly forUs?: number;
 }
 
