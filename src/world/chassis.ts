@@ -4,7 +4,7 @@ import type { DriveLaw } from './drive-law';
 
 /** A wheel of a chassis; its axle lies along y. */
 export interface Wheel {
-  /** Where it touches the floor, robot frame, mm. */
+  /** Its contact point with the floor, robot frame, mm. */
   readonly atMm: Vec;
   readonly radiusMm: number;
   /** Friction coefficient between tyre and floor. */
@@ -13,19 +13,19 @@ export interface Wheel {
 
 /** The body of a robot. Robot frame: x forward, y left, origin on the floor at the middle of the axle; mm and g. */
 export interface ChassisType {
-  /** Convex parts that bump into things, each with 3 to 12 corners, counter-clockwise. */
+  /** Convex solid parts, each with 3 to 12 corners, counter-clockwise. */
   readonly outlineMm: readonly (readonly Vec[])[];
   readonly massG: number;
   readonly centreOfMassMm: Vec;
-  /** Moment of inertia about the centre of mass in g·mm²; left out: that of the outline, evenly filled. */
+  /** Moment of inertia about the centre of mass in g·mm²; left out: that of the evenly filled outline. */
   readonly inertiaGMm2?: number;
   /** Left wheel, right wheel. */
   readonly wheels: readonly [Wheel, Wheel];
-  /** Where the castor stands; it carries its share of the weight. Left out: the wheels carry everything. */
+  /** Position of the castor, which carries its share of the weight. Left out: the wheels carry everything. */
   readonly castorMm?: Vec;
   readonly drive: DriveLaw;
   /**
-   * How strong the left and the right motor are compared with `drive` (stall force and v0 alike); left out: 1 and 1.
+   * Strength of the left and the right motor compared with `drive` (stall force and v0 alike); left out: 1 and 1.
    * Unequal motors make a robot drift.
    */
   readonly strength?: readonly [number, number];
@@ -36,31 +36,31 @@ export type WheelSide = 0 | 1;
 
 /** A robot's body in the world. */
 export interface Chassis {
-  /** Where the middle of the axle is and where the robot looks. The heading is not wrapped: it grows with every turn. */
+  /** Position of the middle of the axle, and the heading. The heading is not wrapped: it grows with every turn. */
   pose(): Pose;
-  /** The hand: puts the robot there, standing still. Neither path nor turn counts the way. */
+  /** The hand tool: puts the robot there, standing still. Neither path nor turn counts this move. */
   place(pose: Pose): void;
   /** Duty of a motor from −1 (full speed back) to 1; 0 brakes. Values beyond are clamped. Holds until the next call. */
   setDuty(wheel: WheelSide, duty: number): void;
   /** The duty that was set, −1 … 1. */
   duty(wheel: WheelSide): number;
-  /** What the battery gives compared with a full one, 0 … 1 (the start): it weakens both motors like a smaller duty. */
+  /** Voltage of the battery compared with a full one, 0 … 1 (the start): it weakens both motors like a smaller duty. */
   setSupply(share: number): void;
-  /** Speed of the wheel's rim in mm/s, forward positive; on a slipping wheel not that of the floor. */
+  /** Speed of the wheel's rim in mm/s, forward positive. A slipping wheel's floor speed differs. */
   wheelSpeedMmPerS(wheel: WheelSide): number;
   /** How far the wheel has turned since the start, in rad, forward positive. */
   wheelTurnRad(wheel: WheelSide): number;
   /** How far the robot has turned since the start, in rad, counter-clockwise positive, not wrapped. */
   turnedRad(): number;
-  /** Length of the way of the middle of the axle since the start, in mm. */
+  /** Length of the path of the middle of the axle since the start, in mm. */
   pathMm(): number;
   /**
-   * How many times the robot has touched a wall or block anew since the start, with its body, with what was added to it
-   * or with what it holds. Jaws and forks that touch blocks which can be moved do their work; that is not counted.
+   * Number of new touches of a wall or block since the start, with the body, with parts added to it or with what it
+   * holds. Jaws and forks that touch movable blocks do their work; these touches do not count.
    */
   collisions(): number;
   /**
-   * Ids of all that touches it now, counted as in `collisions`, in the order in which each did so first; `null` stands for
+   * Ids of everything that touches it now, counted as in `collisions`, in the order of first touches. `null` stands for
    * the arena's edge, other robots and things without an id.
    */
   touching(): readonly (string | null)[];
@@ -92,7 +92,7 @@ export interface GripperType {
   readonly hingeMm: Vec;
   /**
    * The left jaw at swing 0, pointing forward, relative to its hinge: one or more convex parts, counter-clockwise. Its
-   * inner side, which touches what is gripped, has the smaller y.
+   * inner side, which touches the gripped block, has the smaller y.
    */
   readonly jawMm: readonly (readonly Vec[])[];
   /** How hard a jaw presses at its tip, in newton. Each jaw moves the blocks whose friction on the floor is less. */
@@ -100,39 +100,39 @@ export interface GripperType {
 }
 
 /**
- * A gripper on a robot. Swing: angle of each jaw outwards from pointing straight ahead, in rad; 0 = closed. The jaws are
- * geared together: what stops one stops both.
+ * A gripper on a robot. Swing: angle of each jaw outwards from pointing straight ahead, in rad; 0 = closed. The jaws
+ * are geared together: an obstacle to one stops both.
  *
- * A block (or a few that stand against each other) that both jaws touch and that lets them close no farther is held: it
- * moves with the robot as a part of its body until the jaws are told to be as wide as they are, or wider.
+ * A block (or a few that stand against each other) is held when both jaws touch it and can close no farther. It then
+ * moves with the robot as a part of its body, until the jaws are told to open to their present width or wider.
  */
 export interface Gripper {
   /**
-   * Where the servo wants the jaws now, from 0; they follow at 10 rad/s at most. They push movable blocks aside and stop
-   * at everything else. Nothing they push on moves the robot.
+   * The target of the servo, from 0; the jaws follow at 10 rad/s at most. They push movable blocks aside and stop at
+   * everything else. Pushing does not move the robot.
    */
   setSwing(swingRad: number): void;
-  /** Where the jaws are. */
+  /** The present swing of the jaws. */
   swingRad(): number;
-  /** Whether a block is held: it moves with the robot until the jaws open. */
+  /** Whether a block is held and so moves with the robot until the jaws open. */
   isHolding(): boolean;
   readonly remove: Stop;
 }
 
 /** A fork, shovel or bucket ahead of the robot that is lowered to the floor and lifted. Robot frame, mm. */
 export interface ForkType {
-  /** What lies on the floor when it is down: convex, counter-clockwise. A block with its middle above it is taken up. */
+  /** Lies on the floor when it is down: convex, counter-clockwise. Blocks whose middle is above it are lifted. */
   readonly plateMm: readonly Vec[];
   /** Height from which a block is clear of the floor. */
   readonly clearMm: number;
 }
 
 /**
- * A fork on a robot. Up to `clearMm` its plate slides under movable blocks and is stopped by all the rest. Higher it
- * carries what has its middle above it, as a part of the robot's body, and every other block stops it.
+ * A fork on a robot. Up to `clearMm` its plate slides under movable blocks and is stopped by everything else. Above, it
+ * carries the blocks whose middle is above it, as a part of the robot's body, and every other block stops it.
  */
 export interface Fork {
-  /** Height of the plate above the floor, 0 = down. It is there at once. */
+  /** Height of the plate above the floor, 0 = down. It takes effect at once. */
   setHeightMm(heightMm: number): void;
   heightMm(): number;
   /** Whether it carries a block clear of the floor. */

@@ -25,7 +25,7 @@ interface Arena {
   readonly blocks: readonly BlockHandle[];
 }
 
-/** A small arena with two walls, five loose blocks, a fixed one and a robot in the midst of them. */
+/** A small arena with two walls, five loose blocks, a fixed one and a robot between them. */
 function createArena(): Arena {
   const { world, robot } = createRig({ xMm: 300, yMm: 300, headingRad: 0 }, testChassis(), SIZE);
   for (const wall of WALLS) world.addWall(wall);
@@ -47,7 +47,7 @@ const anywhere = (rng: Rng) => ({
   headingRad: between(rng, -3, 3),
 });
 
-/** What someone does at random, every 0.1 … 0.9 s: drive, swing, lift and, if the hand may, put things elsewhere. */
+/** Random actions, every 0.1 … 0.9 s: drive, swing, lift and, if the hand tool may, put things elsewhere. */
 function actAtRandom({ robot, blocks }: Arena, rng: Rng, hand: boolean): () => void {
   const claw = robot.addGripper(TEST_CLAW);
   const fork = robot.addFork(TEST_FORK);
@@ -74,7 +74,7 @@ function actAtRandom({ robot, blocks }: Arena, rng: Rng, hand: boolean): () => v
   };
 }
 
-/** How deep blocks stand in walls, in each other or outside the arena, in mm. */
+/** How deep blocks are inside walls, inside each other or outside the arena, in mm. */
 function deepestOverlapMm(blocks: readonly BlockHandle[]): number {
   const solids = WALLS.map(wallCorners);
   let deepest = 0;
@@ -91,7 +91,7 @@ function deepestOverlapMm(blocks: readonly BlockHandle[]): number {
   return deepest;
 }
 
-/** Drives about at random and gives all poses, five times a second, with the greatest overlap and how often blocks were held. */
+/** Drives at random and returns all poses five times a second, the greatest overlap and the number of grips. */
 function roam(seed: number, seconds: number, hand: boolean) {
   const arena = createArena();
   const act = actAtRandom(arena, createRng(seed), hand);

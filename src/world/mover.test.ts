@@ -95,7 +95,7 @@ describe('a moving obstacle', () => {
   });
 });
 
-/** What is jammed stays in an arena of 600 × 400 mm, and never flies: the greatest way in one step in mm. */
+/** Checks that jammed things stay in an arena of 600 × 400 mm and never fly: the longest step of anything, in mm. */
 function jam(speedMmPerS: number, thing: 'block' | 'robot', wallAtMm?: number) {
   const world = createWorld({ widthMm: 600, heightMm: 400 });
   const mover = world.addMover(box([100, 200], [590, 200], speedMmPerS));

@@ -7,9 +7,9 @@ export interface WorldSize {
   readonly heightMm: number;
 }
 
-/** Something solid that `Chassis.touching` can name. */
+/** A solid that `Chassis.touching` can name. */
 interface Named {
-  /** What it is called, usually the id of the course's object. */
+  /** Its name, usually the id of the course's object. */
   readonly id?: string;
 }
 
@@ -35,21 +35,21 @@ export interface BlockHandle {
   /** Its middle and its angle (not wrapped). */
   pose(): Pose;
   /**
-   * The hand: puts the block there, standing still. Fixed blocks can be moved this way too; from a robot that holds it
-   * a block is taken away, and put on a raised fork it is carried.
+   * The hand tool: puts the block there, standing still. It can also move fixed blocks. A block is taken from a robot
+   * that holds it; a block that is put on a raised fork is carried.
    */
   place(pose: Pose): void;
   /** Whether a robot holds or carries it. */
   isHeld(): boolean;
-  /** How high above the floor a robot carries it, in mm; 0 = it lies or is dragged on the floor. */
+  /** Height above the floor at which a robot carries it, in mm; 0 = it lies or is dragged on the floor. */
   liftMm(): number;
 }
 
-/** A box that goes to and fro at a steady speed, whatever stands in its way. */
+/** A box that moves to and fro at a steady speed, whatever is in its path. */
 export interface MoverShape extends Named {
   /** Its middle at the start. */
   readonly atMm: Vec;
-  /** Its middle where it turns round. */
+  /** Its middle at the turning point. */
   readonly toMm: Vec;
   /** Length along its own x and y. */
   readonly sizeMm: Vec;
@@ -59,7 +59,7 @@ export interface MoverShape extends Named {
 
 /** A moving obstacle in the world. */
 export interface MoverHandle {
-  /** Its middle and its angle: a function of the time, and of nothing else. */
+  /** Its middle and its angle: a function of the time alone. */
   pose(): Pose;
 }
 
@@ -74,12 +74,12 @@ export interface StrokeShape {
 
 /** A stroke on the floor. */
 export interface StrokeHandle {
-  /** Changes its place in the order of painting: strokes on a higher layer cover those below. At first, that of `addStroke`. */
+  /** Changes its place in the painting order: higher layers cover lower ones. Initially that of `addStroke`. */
   setLayer(layer: number): void;
   readonly remove: Stop;
 }
 
-/** A picture on the floor as the sensors see it: a grid of reflectances, painted under all strokes. */
+/** A picture on the floor for the sensors: a grid of reflectances, painted under all strokes. */
 export interface FloorGrid {
   /** Lower left corner. */
   readonly atMm: Vec;
@@ -91,7 +91,7 @@ export interface FloorGrid {
   readonly reflectances: Float32Array;
 }
 
-/** Corners of a wall in world mm, counter-clockwise. Throws RangeError when it has no length or no thickness. */
+/** Corners of a wall in world mm, counter-clockwise. Throws RangeError if it has no length or no thickness. */
 export function wallCorners(wall: WallShape): Vec[] {
   const { fromMm: from, toMm: to, thicknessMm } = wall;
   const lengthMm = Math.sqrt((to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y));

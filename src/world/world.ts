@@ -47,25 +47,25 @@ export { STEP_US } from './step';
 
 /** The arena: floor, walls, blocks and robots, moving in steps of `STEP_US`. World frame: mm, x right, y up, origin lower left. */
 export interface World {
-  /** Throws RangeError when the wall has no length or no thickness. */
+  /** Throws RangeError if the wall has no length or no thickness. */
   addWall(wall: WallShape): void;
-  /** Throws RangeError when a side is not above 0. */
+  /** Throws RangeError if a side is not above 0. */
   addBlock(block: BlockShape): BlockHandle;
-  /** Takes a block out, also from a robot that holds it. */
+  /** Removes a block, also from a robot that holds it. */
   removeBlock(block: BlockHandle): void;
-  /** Throws RangeError when a side or the speed is not above 0. */
+  /** Throws RangeError if a side or the speed is not above 0. */
   addMover(mover: MoverShape): MoverHandle;
-  /** Draws on the floor, on top of what is there. */
+  /** Draws on the floor, on top of the present drawing. */
   addStroke(stroke: StrokeShape): StrokeHandle;
-  /** Lays a picture under the strokes, or takes it away. Throws RangeError when its levels do not fit its cells. */
+  /** Lays a picture under the strokes, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
   addChassis(type: ChassisType, pose: Pose): Chassis;
   /** Moves everything on by `STEP_US`. */
   step(): void;
-  /** Reflectance seen by a round spot on the floor, 0 (black) … 1 (bare floor); with its middle outside the arena 0. */
+  /** Reflectance under a round spot on the floor, 0 (black) … 1 (bare floor); 0 if its middle is outside the arena. */
   reflectanceAt(spot: Vec, radiusMm: number): number;
   /**
-   * What a distance sensor faces: the nearest point of walls, blocks, movers and robots inside its cone.
+   * The reading of a distance sensor: the nearest point of walls, blocks, movers and robots inside its cone.
    *
    * @param from place of the sensor; inside an obstacle the distance is 0
    * @param except the robot that carries the sensor
@@ -73,7 +73,7 @@ export interface World {
   distanceCone(from: Vec, headingRad: number, cone: Cone, except?: Chassis): ConeHit;
 }
 
-/** Thickness in mm that the wall around the arena has for a beam. It only has to be there. */
+/** Thickness in mm of the wall around the arena for a beam. Any value above 0 will do. */
 const EDGE_MM = 1;
 
 /**
@@ -135,7 +135,7 @@ export function createWorld(size: WorldSize): World {
   };
 }
 
-/** What was added to a robot's body, for a beam. */
+/** The parts added to a robot's body, for a beam. */
 function addedTo(robot: RobotBody): Obstacle[] {
   return robot.addedOutlinesMm().map((outline) => movingObstacle(outline, () => robot.pose()));
 }

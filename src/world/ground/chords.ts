@@ -6,12 +6,12 @@ import type { Segment } from './segment';
 const CHORDS = 32;
 
 /**
- * The chords are turned by so much, in rad, against the piece next to the spot. Chosen: what is drawn often has right
+ * The chords are turned by this angle, in rad, against the piece next to the spot. Chosen: drawings often have right
  * angles and eighths of a turn, and an edge along the chords would come out worst.
  */
 const TURN_RAD = 0.3926990816987241; // 22.5°
 
-/** A picture on the floor is looked at every so many mm along a chord. Chosen: half of the finest cell. */
+/** A picture on the floor is sampled at this interval in mm along a chord. Chosen: half of the finest cell. */
 const PICTURE_STEP_MM = 0.5;
 
 /** Distance of each chord from the middle and its weight, for a disc of radius 1: Gauss's rule for the disc (Chebyshev, second kind). */
@@ -25,17 +25,17 @@ const weights: readonly number[] = Array.from({ length: CHORDS }, (_, i) => {
 const turnCos = exactCos(TURN_RAD);
 const turnSin = exactSin(TURN_RAD);
 
-/** What lies under everything that is looked at: an even reflectance, or a picture. */
+/** The ground below all pieces: an even reflectance, or a picture. */
 export type Under = number | FloorPicture;
 
-// The parts of the chord being looked at that nothing covers yet. Kept outside to save objects: a spot has 32 chords.
+// The parts of the present chord that nothing covers yet. Kept outside to save objects: a spot has 32 chords.
 let starts = new Float64Array(64);
 let ends = new Float64Array(64);
 let count = 0;
 
 /**
- * Mean reflectance of a disc, by chords: what covers a chord from where to where is worked out exactly, piece by piece
- * from the topmost to the lowest, so crossings, ends and what is painted over come out as they are drawn.
+ * Mean reflectance of a disc, by chords. The covered intervals of a chord are computed exactly, piece by piece from the
+ * topmost to the lowest, so crossings, ends and overpainted strokes come out as they are drawn.
  *
  * @param pieces from the highest layer to the lowest; the first one gives the chords their direction
  */
@@ -64,7 +64,7 @@ export function meanByChords(x: number, y: number, radius: number, pieces: reado
   return mean;
 }
 
-/** How long a part of what is not yet covered lies in a piece; it is covered from now on. */
+/** Length of the uncovered part that lies in a piece; it is covered from now on. */
 function coveredAnew(
   { ax, ay, ex, ey, length, painted }: Segment,
   px: number,
@@ -73,7 +73,7 @@ function coveredAnew(
   uy: number,
 ): number {
   const half = painted.halfWidth;
-  // The chord as the piece sees it: along and across of its foot and of its direction.
+  // The chord in the piece's frame: along and across of its foot and of its direction.
   const along = (px - ax) * ex + (py - ay) * ey;
   const across = (py - ay) * ex - (px - ax) * ey;
   const cos = ux * ex + uy * ey;
@@ -114,7 +114,7 @@ function coveredAnew(
   return from < to ? take(from, to) : 0;
 }
 
-/** Takes what lies from `from` to `to` out of what is not yet covered, and tells how much that was. */
+/** Removes the interval from `from` to `to` from the uncovered parts, and returns the length that was removed. */
 function take(from: number, to: number): number {
   let taken = 0;
   let kept = 0;
@@ -138,7 +138,7 @@ function take(from: number, to: number): number {
       starts[kept] = to;
       ends[kept++] = end;
     } else {
-      // Both sides are left: the piece lies within this part, so nothing else of the list is touched.
+      // Both sides remain: the piece lies within this part, so nothing else in the list is touched.
       makeRoom();
       starts.copyWithin(kept + 1, i + 1, before);
       ends.copyWithin(kept + 1, i + 1, before);
@@ -161,7 +161,7 @@ function makeRoom(): void {
   ends = moreEnds;
 }
 
-/** Reflectance times length of what nothing covers. */
+/** Reflectance times length of the uncovered parts. */
 function uncovered(px: number, py: number, ux: number, uy: number, under: Under): number {
   let sum = 0;
   for (let i = 0; i < count; i++) {

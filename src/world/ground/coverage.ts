@@ -2,9 +2,7 @@ import { exactAsin } from '#core/exact-math';
 
 const PI = 3.141592653589793;
 
-/**
- * How much of a disc of radius 1 lies left of a vertical line at x: 0 at −1, ½ at 0, 1 at 1.
- */
+/** Share of a disc of radius 1 left of a vertical line at x: 0 at −1, ½ at 0, 1 at 1. */
 export function discShareLeftOf(x: number): number {
   if (x <= -1) return 0;
   if (x >= 1) return 1;
@@ -12,7 +10,7 @@ export function discShareLeftOf(x: number): number {
 }
 
 /**
- * How much of a disc a straight band covers, 0 … 1.
+ * Share of a disc that a straight band covers, 0 … 1.
  *
  * @param distance from the disc's middle to the band's middle line
  * @param halfWidth of the band
@@ -22,9 +20,7 @@ export function bandCoverage(distance: number, halfWidth: number, radius: number
   return discShareLeftOf((distance + halfWidth) / radius) - discShareLeftOf((distance - halfWidth) / radius);
 }
 
-/**
- * How much of a disc of radius 1 lies left of x and below y: a quarter for 0, 0.
- */
+/** Share of a disc of radius 1 left of x and below y: a quarter for 0, 0. */
 export function discShareLeftBelow(x: number, y: number): number {
   if (x <= -1 || y <= -1) return 0;
   if (x >= 1) return discShareLeftOf(y);

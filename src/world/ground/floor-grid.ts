@@ -1,18 +1,18 @@
 import type { FloorGrid } from '../shapes';
 import { discShareLeftBelow } from './coverage';
 
-/** Cells finer than this are put together. Chosen: no sensor tells them apart, and a spot has a bounded number of cells. */
+/** Cells finer than this are merged. Chosen: no sensor tells them apart, and a spot has a bounded number of cells. */
 const FINEST_MM = 1;
 
-/** A picture on the floor, ready to be looked at. Beside it lies bare floor. */
+/** A picture on the floor, ready to be sampled. The floor beside it is bare. */
 export interface FloorPicture {
   /** Reflectance at a point. */
   at(x: number, y: number): number;
-  /** Mean reflectance under a round spot: every cell counts with exactly the part of it that lies in the spot. */
+  /** Mean reflectance under a round spot: every cell counts with exactly its share of the spot. */
   under(x: number, y: number, radius: number): number;
 }
 
-/** Throws RangeError when there are not as many reflectances as cells. */
+/** Throws RangeError if the number of reflectances differs from the number of cells. */
 export function createFloorPicture(grid: FloorGrid): FloorPicture {
   const { columns, rows, reflectances } = merged(grid);
   const { x: left, y: bottom } = grid.atMm;
@@ -33,7 +33,7 @@ export function createFloorPicture(grid: FloorGrid): FloorPicture {
       const lastColumn = clamp((x + radius - left) / width, columns);
       const firstRow = clamp((y - radius - bottom) / height, rows);
       const lastRow = clamp((y + radius - bottom) / height, rows);
-      /** Right or upper side of a cell as the disc of radius 1 has it; the last ones reach beyond the spot. */
+      /** Right or upper side of a cell in the frame of the disc of radius 1; the last ones reach beyond the spot. */
       const side = (index: number, last: number, origin: number, size: number, middle: number): number =>
         index === last ? 1 : (origin + (index + 1) * size - middle) / radius;
       let sum = 0;
@@ -56,7 +56,7 @@ export function createFloorPicture(grid: FloorGrid): FloorPicture {
   };
 }
 
-/** The grid with neighbouring cells put together until they are wide and high enough. */
+/** The grid with neighbouring cells merged until they are wide and high enough. */
 function merged({ columns, rows, sizeMm, reflectances }: FloorGrid): Omit<FloorGrid, 'atMm' | 'sizeMm'> {
   if (reflectances.length !== columns * rows)
     throw new RangeError(

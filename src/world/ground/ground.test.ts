@@ -98,7 +98,7 @@ const CURVE = strokeOf(
   ]).flat(),
 );
 
-/** What is drawn around (100 | 100), later strokes over earlier ones. */
+/** The drawings around (100 | 100), later strokes over earlier ones. */
 const drawings: readonly (readonly [string, readonly StrokeShape[]])[] = [
   ['a crossing', [strokeOf(20, 0, 20, 100, 180, 100), strokeOf(20, 0, 100, 20, 100, 180)]],
   ['a crossing of thin lines', [strokeOf(3, 0, 20, 100, 180, 100), strokeOf(3, 0, 100, 20, 100, 180)]],

@@ -5,19 +5,19 @@ import { createFloorPicture, type FloorPicture } from './floor-grid';
 import { distanceSquared, segmentsOf, type Painted, type Segment } from './segment';
 import { createSegmentGrid } from './segment-grid';
 
-/** What is drawn on the floor. */
+/** The drawing on the floor. */
 export interface Ground {
   /** Paints on top of what is there. */
   addStroke(stroke: StrokeShape): StrokeHandle;
-  /** Lays a picture under the strokes, or takes it away. Throws RangeError when its reflectances do not fit its cells. */
+  /** Lays a picture under the strokes, or removes it. Throws RangeError if its reflectances do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
-  /** Mean reflectance under a round spot, 0 black … 1 bare floor; the spot's radius above 0. */
+  /** Mean reflectance under a round spot, 0 black … 1 bare floor; the spot's radius must be above 0. */
   reflectanceAt(x: number, y: number, radiusMm: number): number;
 }
 
 /**
- * Strokes and a picture under them. A spot wholly inside or outside of the ink, or beside a single straight piece, is worked
- * out exactly; crossings, joints, ends and strokes on strokes by chords (docs/decisions/0015-ground-coverage.md).
+ * Strokes and a picture under them. A spot wholly inside or outside the ink, or beside a single straight piece, is
+ * computed exactly; crossings, joints, ends and strokes on strokes by chords (docs/decisions/0015-ground-coverage.md).
  */
 export function createGround(): Ground {
   return new StrokesOnFloor();
@@ -28,7 +28,7 @@ class StrokesOnFloor implements Ground {
   private picture: FloorPicture | null = null;
   private layers = 0;
   private looks = 0;
-  /** The pieces that reach into the spot being looked at but do not fill it. */
+  /** The pieces that reach into the present spot but do not fill it. */
   private edges: Segment[] = [];
   /** The topmost stroke that fills the spot. */
   private filling: Painted | null = null;

@@ -6,18 +6,18 @@ import type { Segment } from './segment';
  */
 const CELLS_MM = [32, 128, 512, 2048] as const;
 
-/** A piece spans at most so many cells of its size along x or y. */
+/** A piece spans at most this many cells of its grid along x or y. */
 const SPAN = 8;
 
-/** Finds pieces of strokes by place. */
+/** Finds pieces of strokes by position. */
 export interface SegmentGrid {
   add(segment: Segment): void;
   remove(segment: Segment): void;
-  /** Calls for each piece whose ink may reach into a square about a place; for some more than once. */
+  /** Calls back for each piece whose ink may reach into a square about a place; for some pieces more than once. */
   near(x: number, y: number, reach: number, visit: (segment: Segment) => void): void;
 }
 
-/** The cells of one size. */
+/** The grid of one cell size. */
 interface Level {
   readonly cellMm: number;
   readonly cells: Map<number, Segment[]>;

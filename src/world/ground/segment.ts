@@ -8,7 +8,7 @@ export interface Painted {
   layer: number;
 }
 
-/** A straight piece of a stroke: the places no farther than half a width from a line. */
+/** A straight piece of a stroke: all places within half a width of a line. */
 export interface Segment {
   readonly ax: number;
   readonly ay: number;
@@ -18,7 +18,7 @@ export interface Segment {
   /** 0 for a dot. */
   readonly length: number;
   readonly painted: Painted;
-  /** The last look that found it: it lies in several cells. */
+  /** The last query that found it: it lies in several cells. */
   seen: number;
 }
 
@@ -34,7 +34,7 @@ export function segmentsOf(points: readonly Vec[], painted: Painted): Segment[] 
     if (length > 0 || points.length === 1) segments.push({ ax: from.x, ay: from.y, ex, ey, length, painted, seen: 0 });
   });
   const [first] = points;
-  // Points that are all the same leave a dot, too.
+  // Points that are all equal also leave a dot.
   if (segments.length === 0 && first)
     segments.push({ ax: first.x, ay: first.y, ex: 1, ey: 0, length: 0, painted, seen: 0 });
   return segments;

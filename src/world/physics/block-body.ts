@@ -15,17 +15,17 @@ const BLOCK_G_PER_MM2 = 40 / 2500;
 /** Block against block, wall or robot. Chosen: like the robot against walls. */
 const BLOCK_CONTACT_FRICTION = 0.3;
 
-/** What holds blocks: a gripper or a fork. */
+/** The tool that holds blocks: a gripper or a fork. */
 export interface Holder {
   /** The robot that carries it. */
   readonly body: Body;
-  /** How high above the floor what it holds is, mm. */
+  /** Height of the held blocks above the floor, mm. */
   heightMm(): number;
-  /** A block was let go or taken away by hand: it is here again. */
+  /** A block was let go or taken away by hand: it is free again. */
   letGone(block: Fixture): void;
 }
 
-/** Where a body stands, in units. */
+/** Position of a body, in units. */
 export interface Place {
   readonly x: number;
   readonly y: number;
@@ -40,15 +40,15 @@ interface Hold {
   readonly at: Place;
 }
 
-/** A block's body: lies still by the friction of the floor until something pushes or takes it, or is fixed. */
+/** A block's body. It lies still by the friction of the floor until something pushes or takes it, or it is fixed. */
 export class BlockBody implements BlockHandle {
   /** About its middle, counter-clockwise. */
   readonly cornersMm: readonly Vec[];
   /** About its middle, counter-clockwise, in units. */
   readonly corners: readonly Vec[];
-  /** How hard the floor holds it, in the engine's unit of force. */
+  /** Friction force of the floor, in the engine's unit of force. */
   readonly drag: number;
-  /** Mean distance of its area from its middle, in units: the lever of the floor's friction when it turns. */
+  /** Mean distance of its area from its middle, in units: the lever of the floor's friction in a turn. */
   readonly meanRadius: number;
   readonly body: Body;
   readonly fixture: Fixture;
@@ -56,7 +56,7 @@ export class BlockBody implements BlockHandle {
   private readonly onPlaced: () => void;
   private hold: Hold | null = null;
 
-  /** @param onPlaced called after the hand has put it somewhere */
+  /** @param onPlaced called after the hand tool has put it somewhere */
   constructor(world: PlanckWorld, floor: Body, block: BlockShape, onPlaced: () => void) {
     if (!(block.sizeMm.x > 0 && block.sizeMm.y > 0)) {
       throw new RangeError(`A block needs sides above 0 mm, not ${block.sizeMm.x} × ${block.sizeMm.y}.`);
@@ -112,7 +112,7 @@ export class BlockBody implements BlockHandle {
     return this.hold?.by === holder;
   }
 
-  /** Where it is, in units. */
+  /** Its position, in units. */
   at(): Place {
     if (!this.hold) {
       const { x, y } = this.body.getPosition();
@@ -123,18 +123,18 @@ export class BlockBody implements BlockHandle {
     return { x, y, angle: by.body.getAngle() + at.angle };
   }
 
-  /** Moves it a little without giving it a speed: what pushes slowly. */
+  /** Moves it a little without giving it a speed, for slow pushes. */
   shove(to: Place): void {
     moveBody(this.body, to.x, to.y, to.angle);
   }
 
-  /** Takes it out of the world, also from a robot that holds it. It must not be used any more. */
+  /** Takes it out of the world, also from a robot that holds it. Do not use it afterwards. */
   remove(): void {
     this.release();
     this.body.getWorld().destroyBody(this.body);
   }
 
-  /** Becomes a part of the robot's body; the robot's mass stays as it was. Does nothing to a block that cannot be taken. */
+  /** Becomes a part of the robot's body; the robot's mass stays the same. A block that cannot be taken ignores it. */
   take(holder: Holder): void {
     if (!this.isMovable) return;
     const { x, y } = holder.body.getLocalPoint(this.body.getPosition());
@@ -146,7 +146,7 @@ export class BlockBody implements BlockHandle {
     this.hold = { by: holder, at, solid: new Solid(holder.body, turned(this.corners, at)) };
   }
 
-  /** Lies on the floor again where it is, as fast as the robot carried it. */
+  /** Lies on the floor again where it is, with the speed at which the robot carried it. */
   release(): void {
     if (!this.hold) return;
     const { by, solid } = this.hold;

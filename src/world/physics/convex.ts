@@ -1,9 +1,9 @@
 import type { Vec } from '#core/geometry';
 
-/** Corners of a convex outline, counter-clockwise. The functions of this file take any unit, the same for both outlines. */
+/** Corners of a convex outline, counter-clockwise. The functions here take any unit that both outlines share. */
 export type Polygon = readonly Vec[];
 
-/** How two outlines lie to each other. */
+/** The relative position of two outlines. */
 export interface Gap {
   /** Distance from face to face, negative when they overlap; from corner to corner less than the true distance. */
   readonly gap: number;
@@ -11,10 +11,10 @@ export interface Gap {
   readonly normal: Vec;
 }
 
-/** Corners this close to the nearest one lie on the same face. In units of the engine: 0.4 mm, as far as its skin reaches. */
+/** Corners this close to the nearest one lie on the same face. In the engine's units: 0.4 mm, the reach of its skin. */
 const SAME_FACE = 0.02;
 
-/** The gap between two outlines, by the direction in which they are farthest apart (separating axes). */
+/** The gap between two outlines, along the direction in which they are farthest apart (separating axes). */
 export function gapBetween(a: Polygon, b: Polygon): Gap {
   const ofA = widestGap(a, b);
   const ofB = widestGap(b, a);
@@ -44,17 +44,17 @@ function widestGap(a: Polygon, b: Polygon): Gap {
   return { gap, normal };
 }
 
-/** Where the second outline is touched by the first: the middle of what faces it along the normal. */
+/** The point where the first outline touches the second: the middle of the faces along the normal. */
 export function touchPoint(a: Polygon, b: Polygon, normal: Vec): Vec {
   const faceOfA = faceSpan(a, { x: normal.x, y: normal.y });
   const faceOfB = faceSpan(b, { x: -normal.x, y: -normal.y });
-  // The tangent of the second face points the other way.
+  // The tangent of the second face points in the opposite direction.
   const along = (Math.max(faceOfA.from, -faceOfB.to) + Math.min(faceOfA.to, -faceOfB.from)) / 2;
   const out = -faceOfB.out;
   return { x: normal.x * out - normal.y * along, y: normal.y * out + normal.x * along };
 }
 
-/** The corners farthest out along a normal: how far out, and from where to where along the tangent. */
+/** The corners farthest out along a normal: their distance, and their extent along the tangent. */
 function faceSpan(polygon: Polygon, normal: Vec): { readonly out: number; readonly from: number; readonly to: number } {
   let out = -Infinity;
   for (const { x, y } of polygon) out = Math.max(out, x * normal.x + y * normal.y);

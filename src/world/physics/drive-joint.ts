@@ -13,7 +13,7 @@ interface DrivenWheel {
   readonly y: number;
   /** Change of the wheel's speed over ground per unit of its impulse. */
   readonly response: number;
-  /** Most impulse per second the tyre can pass on. */
+  /** Maximum impulse per second that the tyre can transmit. */
   readonly grip: number;
   /** Pull of its motor when blocked, at full duty. */
   readonly stallForce: number;
@@ -22,20 +22,20 @@ interface DrivenWheel {
   rim: number;
   /** Impulse on the floor in this step. */
   impulse: number;
-  /** Impulse of the motor and inertia of the rim, as far as they are known before the step is solved. */
+  /** Impulse of the motor and inertia of the rim, as far as known before the step is solved. */
   push: number;
   /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
   stiffness: number;
-  /** Most impulse of the dry friction in this step. */
+  /** Maximum impulse of the dry friction in this step. */
   dry: number;
 }
 
 /**
- * The drive of a robot: two motors, two tyres, and the scrub of tyres and castor (see DriveLaw), solved together with the
- * contacts of a step, so that pushing, stalling and sliding along walls follow from the same forces.
+ * The drive of a robot: two motors, two tyres, and the scrub of tyres and castor (see DriveLaw), solved together with
+ * the contacts of a step, so that pushing, stalling and sliding along walls follow from the same forces.
  *
- * Each wheel has its own speed and the inertia of its motor behind the gear. The floor holds rim and body together up to
- * the tyre's grip; beyond it the wheel slips. (It extends Joint because that is planck's only way into its solver.)
+ * Each wheel has its own speed and the inertia of its motor behind the gear. The floor holds rim and body together up
+ * to the tyre's grip; beyond it the wheel slips. (It extends Joint because planck's solver accepts nothing else.)
  */
 export class DriveJoint extends Joint {
   private readonly body: Body;
@@ -47,7 +47,7 @@ export class DriveJoint extends Joint {
   private readonly dryForce: number;
   private readonly breakawayForce: number;
   private readonly breakawaySpeed: number;
-  /** How much less a motor at full duty pulls per unit of speed. */
+  /** Loss of pull of a motor at full duty, per unit of speed. */
   private readonly slope: number;
   private readonly viscous: number;
   /** Torque of the scrub per cube of the mean speed. */
@@ -81,7 +81,7 @@ export class DriveJoint extends Joint {
     this.scrubPerSpeed3 = (stallForce * drive.yawResistance * track) / (v0 * v0 * v0);
     const castorShare = type.castorMm ? type.centreOfMassMm.x / type.castorMm.x : 0;
     const weightPerWheel = (mass * GRAVITY * (1 - castorShare)) / 2;
-    // A stronger motor pulls more and turns faster in the same measure; the friction of its gear is that of any other.
+    // A stronger motor pulls more and turns faster by the same factor; the friction of its gear stays the same.
     const wheel = ({ atMm, gripMu }: Wheel, strength: number): DrivenWheel => {
       const y = atMm.y * UNITS_PER_MM;
       const response = this.inverseMass + (y * y) / this.inertia;
@@ -141,7 +141,7 @@ export class DriveJoint extends Joint {
     wheel.dry = (this.dryForce + this.breakawayForce * sticking) * dt;
   }
 
-  /** What tyres and castor can hold against turning at this mean speed and this difference of the wheels. */
+  /** Maximum resistance of tyres and castor to a turn at this mean speed and this difference of the wheels. */
   private scrubTorque(mean: number, difference: number): number {
     if (difference === 0) return 0;
     const full = SCRUB_FULL_BEYOND * mean;
@@ -171,9 +171,8 @@ export class DriveJoint extends Joint {
   }
 
   /**
-   * Impulse of a tyre on the body: the one that makes rim and floor equally fast, or all the grip there is.
-   * The motor's pull falls linearly with the speed being solved for and its dry friction opposes it, hence the soft
-   * threshold.
+   * Impulse of a tyre on the body: it makes rim and floor equally fast, up to the grip. The motor's pull falls linearly
+   * with the unknown speed, and its dry friction opposes it; hence the soft threshold.
    */
   private tyreImpulse(wheel: DrivenWheel, speed: number, dt: number): number {
     const withoutTyre = speed - wheel.response * wheel.impulse;
@@ -191,7 +190,7 @@ export class DriveJoint extends Joint {
     velocity.w += (twist - (left * this.wheels[0].y + right * this.wheels[1].y)) / this.inertia;
   }
 
-  /** To be called after each step: the rims take the speed that motor and tyre left them with. */
+  /** Call it after each step: the rims take the speed that motor and tyre gave them. */
   settle(): void {
     if (!this.body.isAwake()) return this.forget();
     for (const wheel of this.wheels) wheel.rim = soften(wheel.push - wheel.impulse, wheel.dry) / wheel.stiffness;
@@ -201,7 +200,7 @@ export class DriveJoint extends Joint {
     return true;
   }
 
-  // The rest is asked for by planck's type and used by nobody here.
+  // The rest is required by planck's type; nothing here uses it.
   override getAnchorA(): Vec2 {
     return this.body.getPosition();
   }
@@ -221,6 +220,6 @@ export class DriveJoint extends Joint {
 
 const clamp = (value: number, limit: number): number => (value > limit ? limit : value < -limit ? -limit : value);
 
-/** Takes `amount` off the size of a value, down to 0: what dry friction leaves of a push. */
+/** Reduces the size of a value by `amount`, down to 0: the part of a push that dry friction leaves. */
 const soften = (value: number, amount: number): number =>
   value > amount ? value - amount : value < -amount ? value + amount : 0;

@@ -10,8 +10,8 @@ export const BLOCK_FRICTION = 0.3;
 /**
  * Dry friction between a flat body and the floor it lies on, solved together with the contacts of a step.
  *
- * Planck's own FrictionJoint is not used: in 1.5.0 it compares its impulse with itself, so that the linear friction of a
- * step is only applied in the next one. (It extends Joint because that is planck's only way into its solver.)
+ * Planck's own FrictionJoint is not used: in 1.5.0 it compares its impulse with itself, so that the linear friction of
+ * a step is only applied in the next one. (It extends Joint because planck's solver accepts nothing else.)
  */
 export class FloorJoint extends Joint {
   private readonly body: Body;
@@ -22,7 +22,7 @@ export class FloorJoint extends Joint {
   private impulseY = 0;
   private twist = 0;
 
-  /** @param meanRadius mean distance of the body's area from its middle, in units: the lever of friction when it turns */
+  /** @param meanRadius mean distance of the body's area from its middle, in units: the lever of friction in a turn */
   constructor(floor: Body, body: Body, meanRadius: number) {
     super({}, floor, body);
     this.body = body;
@@ -71,7 +71,7 @@ export class FloorJoint extends Joint {
     velocity.w += twist / this.body.getInertia();
   }
 
-  // The rest is asked for by planck's type and used by nobody here.
+  // The rest is required by planck's type; nothing here uses it.
   override getAnchorA(): Vec2 {
     return this.body.getPosition();
   }

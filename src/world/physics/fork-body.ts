@@ -7,8 +7,8 @@ import { Kind, Solid, toWorld } from './solid';
 import type { Tool, ToolPlace } from './tool';
 
 /**
- * A fork: down, its plate slides under blocks; up, it is solid to all, as the front of a raised fork is. So a block is
- * taken up only by who lowers the fork first.
+ * A fork. When down, its plate slides under blocks. When up, it is solid to all, like the front of a real raised fork.
+ * So a program must lower the fork before it can lift a block.
  */
 export class ForkBody implements Fork, Tool, Holder {
   readonly body: Body;

@@ -11,17 +11,17 @@ import { Kind, Solid, toWorld } from './solid';
 import type { Thing } from './surroundings';
 import type { Tool, ToolPlace } from './tool';
 
-/** Most that the jaws swing in one step. Chosen: 10 rad/s, a little faster than small servos (60° in 0.12 s). */
+/** Maximum swing of the jaws in one step. Chosen: 10 rad/s, a little faster than small servos (60° in 0.12 s). */
 const MAX_SWING_RAD = 0.04;
 
-/** Shares of a step that are tried when the whole is not possible. */
+/** Shares of a step that are tried if the whole step is impossible. */
 const SHARES = [1, 1 / 2, 1 / 4, 1 / 8, 1 / 16];
 const LEAST = [1 / 16];
 
-/** A block as close as this to both jaws, which can close no farther, is held. Chosen: NEAR and the least step at 60 mm. */
+/** A block this close to both jaws, which can close no farther, is held. Chosen: NEAR and the least step at 60 mm. */
 const GRIPPED = 0.6 * UNITS_PER_MM;
 
-/** How often pushes may follow each other until nothing is too close any more. */
+/** Maximum number of successive pushes until nothing is too close any more. */
 const ROUNDS = 8;
 
 /** A convex part of a jaw. */
@@ -33,18 +33,18 @@ interface JawPart {
   readonly corners: Polygon;
 }
 
-/** A part and a thing within its reach. */
+/** A part of a jaw, and a thing within its reach. */
 interface Pair {
   readonly part: JawPart;
   readonly thing: Thing;
-  /** How close they may come: NEAR, or as they are when they are closer already. */
+  /** The closest they may come: NEAR, or their present distance if they are closer already. */
   readonly allowed: number;
 }
 
 /**
- * A gripper: its jaws are parts of the robot's body that change their shape as they swing. How far they can swing is
- * found out before each step of the engine: blocks are pushed aside without a speed, everything else stops them. So
- * jaws never press on anything, and nothing they do moves the robot.
+ * A gripper: its jaws are parts of the robot's body that change their shape as they swing. Their possible swing is
+ * found before each step of the engine: blocks are pushed aside without a speed, everything else stops the jaws. So
+ * jaws never press on anything, and they never move the robot.
  */
 export class GripperBody implements Gripper, Tool, Holder {
   readonly body: Body;
@@ -80,7 +80,7 @@ export class GripperBody implements Gripper, Tool, Holder {
       corners.map(({ x, y }) => ({ x: hinge.x + x, y: hinge.y + y })),
       Kind.tool,
     );
-    // The engine puts them into an order of its own.
+    // The engine reorders them.
     return { side, solid, corners: solid.corners().map(({ x, y }) => ({ x: x - hinge.x, y: y - hinge.y })) };
   }
 
@@ -129,7 +129,7 @@ export class GripperBody implements Gripper, Tool, Holder {
     const aim = this.swing + way;
     const things = this.thingsNear(aim);
     const pairs = this.pairs(things);
-    // Jaws that were stuck try a little first: that it fails again costs the least.
+    // Jaws that were stuck try a small swing first: its failure costs the least.
     for (const share of this.isStuck ? LEAST : SHARES) {
       const swing = share === 1 ? aim : this.swing + way * share;
       const plan = this.plan(swing, pairs);
@@ -145,7 +145,7 @@ export class GripperBody implements Gripper, Tool, Holder {
   }
 
   blockPlaced(): void {
-    // A block that the hand puts between the jaws waits there until they close.
+    // A block that the hand tool puts between the jaws waits there until they close.
   }
 
   private thingsNear(aim: number): Thing[] {
@@ -167,7 +167,7 @@ export class GripperBody implements Gripper, Tool, Holder {
     return pairs;
   }
 
-  /** What has to be pushed so that the jaws can swing there; `null` when they cannot. */
+  /** The pushes that let the jaws swing there; `null` if they cannot. */
   private plan(swing: number, pairs: readonly Pair[]): PushPlan | null {
     const plan = new PushPlan(this.place.around, (fixture) => this.parts.some(({ solid }) => solid.owns(fixture)));
     const force: [number, number] = [this.force, this.force];
@@ -187,7 +187,7 @@ export class GripperBody implements Gripper, Tool, Holder {
     return null;
   }
 
-  /** Takes hold of what both jaws touch: one block, or a few that stand against each other. */
+  /** Holds what both jaws touch: one block, or a few that stand against each other. */
   private grip(things: readonly Thing[]): void {
     const jaws = this.outlinesAt(this.swing);
     const touches = (side: 0 | 1, { outline }: Thing): boolean =>
@@ -232,7 +232,7 @@ export class GripperBody implements Gripper, Tool, Holder {
 
 const isNear = (a: Polygon, b: Polygon): boolean => gapBetween(a, b).gap < GRIPPED;
 
-/** Whether two blocks are the same one, or stand against each other, directly or with one more between them. */
+/** Whether two blocks are the same, or stand against each other, directly or with one more between them. */
 function isLinked(a: Thing, b: Thing, blocks: readonly Thing[]): boolean {
   if (a === b || isNear(a.outline, b.outline)) return true;
   return blocks.some(({ outline }) => isNear(a.outline, outline) && isNear(outline, b.outline));

@@ -5,13 +5,14 @@ import { Kind, outlineOf, toWorld } from './solid';
 import type { Solid } from './solid';
 import type { Surroundings } from './surroundings';
 
-/** Two things that reach this far into each other stand in each other. Chosen: more than any contact gives way. */
+/** Two things that overlap by this much are inside each other. Chosen: more than any contact yields. */
 export const OVERLAP = 2 * UNITS_PER_MM;
 
 /**
- * What parts of a robot stand in since they were put there: a wall in which the robot stood when it was given a bumper, or
- * to which the hand has moved it. The engine would push such a part out at the nearest side, which may be the wall's far
- * one, and hold the robot there. So these two do not meet until the part has come out.
+ * Remembers which parts of a robot have been inside something since they were put there: a wall around the robot when
+ * it was given a bumper, or the wall to which the hand tool has moved it. The engine would push such a part out at the
+ * nearest side, which may be the wall's far one, and hold the robot there. So these two do not collide until the part
+ * has come out.
  */
 export class Lodged {
   private readonly body: Body;
@@ -23,7 +24,7 @@ export class Lodged {
     this.around = around;
   }
 
-  /** Looks what these parts stand in. Movable blocks are left out: they are pushed aside. */
+  /** Finds what these parts are inside of. Movable blocks are left out: they are pushed aside. */
   note(solids: Iterable<Solid>): void {
     for (const solid of solids) {
       this.pairs.delete(solid.fixture);
@@ -35,12 +36,12 @@ export class Lodged {
     }
   }
 
-  /** Whether this part stands in something. */
+  /** Whether this part is inside something. */
   has({ fixture }: Solid): boolean {
     return this.pairs.has(fixture);
   }
 
-  /** Whether these two still stand in each other; once they no longer do, they meet from then on. */
+  /** Whether these two are still inside each other; once they are not, they collide from then on. */
   holds(own: Fixture, other: Fixture): boolean {
     if (this.pairs.get(own)?.has(other) !== true) return false;
     if (gapBetween(outlineOf(own), outlineOf(other)).gap < -OVERLAP) return true;
@@ -55,7 +56,7 @@ export class Lodged {
     if (others?.size === 0) this.pairs.delete(own);
   }
 
-  /** The part is gone. */
+  /** The part was removed. */
   drop({ fixture }: Solid): void {
     this.pairs.delete(fixture);
   }

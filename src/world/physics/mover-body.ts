@@ -9,13 +9,13 @@ import { toUnits, UNITS_PER_MM } from './scale';
 import { CONTACT_FRICTION, outlineOf } from './solid';
 
 /**
- * What is pressed this far into a moving obstacle cannot give way any more, and the obstacle passes over it. Chosen: more
- * than the solver leaves of a push, less than half of the thinnest blocks and walls that a course usually has.
+ * A body pressed this far into a moving obstacle cannot yield any more, and the obstacle passes over it. Chosen: more
+ * than the solver leaves of a push, less than half of the thinnest blocks and walls of usual courses.
  */
 const JAMMED = 4 * UNITS_PER_MM;
 
 /**
- * A box that goes to and fro whatever stands in its way: where it is follows from the time alone. The engine is told its
+ * A box that moves to and fro whatever is in its path. Its position follows from the time alone. The engine is told its
  * speed for each step, so that it pushes what it meets.
  */
 export class MoverBody implements MoverHandle {
@@ -23,12 +23,12 @@ export class MoverBody implements MoverHandle {
   readonly cornersMm: readonly Vec[];
   readonly body: Body;
   private readonly mover: MoverShape;
-  /** Length of one way. */
+  /** Length of one leg. */
   private readonly lengthMm: number;
   private readonly velocity = new Vec2(0, 0);
   private steps = 0;
 
-  /** Throws RangeError when a side or the speed is not above 0. */
+  /** Throws RangeError if a side or the speed is not above 0. */
   constructor(world: PlanckWorld, mover: MoverShape) {
     const { sizeMm, speedMmPerS, atMm, toMm, angleRad } = mover;
     if (!(sizeMm.x > 0 && sizeMm.y > 0 && speedMmPerS > 0))
@@ -43,7 +43,7 @@ export class MoverBody implements MoverHandle {
       type: 'kinematic',
       position: toUnits(atMm),
       angle: angleRad,
-      allowSleep: false, // it would not notice what comes into its way
+      allowSleep: false, // it would not notice a body in its path
     });
     this.body.createFixture({
       shape: new PolygonShape(this.cornersMm.map(toUnits)),
@@ -57,7 +57,7 @@ export class MoverBody implements MoverHandle {
     return { xMm: x, yMm: y, headingRad: this.mover.angleRad };
   }
 
-  /** Gives it the speed that takes it from where the engine has it to where it has to be, so that no rounding adds up. */
+  /** Gives it the speed from its position in the engine to its next position, so that rounding errors do not add up. */
   beforeStep(): void {
     const now = this.body.getPosition();
     const to = this.placeAfter(this.steps + 1);
@@ -70,19 +70,19 @@ export class MoverBody implements MoverHandle {
   }
 
   /**
-   * Whether something is so deep inside that it must be jammed between this and a wall. Nothing stops this, so what is
-   * jammed would be pressed through the wall; it is passed over instead and let go behind.
+   * Whether something is so deep inside that it must be jammed between this and a wall. Nothing stops this obstacle, so
+   * it would press a jammed body through the wall. Instead it passes over the body, which is free again behind it.
    */
   isPassingOver(own: Fixture, other: Fixture): boolean {
     const mine = this.body.getLinearVelocity();
     const its = other.getBody().getLinearVelocity();
     const [dx, dy] = [mine.x - its.x, mine.y - its.y];
-    // Two that have just met are as deep in each other as a step takes them.
+    // Two bodies that have just met overlap by at most one step's movement.
     const justMet = Math.sqrt(dx * dx + dy * dy) * STEP_S;
     return gapBetween(outlineOf(own), outlineOf(other)).gap < -(JAMMED + justMet);
   }
 
-  /** Its middle after so many steps of the world, in mm. */
+  /** Its middle after this many steps of the world, in mm. */
   private placeAfter(steps: number): Vec {
     const { atMm, toMm, speedMmPerS } = this.mover;
     if (this.lengthMm === 0) return atMm;

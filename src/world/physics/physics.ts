@@ -18,10 +18,10 @@ import { createSurroundings } from './surroundings';
 const VELOCITY_ROUNDS = 12;
 const POSITION_ROUNDS = 4;
 
-/** Thickness of the wall around the arena, in mm; outside it, so nobody sees it. Chosen: thick enough to push anything back in. */
+/** Thickness of the wall around the arena, in mm; it is invisible. Chosen: enough to push anything back in. */
 const EDGE_MM = 200;
 
-/** Bodies that push each other. All that the rest of the world knows about the physics engine. */
+/** Bodies that push each other. The rest of the world knows nothing else of the physics engine. */
 export interface Physics {
   /** Adds something solid that never moves: a convex outline, counter-clockwise, world mm. */
   addFixture(cornersMm: readonly Vec[], id?: string): void;
@@ -37,7 +37,7 @@ export interface Physics {
 /** Makes an arena with a wall around its edge and nothing in it. */
 export function createPhysics(size: WorldSize): Physics {
   const world = new PlanckWorld({ gravity: new Vec2(0, 0), allowSleep: true, continuousPhysics: false });
-  // Two bodies: those joined to the floor would otherwise pass through the walls.
+  // Two bodies: otherwise those joined to the floor would pass through the walls.
   const floor = world.createBody();
   const walls = world.createBody();
   const robots: RobotBody[] = [];
@@ -87,7 +87,7 @@ export function createPhysics(size: WorldSize): Physics {
   return physics;
 }
 
-/** Tells robots what they touch, and lets pass what must not meet. */
+/** Tells robots what they touch, and lets through what must not collide. */
 function listen(world: PlanckWorld, robots: readonly RobotBody[], movers: readonly MoverBody[]): void {
   const robotOf = (body: Body): RobotBody | undefined => robots.find((robot) => robot.owns(body));
   world.on('begin-contact', (contact: Contact) => {
@@ -111,8 +111,8 @@ function listen(world: PlanckWorld, robots: readonly RobotBody[], movers: readon
 }
 
 /**
- * Whether a block reaches so far over or under a raised fork that it was there when the fork went up, or that the hand put
- * it there. Jaws have the kind of plates; they never come so close to a block by themselves.
+ * Whether a block reaches so far over or under a raised fork that it was there when the fork went up, or that the hand
+ * tool put it there. Jaws have the kind of plates; they never come so close to a block by themselves.
  */
 function isForkAcross(a: Fixture, b: Fixture): boolean {
   const kinds = a.getFilterCategoryBits() | b.getFilterCategoryBits();

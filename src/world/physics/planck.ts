@@ -6,7 +6,7 @@ import './lend-exact-trig';
 import { Joint, PolygonShape, Rot, Vec2, World } from 'planck';
 import './return-exact-trig';
 
-// Only the exact sine has no value this far out. A bundler that changed the order would be found out here, at once.
+// Only the exact sine is undefined this far out. This detects at once a bundler that changed the order.
 if (!Number.isNaN(new Rot(1e9).s)) {
   throw new Error(
     'The physics engine was loaded before the exact trigonometry; check the order of modules in the bundle.',

@@ -16,13 +16,13 @@ export const NEAR = 0.3 * UNITS_PER_MM;
 /** Gaps smaller by less than this, 2 µm, count as equal. */
 export const EQUAL = 1e-4;
 
-/** How many blocks in a row one push may move. */
+/** Maximum number of blocks in a row that one push moves. */
 const MAX_ROW = 5;
 
-/** How often one block may be pushed by another in one plan before it counts as jammed. */
+/** A block that is pushed more often than this in one plan counts as jammed. */
 const MAX_PUSHES = 12;
 
-/** A block on its way to where a push would bring it. */
+/** A block on its way to the destination of a push. */
 interface Moved {
   readonly place: Place;
   readonly outline: Polygon;
@@ -31,14 +31,14 @@ interface Moved {
 }
 
 /**
- * Where blocks would be after something slow had pushed them: tried out first, then carried out as a whole or not at all.
+ * A plan of where a slow push would move blocks: tried first, then carried out as a whole or not at all.
  *
  * A pushed block slides and turns as the floor's dry friction lets it (force and torque on an ellipse, the usual model
  * of slow pushing); it takes the blocks before it along, and stops at everything else.
  */
 export class PushPlan {
   private readonly around: Surroundings;
-  /** Whether a fixture is that which pushes. */
+  /** Whether a fixture is the one that pushes. */
   private readonly pushes: (fixture: Fixture) => boolean;
   private readonly moved = new Map<BlockBody, Moved>();
 
@@ -47,7 +47,7 @@ export class PushPlan {
     this.pushes = pushes;
   }
 
-  /** Outline of a thing as the plan has it. */
+  /** Outline of a thing in the plan. */
   outlineOf(thing: Thing): Polygon {
     return (thing.block && this.moved.get(thing.block)?.outline) ?? thing.outline;
   }
@@ -59,12 +59,12 @@ export class PushPlan {
   }
 
   /**
-   * Pushes a block that is touched by an outline, and what stands before it.
+   * Pushes a block that an outline touches, and the blocks in front of it.
    *
-   * @param by outline of what pushes
+   * @param by outline of the pushing body
    * @param normal direction of the push, length 1
-   * @param force what there is to push with
-   * @returns the force that is left, negative when something did not give way; the plan is then of no more use
+   * @param force available force
+   * @returns the remaining force, negative if something did not yield; the plan is then useless
    */
   push(by: Polygon, thing: Thing, normal: Vec, distance: number, force: number, row = 1): number {
     const { block } = thing;
@@ -80,13 +80,13 @@ export class PushPlan {
     return this.clear(block, fromOutline, outline, left, row);
   }
 
-  /** Pushes on what a block on its way from one place to another meets. */
+  /** Pushes on the things that a block meets on its way from one place to another. */
   private clear(block: BlockBody, from: Polygon, to: Polygon, force: number, row: number): number {
     let left = force;
     for (const other of this.around.near([to])) {
       if (other.block === block || this.pushes(other.fixture) || !other.fixture.shouldCollide(block.fixture)) continue;
       const allowed = Math.min(NEAR, gapBetween(from, this.outlineOf(other)).gap);
-      // A block that turns as it gives way may come closer at another corner.
+      // A block that turns as it yields may come closer at another corner.
       for (let push = 0; ; push++) {
         const { gap, normal } = gapBetween(to, this.outlineOf(other));
         if (gap >= allowed - EQUAL) break;
@@ -104,7 +104,7 @@ export class PushPlan {
   }
 }
 
-/** Where a body comes to when a point of it is pushed so far along a normal. */
+/** The position of a body after a point of it was pushed this far along a normal. */
 function slide(from: Place, at: Vec, normal: Vec, distance: number, meanRadius: number): Place {
   const lever = (at.x - from.x) * normal.y - (at.y - from.y) * normal.x;
   const turn = lever / (meanRadius * meanRadius);

@@ -16,12 +16,12 @@ import type { Tool, ToolPlace } from './tool';
 const SAME_COLLISION_STEPS = 25;
 
 interface Touch {
-  /** How many of the robot's convex parts touch it now. */
+  /** Number of the robot's convex parts that touch it now. */
   parts: number;
   lastStep: number;
 }
 
-/** A robot's body with its drive, and what it has done so far. */
+/** A robot's body with its drive, and the totals of its movement. */
 export class RobotBody implements Chassis {
   private readonly body: Body;
   private readonly joint: DriveJoint;
@@ -31,7 +31,7 @@ export class RobotBody implements Chassis {
   private readonly tools = new Set<Tool>();
   private readonly toolPlace: ToolPlace;
   private readonly lodged: Lodged;
-  /** What was put somewhere since the last step. */
+  /** Parts that were put somewhere since the last step. */
   private readonly placedAnew = new Set<Solid>();
   private steps = 0;
   private lastX: number;
@@ -172,14 +172,14 @@ export class RobotBody implements Chassis {
     return [...this.parts, ...[...this.tools].flatMap((tool) => tool.solids())];
   }
 
-  /** Outlines of all that was added to the body, as they are now: robot frame, mm. */
+  /** Outlines of everything that was added to the body, as they are now: robot frame, mm. */
   addedOutlinesMm(): Vec[][] {
     return this.solids().map((solid) =>
       solid.corners().map(({ x, y }) => ({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT })),
     );
   }
 
-  /** To be called after the hand has moved a block. */
+  /** Call it after the hand tool has moved a block. */
   blockPlaced(): void {
     for (const tool of this.tools) tool.blockPlaced();
   }
@@ -192,7 +192,7 @@ export class RobotBody implements Chassis {
     this.placedAnew.clear();
   }
 
-  /** Whether a fixture of this body stands in another's since it was put there, so that the two do not meet. */
+  /** Whether a fixture of this body has been inside another since it was put there, so that the two do not collide. */
   isLodged(own: Fixture, other: Fixture): boolean {
     return this.lodged.holds(own, other);
   }
@@ -238,7 +238,7 @@ export class RobotBody implements Chassis {
     touch.lastStep = this.steps;
   }
 
-  /** Something has been taken out of the world. */
+  /** Something was removed from the world. */
   forgetThing(other: Fixture): void {
     this.touches.delete(other);
   }
@@ -249,7 +249,7 @@ export class RobotBody implements Chassis {
   }
 }
 
-/** What jaws and forks do to movable blocks is their work and no collision. */
+/** Contact of jaws and forks with movable blocks is their work and not a collision. */
 const isWork = (own: Fixture, other: Fixture): boolean =>
   own.getFilterCategoryBits() === Kind.tool && other.getFilterCategoryBits() === Kind.movableBlock;
 
@@ -268,8 +268,9 @@ function createBody(world: PlanckWorld, type: ChassisType, pose: Pose): Body {
   const spread =
     (shape.I - shape.mass * (shape.center.x * shape.center.x + shape.center.y * shape.center.y)) / shape.mass;
   const own = type.inertiaGMm2 === undefined ? type.massG * spread : type.inertiaGMm2 * UNITS_PER_MM * UNITS_PER_MM;
-  // The solver's centre of mass is the middle of the axle, with the inertia about it: the drive law was fitted to what the
-  // wheels do, which already holds what the centre's real place does to them in curves. It still decides who carries the weight.
+  // The solver's centre of mass is the middle of the axle, with the inertia about it. The drive law was fitted to the
+  // motion of the wheels, which already includes the effect of the centre's real place in curves. The real place still
+  // decides which wheel carries how much weight.
   const centre = type.centreOfMassMm;
   const offset = (centre.x * centre.x + centre.y * centre.y) * UNITS_PER_MM * UNITS_PER_MM;
   body.setMassData({ mass: type.massG, center: new Vec2(0, 0), I: own + type.massG * offset });

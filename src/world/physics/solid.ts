@@ -5,7 +5,7 @@ import type { Body, Fixture } from './planck';
 /** Robot against wall or block. Chosen: ABS on wood or plastic. */
 export const CONTACT_FRICTION = 0.3;
 
-/** What a fixture is, as bits of the engine's filter. All that is nothing special has the engine's own default, 1. */
+/** The kind of a fixture, as bits of the engine's filter. Ordinary fixtures have the engine's own default, 1. */
 export const Kind = { other: 1, movableBlock: 2, tool: 4 } as const;
 
 const EVERYTHING = 0xffff;
@@ -19,7 +19,7 @@ export class Solid {
 
   /**
    * @param corners robot frame, units
-   * @param kind `tool`: what it does to movable blocks is no collision
+   * @param kind `tool`: its contacts with movable blocks are not collisions
    */
   constructor(body: Body, corners: Polygon, kind: number = Kind.other) {
     this.body = body;
@@ -33,7 +33,7 @@ export class Solid {
     body.setAwake(true);
   }
 
-  /** Robot frame, units, counter-clockwise. The same corners in the same order as long as it lives. */
+  /** Robot frame, units, counter-clockwise. The same corners in the same order for its whole life. */
   corners(): Polygon {
     return this.shape.m_vertices;
   }
@@ -46,7 +46,7 @@ export class Solid {
     return this.fixture.shouldCollide(other);
   }
 
-  /** Moves its corners, one to one. `Solid.settle` has to follow once all solids of a body are in place. */
+  /** Moves its corners, one to one. Call `Solid.settle` once all solids of a body are in place. */
   reshape(corners: Polygon): void {
     const { m_vertices: vertices, m_normals: normals, m_centroid: middle } = this.shape;
     let x = 0;
@@ -63,13 +63,13 @@ export class Solid {
     middle.setNum(x, y);
   }
 
-  /** Tells the engine that solids of a body have another shape. */
+  /** Tells the engine that solids of a body have changed shape. */
   static settle(body: Body): void {
     body.synchronizeFixtures();
     body.setAwake(true);
   }
 
-  /** Whether it bumps into movable blocks, or lets them through. */
+  /** Whether it bumps into movable blocks or lets them through. */
   meetsBlocks(meets: boolean): void {
     this.fixture.setFilterData({
       groupIndex: 0,
@@ -79,7 +79,7 @@ export class Solid {
     this.body.setAwake(true);
   }
 
-  /** Whether something presses against it, as the last step left it. */
+  /** Whether something presses against it, according to the last step. */
   isTouched(): boolean {
     if (!this.isThere) return false;
     for (let edge = this.body.getContactList(); edge; edge = edge.next) {
@@ -93,7 +93,7 @@ export class Solid {
   remove(): void {
     if (!this.isThere) return;
     this.isThere = false;
-    // The engine works out a new mass from what is left; the robot's was not made from its outline.
+    // The engine computes a new mass from the remaining fixtures; the robot's was not made from its outline.
     const { body } = this;
     const mass = { mass: 0, center: new Vec2(0, 0), I: 0 };
     body.getMassData(mass);

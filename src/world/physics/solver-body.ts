@@ -13,7 +13,7 @@ export interface SolverBody {
 /** The solver's view of a body. */
 export const solverBodyOf = (body: Body): SolverBody => body as unknown as SolverBody;
 
-/** Puts a body somewhere and keeps its full turns, which the engine's own `setTransform` takes off. Speeds stay. */
+/** Puts a body somewhere and keeps its full turns, which the engine's own `setTransform` removes. Speeds stay. */
 export function moveBody(body: Body, x: number, y: number, angle: number): void {
   body.setTransform({ x, y }, angle);
   const { m_sweep: sweep } = solverBodyOf(body);

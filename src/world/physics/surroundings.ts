@@ -3,12 +3,12 @@ import type { BlockBody } from './block-body';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { outlineOf } from './solid';
 
-/** Something solid as it stands now. */
+/** A solid as it stands now. */
 export interface Thing {
   readonly fixture: Fixture;
   /** World frame, units. */
   readonly outline: Polygon;
-  /** The block, if it is one that can be moved and that nobody holds. */
+  /** The block, if it is movable and nothing holds it. */
   readonly block: BlockBody | null;
 }
 
@@ -18,10 +18,10 @@ export interface Surroundings {
   near(outlines: readonly Polygon[]): Thing[];
 }
 
-/** Added to the box that is looked through, in units; chosen: 1 mm. */
+/** Added to the searched box, in units; chosen: 1 mm. */
 const MARGIN = 0.05;
 
-/** Looks around in an engine's world. */
+/** Makes the search in an engine's world. */
 export function createSurroundings(world: PlanckWorld, blocks: ReadonlyMap<Body, BlockBody>): Surroundings {
   return {
     near(outlines) {

@@ -6,19 +6,19 @@ export interface Cone {
   /** Full opening angle, 0 … under π. */
   readonly openingRad: number;
   readonly rangeMm: number;
-  /** Surfaces turned by more than this against the middle of the beam throw nothing back; left out: all do. */
+  /** Surfaces turned away from the middle of the beam by more than this reflect nothing; left out: all reflect. */
   readonly incidenceLimitRad?: number;
 }
 
-/** What a distance sensor faces. */
+/** The result of a distance sensor. */
 export interface ConeHit {
-  /** Distance to the nearest point in the cone, or `Infinity` when nothing is in range. */
+  /** Distance to the nearest point in the cone, or `Infinity` if nothing is in range. */
   readonly distanceMm: number;
   /** That point, or `null`. */
   readonly hitMm: Vec | null;
 }
 
-/** Something solid that a beam can meet. */
+/** A solid that a beam can meet. */
 export interface Obstacle {
   /** Convex outline, counter-clockwise, about its own origin, mm. */
   readonly cornersMm: readonly Vec[];
@@ -50,7 +50,7 @@ export function stillObstacle(cornersMm: readonly Vec[]): Obstacle {
   );
 }
 
-/** Makes an obstacle from its outline and the pose it has when asked. */
+/** Makes an obstacle from its outline and a function that gives its pose. */
 export function movingObstacle(cornersMm: readonly Vec[], pose: () => Pose): Obstacle {
   let radiusMm = 0;
   for (const { x, y } of cornersMm) radiusMm = Math.max(radiusMm, Math.sqrt(x * x + y * y));
@@ -58,8 +58,9 @@ export function movingObstacle(cornersMm: readonly Vec[], pose: () => Pose): Obs
 }
 
 /**
- * The nearest point of all obstacles inside a cone. Without an incidence limit it is found exactly, not by rays: nothing
- * can hide the nearest point. With one, rays 0.5° apart are traced, and surfaces turned away too far hide what is behind them.
+ * The nearest point of all obstacles inside a cone. Without an incidence limit it is computed exactly, not by rays:
+ * nothing can hide the nearest point. With a limit, rays 0.5° apart are traced, and surfaces turned away too far hide
+ * what is behind them.
  */
 export function nearestInCone(from: Vec, headingRad: number, cone: Cone, obstacles: Iterable<Obstacle>): ConeHit {
   const halfRad = cone.openingRad / 2;
@@ -79,7 +80,7 @@ export function nearestInCone(from: Vec, headingRad: number, cone: Cone, obstacl
   return { distanceMm, hitMm: { x: from.x + hit.x * cos - hit.y * sin, y: from.y + hit.x * sin + hit.y * cos } };
 }
 
-/** Adds an obstacle's edges in the beam's frame if they can be in range; true when the sensor is inside the obstacle. */
+/** Adds an obstacle's edges in the beam's frame if they can be in range; true if the sensor is inside the obstacle. */
 function gatherEdges(obstacle: Obstacle, from: Vec, cos: number, sin: number, rangeMm: number, edges: Edge[]): boolean {
   const pose = obstacle.pose();
   const x = (pose.xMm - from.x) * cos + (pose.yMm - from.y) * sin;
@@ -110,7 +111,7 @@ function gatherEdges(obstacle: Obstacle, from: Vec, cos: number, sin: number, ra
   return inside;
 }
 
-/** The point nearest to the origin among the parts of the edges with |y| ≤ slope · x; far away when there is none. */
+/** The point nearest to the origin among the parts of the edges with |y| ≤ slope · x; far away if there is none. */
 function nearestPoint(edges: readonly Edge[], slope: number): Vec {
   let bestX = Infinity;
   let bestY = 0;
@@ -142,7 +143,7 @@ function nearestPoint(edges: readonly Edge[], slope: number): Vec {
   return { x: bestX, y: bestY };
 }
 
-/** The nearest point that a ray of the beam meets on a surface that is not turned away too far; far away when there is none. */
+/** The nearest point where a ray meets a surface that is not turned away too far; far away if there is none. */
 function nearestEcho(edges: readonly Edge[], halfRad: number, steepCos: number): Vec {
   const raysPerSide = Math.ceil(halfRad / RAY_STEP_RAD);
   let bestDistance = Infinity;

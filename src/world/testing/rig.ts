@@ -5,7 +5,7 @@ import { STEP_S } from '../step';
 import { createWorld } from '../world';
 import type { World } from '../world';
 
-/** Much like a Maqueen Lite, with motors of 3 N and without breakaway friction: what the tests of this room drive. */
+/** The drive law of this room's tests: much like a Maqueen Lite, with motors of 3 N, without breakaway friction. */
 export const LITE_DRIVE: DriveLaw = {
   v0MmPerS: 387,
   coulomb: 0.0296,
@@ -35,7 +35,7 @@ export const testChassis = (drive: Partial<DriveLaw> = {}): ChassisType => ({
   drive: { ...LITE_DRIVE, ...drive },
 });
 
-/** An arena with one robot in it, and what tests do with it. */
+/** An arena with one robot in it, and the actions of the tests. */
 export interface Rig {
   readonly world: World;
   readonly robot: Chassis;
@@ -43,7 +43,7 @@ export interface Rig {
   readonly drive: (leftByte: number, rightByte: number, seconds: number) => void;
 }
 
-/** Makes an arena of 4 × 4 m (or as asked) with a robot. */
+/** Makes an arena of 4 × 4 m (or another size) with a robot. */
 export function createRig(
   start: Pose = { xMm: 2000, yMm: 2000, headingRad: 0 },
   type: ChassisType = testChassis(),

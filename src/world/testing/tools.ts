@@ -43,9 +43,9 @@ export const UP_MM = 40;
 
 /** A rig that moves servos. */
 export interface ToolRig extends Rig {
-  /** A block whose middle is there. */
+  /** A block with its middle there. */
   readonly block: (atMm: Vec, sideMm?: number, angleRad?: number, fixed?: boolean) => BlockHandle;
-  /** Swings a gripper from where it is to an angle at 5 rad/s, as a servo does, and waits a moment. */
+  /** Swings a gripper from its present angle to another at 5 rad/s, as a servo does, and waits a moment. */
   readonly swing: (gripper: Gripper, toRad: number) => void;
 }
 
