@@ -8,7 +8,7 @@ import type { RobotType } from './robot';
 interface FitData {
   readonly motorLaw: {
     readonly trackMm: number;
-    /** How far off the worst circle of the grid below may be; more than 0.25 needs a reason in its notes. */
+    /** Largest allowed error of the worst circle of the grid below; more than 0.25 needs a reason in its notes. */
     readonly circlesWithin: number;
     readonly notes: readonly string[];
     readonly straight: { readonly rows: readonly (readonly [byte: number, mmPerS: number])[] };
@@ -46,7 +46,7 @@ function steadyRadiusM(type: RobotType, leftByte: number, rightByte: number): nu
   }
 }
 
-/** Half the width and half the height, in m, of what the robot drives from standstill until it has turned 380°. */
+/** Half the width and half the height, in m, of the robot's path from standstill until it has turned 380°. */
 function halfExtentsM(type: RobotType, leftByte: number, rightByte: number): readonly [number, number] {
   const { chassis, world } = driving(type, leftByte, rightByte);
   const x = [Infinity, -Infinity];

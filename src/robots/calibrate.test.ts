@@ -18,7 +18,7 @@ interface Robot {
 const STRONG_LEFT = [1.05, 0.95] as const;
 const STRONG_RIGHT = [0.95, 1.05] as const;
 
-/** How far to the left of its straight way a robot is after 3.5 s, in mm. */
+/** Distance of a robot to the left of a straight path after 3.5 s, in mm. */
 function leftOfStraightMm({ build, module }: Robot, strength: readonly [number, number], calibration: string): number {
   const { chassis, run } = putOnFloor(build, { strength });
   const program = `from ${module} import *\n${calibration}\nforward()\ndelay(3500)\nstop()\n`;

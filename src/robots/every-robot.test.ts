@@ -18,14 +18,14 @@ beforeAll(async () => {
   firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** Both languages are there, without a German letter that Switzerland does not use. */
+/** All languages are there, without a German letter that Switzerland does not use. */
 function expectTexts({ de, en }: Texts): void {
   expect(de).not.toBe('');
   expect(en).not.toBe('');
   expect(de).not.toContain('ß');
 }
 
-/** What a reader with a pull-up and one with a pull-down see on each wire: where both are right, nobody drives. */
+/** Readings with a pull-up and with a pull-down on each wire: where both are right, nothing drives. */
 function levels(board: Board): Record<string, readonly number[]> {
   const seen = ([name, wire]: readonly [string, ReturnType<Board['wire']>]) => {
     const reader = wire.connect('reader');

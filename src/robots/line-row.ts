@@ -1,10 +1,10 @@
-/** What robots share that measure the ground with several line sensors and report them by I2C. */
+/** Shared by robots that measure the ground with several line sensors and report them by I2C. */
 import type { Vec } from '#core/geometry';
 import { createLineComparator, type LineComparator } from '#devices/line-sensor';
 import type { LineSensorState, RobotContext } from './robot';
 import { scaled } from './sonar';
 
-/** A line sensor's name and its place in the robot frame, as on the real robot. */
+/** A line sensor's name and its place in the robot frame, on the real robot. */
 export interface LinePlace<Name extends string> {
   readonly name: Name;
   readonly atMm: Vec;
@@ -12,9 +12,9 @@ export interface LinePlace<Name extends string> {
 
 /** How the sensors of one robot measure. */
 export interface LineMeasure {
-  /** Radius of the spot that each of them sees, in mm on the real robot. */
+  /** Radius of each sensor's spot, in mm on the real robot. */
   readonly spotRadiusMm: number;
-  /** What they measure on black and on bare floor, in the robot's own unit. Linear in between. */
+  /** Readings on black and on bare floor, in the robot's own unit. Linear in between. */
   readonly black: number;
   readonly floor: number;
 }
@@ -22,9 +22,9 @@ export interface LineMeasure {
 /** The line sensors of one robot. */
 export interface LineRow<Name extends string> {
   readonly isBright: (name: Name) => boolean;
-  /** What this sensor measures, whole numbers in the robot's own unit. */
+  /** Reading of this sensor, a whole number in the robot's own unit. */
   readonly reading: (name: Name) => number;
-  /** Looks at the ground. To be called after each step of the world. */
+  /** Looks at the ground. Call it after each step of the world. */
   sample(): void;
   /** In the order of the places. */
   states(): LineSensorState[];

@@ -1,4 +1,4 @@
-/** What all robots mount alike: two motors and the servos of their ports. */
+/** Shared mounting of all robots: two motors and the servos of their ports. */
 import { attachServoPorts, type ServoPorts } from '#attachments/servo-ports';
 import type { Chassis } from '#world/chassis';
 import type { RobotContext, RobotState, RobotType } from './robot';
@@ -7,12 +7,12 @@ import type { RobotContext, RobotState, RobotType } from './robot';
 export interface Motors {
   /** Duties −1 … 1. */
   readonly drive: (left: number, right: number) => void;
-  /** As they were set last. */
+  /** As they were last set. */
   readonly duty: () => RobotState['duty'];
   readonly stop: () => void;
 }
 
-/** Puts the motors on a chassis, which keeps what they were set to. */
+/** Puts the motors on a chassis, which keeps their settings. */
 export function mountMotors(chassis: Chassis): Motors {
   const drive = (left: number, right: number): void => {
     chassis.setDuty(0, left);
@@ -25,7 +25,7 @@ export function mountMotors(chassis: Chassis): Motors {
   };
 }
 
-/** Puts servos on a robot's ports, and on them what its options say. */
+/** Puts servos on a robot's ports, and on the servos what the robot's options say. */
 export function mountServos(
   { chassis, options, scale }: RobotContext,
   { mountMm }: RobotType,

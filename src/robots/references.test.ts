@@ -7,7 +7,7 @@ import { robotReferences } from './references';
 
 const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
 
-/** What a library offers: its own functions, classes and variables, without what it imports. */
+/** The public names of a library: its own functions, classes and variables, without its imports. */
 function publicNames(source: string): string[] {
   const { root } = new Reader(source, nothing);
   const own = root.names.filter(({ binding }) => binding.kind !== 'import' && binding.kind !== 'from');

@@ -1,6 +1,6 @@
 /**
- * What a robot is: data (RobotType, in its folder's type.ts: all that is seen of it) and wiring (RobotBuild, in its
- * robot.ts: what a run needs besides). Read this first.
+ * A robot consists of data (RobotType, in its folder's type.ts: everything visible about it) and wiring (RobotBuild, in
+ * its robot.ts: what a run needs besides). Read this first.
  *
  * Robot frame: origin on the floor in the middle of the axle, x forward, y left. Millimetres, grams, radians,
  * counter-clockwise positive. Heading 0 looks along the world's +x.
@@ -31,7 +31,7 @@ import type { Rgb } from '#devices/ws2812';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { Cone, ConeHit } from '#world/world';
 
-/** A kind of robot: what everyone may know of it. Light, as the page loads it before anything runs. */
+/** A kind of robot, as everyone may know it. Light, as the page loads it before anything runs. */
 export interface RobotType {
   /** The folder's name; used in course files and on the command line. */
   readonly id: string;
@@ -42,22 +42,22 @@ export interface RobotType {
   /** Id of the board type that it carries. On another board nothing of the robot is connected. */
   readonly board: string;
   readonly body: ChassisType;
-  /** Names of the Python modules it brings along. Importing one of them hints at this robot, nothing more. */
+  /** Names of the Python modules it brings along. Importing one of them only hints at this robot. */
   readonly modules: readonly string[];
   /**
-   * Names under which drivers by others go around: hints like `modules`. Small and without underscores a name stands for all
-   * its spellings; spelled otherwise it stands for itself and comes first.
+   * Common names of drivers by others: hints like `modules`. A name in lower case without underscores stands for all
+   * its spellings; any other name stands for itself and takes precedence.
    */
   readonly driverNames?: readonly string[];
-  /** What can be chosen about it; those of its servo ports are called like the ports. */
+  /** Its options; those of its servo ports have the names of the ports. */
   readonly options: readonly Option[];
-  /** Where an attachment is fixed: in the middle of the front edge. `null`: nothing can be fixed. */
+  /** The mount of an attachment: in the middle of the front edge. `null`: nothing can be fixed. */
   readonly mountMm: Vec | null;
   /** An SVG document; see the frame above and `robot-drawing.ts` for the names of its parts. */
   readonly drawing: string;
 }
 
-/** What a run needs of a robot. */
+/** The parts of a robot that a run needs. */
 export interface RobotBuild {
   readonly type: RobotType;
   /** The Python files of its modules: file name → source. */
@@ -66,18 +66,18 @@ export interface RobotBuild {
   attach(context: RobotContext): Robot;
 }
 
-/** What pupils and teachers may read about a robot: the page of the gallery. In its folder's sheet.ts, loaded late. */
+/** The page of the gallery about a robot, for pupils and teachers. In its folder's sheet.ts, loaded late. */
 export interface RobotSheet {
   /** Id of its type. */
   readonly robot: string;
-  /** Two or three sentences: what it is, what it can do. */
+  /** Two or three sentences: what it is and what it can do. */
   readonly about: Texts;
-  /** What length and width of its body leave out, e.g. `without its bumper`. */
+  /** Parts that length and width of its body leave out, e.g. `without its bumper`. */
   readonly sizeNote?: Texts;
   readonly examples: readonly RobotExample[];
-  /** What is plugged where, one row per part. */
+  /** What is plugged in where, one row per part. */
   readonly wiring: readonly WiringRow[];
-  /** What answers on the I2C bus. */
+  /** The devices that answer on the I2C bus. */
   readonly registers: readonly RegisterTable[];
 }
 
@@ -86,14 +86,14 @@ export interface WiringRow {
   readonly part: Texts;
   /** Pins or bus address, e.g. `P13, P14` or `I2C 0x10`. */
   readonly at: string;
-  /** What its values mean. */
+  /** The meaning of its values. */
   readonly note?: Texts;
 }
 
-/** The registers behind one I2C address, or behind several in a row that do the same. */
+/** The registers behind one I2C address, or behind several consecutive addresses that do the same. */
 export interface RegisterTable {
   readonly address: number;
-  /** The last address of several in a row. */
+  /** The last of several consecutive addresses. */
   readonly lastAddress?: number;
   readonly title: Texts;
   readonly rows: readonly { readonly register: string; readonly access: 'R' | 'W' | 'RW'; readonly meaning: Texts }[];
@@ -101,27 +101,27 @@ export interface RegisterTable {
 
 /** A program for pupils that comes with a robot. */
 export interface RobotExample {
-  /** What it is called, ending in .py; its two sources stand in `examples/`, as `line.de.py` and `line.en.py`. */
+  /** Its file name, ending in .py. */
   readonly file: string;
   readonly title: Texts;
-  /** The same program in both languages: only comments and texts in quotes differ. */
+  /** The same program in every language: only comments and texts in quotes differ. */
   readonly source: Texts;
-  /** Id of the ready course that it is made for, e.g. `empty` for one that drives about; left out: any arena will do. */
+  /** Id of the ready course that it is made for, e.g. `empty` for driving around; left out: any arena will do. */
   readonly course?: string;
-  /** What it needs of the robot, e.g. a claw on the servo port that it moves: id of an option → id of a choice. */
+  /** The options it needs, e.g. a claw on the servo port that it moves: id of an option → id of a choice. */
   readonly options?: OptionValues;
 }
 
-/** What a robot is attached to. Its places in the data above are those of the real robot: it multiplies them by `scale`. */
+/** The surroundings of a robot. It multiplies the places in the data above (of the real robot) by `scale`. */
 export interface RobotContext {
   readonly clock: Clock;
   readonly board: Board;
   readonly chassis: Chassis;
   /** Reflectance under a round spot, 0 black … 1 bare floor. Spot in the robot frame, at the scale of this robot. */
   readonly ground: (spot: Vec, radiusMm: number) => number;
-  /** What a distance sensor at `from` (robot frame) faces that looks along `headingRad` (0 = forward). */
+  /** The reading of a distance sensor at `from` (robot frame) that looks along `headingRad` (0 = forward). */
   readonly distance: (from: Vec, headingRad: number, cone: Cone) => ConeHit;
-  /** What the battery gives now, in mV. */
+  /** Present voltage of the battery, in mV. */
   readonly supplyMv: () => number;
   /** A value for each option of the type. */
   readonly options: OptionValues;
@@ -131,15 +131,15 @@ export interface RobotContext {
 
 /** One attached robot. */
 export interface Robot {
-  /** What can be seen of it now. Asks the world for the beam of the distance sensor: call it per picture, not per step. */
+  /** Its visible state now. Asks the world for the beam of the distance sensor: call it per picture, not per step. */
   state(): RobotState;
-  /** Called after each step of the world (every STEP_US): the time to look at the ground and to move servos. */
+  /** Called after each step of the world (every STEP_US), to look at the ground and to move servos. */
   step(): void;
   /** Takes the robot off the board: afterwards its wires float and its addresses are free. The motors stop. */
   readonly detach: Stop;
 }
 
-/** What can be seen of a robot: plain data. */
+/** The visible state of a robot, as plain data. */
 export interface RobotState {
   /** The two red lights, 1 = on. */
   readonly leds: { readonly left: 0 | 1; readonly right: 0 | 1 };
@@ -148,7 +148,7 @@ export interface RobotState {
   readonly lineSensors: readonly LineSensorState[];
   /** Angle in degrees by port as the program set it, for each servo that was ever set. */
   readonly servos: Readonly<Record<string, number>>;
-  /** What hangs on the servo ports, and where it is on its way. */
+  /** The attachments on the servo ports, with their present positions. */
   readonly attachments: readonly AttachmentState[];
   /** Duty of the motors, −1 … 1. */
   readonly duty: { readonly left: number; readonly right: number };
@@ -158,13 +158,13 @@ export interface RobotState {
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
 }
 
-/** A line sensor as seen from outside; its indicator LED is lit while `bright`. */
+/** A line sensor, as seen from outside; its indicator LED is lit while `bright`. */
 export interface LineSensorState {
   readonly name: string;
-  /** Robot frame, as on the real robot. */
+  /** Robot frame, on the real robot. */
   readonly atMm: Vec;
   readonly bright: boolean;
-  /** What `read_analog` would give now, in the robot's own unit; left out where the robot knows only light and dark. */
+  /** The present value of `read_analog`, in the robot's own unit; left out if the robot knows only light and dark. */
   readonly reading?: number;
 }
 
@@ -174,7 +174,7 @@ export interface UltrasonicState {
   readonly headingRad: number;
   /** Full opening angle. */
   readonly openingRad: number;
-  /** To the nearest thing in the beam, or `null` when nothing is in range. */
+  /** To the nearest thing in the beam, or `null` if nothing is in range. */
   readonly distanceMm: number | null;
   readonly hitMm: Vec | null;
 }

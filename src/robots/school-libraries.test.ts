@@ -1,4 +1,6 @@
-/** What the school libraries' functions do in the world, where maqueen-effects.ts and the robots' own tests do not tell it. */
+/**
+ * Effects of the school libraries' functions in the world that maqueen-effects.ts and the robots' tests do not cover.
+ */
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { World } from '#world/world';
@@ -15,7 +17,7 @@ beforeAll(async () => {
 });
 
 interface Setup extends FloorSetup {
-  /** How long the program runs, 300 ms by itself. */
+  /** Duration of the program; 300 ms by default. */
   readonly forMs?: number;
 }
 
@@ -27,7 +29,7 @@ function run(build: RobotBuild, module: string, program: string, setup: Setup = 
   return { ...floor, lines };
 }
 
-/** A black line along the robot's way, its middle so many mm to its left. */
+/** A black line along the robot's path, its middle this many mm to its left. */
 const lineAt =
   (leftMm: number, widthMm: number) =>
   (world: World): void => {
@@ -41,7 +43,7 @@ function pitchHz({ board }: Floor): number {
   return pwm ? Math.round(1_000_000 / pwm.periodUs) : 0;
 }
 
-/** A library's line sensors from left to right: how to read one, and how far to the left of the middle it sits. */
+/** A library's line sensors from left to right: how to read one, and its distance to the left of the middle. */
 interface LineSensors {
   readonly build: RobotBuild;
   readonly module: string;

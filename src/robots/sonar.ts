@@ -1,33 +1,33 @@
-/** What robots with a distance sensor share: where it looks from and how its beam shows. */
+/** Shared by robots with a distance sensor: its position, and the display of its beam. */
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { FARTHEST_MM } from '#devices/hc-sr04';
 import type { Cone } from '#world/world';
 import type { RobotContext, UltrasonicState } from './robot';
 
-/** Its cans end so far ahead of its board, about whose middle a servo turns it. Chosen after the drawings. */
+/** Distance of its cans ahead of its board, about whose middle a servo turns it. Chosen after the drawings. */
 const HEAD_MM = 11;
 
 /**
- * The beam of an HC-SR04 and of its like: 20° as in TigerJython's own simulators (Tiger-Jython/Aplu-Libraries, MbRobotSim
- * and CallibotSim), as far as the sensor measures. For the Calli:bot, whose sensor nobody names, chosen.
+ * The beam of an HC-SR04 and similar sensors: 20° as in TigerJython's own simulators (Tiger-Jython/Aplu-Libraries,
+ * MbRobotSim and CallibotSim), as far as the sensor measures. Chosen for the Calli:bot, whose sensor is not documented.
  */
 export const SR04_CONE: Cone = { openingRad: Math.PI / 9, rangeMm: FARTHEST_MM };
 
 /** A distance sensor's place on its robot, looking ahead. */
 export interface SonarMount {
-  /** Robot frame, as on the real robot. */
+  /** Robot frame, on the real robot. */
   readonly atMm: Vec;
   readonly cone: Cone;
-  /** How far it is turned away from forward now, in rad, left positive. */
+  /** Its present angle from forward, in rad, left positive. */
   readonly turnRad: () => number;
 }
 
 /** A mounted distance sensor. */
 export interface Sonar {
-  /** What it faces now, in mm; `Infinity` when nothing is in range. */
+  /** Its present reading, in mm; `Infinity` if nothing is in range. */
   readonly distanceMm: () => number;
-  /** How its beam shows. */
+  /** The display of its beam. */
   state(): UltrasonicState;
 }
 
@@ -54,5 +54,5 @@ export function mountSonar(context: RobotContext, { atMm, cone, turnRad }: Sonar
   };
 }
 
-/** A place on the real robot, on one of another size. */
+/** A place on the real robot, converted to a robot of another size. */
 export const scaled = ({ x, y }: Vec, scale: number): Vec => ({ x: x * scale, y: y * scale });

@@ -14,14 +14,14 @@ beforeAll(async () => {
 const onTheFloor = (prepare?: (world: World) => void, options: OptionValues = {}): Floor =>
   putOnFloor(callibotBuild, prepare ? { prepare, options } : { options });
 
-/** Runs a program that has imported everything from callibot and gives what it printed. */
+/** Runs a program that has imported everything from callibot and returns its output. */
 function run(program: string, floor: Floor, forMs: number): readonly string[] {
   const { lines, exception } = floor.run(firmware, `from callibot import *\n${program}`, forMs);
   expect(exception).toBeNull();
   return lines;
 }
 
-/** Upright to the robot's way, its near face `distanceMm` ahead of the axle; `slantDeg` turns its left end away. */
+/** Across the robot's path, its near face `distanceMm` ahead of the axle; `slantDeg` turns its left end away. */
 function wallAhead(distanceMm: number, slantDeg = 0): WallShape {
   const x = 1005 + distanceMm;
   const shift = 600 * Math.tan((slantDeg * Math.PI) / 180);

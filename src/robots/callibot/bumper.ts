@@ -6,7 +6,7 @@ import { BUMPER_LEFT, BUMPER_RIGHT } from './type';
 
 /** The bar in front with its two switches. */
 export interface Bumper {
-  /** Whether this half is pressed, as a program asks. Being asked for the first time puts the bumper on. */
+  /** Whether this half is pressed, for a program. The first call puts the bumper on. */
   read(side: Side): boolean;
   /** Which halves are pressed, or `null` while the robot carries no bumper. */
   state(): { readonly left: boolean; readonly right: boolean } | null;
@@ -18,8 +18,8 @@ type Halves = Readonly<Record<Side, ChassisPart>>;
 /**
  * Makes the bumper of a Calli:bot.
  *
- * @param fitting `when-read`: the robot carries it as soon as a program asks, so that it stands in nobody's way who
- * does not know of it
+ * @param fitting `when-read`: the robot carries it as soon as a program reads it, so that it never obstructs a program
+ *   that does not know it
  */
 export function createBumper({ chassis, scale }: RobotContext, fitting: 'never' | 'when-read' | 'always'): Bumper {
   let halves: Halves | null = fitting === 'always' ? putOn(chassis, scale) : null;

@@ -9,7 +9,7 @@ interface Senses {
   readonly pulses?: Record<Side, number>;
 }
 
-/** A controller with a log of what it told its parts, and a short way to talk to each of its devices. */
+/** A controller with a log of what it told its parts, and a short form to talk to each of its devices. */
 function callibot(model: Model = '2E', senses: Senses = {}) {
   const { bright = [], pressed = [], distanceMm = 0, pulses = { left: 0, right: 0 } } = senses;
   const motors: number[][] = [];

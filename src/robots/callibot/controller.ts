@@ -18,14 +18,15 @@
  *      read byte 0        the switches: see `Inputs`; bit 7 is 1, on a Calli:bot 1 it is 0
  *      read bytes 1, 2    distance in mm, high byte first
  *
- * 0x22, registers (not on a Calli:bot 1): write [register, data …]; a read gives what the last register written says.
+ * 0x22, registers (not on a Calli:bot 1): write [register, data …]; a read gives the contents of the register written
+ * last.
  *
  *      0x01  W  motors and lights off, servos without a signal
  *      0x02  W  [mask, direction, power] or [3, direction, power, direction, power]; mask 1 left, 2 right, 3 both
  *      0x03  W  [light, brightness] or [light, red, green, blue], 0 … 16; 1 … 4 colour lights as above, 5 red left,
- *               6 red right; 0 power and 7, 8 line sensor lights: accepted, they go on showing what they show
+ *               6 red right; 0 power and 7, 8 line sensor lights: accepted, without effect
  *      0x05  W  [mask] encoders to 0, 1 left, 2 right, 3 both (2E)
- *      0x80  R  the switches, bit 7 is 0; so answers every register that is not in this table, too
+ *      0x80  R  the switches, bit 7 is 0; every register that is not in this table gives the same
  *      0x81  R  [0x81, low, high] distance in mm
  *      0x82  R  [0x82, type, firmware 4 bytes, serial number 4 bytes]; type 2 = Calli:bot 2, 3 = 2E
  *      0x83  R  [0x83, low, high] supply voltage in mV (2E)
@@ -44,23 +45,23 @@ export const LIGHTS_ADDRESS = 0x21;
 export const REGISTERS_ADDRESS = 0x22;
 
 /**
- * Further addresses that a scan finds on a robot with 0x22; nobody knows what they do. chbijou/mpyCalliope
+ * Further addresses that a scan finds on a robot with 0x22; their purpose is unknown. chbijou/mpyCalliope
  * `mpy_Callibot2/34_i2cs_can.py`, on a Calliope mini 3; Pegasus2105/callibot-ESP32, on an ESP32.
  */
 export const SILENT_ADDRESSES = [0x23, 0x24, 0x25, 0x26, 0x27] as const;
 
-/** The Calli:bots that there are here, oldest first. */
+/** The supported models of the Calli:bot, oldest first. */
 export type Model = '1' | '2' | '2E';
 
 export type Side = 'left' | 'right';
 
-/** What the program set for one motor. */
+/** The program's setting for one motor. */
 export interface MotorBytes {
   readonly direction: number;
   readonly power: number;
 }
 
-/** What the controller drives and asks. */
+/** The parts that the controller drives and reads. */
 export interface ControllerParts {
   /** Called after each write transfer that touched a motor. */
   motors(left: MotorBytes, right: MotorBytes): void;
@@ -69,18 +70,18 @@ export interface ControllerParts {
   /** @param index 0 front left, 1 rear left, 2 rear right, 3 front right; parts of the colour 0 … 255 */
   colorLight(index: number, color: Rgb): void;
   isBright(side: Side): boolean;
-  /** Whether this half of the bumper is pressed. Asked whenever a program reads the byte that tells it. */
+  /** Whether this half of the bumper is pressed. Called whenever a program reads the byte that reports it. */
   isPressed(side: Side): boolean;
   /** Output of a line sensor in mV. */
   lineMv(side: Side): number;
-  /** What the ultrasonic sensor measures, in mm. */
+  /** Reading of the ultrasonic sensor, in mm. */
   distanceMm(): number;
   supplyMv(): number;
   /** Pulses since the start, negative backward. */
   pulses(side: Side): number;
 }
 
-/** The devices on the bus; `registers` is missing on a Calli:bot 1. */
+/** The devices on the bus; a Calli:bot 1 has no `registers`. */
 export interface Controller {
   readonly motors: I2cTarget;
   readonly lights: I2cTarget;
@@ -146,7 +147,7 @@ function createLights(parts: ControllerParts, model: Model): I2cTarget {
   };
 }
 
-/** Bits of the byte that tells all switches; 1 = bright, pressed. The keys ON and OFF (16, 32) are never pressed here. */
+/** Bits of the byte of switches; 1 = bright, pressed. The keys ON and OFF (16, 32) are never pressed here. */
 const Inputs = { lineRight: 1, lineLeft: 2, bumperRight: 4, bumperLeft: 8, isCallibot2: 128 } as const;
 
 function inputs(parts: ControllerParts, model: Model): number {
@@ -203,7 +204,7 @@ function createRegisters(setup: RegisterSetup): I2cTarget {
     0x02: ([mask = 0, ...pairs]) => {
       const both = (mask & 3) === 3;
       if (mask & 1) motorBytes.set(pairs.slice(0, 2), 0);
-      // With one pair for two motors both get it: chosen, the sheet always sends two.
+      // A single pair for two motors sets both: chosen, the sheet always sends two.
       if (mask & 2) motorBytes.set(both && pairs.length > 2 ? pairs.slice(2, 4) : pairs.slice(0, 2), 2);
       if (mask & 3) tellMotors();
     },
@@ -242,7 +243,7 @@ function createRegisters(setup: RegisterSetup): I2cTarget {
   };
 }
 
-/** The first bytes of an answer; behind its end 0: chosen. */
+/** The first bytes of an answer; 0 beyond its end: chosen. */
 function firstOf(answer: readonly number[], count: number): Uint8Array {
   const bytes = new Uint8Array(count);
   bytes.set(answer.slice(0, count));

@@ -17,7 +17,7 @@ function run(program: string, prepare?: (world: World) => void, forMs = 3000): F
   return { ...floor, lines };
 }
 
-/** Across the way, its near face so many mm ahead of the ultrasonic sensor. */
+/** Across the path, its near face this many mm ahead of the ultrasonic sensor. */
 const wallAhead =
   (distanceMm: number) =>
   (world: World): void => {

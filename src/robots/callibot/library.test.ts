@@ -13,7 +13,7 @@ beforeAll(async () => {
 interface Surroundings {
   /** False: no robot on the bus. */
   readonly isOn?: boolean;
-  /** What 0x21 gives: the switches, and the distance in mm. */
+  /** The answer of 0x21: the switches, and the distance in mm. */
   readonly switches?: number;
   readonly distanceMm?: number;
   readonly forMs?: number;
@@ -46,7 +46,7 @@ function run(program: string, { isOn = true, switches = 0x80, distanceMm = 0, fo
   return { messages, readCounts, lines, exception, hasEnded: ended !== null, tones };
 }
 
-/** What a program that has imported everything from callibot writes to the motors at 0x20. */
+/** The bytes that a program which has imported everything from callibot writes to the motors at 0x20. */
 function motorBytes(program: string): number[][] {
   const { messages, exception } = run(`from callibot import *\n${program}`);
   expect(exception).toBeNull();

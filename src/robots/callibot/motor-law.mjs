@@ -1,6 +1,6 @@
 /**
- * What the motor law of the Calli:bot is fitted to by scripts/fit-motor-law.mjs: hardly any published speeds, but the circles
- * that the driver of Tiger-Jython/Robotics-Libraries (callibot.py) was tuned for on real robots.
+ * Data for scripts/fit-motor-law.mjs to fit the motor law of the Calli:bot: hardly any published speeds, but the
+ * circles that the driver of Tiger-Jython/Robotics-Libraries (callibot.py) was tuned for on real robots.
  */
 export const motorLaw = {
   name: 'Calli:bot',
@@ -16,13 +16,13 @@ turn without load (DFRobot/pxt-DFRobot_MaqueenPlus_v20), times the wheel's circu
       [255, 317],
     ],
   },
-  /** A byte at which the wheels stay still. Chosen: between those of its sister robots, which have motors of the same kind. */
+  /** A byte at which the wheels stay still. Chosen: between those of related robots with the same kind of motors. */
   standsAt: 8,
   driver: 'Tiger-Jython/Robotics-Libraries `callibot.py`',
   notes: [],
-  /** How far off the worst circle from 0.15 to 0.5 m may be; held by src/robots/arcs.test.ts. */
+  /** Largest allowed error of the worst circle from 0.15 to 0.5 m; src/robots/arcs.test.ts checks it. */
   circlesWithin: 0.1,
-  /** Where the search begins: v0, coulomb, viscous, breakaway share and until, yawResistance. */
+  /** Start of the search: v0, coulomb, viscous, breakaway share and until, yawResistance. */
   start: [484, 0.000001, 0.3954, 0.032, 0.1, 0.000001],
 };
 

@@ -3,7 +3,7 @@ import { fn, module, type, value } from '#reference/table';
 import type { RobotReference } from '#reference/types';
 import type de from './words/reference/de.json';
 
-/** The names of this robot's libraries (library/*.py) and short words on each. */
+/** The names of this robot's libraries (library/*.py) with short descriptions. */
 const callibotModule = module('callibot', {
   forward: fn('() -> None'),
   backward: fn('() -> None'),

@@ -17,7 +17,7 @@ beforeAll(async () => {
 const onTheFloor = (prepare?: (world: World) => void, options: OptionValues = {}): Floor =>
   putOnFloor(callibotBuild, prepare ? { prepare, options } : { options });
 
-/** Runs a program that has imported everything from callibot and tells what became of the robot. */
+/** Runs a program that has imported everything from callibot and returns the final state of the robot. */
 function drive(program: string, floor: Floor = onTheFloor(), forMs = 3000) {
   const { lines, exception } = floor.run(firmware, `from callibot import *\n${program}`, forMs);
   expect(exception).toBeNull();
@@ -34,14 +34,14 @@ const line = (yMm: number, widthMm = 30): StrokeShape => ({
   reflectance: 0,
 });
 
-/** Across the robot's way, its near face `distanceMm` ahead of the axle. */
+/** Across the robot's path, its near face `distanceMm` ahead of the axle. */
 const wallAhead = (distanceMm: number): WallShape => ({
   fromMm: { x: 1005 + distanceMm, y: 400 },
   toMm: { x: 1005 + distanceMm, y: 1600 },
   thicknessMm: 10,
 });
 
-/** What a program's `i2c.scan()` finds on a Calli:bot 2 or 2E. */
+/** The addresses that a program's `i2c.scan()` finds on a Calli:bot 2 or 2E. */
 const ALL_ADDRESSES = '[32, 33, 34, 35, 36, 37, 38, 39]';
 
 const int32 = (bytes: readonly number[]): number => new DataView(Uint8Array.from(bytes).buffer).getInt32(0, true);

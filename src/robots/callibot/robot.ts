@@ -34,13 +34,13 @@ import callibotmot from './library/callibotmot.py?raw';
 import cbalarm from './library/cbalarm.py?raw';
 import { callibot as type, SERVO_PORTS } from './type';
 
-/** Chosen: below the nose, close enough together for both to see a line of 15 mm, the least width that is advised. */
+/** Chosen: below the nose, close enough together for both to see a line of 15 mm, the least recommended width. */
 const LINE_SENSORS: readonly LinePlace<Side>[] = [
   { name: 'left', atMm: { x: 46, y: 6 } },
   { name: 'right', atMm: { x: 46, y: -6 } },
 ];
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Maqueens: as wide as the sensor's housing
-/** Output on black and on bare floor, linear in between: chosen, as no source tells measured values. */
+/** Output on black and on bare floor, linear in between: chosen, because no source has measured values. */
 const LINE_MV = { black: 300, floor: 2800 } as const;
 
 const SONAR_AT: Vec = { x: 65, y: 0 }; // chosen: where the cans end in the drawing
@@ -107,8 +107,8 @@ function modelOf(choice: string | undefined): Model {
 }
 
 /**
- * When the robot carries its bumper. In front there is room for one thing: with an attachment the bumper is left off,
- * unless it was asked for.
+ * When the robot carries its bumper. The front has room for one thing: an attachment replaces the bumper, unless the
+ * option asks for the bumper.
  */
 function fittingOf({ options }: RobotContext, model: Model): 'never' | 'when-read' | 'always' {
   if (model === '1') return 'never';
@@ -123,7 +123,7 @@ function plugIn({ board }: RobotContext, { motors, lights, registers }: Controll
   return [...stops, board.i2c.attach(REGISTERS_ADDRESS, registers), ...silent];
 }
 
-/** Whole millimetres. Nothing in range: no source tells what the robot gives; chosen as an option, the far end or 0. */
+/** Whole millimetres. No source says what the robot gives with nothing in range; an option chooses: far end or 0. */
 function measured(distanceMm: number, isZeroWithoutEcho: boolean): number {
   if (distanceMm === Infinity) return isZeroWithoutEcho ? 0 : FARTHEST_MM;
   return Math.round(Math.max(distanceMm, NEAREST_MM));

@@ -21,7 +21,7 @@ const TRACK_MM = 80; // CN sensoren.ts
 const WHEEL_RADIUS_MM = 22.75;
 const GRIP_MU = 0.8; // rubber on a smooth floor: chosen; only pushing and stalling depend on it
 
-/** Chosen: a nose that carries the sensors and a narrower rear between the wheels, which are 9.6 mm wide. */
+/** Chosen: a nose for the sensors, and a narrower rear between the wheels, which are 9.6 mm wide. */
 const FRONT: readonly Vec[] = [
   { x: 60, y: -25 },
   { x: 60, y: 25 },
@@ -42,8 +42,9 @@ const REAR_WITH_WHEELS: readonly Vec[] = [
 ];
 
 /**
- * The left half of the bumper bar; the right one is its mirror image. Chosen: with it the robot is 108 mm long and
- * 100 mm wide. It is pointed by 3°, so that both halves touch a wall that is met nearly straight; aslant, one of them.
+ * The left half of the bumper bar; the right one is its mirror image. Chosen: with it the robot is 108 mm long and 100
+ * mm wide. It is pointed by 3°, so that both halves touch a wall that the robot meets nearly straight; at a slant, one
+ * of them does.
  */
 export const BUMPER_LEFT: readonly Vec[] = [
   { x: 66, y: 0 },
@@ -72,7 +73,7 @@ const body: ChassisType = {
     breakaway: { share: 0.0314, until: 0.1418 },
     viscous: 0.3954,
     yawResistance: 0,
-    stallForceN: 1.5, // chosen: motors like the Lite's, stronger in the measure of its weight
+    stallForceN: 1.5, // chosen: motors like the Lite's, stronger in proportion to its weight
     lagS: 0.03, // chosen, as for the Maqueen Lite: 0.06 s at the usual speed of 50
   },
 };

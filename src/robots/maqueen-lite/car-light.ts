@@ -1,27 +1,27 @@
 /**
- * A car light of the Maqueen V5: a colour light that also flashes and changes its colour by itself. Here it counts only
- * whether it shines.
+ * A car light of the Maqueen V5: a colour light that also flashes and changes its colour by itself. Here only its being
+ * lit counts.
  *
- * Source: DFRobot pxt-maqueen `maqueen.ts`, namespace Maqueen_V5 (`setRgblLed`, `setRgbBlink`, `setRgbchange`). How long a
- * flash takes is not published: chosen.
+ * Source: DFRobot pxt-maqueen `maqueen.ts`, namespace Maqueen_V5 (`setRgblLed`, `setRgbBlink`, `setRgbchange`). The
+ * duration of a flash is not published: chosen.
  */
 import type { Clock } from '#core/clock';
 
 const LAST_COLOUR = 7; // 1 red … 7 white, 8 off: DFRobot, CarLightColors; 0 off: humpda/maqueenliteV5_micropython
 
-/** Time from one flash to the next by grade, 1 slow … 5 fast: chosen. Half of it the light shines. */
+/** Time from one flash to the next by grade, 1 slow … 5 fast: chosen. The light shines for half of it. */
 const FLASH_US = [600_000, 600_000, 500_000, 400_000, 300_000, 200_000] as const;
 const HALF = 0.5;
 
-/** One light as its controller sees it. */
+/** One light, as its controller sees it. */
 export interface CarLight {
   /** Shines steadily: 1 … 7; every other number is off. */
   colour(colour: number): void;
-  /** How fast it will flash: 1 … 5. */
+  /** Rate of flashes: 1 … 5. */
   flashGrade(grade: number): void;
-  /** Flashes so many times in its colour from now on and is off then; 0 lets it shine steadily. */
+  /** Flashes this many times in its colour from now on and is then off; 0 makes it shine steadily. */
   flash(times: number): void;
-  /** Goes through the colours from now on; 0 lets it be. */
+  /** Runs through the colours from now on; 0 changes nothing. */
   change(grade: number): void;
   isLit(): boolean;
 }

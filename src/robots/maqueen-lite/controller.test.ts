@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createController, VERSION, type MotorBytes } from './controller';
 
-/** A controller with a log of what it told its motors and servos, and a short way to send bytes. */
+/** A controller with a log of what it told its motors and servos, and a short form to send bytes. */
 function controller() {
   const motors: { left: MotorBytes; right: MotorBytes }[] = [];
   const servos: [string, number][] = [];
@@ -11,7 +11,7 @@ function controller() {
   });
   const write = (...bytes: number[]): void => target.write(Uint8Array.from(bytes));
   const read = (count: number): number[] => [...target.read(count)];
-  /** Left direction, left speed, right direction, right speed as last told. */
+  /** Left direction, left speed, right direction, right speed as last reported. */
   const state = (): number[] | null => {
     const last = motors.at(-1);
     return last ? [last.left.direction, last.left.speed, last.right.direction, last.right.speed] : null;

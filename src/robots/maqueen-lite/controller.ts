@@ -10,7 +10,7 @@
  *      0x15      RW      servo S2 angle
  *      0x32      R       length of the version text
  *      0x33 …    R       version text, ASCII
- *      others            those of the V5: see v5.ts; else writes are ignored, reads give 0
+ *      others            those of the V5: see v5.ts; otherwise writes are ignored, reads give 0
  *
  * Sources: DFRobot pxt-maqueen `maqueen.ts` (3-byte motor writes, servo writes, `IR_read_version`), Tiger-Jython
  * Robotics-Libraries `mbrobot.py` (one 5-byte write for both motors).
@@ -34,11 +34,11 @@ export interface MotorBytes {
   readonly speed: number;
 }
 
-/** What the controller tells the parts it drives. */
+/** The calls with which the controller drives its parts. */
 export interface ControllerOutputs {
   /** Called after each write transfer that touched a motor register. */
   motors(left: MotorBytes, right: MotorBytes): void;
-  /** Called after each write transfer that touched a servo register: port S1 or S2 and the byte, meant as degrees. */
+  /** Called after each write transfer that touched a servo register: port S1 or S2 and the byte, in degrees. */
   servo(port: 'S1' | 'S2', angleDeg: number): void;
 }
 

@@ -16,7 +16,7 @@ function drive(program: string, setup: FloorSetup = {}) {
   return { ...floor, lines };
 }
 
-/** A wall so many cm ahead of the distance sensor. */
+/** A wall this many cm ahead of the distance sensor. */
 const wallAhead = (cm: number): FloorSetup => ({
   prepare: (world) => {
     const x = 1000 + 55 + cm * 10 + 5;

@@ -1,12 +1,12 @@
 /**
  * Following a line as the Maqueen V5's controller does by itself (DFRobot pxt-maqueen, Maqueen_V5.patrolling). DFRobot
- * publishes only the switch and the three speeds; how it steers is chosen: the plain way for three sensors.
+ * publishes only the switch and the three speeds; the steering is chosen: the simple rule for three sensors.
  */
 
 /** Speed byte of a wheel by grade, 1 … 3: chosen. Other grades drive like the first. */
 const SPEEDS = [40, 40, 55, 70] as const;
 
-/** Share of that speed at the inner wheel while the middle sensor still sees the line, and when only an outer one does: chosen. */
+/** Share of that speed at the inner wheel if the middle sensor sees the line, and if only an outer one does: chosen. */
 const EASY = 0.55;
 const SHARP = 0;
 
@@ -23,19 +23,21 @@ export interface WheelSpeeds {
   readonly right: number;
 }
 
-/** Something that steers along a line; it remembers on which side it saw the line last. */
+/** Steers along a line; remembers on which side it last saw the line. */
 export interface LineWalker {
   /**
-   * What the wheels do at this sight, to be asked once per step of the world. Without a line they turn towards where it was;
-   * where nobody knows, as after a sharp corner, to the left and to the right, farther each time.
+   * The wheels' speeds for this sight; call it once per step of the world. Without a line they turn towards its last
+   * side. If that is unknown, as after a sharp corner, they turn to the left and to the right, farther each time.
    */
   next(view: LineView, grade: number): WheelSpeeds;
 }
 
-/** Steps of the world that the first search to the left takes; the one to the right takes twice as long, and so on: chosen. */
+/**
+ * Duration of the first search (to the left) in steps of the world; the next takes twice as long, and so on: chosen.
+ */
 const SEARCH_STEPS = 150;
 
-/** Makes one that has seen no line yet: until it does, it drives straight ahead. */
+/** Makes one that has not seen a line yet: until it does, it drives straight ahead. */
 export function createLineWalker(): LineWalker {
   let side: 'left' | 'right' | null = null;
   let lostSteps: number | null = null; // null: no line seen yet
@@ -56,7 +58,7 @@ export function createLineWalker(): LineWalker {
   };
 }
 
-/** Where to turn so many steps after the line was lost. */
+/** The direction to turn this many steps after the line was lost. */
 function searchSide(steps: number): 'left' | 'right' {
   let swing = 1;
   for (let rest = steps; rest >= swing * SEARCH_STEPS; swing += 1) rest -= swing * SEARCH_STEPS;

@@ -9,7 +9,7 @@ beforeAll(async () => {
   firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** Runs a program that has imported everything from mbled, with what is heard on pin 2. */
+/** Runs a program that has imported everything from mbled, and returns the streams on pin 2. */
 function run(program: string) {
   const streams: number[][] = [];
   let colors: readonly Rgb[] = [];

@@ -1,5 +1,5 @@
 /**
- * What the motor law of the Maqueen Lite is fitted to by scripts/fit-motor-law.mjs: published speeds, and the circles that
+ * Data for scripts/fit-motor-law.mjs to fit the motor law of the Maqueen Lite: published speeds, and the circles that
  * the driver of Tiger-Jython/Robotics-Libraries (microbit/mbrobot.py) was tuned for on real robots.
  */
 export const motorLaw = {
@@ -25,9 +25,9 @@ differ from it by up to 1.7 times (battery, floor).`,
   standsAt: 7,
   driver: 'Tiger-Jython/Robotics-Libraries `microbit/mbrobot.py`',
   notes: ['Where the driver finds a circle too wide for the speed it chooses a higher one itself; hence equal cells.'],
-  /** How far off the worst circle from 0.15 to 0.5 m may be; held by src/robots/arcs.test.ts. */
+  /** Largest allowed error of the worst circle from 0.15 to 0.5 m; src/robots/arcs.test.ts checks it. */
   circlesWithin: 0.14,
-  /** Where the search begins: v0, coulomb, viscous, breakaway share and until, yawResistance. */
+  /** Start of the search: v0, coulomb, viscous, breakaway share and until, yawResistance. */
   start: [422.8, 0.01959, 0.1466, 0.007861, 0.2966, 0.1123],
 };
 

@@ -3,10 +3,10 @@ import { absent, fn, module, object, saidBy, type, value } from '#reference/tabl
 import type { RobotReference } from '#reference/types';
 import type de from './words/reference/de.json';
 
-/** What TigerJython's own simulation can be told. */
+/** Calls that set up TigerJython's own simulation. */
 const told = saidBy('mbrobot.RobotContext', fn('(*arguments) -> None'));
 
-/** The names of this robot's libraries (library/*.py) and short words on each. */
+/** The names of this robot's libraries (library/*.py) with short descriptions. */
 const mbrobot = module('mbrobot', {
   forward: fn('() -> None'),
   backward: fn('() -> None'),

@@ -1,8 +1,9 @@
 /**
- * DFRobot Maqueen Lite (micro:Maqueen V3, V4 and V5): its wiring. Frame and units: see ../robot.ts. Where each number comes from: SOURCES.md;
- * NOE = NoeSchaller/TS_Maqueen, ETH = Tiger-Jython/Robotics-Libraries, DF = DFRobot pxt-maqueen.
+ * DFRobot Maqueen Lite (micro:Maqueen V3, V4 and V5): its wiring. Frame and units: see ../robot.ts. Where each number
+ * comes from: SOURCES.md; NOE = NoeSchaller/TS_Maqueen, ETH = Tiger-Jython/Robotics-Libraries, DF = DFRobot
+ * pxt-maqueen.
  *
- *      P0  buzzer              P8   red LED left       I2C 0x10  motors, servos S1 S2, version; what the V5 added: v5.ts
+ *      P0  buzzer              P8   red LED left       I2C 0x10  motors, servos S1 S2, version; additions of the V5: v5.ts
  *      P1  ultrasonic trigger  P12  red LED right
  *      P2  ultrasonic echo     P13  line sensor left
  *      P15 four RGB LEDs       P14  line sensor right

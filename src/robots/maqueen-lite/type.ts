@@ -58,8 +58,8 @@ const body: ChassisType = {
     viscous: 0.1467,
     yawResistance: 0.1123,
     stallForceN: 1, // chosen: computed to push two 40 g blocks at byte 39; at full power the tyres slip first
-    // chosen: that is 0.13 s at the usual speed of 50, where the short pulses pull little; with twice as much the
-    // line follower of courses/closed-line loses the line in curves of 15 cm
+    // chosen: that is 0.13 s at the usual speed of 50, where the short pulses pull little; with twice as much, the line
+    // follower of courses/closed-line loses the line in curves of 15 cm
     lagS: 0.03,
   },
 };

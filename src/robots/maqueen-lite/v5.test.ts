@@ -13,7 +13,7 @@ function v5(setup: FloorSetup = {}) {
   return { ...floor, send, word, lineBits: () => floor.readFrom(0x10, 0x1d, 1)[0] };
 }
 
-/** A black stripe along the robot's way, from so many mm on its left to so many, right negative. */
+/** A black stripe along the robot's path, from this many mm on its left to this many, right negative. */
 const stripe = (fromMm: number, toMm: number): FloorSetup => ({
   prepare: (world) => {
     const y = 1000 + (fromMm + toMm) / 2;

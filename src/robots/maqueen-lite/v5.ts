@@ -1,24 +1,25 @@
 /**
- * What the Maqueen V5 added to the controller. The registers lie where those of earlier robots are empty, so one Maqueen
- * Lite stands for all of them: a program for the V5 finds here what it asks for, one for the V3 or V4 never notices.
+ * Additions of the Maqueen V5 to the controller. Its registers are at addresses that are empty on earlier robots, so
+ * one Maqueen Lite stands for all of them: a program for the V5 finds its registers, a program for the V3 or V4 never
+ * notices them.
  *
  *      register      access  meaning
  *      0x0B, 0x0C    RW      colour of the left, right car light: 1 red … 7 white, 8 or 0 off
- *      0x0D, 0x0F    RW      how many times the left, right one flashes
+ *      0x0D, 0x0F    RW      number of flashes of the left, right one
  *      0x0E, 0x10    RW      how fast: 1 … 5
- *      0x11, 0x12    RW      the left, right one goes through the colours: 1 … 5
+ *      0x11, 0x12    RW      the left, right one runs through the colours: 1 … 5
  *      0x1D          R       line sensors: bit 2 left, bit 1 middle, bit 0 right; 1 on black
  *      0x1E … 0x27   R       five ADC channels, two bytes each, high byte first: the second left, the third middle, the
  *                            fourth right; the others 0
  *      0x29 … 0x2C   R       light on the left, on the right, two bytes each, high byte first
  *      0x2D          RW      kind of cells: 0 lithium, 1 alkaline
- *      0x2E          R       how full they are, 0 … 100 %
- *      0x46          W       starts anew: lights and line following off
+ *      0x2E          R       their charge, 0 … 100 %
+ *      0x46          W       restart: lights and line following off
  *      0x47          RW      line following by itself: 1 on, 0 off
  *      0x48          RW      its speed, 1 … 3
  *
- * Sources: DFRobot pxt-maqueen `maqueen.ts`, namespace Maqueen_V5; humpda/maqueenliteV5_micropython `mbrobotv5.py`. Values
- * that neither tells: SOURCES.md.
+ * Sources: DFRobot pxt-maqueen `maqueen.ts`, namespace Maqueen_V5; humpda/maqueenliteV5_micropython `mbrobotv5.py`. For
+ * values in neither of them see SOURCES.md.
  */
 import type { Vec } from '#core/geometry';
 import { liveRegisters, memoryRegisters, type RegisterPart } from '#devices/i2c-registers';
@@ -44,13 +45,15 @@ const BITS: readonly LineName[] = ['right', 'middle', 'left'];
 /** ADC channels: DFRobot, readPatrolData. */
 const CHANNELS: readonly (LineName | null)[] = [null, 'left', 'middle', 'right', null];
 
-/** Chosen: as on the Maqueen Plus V1, also 12 bits; a public program takes 1000 … 4095 for a sign that a V5 is there. */
+/** Chosen: as on the Maqueen Plus V1, also 12 bits; a public program takes 1000 … 4095 as a sign of a V5. */
 const BRIGHTNESS = { black: 1000, floor: 3500 } as const;
 
-/** Chosen: 12 bits again; a torch reads 2040, as public programs turn to a light from a sum of 3000 on. */
+/** Chosen: 12 bits again; a torch reads 2040, because public programs turn to a light from a sum of 3000 on. */
 const LIGHT_PER_LEVEL = 8;
 
-/** What is full and what is empty, in mV, by kind of cells: chosen, one lithium cell behind a converter, three alkaline cells. */
+/**
+ * Voltages of full and empty cells, in mV, by kind: chosen, one lithium cell behind a converter, three alkaline cells.
+ */
 const CELLS_MV = [
   { empty: 3300, full: 4200 },
   { empty: 3300, full: 4500 },
@@ -62,18 +65,18 @@ const FULL_BYTE = 255;
 export interface V5 {
   readonly registers: readonly RegisterPart[];
   isLit(side: 0 | 1): boolean;
-  /** To be called after each step of the world. */
+  /** Call it after each step of the world. */
   step(): void;
 }
 
-/** Where the line sensors look and how wide, in mm on the real robot. */
+/** Places and spot sizes of the line sensors, in mm on the real robot. */
 export interface V5Line {
   readonly left: Vec;
   readonly right: Vec;
   readonly spotRadiusMm: number;
 }
 
-/** Mounts them. A robot that is never asked for its V5 side looks at no more ground than before. */
+/** Mounts them. A robot whose V5 registers are never read samples no more ground than before. */
 export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, places: V5Line): V5 {
   const line = lineOnDemand(context, places);
   const lights = [createCarLight(context.clock), createCarLight(context.clock)] as const;
@@ -116,7 +119,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
   };
 }
 
-/** Line sensors that look at the ground at most once per step, and only when somebody asks. */
+/** Line sensors that look at the ground at most once per step, and only when they are read. */
 function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Line) {
   let row: LineRow<LineName> | null = null;
   let isStale = false;
@@ -176,7 +179,7 @@ function batteryRegisters(supplyMv: () => number): RegisterPart[] {
   ];
 }
 
-/** Words that can only be read, high byte first. */
+/** Read-only words, high byte first. */
 function wordRegisters(first: number, words: number, read: (word: number) => number): RegisterPart {
   return liveRegisters(first, 2 * words, (offset) => {
     const word = read(offset >> 1);

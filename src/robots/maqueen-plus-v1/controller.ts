@@ -6,10 +6,10 @@
  *      0x01         RW      left motor speed, 0 … 255, takes effect at once
  *      0x02         RW      right motor direction
  *      0x03         RW      right motor speed
- *      0x04, 0x05   RW      pulses of the left wheel since the start, high byte first; a write sets them back to 0
+ *      0x04, 0x05   RW      pulses of the left wheel since the start, high byte first; a write resets them to 0
  *      0x06, 0x07   RW      pulses of the right wheel
- *      0x0A         RW      speed control: 0 off, else the controller keeps the speed (see speed-control.ts)
- *      0x0B         RW      left colour light: 1 red, 2 green, 3 yellow, 4 blue, 5 pink, 6 cyan, 7 white, else off
+ *      0x0A         RW      speed control: 0 off, otherwise the controller keeps the speed (see speed-control.ts)
+ *      0x0B         RW      left colour light: 1 red, 2 green, 3 yellow, 4 blue, 5 pink, 6 cyan, 7 white, others off
  *      0x0C         RW      right colour light
  *      0x14 … 0x16  RW      angle of servo S1, S2, S3 in degrees
  *      0x1D         R       line sensors: bit 0 = L3, 1 = L2, 2 = L1, 3 = R1, 4 = R2, 5 = R3; 1 on black, 0 on light ground
@@ -67,15 +67,15 @@ const COLORS: readonly Rgb[] = [
   [255, 255, 255],
 ];
 
-/** What the controller tells the parts it drives, and asks its sensors. */
+/** The calls with which the controller drives its parts and reads its sensors. */
 export interface ControllerParts {
-  /** Called after each write transfer that touched a motor: duties −1 … 1 as the bytes say. */
+  /** Called after each write transfer that touched a motor: duties −1 … 1 from the bytes. */
   motors(left: number, right: number): void;
   speedControl(isOn: boolean): void;
   lights(left: Rgb, right: Rgb): void;
   /** Servo 0 … 2, angle in degrees. */
   servo(index: number, angleDeg: number): void;
-  /** Pulses of a wheel since they were last set back. */
+  /** Pulses of a wheel since their last reset. */
   pulses(side: Side): number;
   clearPulses(side: Side): void;
   isBright(sensor: LineName): boolean;
@@ -104,7 +104,7 @@ export function createController(parts: ControllerParts): I2cTarget {
   ]);
 }
 
-/** Two words that count; whatever is written to one sets it back. */
+/** Two counting words; a write of any value resets them. */
 function pulseRegisters(parts: ControllerParts): RegisterPart {
   return {
     first: PULSES,
@@ -114,7 +114,7 @@ function pulseRegisters(parts: ControllerParts): RegisterPart {
   };
 }
 
-/** A byte per servo; only what is written turns one, so that a servo that was never set stays where it is. */
+/** A byte per servo. Only a write turns a servo, so one that was never set stays where it is. */
 function servoRegisters(parts: ControllerParts): RegisterPart {
   const angles = [0, 0, 0];
   return {
@@ -128,7 +128,7 @@ function servoRegisters(parts: ControllerParts): RegisterPart {
   };
 }
 
-/** Share of time a motor is driven, −1 … 1. Directions beyond 2 are not documented: chosen as stop. */
+/** Duty of a motor, −1 … 1. Directions beyond 2 are not documented: chosen as stop. */
 function dutyOf(direction: number, speed: number): number {
   if (speed === 0 || direction === 0 || direction > 2) return 0;
   return (direction === 1 ? speed : -speed) / 255;

@@ -14,14 +14,14 @@ const SIDES = [0, 1] as const;
 export interface Drive {
   /** Duties −1 … 1 as the program set them. */
   motors(left: number, right: number): void;
-  /** Whether the wheels' speed is kept, see speed-control.ts. */
+  /** Whether the wheels' speed is kept constant, see speed-control.ts. */
   speedControl(isOn: boolean): void;
-  /** How far a wheel has turned, forward or backward, since its counter was set back; 16 bits, then from 0 again. */
+  /** Turns of a wheel, forward or backward, since its counter was reset; 16 bits, then from 0 again. */
   pulses(side: Side): number;
   clearPulses(side: Side): void;
-  /** What drives the motors now, −1 … 1. */
+  /** The present duty of the motors, −1 … 1. */
   duty(): { readonly left: number; readonly right: number };
-  /** To be called after each step of the world. */
+  /** Call it after each step of the world. */
   step(passedS: number): void;
   readonly stop: Stop;
 }

@@ -9,7 +9,7 @@ beforeAll(async () => {
   firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 });
 
-/** Runs a program that has imported everything, with another robot on the bus that only writes down what it hears. */
+/** Runs a program that has imported everything, with another robot on the bus that only records what it receives. */
 function bytesOf(program: string): number[][] {
   const { board, robot, run } = putOnFloor(maqueenPlusV1Build);
   robot.detach();

@@ -3,10 +3,10 @@ import { fn, module, object, saidBy, type, value, values } from '#reference/tabl
 import type { RobotReference } from '#reference/types';
 import type de from './words/reference/de.json';
 
-/** What TigerJython's own simulation can be told. */
+/** Calls that set up TigerJython's own simulation. */
 const told = saidBy('mbrobot_plus.RobotContext', fn('(*arguments) -> None'));
 
-/** The names of this robot's library (library/mbrobot_plus.py) and short words on each. */
+/** The names of this robot's library (library/mbrobot_plus.py) with short descriptions. */
 const mbrobotPlus = module('mbrobot_plus', {
   forward: fn('() -> None'),
   backward: fn('() -> None'),

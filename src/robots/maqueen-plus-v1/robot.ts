@@ -32,8 +32,9 @@ const LINE_SENSORS: readonly LinePlace<LineName>[] = [
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
 
 /**
- * What the sensors measure, of 4095. Chosen between the thresholds of published MakeCode programs for the robot, which take
- * less than 1300 for dark, 2800 for the edge of a line and more than 3200 for light. Linear in between: chosen.
+ * Readings of the sensors, up to 4095. Chosen between the thresholds of published MakeCode programs for the robot,
+ * which take less than 1300 for dark, 2800 for the edge of a line and more than 3200 for light. Linear in between:
+ * chosen.
  */
 const BRIGHTNESS = { black: 1000, floor: 3500 };
 
@@ -75,7 +76,7 @@ function attach(context: RobotContext): Robot {
     drive.stop,
   ];
   const state = (): RobotState => ({
-    leds: { left: 0, right: 0 }, // it has colour lights in their place
+    leds: { left: 0, right: 0 }, // it has colour lights instead
     rgb: lights,
     lineSensors: line.states(),
     servos: servos.servos(),

@@ -1,16 +1,17 @@
 /**
- * What register 0x0A switches on: the controller measures how fast the wheels turn and changes the motors' power until
- * that is what was asked for, so that the robot keeps its speed, also a slow one at which a motor alone would stick.
+ * The speed control that register 0x0A switches on. The controller measures the speed of the wheels and changes the
+ * motors' power until it reaches the requested speed. The robot then keeps its speed, even a slow one at which a motor
+ * alone would stick.
  *
  * Its rule is not published. Chosen: a proportional and an integral part, as the maker's name for it ("PID") says, and
- * a speed that grows evenly with the byte. How fast: Tiger-Jython/Robotics-Libraries `mbrobot_plus.py` sends byte 59
- * with control for speed 29 and byte 32 without for speed 30, so the two drive about equally fast.
+ * a speed that grows evenly with the byte. Source of the speed: Tiger-Jython/Robotics-Libraries `mbrobot_plus.py` sends
+ * byte 59 with control for speed 29 and byte 32 without for speed 30, so the two drive about equally fast.
  */
 
-/** Wheel speed per power byte under control, in mm/s: 153 mm/s, what byte 32 drives without control, at byte 59. */
+/** Wheel speed per power byte under control, in mm/s: 153 mm/s (the speed of byte 32 without control) at byte 59. */
 export const MM_PER_S_PER_BYTE = 2.6;
 
-/** Power per mm/s that is missing, and what is added to it per second. Chosen: steady in 0.3 s, without swinging. */
+/** Power per mm/s of missing speed, and its increase per second. Chosen: steady in 0.3 s, without oscillation. */
 const PROPORTIONAL = 0.001;
 const INTEGRAL_PER_S = 0.02;
 
@@ -20,12 +21,12 @@ const FULL_BYTE = 255;
 export interface SpeedControl {
   /**
    * @param wanted duty as the program set it, −1 … 1
-   * @param speedMmPerS how fast the wheel turns, of a robot of real size
+   * @param speedMmPerS speed of the wheel, of a robot of real size
    * @param passedS since the last call
    * @returns the duty that drives the motor
    */
   next(wanted: number, speedMmPerS: number, passedS: number): number;
-  /** Forgets what it has added up. */
+  /** Forgets its sum. */
   reset(): void;
 }
 

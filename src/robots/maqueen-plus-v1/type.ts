@@ -63,7 +63,7 @@ export const maqueenPlusV1: RobotType = {
   board: 'microbit-v2',
   body,
   modules: ['mbrobot_plus'],
-  driverNames: ['maqueenplusv1', 'maqueenplus', 'Maqueen_Plus'], // the latter two: lawther, Koraze
+  driverNames: ['maqueenplusv1', 'maqueenplus', 'Maqueen_Plus'], // the last two: lawther, Koraze
   options: attachmentOptions(SERVO_PORTS),
   mountMm: { x: 78.5, y: 0 },
   drawing,

@@ -3,7 +3,7 @@ import { createController, type ControllerOptions, type LineName } from './contr
 
 const USUAL: ControllerOptions = { version: '2.1', analogOrder: 'R2-first' };
 
-/** A controller with a log of what it told, over a ground that is black below the sensors named. */
+/** A controller with a log of its calls, over a ground that is black below the named sensors. */
 function controller(options: Partial<ControllerOptions> = {}, black: readonly LineName[] = []) {
   const motors: number[][] = [];
   const leds: number[][] = [];
@@ -81,7 +81,7 @@ describe('Maqueen Plus V2 controller: red lights', () => {
     [
       [0x0b, 3],
       [1, 0],
-    ], // a colour, as the V3 has them
+    ], // a colour, as the V3 has
   ])('%j lights %j', (message, expected) => {
     const { write, leds, motors } = controller();
     write(...message);

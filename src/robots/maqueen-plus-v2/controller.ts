@@ -6,15 +6,15 @@
  *      0x01         RW      left motor speed, 0 … 255, takes effect at once
  *      0x02         RW      right motor direction
  *      0x03         RW      right motor speed
- *      0x0B         RW      left red light, 0 off, else on
+ *      0x0B         RW      left red light, 0 off, otherwise on
  *      0x0C         RW      right red light
  *      0x1D         R       line sensors: bit 0 = R2, 1 = R1, 2 = M, 3 = L1, 4 = L2; 1 on black, 0 on light ground
  *      0x1E … 0x27  R       brightness of R2, R1, M, L1, L2, two bytes each, low byte first, at most 255;
  *                           on some robots of L2, L1, M, R1, R2
  *      0x32         R       length of the version text
  *      0x33 …       R       version text, ASCII
- *      others               writes are ignored, reads give 0: so do the servo registers of the V1 (0x14 … 0x16) and the
- *                           reset register of the V3 (0x49)
+ *      others               writes are ignored, reads give 0; also the servo registers of the V1 (0x14 … 0x16) and
+ *                           the reset register of the V3 (0x49)
  *
  * Sources: DFRobot/pxt-DFRobot_MaqueenPlus_v20 `maqueenPlusV2.ts`, Tiger-Jython/Robotics-Libraries `mbrobot_plusV2.py`,
  * almasy/micropython-maqueen-plus (motor registers read back). On the order of the brightness values see SOURCES.md.
@@ -38,7 +38,7 @@ export const LINE_NAMES = ['R2', 'R1', 'M', 'L1', 'L2'] as const;
 /** A line sensor's name, as printed on the robot. */
 export type LineName = (typeof LINE_NAMES)[number];
 
-/** What the controller tells the parts it drives, and asks its sensors. */
+/** The calls with which the controller drives its parts and reads its sensors. */
 export interface ControllerParts {
   /** Called after each write transfer that touched a motor register, with the bytes as the program set them. */
   motors(leftDirection: number, leftSpeed: number, rightDirection: number, rightSpeed: number): void;
@@ -53,7 +53,7 @@ export interface ControllerParts {
 export interface ControllerOptions {
   /** End of the version text. */
   readonly version: '2.0' | '2.1';
-  /** Whose brightness stands at 0x1E. */
+  /** The sensor whose brightness is at 0x1E. */
   readonly analogOrder: 'R2-first' | 'L2-first';
 }
 

@@ -1,6 +1,6 @@
 /**
- * What the motor law of the Maqueen Plus V2 is fitted to by scripts/fit-motor-law.mjs: published speeds, and the circles that
- * the driver of Tiger-Jython/Robotics-Libraries (microbit/mbrobot_plusV2.py) was tuned for on real robots.
+ * Data for scripts/fit-motor-law.mjs to fit the motor law of the Maqueen Plus V2: published speeds, and the circles
+ * that the driver of Tiger-Jython/Robotics-Libraries (microbit/mbrobot_plusV2.py) was tuned for on real robots.
  */
 export const motorLaw = {
   name: 'Maqueen Plus V2',
@@ -27,9 +27,12 @@ it NoeSchaller/TS_Maqueen for the Maqueen Plus (V1), times the wheel radius of 2
   notes: [
     'At speed 30 the outer wheel gets byte 33 and the inner one, near the end of what moves at all, steps from 15 to 19 only.',
   ],
-  /** How far off the worst circle from 0.15 to 0.5 m may be; held by src/robots/arcs.test.ts. Less is not possible: the driver sends the same bytes for 0.2 and for 0.3 m. */
+  /**
+   * Largest allowed error of the worst circle from 0.15 to 0.5 m; src/robots/arcs.test.ts checks it. Less is not
+   * possible: the driver sends the same bytes for 0.2 and for 0.3 m.
+   */
   circlesWithin: 0.21,
-  /** Where the search begins: v0, coulomb, viscous, breakaway share and until, yawResistance. */
+  /** Start of the search: v0, coulomb, viscous, breakaway share and until, yawResistance. */
   start: [246.9, 0.000001, 0.1546, 0.03637, 0.3277, 0.1289],
 };
 

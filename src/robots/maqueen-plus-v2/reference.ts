@@ -5,10 +5,10 @@ import type de from './words/reference/de.json';
 
 const NAME = 'mbrobot_plusV2';
 
-/** What TigerJython's own simulation can be told. */
+/** Calls that set up TigerJython's own simulation. */
 const told = saidBy(`${NAME}.RobotContext`, fn('(*arguments) -> None'));
 
-/** The names of this robot's library (library/*.py) and short words on each. */
+/** The names of this robot's library (library/*.py) with short descriptions. */
 const mbrobotPlusV2 = module(NAME, {
   forward: fn('() -> None'),
   backward: fn('() -> None'),

@@ -11,7 +11,7 @@ function onTheFloor(setup: FloorSetup = {}) {
   return { ...floor, send, readFrom };
 }
 
-/** A black line along the robot's way, so many mm to its left. */
+/** A black line along the robot's path, this many mm to its left. */
 const lineAlong = (leftMm: number, widthMm = 20): FloorSetup => ({
   prepare: (world) =>
     world.addStroke({

@@ -36,7 +36,7 @@ const LINE_SENSORS: readonly LinePlace<LineName>[] = [
 ];
 const LINE_SPOT_RADIUS_MM = 2.5; // chosen, as for the Lite: a reflective sensor sees a spot as wide as its housing
 
-/** What the sensors measure on black and on bare floor. Linear in between: chosen. */
+/** Readings of the sensors on black and on bare floor. Linear in between: chosen. */
 const BRIGHTNESS = {
   'light-high': { black: 100, floor: 230 }, // measured by the author of a TigerJython teaching project
   'light-low': { black: 240, floor: 70 }, // jdonwells/micropython-MaqueenPlusV2: about 240 on a line, about 70 off it
@@ -48,8 +48,8 @@ const SONAR_AT: Vec = { x: 76, y: 0 };
 const RGB_COUNT = 4; // front left, back left, back right, front right: ETH
 
 /**
- * Shortest PWM period that turns a servo here, in µs. Chosen: the buzzer hangs on P0 too, and its notes down to 100 Hz
- * shall not turn a claw.
+ * Shortest PWM period that turns a servo here, in µs. Chosen: the buzzer is on P0, too, and its notes down to 100 Hz
+ * must not turn a claw.
  */
 const LEAST_SERVO_PERIOD_US = 10_000;
 
@@ -108,7 +108,7 @@ function attach(context: RobotContext): Robot {
   return { state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
-/** Listens to a servo's wire; tones are left out. In whole degrees: the steps of `write_analog` are of 2°. */
+/** Listens to a servo's wire; tones are left out. Whole degrees, because the steps of `write_analog` are 2°. */
 function onServoSignal({ clock }: RobotContext, wire: Wire, set: (angleDeg: number) => void): Stop {
   const hear = (angleDeg: number): void => {
     if (wire.pwm === null || wire.pwm.periodUs >= LEAST_SERVO_PERIOD_US) set(Math.round(angleDeg));

@@ -14,7 +14,7 @@ import type de from './words/de.json';
 /** The words of what can be chosen about it. */
 const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
-/** Ports of the three servos, named after the pins they hang on. */
+/** Ports of the three servos, named after their pins. */
 export const SERVO_PORTS = ['P0', 'P1', 'P2'] as const;
 
 /** Distance between the middles of the wheels: Tiger-Jython/Aplu-Libraries and jhautbois/maqueen-plus-v3 (82). */
@@ -59,8 +59,8 @@ const body: ChassisType = {
     viscous: 0.1547,
     yawResistance: 0.1294,
     stallForceN: 1.5, // chosen: the same kind of gear motor as the Lite's, on 3.7 V through a regulator
-    // chosen: 0.1 s at the usual speed of 50; with the Lite's 0.03 the first circles begin as spirals, as a wheel at byte 15
-    // then takes a second to reach its speed
+    // chosen: 0.1 s at the usual speed of 50; with the Lite's 0.03 the first circles begin as spirals, because a wheel
+    // at byte 15 then takes a second to reach its speed
     lagS: 0.02,
   },
 };

@@ -6,7 +6,7 @@ import { createVm } from '#vm/run/vm';
 import { createWorld, STEP_US, type Chassis, type World } from '#world/world';
 import type { Robot, RobotBuild } from '../robot';
 
-/** A robot in an arena of 3 m × 3 m, its board in the hands of a test. */
+/** A robot in an arena of 3 m × 3 m, its board controlled by a test. */
 export interface Floor {
   readonly clock: Clock;
   readonly world: World;
@@ -15,11 +15,11 @@ export interface Floor {
   readonly robot: Robot;
   /** Lets simulated time pass. */
   readonly passMs: (ms: number) => void;
-  /** Writes to a chip on the bus; false when nobody answers. */
+  /** Writes to a chip on the bus; false if no chip answers. */
   readonly send: (address: number, ...bytes: readonly number[]) => boolean;
   /** Selects a register of a chip and reads from there. */
   readonly readFrom: (address: number, register: number, count: number) => readonly number[];
-  /** What it prints and how it ends when a program runs with the robot's libraries. */
+  /** Output and end of a program that runs with the robot's libraries. */
   readonly run: (firmware: WebAssembly.Module, program: string, forMs?: number) => ProgramRun;
 }
 
@@ -31,15 +31,15 @@ export interface ProgramRun {
   readonly hasEnded: boolean;
 }
 
-/** How a test wants the floor. */
+/** The floor for a test. */
 export interface FloorSetup {
   /** Paints lines and puts up walls. */
   readonly prepare?: (world: World) => void;
   readonly options?: OptionValues;
   readonly scale?: number;
-  /** What the battery gives. */
+  /** Voltage of the battery. */
   readonly supplyMv?: number;
-  /** How strong the left and the right motor are. */
+  /** Strength of the left and the right motor. */
   readonly strength?: readonly [number, number];
 }
 

@@ -1,4 +1,4 @@
-/** What a school library's functions do in the world, the same for both Maqueens that have such a library. */
+/** Effects of a school library's functions in the world, the same for both Maqueens that have such a library. */
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { RobotBuild } from '../robot';
@@ -9,7 +9,7 @@ export interface SchoolRobot {
   readonly build: RobotBuild;
   /** Name of the library. */
   readonly module: string;
-  /** How far ahead of the axle its distance sensor sits. */
+  /** Distance of its sensor ahead of the axle. */
   readonly sonarMm: number;
   /** Its servo ports, as programs call them. */
   readonly ports: readonly string[];

@@ -5,21 +5,21 @@ import type { Clock } from '#core/clock';
 import { createVm } from '#vm/run/vm';
 import type { RobotBuild } from '../robot';
 
-/** What a test wants around a library. */
+/** The surroundings of a library in a test. */
 export interface WiresSetup {
   readonly build: RobotBuild;
   readonly firmware: WebAssembly.Module;
-  /** What answers at each address; the bytes sent there are written down. */
+  /** Devices that answer at each address; the bytes sent there are recorded. */
   readonly chips: Readonly<Record<number, I2cTarget>>;
-  /** Connects what hangs on pins, before the program starts. */
+  /** Connects things to pins before the program starts. */
   readonly connect?: (board: Board, clock: Clock) => void;
   /** @default 5000 */
   readonly forMs?: number;
 }
 
-/** What a program did on the wires. */
+/** The program's actions on the wires. */
 export interface WiresRun {
-  /** The bytes of each write on the bus, without those that only address. */
+  /** The bytes of each write on the bus, without pure address writes. */
   readonly messages: readonly (readonly number[])[];
   readonly lines: readonly string[];
   /** `Type: message` of the exception that ended it, or `null`. */
