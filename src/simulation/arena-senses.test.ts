@@ -22,7 +22,7 @@ function robotAt(start: Pose) {
     chassis: rig.robot,
     ground: (spot, radiusMm) => rig.world.reflectanceAt(rig.robot.toWorld(spot), radiusMm),
   });
-  /** Drives for so many steps of 4 ms and gives the largest and smallest forward acceleration felt. */
+  /** Drives for this many steps of 4 ms and returns the largest and smallest measured forward acceleration. */
   const drive = (leftByte: number, rightByte: number, steps: number) => {
     const felt: number[] = [];
     for (let i = 0; i < steps; i++) {

@@ -4,36 +4,36 @@ import type { Sensors } from '#board/sensors/sensors';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/world';
 
-/** What the arena tells about the place where the board is. */
+/** The arena's data about the board's place. */
 export interface Surroundings {
   readonly chassis: Pick<Chassis, 'pose' | 'collisions'>;
   /** Reflectance under a round spot given in the robot frame, 0 black … 1 bare floor. */
   readonly ground: (spot: Vec, radiusMm: number) => number;
 }
 
-/** Lets the board on the robot feel the arena: compass, accelerometer and light. */
+/** Lets the board on the robot measure the arena: compass, accelerometer and light. */
 export interface ArenaSenses {
   readonly isOn: boolean;
-  /** Switches it on or off; off puts the sensors back to what they felt before. */
+  /** Switches it on or off; off restores the earlier values of the sensors. */
   switch(on: boolean): void;
-  /** To be called after each step of the world. */
+  /** Call it after each step of the world. */
   step(): void;
 }
 
 const FIELD_HORIZONTAL_NT = 21_500; // chosen: the earth's magnetic field in Zürich, rounded
-const FIELD_DOWN_NT = 43_000; // likewise, its part that points into the ground
-const GRAVITY_MG = 1024; // codal-core Accelerometer.h: what a board at rest measures, in its own mg
+const FIELD_DOWN_NT = 43_000; // chosen: its part that points into the ground
+const GRAVITY_MG = 1024; // codal-core Accelerometer.h: reading of a board at rest, in its own mg
 const MM_PER_S2_PER_MG = 9.806_65; // a thousandth of standard gravity
 const MOST_MG = 2000; // the range of the sensor at its start
 const SPOT_MM = 20; // chosen: the board looks at about its own width of floor
 
 /**
- * A bump lets the chassis rattle: the deceleration comes back with changing sign and dies away. Chosen so that driving
+ * A bump makes the chassis rattle: the deceleration returns with changing sign and dies away. Chosen so that driving
  * into a wall at full speed is a `shake` for the device, and touching one slowly is not.
  */
 const RATTLE = { halfPeriodUs: 40_000, damping: 0.75, halfPeriods: 8 } as const;
 
-/** What it sets, and what is put back when it is switched off. */
+/** The sensors that it sets, and restores when it is switched off. */
 const IDS = [
   'compassHeading',
   'compassX',
@@ -46,8 +46,8 @@ const IDS = [
 ] as const;
 
 /**
- * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north.
- * x points to the robot's right, y backwards (as the board's edge connector lies), z up.
+ * Chosen: the board lies flat on the robot, its logo forwards, its display up; the upper edge of the arena is north. x
+ * points to the robot's right, y backwards (towards the board's edge connector), z up.
  */
 export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroundings): ArenaSenses {
   let before: ReadonlyMap<string, number> | null = null;
@@ -94,9 +94,9 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
 
 const clamped = (mg: number): number => Math.max(-MOST_MG, Math.min(MOST_MG, mg));
 
-/** How the chassis is accelerated, robot frame, step by step: over the last five steps, and the rattle after a bump. */
+/** Acceleration of the chassis, robot frame, step by step: over the last five steps, and the rattle after a bump. */
 function createMotion(chassis: Surroundings['chassis']): () => { forwardMg: number; leftMg: number } {
-  const WINDOW = 5; // steps, together 20 ms: the period in which the device looks at its accelerometer
+  const WINDOW = 5; // steps, together 20 ms: the period in which the device reads its accelerometer
   const speeds: Vec[] = [];
   let last = chassis.pose();
   let bumps = chassis.collisions();

@@ -1,6 +1,6 @@
 import type { Block, Mover, Scene, SceneObject, Spikes, Wall } from '#scene/scene';
 
-/** What a run keeps from its start on: it is solid, and the robot may just be driving against it. */
+/** Objects that a run keeps from its start on: they are solid, and the robot may be driving against them. */
 export type LastingObject = Wall | Spikes | Mover | (Block & { readonly type: 'fixed-block' });
 
 /** Whether an object of a course changes in a run only with the next start; everything else does at once. */
@@ -24,11 +24,11 @@ export function isLasting(object: SceneObject): object is LastingObject {
 }
 
 /**
- * Ids of the movable blocks that a run has after its course was changed. A block that was put into the course is there at
- * once, unless it lies outside of the run's arena, or the run has something lasting of its id, which it was changed from.
- * A block that was made into something lasting stays movable until the next start.
+ * Ids of the movable blocks that a run has after its course was changed. A block that was added to the course is there
+ * at once, unless it lies outside the run's arena, or the run has a lasting object of its id from which it was changed.
+ * A block that was changed into a lasting object stays movable until the next start.
  *
- * @param before those it had; empty before the start
+ * @param before the ids so far; empty before the start
  * @param began the course that the run began with
  */
 export function movableIds(before: ReadonlySet<string>, began: Scene, course: Scene): ReadonlySet<string> {
@@ -46,23 +46,23 @@ export function movableIds(before: ReadonlySet<string>, began: Scene, course: Sc
   return ids;
 }
 
-/** What of a course is not yet in a run. */
+/** The parts of a course that are not yet in a run. */
 export interface Pending {
   /** Objects of the course that the run does not have. */
   readonly coming: readonly SceneObject[];
-  /** Objects of the run that the course no longer has, or has otherwise. */
+  /** Objects of the run that the course no longer has, or has in another form. */
   readonly going: readonly SceneObject[];
-  /** The robot starts elsewhere, or is another one. */
+  /** The start of the robot, or the robot itself, has changed. */
   readonly robot: boolean;
-  /** The arena or the board is another one. */
+  /** The arena or the board has changed. */
   readonly arena: boolean;
 }
 
 /**
- * What waits for the next start.
+ * The changes that wait for the next start.
  *
- * @param began the course that the run began with
- * @param course what it has become since
+ * @param began the course with which the run began
+ * @param course the course now
  */
 export function pendingChanges(began: Scene, course: Scene): Pending {
   const lasting = new Map(began.objects.filter(isLasting).map((object) => [object.id, object]));

@@ -7,7 +7,7 @@ import { hashOf, testChassis } from '#world/testing/rig';
 import { movableIds } from './at-once';
 import { CourseWorld } from './course-world';
 
-/** Something of any kind, anywhere in the arena, with one of few ids, so that they meet often. */
+/** Any kind of object, anywhere in the arena, with one of few ids, so that they meet often. */
 function anything(rng: Rng): SceneObject {
   const whole = (low: number, high: number): number => low + Math.floor((high - low) * rng.unit());
   const point = (): Point => [whole(0, 1200), whole(0, 900)];
@@ -41,7 +41,7 @@ function anyEdit(rng: Rng, course: Scene): SceneEdit {
   return { type: 'replace', changes: [{ id: some.id, by }] };
 }
 
-/** A robot drives about among random edits, one every 0.2 s. */
+/** A robot drives around among random edits, one every 0.2 s. */
 function wildRun(
   seed: number,
   edits: number,

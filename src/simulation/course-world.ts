@@ -6,13 +6,13 @@ import { createWorld, type BlockHandle, type FloorGrid, type MoverHandle } from 
 import type { StrokeHandle, World } from '#world/world';
 import { isEqual, isLasting, movableIds, type LastingObject } from './at-once';
 
-/** Something of the world, and the object of the course that it shows. */
+/** A thing in the world, and the object of the course that it shows. */
 interface Shown<T, Handle> {
   readonly object: T;
   readonly handle: Handle;
 }
 
-/** A world made from a course, which follows what becomes of the course while it is driven. */
+/** A world made from a course; it follows changes of the course during a run. */
 export class CourseWorld {
   readonly world: World;
   private readonly began: Scene;
@@ -21,7 +21,7 @@ export class CourseWorld {
   private readonly strokeById = new Map<string, Shown<Stroke, StrokeHandle>>();
   private background: Background | null = null;
 
-  /** Builds what the course describes, object by object in its order. */
+  /** Builds everything in the course, object by object in its order. */
   constructor(course: Scene) {
     this.began = course;
     this.world = createWorld({ widthMm: course.size[0], heightMm: course.size[1] });
@@ -43,19 +43,19 @@ export class CourseWorld {
     return new Set(this.blockById.keys());
   }
 
-  /** Where the movable blocks are, by object id. */
+  /** Poses of the movable blocks, by object id. */
   blockPoses(): Record<string, Pose> {
     return Object.fromEntries(Array.from(this.blockById, ([id, { handle }]) => [id, handle.pose()]));
   }
 
-  /** Where the moving obstacles are, by object id. */
+  /** Poses of the moving obstacles, by object id. */
   moverPoses(): Record<string, Pose> {
     return Object.fromEntries(Array.from(this.moverById, ([id, mover]) => [id, mover.pose()]));
   }
 
   /**
-   * Brings what shows at once (see `at-once.ts`) to where the changed course has it. What the change does not concern is
-   * left alone: a block that was pushed stays where it is.
+   * Applies the changes that show at once (see `at-once.ts`). Everything else is left alone: a pushed block stays where
+   * it is.
    */
   take(course: Scene): void {
     this.takeBlocks(course);
@@ -163,7 +163,7 @@ const boxOf = (box: Box): { readonly atMm: Vec; readonly sizeMm: Vec; readonly a
 
 const poseOf = (box: Box): Pose => ({ xMm: box.at[0], yMm: box.at[1], headingRad: angleOf(box) });
 
-/** What the sensors see of a background; nothing of one whose levels are damaged, with which no run begins. */
+/** A background for the sensors; `null` if its levels are damaged (no run begins with such a background). */
 function gridOf(background: Background): FloorGrid | null {
   const levels = unpackLevels(background);
   if (levels === null) return null;

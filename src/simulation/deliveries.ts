@@ -8,17 +8,17 @@ import type { TaskBrief } from './task-brief';
 
 /** Counts the blocks that lie in targets. */
 export interface Deliveries {
-  /** How many are delivered now: no more in each target than it wants, and each block once. */
+  /** Number of blocks delivered now: no more in each target than it wants, and each block once. */
   count(): number;
 }
 
-/** A movable block, and how it was when it was last looked at. */
+/** A movable block, and its state at the last look. */
 interface Watched {
   readonly block: BlockHandle;
   readonly corners: Outline;
   pose: Pose | null;
   held: boolean;
-  /** The targets in which it lies. */
+  /** The targets that contain it. */
   targets: readonly Zone[];
 }
 
@@ -42,7 +42,7 @@ export function createDeliveries(
         one.pose = pose;
         one.held = held;
         const targets = held ? [] : blockTargets.filter((target) => liesIn(target, pose, one.corners));
-        // Nearly all that moves does so outside of all targets.
+        // Nearly everything that moves does so outside all targets.
         if (targets.length === 0 && one.targets.length === 0) continue;
         one.targets = targets;
         hasChanged = true;

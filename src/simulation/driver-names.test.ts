@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
 import { AUTO, chooseHardware } from './hardware';
 
-/** The robot that a program gets which imports a driver by others, and nobody has chosen one. */
+/** The robot for a program that imports a driver by others, when no robot was chosen. */
 function robotFor(module: string): string | null {
   const files = { 'main.py': `from microbit import *\nimport ${module}`, [`${module}.py`]: '' };
   const hardware = chooseHardware({ scene: defaultScene(), files, robot: AUTO, board: AUTO });

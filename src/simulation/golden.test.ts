@@ -27,7 +27,7 @@ beforeAll(() => {
 
 const replays = new Map<Golden, Promise<Simulation>>();
 
-/** A run as recorded; each is driven once for all tests that look at it. */
+/** A run as recorded; each is driven once for all tests that use it. */
 function replay(golden: Golden): Promise<Simulation> {
   const driven = replays.get(golden) ?? drive(golden);
   replays.set(golden, driven);
@@ -66,7 +66,7 @@ describe('a recorded run', () => {
   });
 });
 
-/** Courses whose arena asks for nothing. */
+/** Courses without a task. */
 const WITHOUT_TASK = ['empty'];
 
 describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${folder}/texts.json`)))(

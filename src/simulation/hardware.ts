@@ -5,13 +5,13 @@ import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
 
-/** What stands for the bare board where a robot could be named. */
+/** Stands for the bare board in places where a robot can be named. */
 export const NO_ROBOT = 'none';
 
-/** Chosen by the scene, else by what the program imports. */
+/** The scene chooses, otherwise the program's imports. */
 export const AUTO = 'auto';
 
-/** What a run is made of. */
+/** The hardware of a run. */
 export interface Hardware {
   readonly board: BoardType;
   readonly firmware: FirmwareType;
@@ -21,7 +21,7 @@ export interface Hardware {
   readonly options: OptionValues;
 }
 
-/** What a run asks for. */
+/** The requested hardware of a run. */
 export interface HardwareWish {
   readonly scene: Scene;
   readonly files: Readonly<Record<string, string>>;
@@ -34,9 +34,10 @@ export interface HardwareWish {
 }
 
 /**
- * Finds the board and the robot of a run. An explicit wish wins over the scene, the scene over the program's imports.
+ * Finds the board and the robot of a run. An explicit request wins over the scene, and the scene over the program's
+ * imports.
  *
- * @returns a problem naming the unknown id and the known ones, when there is no such thing
+ * @returns for an unknown id, a problem that names it and the known ones
  */
 export function chooseHardware(wish: HardwareWish): Hardware | { readonly problem: string } {
   const imported = new Set(Object.values(wish.files).flatMap(importedModules));
@@ -57,14 +58,14 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
   return 'problem' in options ? options : { board, firmware, robot, options: options.values };
 }
 
-/** Whether the robot stands on a board that it does not fit: nothing of it is connected then. */
+/** Whether the robot is on a board that it does not fit: then nothing of it is connected. */
 export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>): boolean {
   return robot !== null && robot.board !== board.id;
 }
 
 /**
- * The robot that a program is written for when that is not this one: the program imports a module of the former and none
- * of the latter. A guess for a notice: the run itself does not depend on it. `null`: it fits, or nobody can tell.
+ * The other robot for which a program is written: the program imports a module of that robot and none of this one. It
+ * is a guess for a notice; the run does not depend on it. `null`: the program fits, or it is unclear.
  *
  * @param files of the program; a module that is one of them is the pupil's own
  */
@@ -74,7 +75,7 @@ export function robotMeant(files: Readonly<Record<string, string>>, robot: Robot
   return robot !== null && isFor(robot, imported) ? null : (robotTypes.find((type) => isFor(type, imported)) ?? null);
 }
 
-/** A course made for another robot may name options that this one does not have: they say nothing about it. */
+/** A course made for another robot may name options that this one does not have; they are ignored. */
 function chooseOptions(
   robot: RobotType | null,
   { scene, robotOptions = {} }: HardwareWish,
@@ -96,7 +97,7 @@ function unknown(
   return { problem: `Unknown ${what} "${id}". Known ${all}: ${known.map((type) => type.id).join(', ')}.` };
 }
 
-/** Says where in the scene's file a problem stands, when it comes from there. */
+/** The place of a problem in the scene's file, if it comes from there. */
 function placed(
   isInScene: boolean,
   where: string,
@@ -105,7 +106,7 @@ function placed(
   return { problem: isInScene ? `${where}: ${problem}` : problem };
 }
 
-/** The board whose own module is imported; `null` when that leaves the choice open. */
+/** The board whose own module is imported; `null` if that leaves the choice open. */
 function boardByImports(imported: ReadonlySet<string>): BoardType | null {
   const [usual] = boardTypes;
   if (usual?.modules.some((name) => imported.has(name))) return null;
@@ -117,8 +118,8 @@ const isFor = ({ modules }: RobotType, imported: ReadonlySet<string>): boolean =
   modules.some((name) => imported.has(name));
 
 /**
- * The first robot one of whose modules is imported, or a driver by others under one of its usual names; when none is,
- * the first that carries the board, if that was named, or of all.
+ * The first robot one of whose modules, or a driver by others under a usual name, is imported. Without one, the first
+ * robot that carries the named board, or the first of all.
  */
 function robotByImports(imported: ReadonlySet<string>, board: BoardType | null): RobotType | null {
   const goesBy = (named: (driver: string) => boolean) => robotTypes.find((type) => type.driverNames?.some(named));
@@ -130,7 +131,7 @@ function robotByImports(imported: ReadonlySet<string>, board: BoardType | null):
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
 }
 
-/** Names of the modules that a Python source imports at the beginning of a line. A guess for a default, never more. */
+/** Names of the modules that a Python source imports at the beginning of a line. Only a guess for a default. */
 export function importedModules(source: string): string[] {
   const names: string[] = [];
   for (const [, from, list] of source.matchAll(/^[ \t]*(?:from[ \t]+(\w+)|import[ \t]+([^#\n;]+))/gm)) {

@@ -7,25 +7,25 @@ export interface PlacedPose {
   readonly headingDeg: number;
 }
 
-/** Something done to a run from outside. Plain data: it can be sent, logged and replayed. */
+/** An action on a run from outside. Plain data: it can be sent, logged and replayed. */
 export type InputAction =
   | { readonly type: 'button'; readonly button: 'a' | 'b'; readonly down: boolean }
   /** A finger on `pinLogo`, `pin0`, … */
   | { readonly type: 'touch'; readonly pad: string; readonly down: boolean }
   /** Text typed into the console. */
   | { readonly type: 'serial'; readonly text: string }
-  /** What a sensor of the board feels: `lightLevel`, `temperature`, `accelerometerX`, … */
+  /** The value of a sensor of the board: `lightLevel`, `temperature`, `accelerometerX`, … */
   | { readonly type: 'sensor'; readonly id: string; readonly value: number | string }
-  /** The hand puts the robot somewhere; it stands still there. */
+  /** The hand tool puts the robot somewhere; it stands still there. */
   | { readonly type: 'place'; readonly pose: PlacedPose }
-  /** The hand puts the block of this object id somewhere. */
+  /** The hand tool puts the block of this object id somewhere. */
   | { readonly type: 'place-block'; readonly id: string; readonly pose: PlacedPose }
   /** A packet arrives by radio: a text as `radio.send` of another board sends it, or the bytes of `radio.send_bytes`. */
   | { readonly type: 'radio'; readonly text: string }
   | { readonly type: 'radio'; readonly bytes: readonly number[] }
-  /** Whether the board on the robot feels the arena (compass, accelerometer, light) or what is set by hand. */
+  /** Whether the board on the robot measures the arena (compass, accelerometer, light) or takes values set by hand. */
   | { readonly type: 'arena-senses'; readonly on: boolean }
-  /** The course is changed while it is driven; what of it shows at once and what only in the next run: `at-once.ts`. */
+  /** The course is changed during a run; `at-once.ts` says what shows at once and what only in the next run. */
   | { readonly type: 'edit'; readonly edit: SceneEdit }
   /** KeyboardInterrupt in the program. */
   | { readonly type: 'interrupt' };

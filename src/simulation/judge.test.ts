@@ -50,7 +50,7 @@ function start(objects: readonly SceneObject[], task: Partial<Task> = {}) {
         judge.step(timeUs);
       }
     },
-    /** Without wheels: the judge only sees where it is. */
+    /** Without wheels: the judge only sees its position. */
     put: (xMm: number, yMm: number, headingRad = 0): void => {
       robot.place({ xMm, yMm, headingRad });
       arena.world.step();

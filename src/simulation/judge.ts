@@ -9,12 +9,12 @@ import { createDeliveries, isSame, type Deliveries } from './deliveries';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
 import type { Verdict } from './verdict';
 
-/** What the judge watches. */
+/** The judge's view of the run. */
 export interface Watched {
   readonly chassis: Pick<Chassis, 'pose' | 'collisions' | 'touching'>;
   /** Convex parts of the robot's body at its size, robot frame, mm. */
   readonly body: readonly Outline[];
-  /** The movable block of this id, or `undefined` where none is in the run. */
+  /** The movable block of this id, or `undefined` if the run has no such block. */
   readonly block: (id: string) => BlockHandle | undefined;
   /** Ids of the obstacles in the run that must never be touched: spikes, and movers with spikes. */
   readonly spiked: ReadonlySet<string>;
@@ -26,18 +26,19 @@ type Failure = Pick<Verdict, 'reason' | 'by'>;
 /**
  * Decides whether the task of a course is done.
  *
- * - The robot has come to a zone when the middle of its axle is inside. Checkpoints count in the order of their numbers
+ * - The robot reaches a zone when the middle of its axle is inside. Checkpoints count in the order of their numbers
  *   (those of one number in any order), targets for the robot only after all checkpoints.
  * - A block is delivered while all its corners are in a target that wants blocks and no robot holds it.
- * - *Passed*: all checkpoints, all targets, and all blocks at the same time. A task with nothing of these but a time limit
- *   is passed when the time is over: holding out was the task. With neither it stays open.
- * - *Failed*: a part of the robot's body is over a forbidden zone; it touches spikes; with `noTouch` it touches anything
- *   solid (but blocks, where blocks are to be delivered); the time is over. What fails in the same step as what passes wins.
+ * - *Passed*: all checkpoints, all targets, and all blocks at the same time. A task with only a time limit is passed
+ *   when the time is over: holding out was the task. Without even that, it stays open.
+ * - *Failed*: a part of the robot's body is over a forbidden zone; it touches spikes; with `noTouch` it touches
+ *   anything solid (except blocks, if blocks are to be delivered); the time is over. If a task passes and fails in the
+ *   same step, it has failed.
  */
 export class Judge {
   private brief: TaskBrief;
   private deliveries: Deliveries;
-  /** Ids of the zones that the robot has come to. */
+  /** Ids of the zones that the robot has reached. */
   private readonly reached = new Set<string>();
   private delivered = 0;
   private touches = 0;
@@ -54,7 +55,7 @@ export class Judge {
     this.deliveries = createDeliveries(this.brief, watched.block);
   }
 
-  /** The course is another one from now on. What was reached stays reached, and what is decided stays decided. */
+  /** Uses another course from now on. What was reached stays reached, and a decision stays. */
   take(course: Scene): void {
     if (!this.isAsked()) this.touches = this.watched.chassis.collisions();
     this.brief = briefOf(course);
@@ -63,12 +64,12 @@ export class Judge {
     this.lastPose = null;
   }
 
-  /** How things stand, or `null` where the course sets no task. */
+  /** The state of the task, or `null` if the course has none. */
   verdict(): Verdict | null {
     return this.final ?? (this.isAsked() ? this.openVerdict() : null);
   }
 
-  /** To be called before the first step of the world and after each, at simulated time `timeUs`. */
+  /** Call it before the first step of the world and after each, at simulated time `timeUs`. */
   step(timeUs: number): void {
     if (this.final !== null || !this.isAsked()) return;
     const { brief } = this;
@@ -121,7 +122,7 @@ export class Judge {
 
   private reach(pose: Pose): void {
     const at = { x: pose.xMm, y: pose.yMm };
-    /** The number of the checkpoint that is next. */
+    /** The number of the next checkpoint. */
     let next = Infinity;
     for (const zone of this.brief.checkpoints) {
       if (this.reached.has(zone.id)) continue;
@@ -133,7 +134,7 @@ export class Judge {
     for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.reached.add(zone.id);
   }
 
-  /** What is touched is looked at only when a touch has begun. */
+  /** Touched things are looked up only when a touch has begun. */
   private newTouch(): Failure | null {
     const { chassis, spiked } = this.watched;
     const touches = chassis.collisions();
@@ -160,7 +161,7 @@ export class Judge {
   }
 }
 
-/** A forbidden zone, and how near the robot must be to it that it can be over it. */
+/** A forbidden zone, and the distance within which the robot can be over it. */
 interface Forbidden {
   readonly zone: Zone;
   readonly atX: number;

@@ -57,7 +57,7 @@ const edit = (simulation: Simulation, change: SceneEdit): void => {
   simulation.input({ type: 'edit', edit: structuredClone(change) });
 };
 
-/** The robot that drives meanwhile, for 2 s before the change and 2 s after it. */
+/** The robot drives meanwhile, for 2 s before the change and 2 s after it. */
 async function drivenAround(scene: Scene, change: SceneEdit): Promise<Simulation> {
   const simulation = await start(scene, DRIVE);
   simulation.advanceTo(2_000_000);
@@ -148,7 +148,7 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
     const before = simulation.snapshot().blocks['pushed'];
     expect(before?.xMm).toBeGreaterThan(510);
     edit(simulation, replace({ ...block('moved', [250, 700]), turn: 2 }));
-    // undoing may put everything in anew
+    // undo may add everything again
     edit(simulation, {
       type: 'all',
       edits: [{ type: 'clear' }, add(block('pushed', [500, 450]), block('moved', [250, 700]))],

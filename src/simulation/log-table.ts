@@ -8,7 +8,7 @@ export interface LogTable {
   readonly rows: readonly (readonly string[])[];
 }
 
-/** A log in which nothing has been written. */
+/** An empty log. */
 export const emptyLog: LogTable = { headings: [], rows: [] };
 
 /** The table after these events. Copies the rows once, however many events there are. */
@@ -34,7 +34,7 @@ export function withLogEvents(table: LogTable, events: readonly LogEvent[]): Log
   return { headings, rows };
 }
 
-/** The table for a spreadsheet: one line per row, cells parted by commas, in quotes where needed (RFC 4180). */
+/** The table for a spreadsheet: one line per row, cells separated by commas, in quotes where needed (RFC 4180). */
 export function csvOf({ headings, rows }: LogTable): string {
   if (headings.length === 0) return '';
   const line = (cells: readonly string[]): string => headings.map((_, i) => quoted(cells[i] ?? '')).join(',');

@@ -18,11 +18,11 @@ export interface Mounted {
   readonly robot: Robot;
   readonly chassis: Chassis;
   readonly senses: ArenaSenses;
-  /** To be called after each step of the world. */
+  /** Call it after each step of the world. */
   step(): void;
 }
 
-/** What a robot is put into. */
+/** The surroundings of a robot. */
 export interface Place {
   readonly clock: Clock;
   readonly board: Board;
@@ -72,7 +72,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   return { type, robot, chassis, senses, step };
 }
 
-/** A robot on a board that it does not fit hears nothing of the program: it is wired to a board that nobody programs. */
+/** A robot on a board that it does not fit hears nothing of the program: it is wired to a board without a program. */
 function spareBoard(type: RobotType): Board {
   const board = findBoard(type.board);
   if (board === undefined) throw new Error(`${type.id} names a board that does not exist: ${type.board}`);

@@ -12,19 +12,19 @@ export interface RadioPacket {
   readonly bytes: readonly number[];
 }
 
-/** Something that happened to the board's data log. */
+/** An event of the board's data log. */
 export type TimedLogEvent = LogEvent & {
   /** Simulated time. */
   readonly timeUs: number;
 };
 
-/** Where a run's news go, the moment they happen. What nobody wants is not even made. */
+/** The listeners for a run's events, called the moment they happen. Events without a listener are not even made. */
 export interface RunOutlets {
-  /** What the program prints; left out, it is kept for `takeConsole`. */
+  /** Output of the program; left out, it is kept for `takeConsole`. */
   readonly print?: (text: string) => void;
   readonly sound?: (event: SoundEvent) => void;
   readonly radio?: (packet: RadioPacket) => void;
   readonly log?: (event: TimedLogEvent) => void;
-  /** Where the robot comes by, a point every few mm. */
+  /** The robot's path, a point every few mm. */
   readonly way?: (point: WayPoint) => void;
 }

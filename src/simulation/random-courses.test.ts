@@ -12,7 +12,7 @@ beforeAll(() => {
 
 const words = { name: '', description: '' };
 
-/** What becomes of a random course when a ready course's solution drives in it, in at most this many simulated seconds. */
+/** The result of a random course when a ready course's solution drives in it, for at most this many simulated s. */
 async function drive(scene: Scene, course: string, seconds: number): Promise<Verdict | null> {
   const files = { 'main.py': readFileSync(`courses/${course}/main.en.py`, 'utf8') };
   const setup = { scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0, keepTrace: false };

@@ -1,5 +1,5 @@
 /**
- * *Reality*: how much a robot is like a used one of a school, 0 (ideal) … 1. Everything comes from the seed: the same
+ * *Reality*: how much a robot resembles a school's used one, 0 (ideal) … 1. Everything comes from the seed: the same
  * seed gives the same robot with the same faults.
  *
  *      motors       one is stronger than the other, so that `forward()` drifts and `calibrate` has a purpose
@@ -7,8 +7,7 @@
  *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
  *      ultrasonic   trembles, misses an echo now and then, and hears nothing from walls that it meets at a flat angle
  *
- * What is measured at a moment is a function of that moment, not of how often somebody looks: a picture taken in
- * between changes nothing.
+ * A measurement is a function of its moment, not of the number of readings: an additional snapshot changes nothing.
  */
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
@@ -17,24 +16,24 @@ import { STEP_US, type Cone, type ConeHit } from '#world/world';
 
 /** A robot's faults. */
 export interface Reality {
-  /** The body with motors as unequal as they are. */
+  /** The body with unequal motors. */
   body(type: ChassisType): ChassisType;
-  /** What the battery gives compared with a full one while the motors run at these duties, 0 … 1. */
+  /** The battery's voltage compared with a full one while the motors run at these duties, 0 … 1. */
   supply(duty: { readonly left: number; readonly right: number }): number;
-  /** What a line sensor at `spot` makes of a reflectance of 0 … 1. */
+  /** Distorts a reflectance of 0 … 1 for the line sensor at `spot`. */
   reflectance(seen: number, spot: Vec): number;
-  /** The beam as far as the sensor really hears. */
+  /** The beam that the sensor really hears. */
   cone(cone: Cone): Cone;
-  /** What the ultrasonic sensor makes of what it faces. */
+  /** Distorts the reading of the ultrasonic sensor. */
   echo(hit: ConeHit): ConeHit;
 }
 
 /** A full battery's voltage in mV. Chosen: four NiMH cells of 1.2 V. */
 export const FULL_MV = 4800;
 
-// At reality 1. All chosen: what teachers tell of a drawer of school robots, large enough to be seen, small enough that
-// a program with feedback still succeeds.
-const MOTOR_DIFFERENCE = { least: 0.03, most: 0.06 }; // share by which one motor is stronger, the other weaker: 15 to 30 cm off after 1 m
+// At reality 1. All chosen: after teachers' reports of a drawer of school robots, large enough to be seen, small enough
+// that a program with feedback still succeeds.
+const MOTOR_DIFFERENCE = { least: 0.03, most: 0.06 }; // share by which one motor is stronger and the other weaker: 15 to 30 cm off after 1 m
 const FLAT_BATTERY = 0.12; // the emptiest battery that still drives
 const SAG_AT_FULL_DUTY = 0.08; // both motors at full duty
 const SENSOR_OFFSET = 0.08; // reflectance
@@ -91,10 +90,10 @@ export function createReality(amount: number, seed: number, nowUs: () => number)
 const ECHO = 1;
 const ECHO_MISSED = 2;
 
-/** A number of its own for each place of a sensor. */
+/** A different number for each place of a sensor. */
 const channelOf = ({ x, y }: Vec): number => Math.round(x * 10) * 4096 + Math.round(y * 10) + 3;
 
-/** A number from 0 up to 1 that depends on nothing but these: the finalizer of MurmurHash3 (Austin Appleby), twice. */
+/** A number from 0 up to 1 that depends only on these: the finalizer of MurmurHash3 (Austin Appleby), twice. */
 function unitOf(salt: number, moment: number, channel: number): number {
   return mixed(mixed(salt ^ moment) ^ channel) / 4294967296;
 }

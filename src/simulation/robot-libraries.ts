@@ -2,14 +2,14 @@ import { freeLibraries } from '#libraries/index';
 import { robotBuilds } from '#robots/builds';
 import type { RobotBuild } from '#robots/robot';
 
-/** What a run needs of the robot with this id, or `null`. */
+/** The parts of the robot with this id that a run needs, or `null`. */
 export function findBuild(id: string): RobotBuild | null {
   return robotBuilds.find(({ type }) => type.id === id) ?? null;
 }
 
 /**
- * Python modules that come along, by file name. Those of the chosen robot win, those of the others and those that belong
- * to no robot are there too, as their files would be on a real board that carries another robot, or none.
+ * The Python modules on the board, by file name. Those of the chosen robot win. Modules of other robots and of no robot
+ * are there too, as their files would be on a real board that carries another robot or none.
  *
  * @param id the chosen robot, or `null` for the bare board
  */

@@ -13,7 +13,7 @@ import type { InputAction, PlacedPose } from './input';
 import type { RunSetup } from './run-setup';
 
 /**
- * Why a set-up cannot be run: an unknown robot or board, a robot inside a wall, an input that cannot be.
+ * Why a set-up cannot run: an unknown robot or board, a robot inside a wall, an impossible input.
  *
  * @returns one or several lines that name place and value, or the hardware of the run
  */
@@ -34,7 +34,7 @@ function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): st
   return inputsProblem(setup, new Board(board, new Clock(), firmware), robot !== null);
 }
 
-/** A problem of the log that is replayed, with the place of its entry. Each entry is held against the course as it is then. */
+/** A problem of the replayed log, with the place of its entry. Each is checked against the course as it is then. */
 function inputsProblem({ scene, inputs = [] }: RunSetup, rehearsal: Board, hasRobot: boolean): string | null {
   const check = createInputCheck(rehearsal, scene, hasRobot);
   const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
@@ -51,28 +51,29 @@ function inputsProblem({ scene, inputs = [] }: RunSetup, rehearsal: Board, hasRo
 }
 
 /**
- * Tells what is wrong with something that is done to a run from outside, in words that name thing and value.
+ * Says what is wrong with an action on a run, in words that name thing and value.
  *
- * @param course as it is when that is done
- * @param movable ids of the run's movable blocks then
- * @returns `null` when it can be done
+ * @param course the course at that moment
+ * @param movable ids of the run's movable blocks at that moment
+ * @returns `null` if the action is possible
  */
 export type InputCheck = (action: InputAction, course: Scene, movable: ReadonlySet<string>) => string | null;
 
 /**
  * Makes the check of a run.
  *
- * @param rehearsal a board of the run's type, beside the run: what a sensor takes is found by setting it there
+ * @param rehearsal a board of the run's type, separate from the run: setting a sensor there shows which values it
+ *   accepts
  * @param began the course that the run begins with
  */
 export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boolean): InputCheck {
-  rehearsal.motion.setRange(WIDEST_G); // what the program sets it to is known only then; what is beyond reads as its end
+  rehearsal.motion.setRange(WIDEST_G); // the range that the program sets is known only then; values beyond are clamped
   return (action, course, movable) => {
     switch (action.type) {
       case 'button':
       case 'serial':
       case 'interrupt':
-      case 'arena-senses': // without a robot there is nothing to feel: nothing happens
+      case 'arena-senses': // without a robot there is nothing to measure: nothing happens
         return null;
       case 'radio':
         return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
@@ -92,7 +93,7 @@ export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boole
   };
 }
 
-/** A damaged picture would show only when its levels are unpacked, in the midst of the run. */
+/** Otherwise a damaged picture would show only when its levels are unpacked, in the middle of the run. */
 function editInWords(course: Scene, edit: SceneEdit): string | null {
   const problem = editProblem(course, edit);
   if (problem !== null) return `edit${problem.path === '' ? ': ' : '.'}${problem.message}`;

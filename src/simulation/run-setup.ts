@@ -7,15 +7,15 @@ export interface RunSetup {
   readonly scene: Scene;
   /** The files on the board by name; `main.py` is the program. */
   readonly files: Readonly<Record<string, string>>;
-  /** Id of a robot type, `none` for the bare board, or `auto`: the scene's, else by the program's imports. */
+  /** Id of a robot type, `none` for the bare board, or `auto`: the scene's, otherwise by the program's imports. */
   readonly robot: string;
-  /** Id of a board type, or `auto`: the scene's, else by the program's imports. */
+  /** Id of a board type, or `auto`: the scene's, otherwise by the program's imports. */
   readonly board: string;
   /** Id of a firmware of the board; left out: the board's first. */
   readonly firmware?: string;
   /** When the REPL greets after the program's end: `at-once` as on the device, or (the default) with the first byte typed. */
   readonly repl?: 'at-once' | 'when-typed';
-  /** Whole number from which all chance is drawn. */
+  /** Whole number from which all random numbers are drawn. */
   readonly seed: number;
   /** Chosen options of the robot: id of an option → id of a choice. They win over those of the scene. */
   readonly robotOptions?: OptionValues;
@@ -23,6 +23,6 @@ export interface RunSetup {
   readonly reality: number;
   /** A log to replay: each action takes effect at the first step of the world at or after its time. */
   readonly inputs?: readonly InputEvent[];
-  /** Keeps every row of the trace in memory (about 3 kB per simulated second). Its hash is there in any case. */
+  /** Keeps every row of the trace in memory (about 3 kB per simulated second). The hash is there either way. */
   readonly keepTrace?: boolean;
 }

@@ -2,8 +2,8 @@ import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 
 /**
- * A body at another size: every length, the top speed and the motors' force grow with the scale, the mass stays. So a
- * small and a large robot speed up in the same time, and everything they do looks alike at its own size.
+ * A body at another size: every length, the top speed and the motors' force grow with the scale; the mass stays. So a
+ * small and a large robot speed up in the same time, and all their movements look alike at their own size.
  */
 export function scaledBody(body: ChassisType, scale: number): ChassisType {
   if (scale === 1) return body;

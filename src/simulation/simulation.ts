@@ -58,7 +58,7 @@ export class Simulation {
   /** Actions that wait for their step, in order of time. */
   private readonly waiting: InputEvent[];
   private readonly check: InputCheck;
-  /** What the course has become by now. */
+  /** The course as it is now. */
   private course: Scene;
   private output: string[] = [];
   private end: Ended | null = null;
@@ -68,8 +68,8 @@ export class Simulation {
   /**
    * Builds a run and loads its program, which begins with the first `advanceTo`.
    *
-   * @param outlets receive what the run has to tell, the moment it happens
-   * @throws RangeError (as a rejection) for a set-up that cannot be run, with the words of `checkRun`
+   * @param outlets receive the run's events the moment they happen
+   * @throws RangeError (as a rejection) for a set-up that cannot run, with the words of `checkRun`
    */
   static create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets = {}): Promise<Simulation> {
     return new Promise((resolve) => {
@@ -88,7 +88,8 @@ export class Simulation {
     this.course = setup.scene;
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
-    // The step is registered before all that has its rhythm (the robot's sensors): then the world moves first.
+    // The step is registered before everything with a rhythm of its own (the robot's sensors): then the world moves
+    // first.
     this.clock.every(STEP_US, () => this.step());
     this.board = new Board(hardware.board, this.clock, hardware.firmware);
     this.tell(outlets);
@@ -127,24 +128,26 @@ export class Simulation {
   }
 
   /**
-   * How the program ended, or `null` while it runs; also when it runs again after Ctrl-D at the REPL. The world goes on
-   * in either case.
+   * How the program ended, or `null` while it runs; `null` again when it runs again after Ctrl-D at the REPL. The world
+   * goes on in either case.
    */
   get ended(): Ended | null {
     return this.end;
   }
 
-  /** The program has switched the board off: nothing of it runs any more. */
+  /** The program has switched the board off and does not run any more. */
   get isOff(): boolean {
     return this.board.power.state === 'off';
   }
 
-  /** Every action so far with the time at which it took effect: as `inputs` of an equal set-up it repeats this run. */
+  /**
+   * Every action so far with the time at which it took effect: as `inputs` of an equal set-up, they repeat this run.
+   */
   get inputLog(): readonly InputEvent[] {
     return this.log;
   }
 
-  /** One row per 20 ms, when the set-up asks to keep them; without a robot none. */
+  /** One row per 20 ms, if the set-up asks to keep them; without a robot none. */
   get trace(): readonly TraceRow[] {
     return this.rows;
   }
@@ -154,12 +157,12 @@ export class Simulation {
     return this.hash.hex();
   }
 
-  /** The course this run began with. */
+  /** The course with which this run began. */
   get scene(): Scene {
     return this.setup.scene;
   }
 
-  /** How well the task is done, or `null` where the course sets none, and without a robot. */
+  /** How well the task is done, or `null` if the course has no task, and without a robot. */
   get verdict(): Verdict | null {
     return this.judge?.verdict() ?? null;
   }
@@ -171,7 +174,7 @@ export class Simulation {
 
   /**
    * Lets program and world run until simulated time `us`; after the program's end the world goes on, and the REPL
-   * waits. A call of the device that is under way then is finished first, so the clock may stand a little later.
+   * waits. A call of the device that is not finished by then is finished first, so the clock may be a little later.
    */
   advanceTo(us: number): void {
     this.advanceProgramTo(us);
@@ -185,11 +188,11 @@ export class Simulation {
   }
 
   /**
-   * Does something from outside. It takes effect at the next step of the world at or after `timeUs`, is stamped with that
-   * time and logged.
+   * Performs an action from outside. It takes effect at the next step of the world at or after `timeUs`, is stamped
+   * with that time and logged.
    *
    * @param timeUs simulated time, not before now
-   * @throws RangeError for a sensor, pad, block or object that is not there and a value out of range; nothing is done then
+   * @throws RangeError for an unknown sensor, pad, block or object, and for a value out of range; then nothing is done
    */
   input(action: InputAction, timeUs = this.nowUs): void {
     const problem = this.problemOf(action, timeUs);
@@ -203,7 +206,7 @@ export class Simulation {
     this.input({ type: 'interrupt' });
   }
 
-  /** Ends the program: an interrupt whose traceback is not printed. What it prints in its `finally` is. */
+  /** Ends the program by an interrupt whose traceback is not printed. The output of its `finally` is. */
   stop(): void {
     this.isStopped = true;
     this.interrupt();
@@ -225,19 +228,19 @@ export class Simulation {
     };
   }
 
-  /** What was printed since the last call. */
+  /** The output since the last call. */
   takeConsole(): string {
     const text = this.output.join('');
     this.output = [];
     return text;
   }
 
-  /** Takes the robot off the board; the memory goes with the last reference. Nothing else may be called afterwards. */
+  /** Takes the robot off the board. The memory is freed with the last reference. Call nothing else afterwards. */
   dispose(): void {
     this.mounted?.robot.detach();
   }
 
-  /** Passes on what the board has to tell. */
+  /** Passes on the board's events. */
   private tell({ sound, radio, log }: RunOutlets): void {
     const { board } = this;
     if (sound) board.sound.onEvent(sound);
@@ -248,7 +251,7 @@ export class Simulation {
     if (log) board.dataLog.onEvent((event) => log({ ...event, timeUs: this.nowUs }));
   }
 
-  /** Lets the VM go on until `us`, until its program ends, or until its program begins anew. */
+  /** Lets the VM go on until `us`, until its program ends, or until its program starts again. */
   private resume(us: number): void {
     this.vm.resume(us);
     const { ended } = this.vm;
@@ -256,7 +259,7 @@ export class Simulation {
     else this.end ??= { ...ended, timeUs: this.nowUs };
   }
 
-  /** What happens at time 0, before the program's first bytecode. */
+  /** The events at time 0, before the program's first bytecode. */
   private begin(): void {
     this.isFresh = false;
     this.takeInputs();
@@ -277,14 +280,14 @@ export class Simulation {
   private takeInputs(): void {
     for (let next = this.waiting[0]; next && next.timeUs <= this.nowUs; next = this.waiting[0]) {
       this.waiting.shift();
-      // An edit made while a log is replayed may have taken away what a later entry of the log is about.
+      // An edit made while a log is replayed may have removed what a later entry of the log refers to.
       if (this.isMoot(next.action)) continue;
       this.log.push({ timeUs: this.nowUs, action: next.action });
       this.act(next.action);
     }
   }
 
-  /** What is wrong with an action that shall take effect after those that wait for the same step. */
+  /** Checks an action that will take effect after those that wait for the same step. */
   private problemOf(action: InputAction, timeUs: number): string | null {
     let course = this.course;
     let movable = this.courseWorld.movableIds();
@@ -317,7 +320,7 @@ export class Simulation {
       case 'serial':
         return this.vm.feed(action.text);
       case 'sensor':
-        // Beyond the range that the program has set, the sensor is at its end.
+        // Beyond the range that the program has set, the sensor reports its limit.
         return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
       case 'place':
         return this.mounted?.chassis.place(poseOf(action.pose));

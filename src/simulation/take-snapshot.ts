@@ -1,7 +1,7 @@
 import type { Board } from '#board/board';
 import type { BoardSnapshot } from './snapshot';
 
-/** What can be seen of the board now. */
+/** The visible state of the board now. */
 export function boardSnapshot(board: Board): BoardSnapshot {
   const hz = board.music.frequencyHz;
   return {

@@ -1,22 +1,22 @@
 import type { Block, Scene, Task, Zone } from '#scene/scene';
 
-/** What of a course matters to the judge. */
+/** The parts of a course that matter to the judge. */
 export interface TaskBrief {
   readonly task: Task;
   /** In the order of their numbers; those of one number in the order of the course. */
   readonly checkpoints: readonly Zone[];
-  /** Targets that the robot has to come to. */
+  /** Targets that the robot must reach. */
   readonly robotTargets: readonly Zone[];
   /** Targets that want blocks. */
   readonly blockTargets: readonly Zone[];
   readonly forbidden: readonly Zone[];
-  /** Ids and sizes of the movable blocks, in the order of the course; none where no target wants any. */
+  /** Ids and sizes of the movable blocks, in the order of the course; empty if no target wants blocks. */
   readonly blocks: readonly { readonly id: string; readonly size: readonly [number, number] }[];
-  /** How many blocks are wanted in all targets together. */
+  /** Number of blocks wanted in all targets together. */
   readonly blocksWanted: number;
 }
 
-/** Reads out of a course what the judge has to know. */
+/** Extracts these parts from a course. */
 export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): TaskBrief {
   const checkpoints: Zone[] = [];
   const targets: Zone[] = [];
@@ -39,7 +39,7 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
   };
 }
 
-/** Whether there is something to come to or to deliver. */
+/** Whether there is something to reach or to deliver. */
 export const hasGoal = ({ checkpoints, robotTargets, blockTargets }: TaskBrief): boolean =>
   checkpoints.length + robotTargets.length + blockTargets.length > 0;
 
@@ -53,6 +53,6 @@ export function spikedIds({ objects }: Pick<Scene, 'objects'>): ReadonlySet<stri
   return new Set(spiked.map(({ id }) => id));
 }
 
-/** Whether a course asks for something, or has something that must not be touched: then there is a verdict. */
+/** Whether a course has a task, or something that must not be touched: then there is a verdict. */
 export const hasTask = (course: Pick<Scene, 'task' | 'objects'>): boolean =>
   isTask(briefOf(course)) || spikedIds(course).size > 0;

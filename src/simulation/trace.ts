@@ -3,7 +3,7 @@ import { sha256 } from '@noble/hashes/sha2.js';
 /** Simulated time between two rows of the trace, in µs. */
 export const TRACE_PERIOD_US = 20_000;
 
-/** Where the robot was and what it did at one moment. */
+/** Position and actions of the robot at one moment. */
 export interface TraceRow {
   readonly timeUs: number;
   readonly xMm: number;
@@ -17,7 +17,7 @@ export interface TraceRow {
   readonly leftDuty: number;
   readonly rightDuty: number;
   readonly lineSensors: readonly { readonly name: string; readonly bright: boolean }[];
-  /** What the ultrasonic sensor faces; `null` for nothing in range or no such sensor. */
+  /** Reading of the ultrasonic sensor; `null` if nothing is in range or there is no such sensor. */
   readonly distanceMm: number | null;
   /** Since the start. */
   readonly collisions: number;

@@ -1,4 +1,4 @@
-/** What pupils see with the *reality* slider in its middle: which of the solutions in courses/ still do their task. */
+/** The effect of the *reality* slider at its middle: which of the solutions in courses/ still succeed. */
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { parseScene } from '#scene/parse';

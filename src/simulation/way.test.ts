@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { createRig } from '#world/testing/rig';
 import { createWayTeller, type WayPoint } from './way';
 
-/** A robot at (300 | 1000) that looks along x, with the way it tells. */
+/** A robot at (300 | 1000) that looks along x, with its recorded path. */
 function setUp() {
   const { robot, world } = createRig({ xMm: 300, yMm: 1000, headingRad: 0 });
   const points: WayPoint[] = [];

@@ -1,19 +1,19 @@
 import type { Vec } from '#core/geometry';
 import type { Chassis } from '#world/chassis';
 
-/** A point that a robot came by, or `null` where the hand lifted it: the next point is where it was set down. */
+/** A point of a robot's path, or `null` where the hand tool lifted it: the next point is where it was set down. */
 export type WayPoint = Vec | null;
 
-/** Chosen: points so far apart, in mm, show the narrowest curve (the wheels' own track) within a fifth of a mm. */
+/** Chosen: points at this distance, in mm, show the narrowest curve (the wheels' own track) within a fifth of a mm. */
 const APART_MM = 4;
 
-/** Rounding of positions: a robot that has come farther than its wheels have rolled by more than this was carried. */
+/** Rounding of positions: a robot that has moved farther than its wheels have rolled by more than this was carried. */
 const CARRIED_MM = 0.5;
 
 /**
- * Tells the way of the middle of a robot's axle, point by point, beginning with where it stands.
+ * Reports the path of the middle of a robot's axle, point by point, beginning with its start.
  *
- * @returns to be called after each step of the world
+ * @returns a function to call after each step of the world
  */
 export function createWayTeller(chassis: Chassis, tell: (point: WayPoint) => void): () => void {
   let last: Vec | null = null;
