@@ -1,16 +1,16 @@
 /**
- * Opens the level files of the simulator that came before this one, and of others like it, as far as their shape says
- * clearly what is meant. Recognised is JSON that is a list of things, or an object whose lists hold nothing but things:
+ * Opens the level files of this simulator's predecessor, and of similar ones, as far as their shape is clear. It
+ * recognises JSON that is a list of things, or an object whose lists hold only things:
  *
- * - **where**: `x` and `y`, by themselves or in `position`, `pos` or `center`: the middle, in pixels of a canvas (y down,
- *   from its upper left corner). A pixel is taken for a millimetre. `width` and `height` beside the lists, by themselves
- *   or in `canvas`, `world` or `arena`, are the arena; else it is as large as needed, at least the usual 1200 × 900 mm.
- *   Where something has a negative place, everything is moved so that it lies 50 mm from the edge.
- * - **circles** (`radius`, `r` or `diameter`): dots of the pen. Those of one size in a row that touch make one line.
+ * - **where**: `x` and `y`, by themselves or in `position`, `pos` or `center`: the middle, in pixels of a canvas (y
+ *   down, from its upper left corner). A pixel is taken for a millimetre. `width` and `height` beside the lists, by
+ *   themselves or in `canvas`, `world` or `arena`, are the arena; otherwise it is as large as needed, at least the
+ *   usual 1200 × 900 mm. If something has a negative place, everything is moved so that it lies 50 mm from the edge.
+ * - **circles** (`radius`, `r` or `diameter`): dots of the pen. Consecutive dots of one size that touch make one line.
  * - **rectangles** (`width` and `height`, `w` and `h`, or `size` as two numbers): a wall when `type`, `kind`, `name`,
  *   `label`, `key` or `texture` says so, or when it is thin (at most 50) and four times as long; a block that can be
- *   pushed when it says so or has `movable: true`, `isStatic: false` or `static: false`; else a fixed block. `angle` is
- *   in degrees, `rotation` in radians, both clockwise; blocks turn by eighths.
+ *   pushed when it says so or has `movable: true`, `isStatic: false` or `static: false`; otherwise a fixed block.
+ *   `angle` is in degrees, `rotation` in radians, both clockwise; blocks turn by eighths.
  * - **the robot**: a thing whose word is robot, maqueen or callibot, in a list or by itself beside the lists.
  *
  * A file with anything else in its lists opens nothing.
@@ -30,7 +30,7 @@ import {
 import { serializeScene } from '#scene/serialize';
 import { simplified } from '#scene/simplify';
 
-/** A level as a course, or why it is none: a sentence in English that names the place. */
+/** A level as a course, or why it is not one: a sentence in English that names the place. */
 export type EarlierLevel = { readonly scene: Scene } | { readonly problem: string; readonly place: string };
 
 /** Something in a level, in pixels of its canvas, y down, angle clockwise. */
@@ -57,7 +57,7 @@ const THIN_MM = 50;
 /** Words for the robot, in small letters. */
 const ROBOT = /robot|maqueen|calli/;
 
-/** Whether a JSON value may be such a level: worth asking `sceneOfEarlierLevel`, which says what is wrong with it. */
+/** Whether a JSON value may be such a level and is worth `sceneOfEarlierLevel`, which says what is wrong with it. */
 export function looksLikeEarlierLevel(value: unknown): boolean {
   const lists = listsOf(value);
   return lists !== null && lists.some(({ list }) => list.some((entry) => placeOf(entry) !== null));
@@ -130,7 +130,7 @@ function thingOf(entry: unknown, list: string): Thing | null {
   return size === null ? null : { is: boxKind(entry, words, size), ...place, ...size, angleDeg };
 }
 
-/** Degrees clockwise: `angle` says them, `rotation` is in radians. */
+/** Degrees clockwise: `angle` gives them, `rotation` is in radians. */
 function angleOf(entry: Fields): number | null {
   const { angle, rotation } = entry;
   if (angle === undefined && rotation === undefined) return 0;
@@ -163,7 +163,7 @@ function boxKind(entry: Fields, words: string, size: { width: number; height: nu
   return thin <= THIN_MM && long >= 4 * thin ? 'wall' : 'fixed-block';
 }
 
-/** What the level says about its canvas, in px. */
+/** The level's canvas, in px. */
 function canvasOf(value: unknown): Point | null {
   if (!isFields(value)) return null;
   const inside = first(value, ['canvas', 'world', 'arena']);
@@ -192,7 +192,7 @@ function sceneOf(things: readonly Thing[], canvas: Point | null): Scene {
 const leastOf = (things: readonly Thing[], axis: 'x' | 'y'): number =>
   things.reduce((least, thing) => Math.min(least, thing[axis] - reachOf(thing)), Infinity);
 
-/** How far a thing reaches from its middle at most. */
+/** Maximum distance of a thing's parts from its middle. */
 function reachOf(thing: Thing): number {
   if (thing.is === 'robot') return 0;
   return thing.is === 'dot' ? thing.radius : Math.max(thing.width, thing.height) / 2;
@@ -232,7 +232,7 @@ function objectsOf(things: readonly Thing[], size: Point): readonly SceneObject[
 
 type Dot = Extract<Thing, { readonly is: 'dot' }>;
 
-/** Dots of one size, each of which touches the one before. */
+/** Dots of one size, each of which touches the previous one. */
 function linesOf(things: readonly Thing[]): readonly (readonly Dot[])[] {
   const lines: Dot[][] = [];
   for (const dot of things) {

@@ -17,13 +17,13 @@ import {
   type SourceFile,
 } from './project';
 
-/** What a project file calls itself. */
+/** The name of the format in a project file. */
 export const PROJECT_FORMAT = 'parcours-project';
 
 /** The version this app writes, and the newest it reads. Its course has a version of its own (`#scene/scene`). */
 export const PROJECT_VERSION = 1;
 
-/** What brings a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
+/** Steps that bring a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
 const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {};
 
 /** A project, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
@@ -41,7 +41,7 @@ export function projectToText({ files, scene, course, settings }: Project): stri
     ...(course === null ? [] : [`"course": ${JSON.stringify(course)}`]),
     ...(settings === undefined ? [] : [`"settings": ${JSON.stringify(settings)}`]),
     `"files": [\n    ${files.map(({ name, text }) => JSON.stringify({ name, text })).join(',\n    ')}\n  ]`,
-    // Texts in JSON hold no line ends of their own: all there are belong to the layout.
+    // Texts in JSON contain no line ends of their own: all line ends belong to the layout.
     `"scene": ${serializeScene(scene).trimEnd().replaceAll('\n', '\n  ')}`,
   ];
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
@@ -59,10 +59,10 @@ export function parseProjectValue(value: unknown): ParsedProject {
   return 'problem' in current ? failed([current.problem]) : readProject(current.fields);
 }
 
-/** What a JSON value says that it is, if anything. */
+/** The format that a JSON value names, if any. */
 export const formatOf = (value: unknown): unknown => (isFields(value) ? value['format'] : undefined);
 
-/** Whether a JSON value says that it is a project file, of whatever version. */
+/** Whether a JSON value says that it is a project file, of any version. */
 export const isProjectFile = (value: unknown): value is Fields => formatOf(value) === PROJECT_FORMAT;
 
 const isFields = (value: unknown): value is Fields =>

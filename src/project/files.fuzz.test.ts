@@ -11,7 +11,7 @@ import { fullProject } from './testing/projects';
 
 /** How many files are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
-/** Against an endless loop only. */
+/** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 
 const level = { canvas: { width: 800, height: 600 }, walls: [{ x: 9, y: 9, w: 90, h: 10 }], marks: [{ x: 5, y: 5, radius: 3 }, { x: 9, y: 5, radius: 3 }] }; // prettier-ignore

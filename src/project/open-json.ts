@@ -7,7 +7,7 @@ import { formatOf, isProjectFile, parseProject, parseProjectValue } from './file
 import type { ProjectProblem } from './problem';
 import { projectLimits, type Project } from './project';
 
-/** What a JSON file turned out to be. */
+/** The result of opening a JSON file. */
 export type OpenedFile =
   | { readonly kind: 'project'; readonly project: Project }
   | { readonly kind: 'scene'; readonly scene: Scene }
@@ -17,10 +17,10 @@ export type OpenedFile =
       readonly problems: readonly (ProjectProblem | SceneProblem)[];
     };
 
-/** Reads a JSON file of any kind we know: a project, a course, or a level of an earlier simulator. Never throws. */
+/** Reads a JSON file of any known kind: a project, a course, or a level of an earlier simulator. Never throws. */
 export function openJson(text: string): OpenedFile {
   const value = valueOf(text);
-  // A text that is no JSON, or far too long, gets the messages of a project file.
+  // A text that is not JSON, or far too long, gets the messages of a project file.
   if (value === undefined || isProjectFile(value)) return projectFile(value, text);
   const format = formatOf(value);
   if (format !== SCENE_FORMAT && looksLikeEarlierLevel(value)) {

@@ -6,14 +6,14 @@ export interface SourceFile {
   readonly text: string;
 }
 
-/** What a pupil works on: files, a course and what they run on. Immutable; every change makes a new one. */
+/** A pupil's work: files, a course and their settings. Immutable; every change makes a new one. */
 export interface Project {
   /** main.py first, the others in the order of their tabs. */
   readonly files: readonly SourceFile[];
   readonly scene: Scene;
   /** Id of the ready course it started from, or `null`. */
   readonly course: string | null;
-  /** What it runs on; left out: as whoever opens it has chosen. */
+  /** The settings of its run; left out: those chosen by the person who opens it. */
   readonly settings?: ProjectSettings;
 }
 
@@ -25,17 +25,17 @@ export interface ProjectSettings {
   readonly firmware: string;
   /** Id of a robot type, `none` for the bare board, or `auto`. */
   readonly robot: string;
-  /** What was changed about robots: id of the robot → id of the option → id of the choice. */
+  /** Changed options of robots: id of the robot → id of the option → id of the choice. */
   readonly robotOptions: Readonly<Record<string, Readonly<Record<string, string>>>>;
-  /** How much the robot is like a used one, 0 (ideal) … 1. */
+  /** How much the robot resembles a used one, 0 (ideal) … 1. */
   readonly reality: number;
   /** Which of the used robots it is, 1 … 9999. */
   readonly seed: number;
-  /** Whether the board on the robot feels the arena. */
+  /** Whether the board on the robot measures the arena. */
   readonly arenaSenses: boolean;
 }
 
-/** Settings of a project that says nothing about them. */
+/** Settings of a project that has none. */
 export const defaultProjectSettings: ProjectSettings = {
   device: 'auto',
   firmware: '',
@@ -55,7 +55,7 @@ export const NAME_CHARACTERS = 120;
 /** Largest file that can be loaded, in bytes: far more than the board's file system holds, so that the device's own error shows. */
 export const FILE_BYTES = 256 * 1024;
 
-/** What a project may hold at most, besides what its scene may. Chosen: far beyond any lesson. */
+/** Maximum content of a project, besides its scene. Chosen: far beyond any lesson. */
 export const projectLimits = {
   /** Of the whole file. */
   textCharacters: 12_000_000,
@@ -67,7 +67,7 @@ export const projectLimits = {
   seed: { min: 1, max: 9999 },
 } as const;
 
-/** What is wrong with a name for a file, or `null`. `own` is the name the file has now. */
+/** What is wrong with a name for a file, or `null`. `own` is the file's present name. */
 export function nameProblem(
   name: string,
   files: readonly SourceFile[],
@@ -80,7 +80,7 @@ export function nameProblem(
   return null;
 }
 
-/** A name as meant: without spaces around it, ending in `.py` where no ending is given. */
+/** The intended name: without spaces around it, ending in `.py` if it has no ending. */
 export function completeName(typed: string): string {
   const name = typed.trim();
   return name === '' || name.includes('.') ? name : `${name}.py`;
@@ -100,7 +100,7 @@ export function filesByName(files: readonly SourceFile[]): Readonly<Record<strin
   return Object.fromEntries(files.map((file) => [file.name, file.text]));
 }
 
-/** How many bytes a text has in UTF-8; half a surrogate pair counts as the three bytes of its replacement. */
+/** Number of bytes of a text in UTF-8; half a surrogate pair counts as the three bytes of its replacement. */
 export function utf8Bytes(text: string): number {
   let bytes = text.length;
   for (let index = 0; index < text.length; index += 1) {

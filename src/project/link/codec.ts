@@ -2,13 +2,13 @@ import { WORDS } from './columns';
 import { DamagedBytes } from './damaged-bytes';
 import type { ValueReader, ValueWriter } from './value-port';
 
-/** One description of a value for both directions, so that writing and reading cannot part. */
+/** One description of a value for both directions, so that writing and reading cannot diverge. */
 export interface Codec<T> {
   write(out: ValueWriter, value: T): void;
   read(from: ValueReader): T;
 }
 
-/** A whole number of either sign, with what is known about it before. */
+/** A whole number of either sign, with knowledge about it from earlier values. */
 export interface NearCodec {
   write(out: ValueWriter, value: number, near: readonly number[]): void;
   read(from: ValueReader, near: readonly number[]): number;
@@ -21,7 +21,7 @@ export interface NearCodec {
 export class Columns {
   private count = WORDS + 1;
 
-  /** How many columns the codecs use. */
+  /** Number of columns that the codecs use. */
   get used(): number {
     return this.count;
   }
@@ -38,7 +38,7 @@ export class Columns {
     return { write: (out, value) => out.int(column, value), read: (from) => from.int(column) };
   }
 
-  /** A whole number of either sign whose likely values the caller knows something about. */
+  /** A whole number of either sign; the caller knows something about its likely values. */
   near(): NearCodec {
     const column = this.next();
     return {
@@ -49,7 +49,7 @@ export class Columns {
     };
   }
 
-  /** A whole number of mm: the cm as their difference from those before, and the mm beyond, which things on a grid do not have. */
+  /** A whole number of mm: the difference of the cm from the previous ones, and the remaining mm (0 on a grid). */
   coordinate(): Codec<number> {
     const [cm, mm] = [this.next(), this.next()];
     return {
@@ -86,7 +86,7 @@ export class Columns {
     return this.choice([false, true]);
   }
 
-  /** One of a list of values; the list may grow at its end only. */
+  /** One of a list of values; the list may grow only at its end. */
   choice<const T>(values: readonly T[]): Codec<T> {
     const column = this.next();
     return {
@@ -99,7 +99,7 @@ export class Columns {
     };
   }
 
-  /** Text, by UTF-16 units: whatever a file may hold comes back as it was. */
+  /** Text, by UTF-16 units: any text of a file comes back unchanged. */
   text(): Codec<string> {
     const length = this.next();
     return {
@@ -120,7 +120,7 @@ export class Columns {
     };
   }
 
-  /** A text that comes again and again: written once, then by its number. */
+  /** A text that occurs repeatedly: written once, then by its number. */
   word(text: Codec<string>): Codec<string> {
     const column = this.next();
     return {
@@ -200,7 +200,7 @@ export function mapped<T, U>(codec: Codec<U>, from: (value: T) => U, to: (value:
   return { write: (out, value) => codec.write(out, from(value)), read: (reader) => to(codec.read(reader)) };
 }
 
-/** Always the same: takes no room. */
+/** Always the same value: takes no room. */
 export const constant = <const T>(value: T): Codec<T> => ({ write: () => undefined, read: () => value });
 
 /** A count of things that take at least a byte each, so that a hostile count costs no memory. */

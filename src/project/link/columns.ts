@@ -1,5 +1,5 @@
 /**
- * Bytes in columns: all values of one kind stand together (all x, all y, all widths …), because what is alike packs
+ * Bytes in columns: all values of one kind stand together (all x, all y, all widths …), because similar values pack
  * best. A whole number is written as a varint: seven bits a byte, the lowest first, the top bit says that more follow.
  * The words stand apart from the figures: they pack with other tables.
  *
@@ -36,7 +36,7 @@ export class ColumnWriter extends OrderedWriter {
     this.column(column).push(value);
   }
 
-  /** All that was written. */
+  /** Everything that was written. */
   bytes(): Bytes {
     const [words = [], ...columns] = this.columns;
     const head: number[] = [];
@@ -68,14 +68,14 @@ function push(to: number[], value: number): void {
   to.push(rest);
 }
 
-/** How many bytes a whole number from 0 takes as a varint. */
+/** Number of bytes of a whole number from 0 as a varint. */
 export function varintBytes(value: number): number {
   let bytes = 1;
   for (let rest = value; rest >= 0x80; rest = Math.floor(rest / 0x80)) bytes += 1;
   return bytes;
 }
 
-/** A column as it is read. */
+/** A column that is being read. */
 interface Column {
   readonly bytes: Uint8Array;
   at: number;
@@ -86,7 +86,7 @@ interface Column {
 export class ColumnReader extends OrderedReader {
   private readonly columns: readonly Column[];
 
-  /** @param columns how many there may be, the words among them */
+  /** @param columns the maximum number, including the words */
   constructor({ figures, words }: Bytes, columns: number) {
     super();
     const head: Column = { bytes: figures, at: 0, end: figures.length };
@@ -111,7 +111,7 @@ export class ColumnReader extends OrderedReader {
     return byteOf(this.column(column));
   }
 
-  /** How many bytes of a column are left: nothing that is counted can be more than that. */
+  /** Bytes left in a column: nothing that is counted can exceed that. */
   left(column: number): number {
     const of = this.column(column);
     return of.end - of.at;

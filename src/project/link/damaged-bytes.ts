@@ -1,2 +1,2 @@
-/** What is read does not fit what was written. */
+/** The input does not fit what a writer would have written. */
 export class DamagedBytes extends Error {}

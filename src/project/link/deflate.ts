@@ -3,21 +3,21 @@ import { deflateSync, Inflate } from 'fflate';
 /**
  * Bytes in deflate's format (RFC 1951), as small as it can.
  *
- * @param dictionary what the bytes are likely to repeat; needed again to unpack them
+ * @param dictionary likely content of the bytes; needed again to unpack them
  */
 export function packed(bytes: Uint8Array, dictionary?: Uint8Array): Uint8Array {
   return deflateSync(bytes, dictionary === undefined ? { level: 9 } : { level: 9, dictionary });
 }
 
-/** What is fed in at a time. Deflate makes at most 1032 bytes of one, so the cap is passed by 130 kB at most. */
+/** Bytes fed in at a time. Deflate makes at most 1032 bytes of one, so the limit is exceeded by 130 kB at most. */
 const CHUNK_BYTES = 128;
 
 class TooLarge extends Error {}
 
 /**
- * Unpacks deflated bytes, and stops as soon as they become too many.
+ * Unpacks deflated bytes, and stops as soon as there are too many.
  *
- * @param maxBytes the most that may come out
+ * @param maxBytes maximum of the output
  */
 export function unpacked(
   bytes: Uint8Array,

@@ -5,10 +5,10 @@ import { joined } from './likelihood';
 import { lineCodec } from './line-codec';
 
 /**
- * The points of a line drawn by hand, for links with a model (`value-model.ts`): each as its step from the one before.
- * A step is two whole numbers: how far it goes along the axis that the step before was nearest to, and how far it misses
- * the place where that one would have led, to the left. What the hand did before says a lot about both: who drew long
- * straight pieces goes on so, who bends to the left bends on. So the last lengths and bends are the contexts.
+ * The points of a line drawn by hand, for links with a model (`value-model.ts`): each as its step from the previous
+ * one. A step is two whole numbers: its length along the axis to which the previous step was nearest, and its distance
+ * to the left of the point to which that step would have led. Earlier steps say a lot about both: long straight pieces
+ * tend to go on, and so does a bend to the left. So the last lengths and bends are the contexts.
  */
 export function handCodec(columns: Columns, start: Codec<Point>): Codec<readonly Point[]> {
   const count = columns.uint();
@@ -32,31 +32,31 @@ export function handCodec(columns: Columns, start: Codec<Point>): Codec<readonly
   });
 }
 
-/** Where a hand is going and how it went. */
+/** The present direction of a line and its history. */
 class Hand {
-  /** The step before, in whole mm; never of no length. */
+  /** The previous step, in whole mm; its length is never zero. */
   private x = 1;
   private y = 0;
   /** Lengths of the last two steps. */
   private lengths: readonly [number, number] = [0, 0];
-  /** How far the last two steps led to the left of those before them, in mm. */
+  /** Distances of the last two steps to the left of those before them, in mm. */
   private bends: readonly [number, number] = [0, 0];
   /** The sine of the last bend. */
   private sine = 0;
 
-  /** A step as the hand sees it: how far ahead, and how far to the left of where that should have led. */
+  /** A step relative to the line: distance ahead, and distance to the left of the expected point. */
   seen([x, y]: Point): Point {
     const ahead = this.isSteep ? y * this.sign : x * this.sign;
     return [ahead, this.side * ((this.isSteep ? x : y) - this.expected(ahead)) + 0];
   }
 
-  /** The step that `seen` sees so. Adding 0 leaves no negative zero. */
+  /** The step with the relative form `seen`. Adding 0 avoids a negative zero. */
   unseen([ahead, left]: Point): Point {
     const [one, other] = [ahead * this.sign + 0, this.side * left + this.expected(ahead) + 0];
     return this.isSteep ? [other, one] : [one, other];
   }
 
-  /** What is known about how far the next step goes ahead. */
+  /** Contexts for the distance of the next step ahead. */
   nearAlong(): readonly number[] {
     const [last, before] = [sizeOf(this.lengths[0]), sizeOf(this.lengths[1])];
     const [bend, bendBefore] = [sizeOf(this.bends[0]), sizeOf(this.bends[1])];
@@ -64,7 +64,7 @@ class Hand {
     return [0, joined(1, last), joined(2, both), joined(joined(3, last), bend), joined(joined(4, both), joined(bend, bendBefore))]; // prettier-ignore
   }
 
-  /** What is known about how far the next step goes aside, once it is known how far it goes ahead. */
+  /** Contexts for the distance of the next step to the left, once its distance ahead is known. */
   nearAside(ahead: number): readonly number[] {
     const far = sizeOf(ahead);
     const [bend, bendBefore] = [sizeOf(this.bends[0]), sizeOf(this.bends[1])];
@@ -80,7 +80,7 @@ class Hand {
     ];
   }
 
-  /** Takes in a step; one of no length leaves everything as it was. */
+  /** Takes in a step; one of zero length changes nothing. */
   goOn([x, y]: Point): void {
     if (x === 0 && y === 0) return;
     const [length, lengthBefore] = [Math.sqrt(x * x + y * y), Math.sqrt(this.x * this.x + this.y * this.y)];
@@ -96,12 +96,12 @@ class Hand {
     return Math.abs(this.y) > Math.abs(this.x);
   }
 
-  /** Which way of its axis the hand goes. */
+  /** The direction of the line along its axis. */
   private get sign(): number {
     return (this.isSteep ? this.y : this.x) < 0 ? -1 : 1;
   }
 
-  /** Which way of the other axis is its left. */
+  /** The direction of its left on the other axis. */
   private get side(): number {
     return this.isSteep ? -this.sign : this.sign;
   }

@@ -1,33 +1,36 @@
 /**
- * How likely the next decision is a yes, learned from those before it: every decision is looked at in several contexts,
- * each of which remembers how such decisions came out, and their opinions are mixed by weights that follow who was right.
- * Only + − × ÷ and `#core/exact-math`: every browser comes to the same numbers, or no link would open on another device.
+ * The probability that the next decision is a yes, learned from earlier decisions. Every decision has several contexts.
+ * Each context remembers how such decisions came out, and their predictions are mixed by weights that follow which
+ * contexts were right. The code uses only + − × ÷ and `#core/exact-math`, so that every browser computes the same
+ * numbers; otherwise no link would open on another device.
  *
- * All numbers here were chosen by measuring links of the drawings in `testing/drawings.ts`; half or twice of each changed
- * less than 3 %. They are part of version 2 of links: none may ever change.
+ * All numbers here were chosen by measuring links of the drawings in `testing/drawings.ts`; half or twice of each
+ * changed less than 3 %. They are part of version 2 of links: none may ever change.
  */
 import { exactExp, exactLog } from '#core/exact-math';
 
 import { CERTAIN } from './range-coder';
 
-/** Slots for what contexts remember. A link needs some 50,000; two contexts in one slot only cost a little room. */
+/** Slots for the memory of contexts. A link needs some 50,000; two contexts in one slot only cost a little room. */
 const SLOTS = 1 << 18;
 
-/** So many decisions a slot counts: each changes it less than the one before, the last by a hundredth. */
+/** A slot counts up to this many decisions: each changes it less than the previous one, the last by a hundredth. */
 const COUNTED = 100;
 
-/** How fast the weights follow, and where they start. */
+/** How fast the weights follow, and their start values. */
 const LEARNING = 0.025;
 const START_WEIGHT = 0.35;
 
-/** The logarithm of the odds for a chance, in steps of 1/4096. */
+/** The logarithm of the odds for a probability, in steps of 1/4096. */
 const STEPS = 4096;
 const LOG_ODDS = Float64Array.from({ length: STEPS }, (_, step) => exactLog((step + 0.5) / (STEPS - 0.5 - step)));
 
-/** Trust in a slot by how many decisions it has counted. */
+/** Trust in a slot by the number of decisions that it has counted. */
 const TRUST = Float64Array.from({ length: COUNTED + 1 }, (_, seen) => seen / (seen + 0.4));
 
-/** The chance for a logarithm of odds, in steps of 1/256 from −11 to 11: beyond it would be finer than `CERTAIN` can say. */
+/**
+ * The probability for a logarithm of odds, in steps of 1/256, −11 to 11: beyond is finer than `CERTAIN` can express.
+ */
 const ODDS_STEPS = 256;
 const MOST_STEPS = 11 * ODDS_STEPS;
 const CHANCES = Float64Array.from(
@@ -35,7 +38,7 @@ const CHANCES = Float64Array.from(
   (_, step) => 1 / (1 + exactExp((MOST_STEPS - step) / ODDS_STEPS)),
 );
 
-/** The contexts' opinions on one decision after the other. */
+/** The contexts' predictions for one decision after the other. */
 export class Likelihood {
   private readonly chances: Float32Array;
   private readonly seen: Uint8Array;
@@ -45,7 +48,7 @@ export class Likelihood {
   private mixed: Float64Array = new Float64Array();
   private chance = 0.5;
 
-  /** @param taught what it is to know already, as a copy; left out: nothing */
+  /** @param taught initial knowledge, as a copy; left out: nothing */
   constructor(taught?: Likelihood) {
     this.chances = taught?.chances.slice() ?? new Float32Array(SLOTS).fill(0.5);
     this.seen = taught?.seen.slice() ?? new Uint8Array(SLOTS);
@@ -53,11 +56,11 @@ export class Likelihood {
   }
 
   /**
-   * How likely a decision is a yes.
+   * The probability that a decision is a yes.
    *
-   * @param contexts whole numbers for the circumstances under which the decision is made
-   * @param node which decision it is, in all these contexts
-   * @param mixer which weights are used: of decisions that are alike
+   * @param contexts whole numbers for the circumstances of the decision
+   * @param node the decision's number, in all these contexts
+   * @param mixer the weights to use: shared by similar decisions
    * @returns in parts of `CERTAIN`
    */
   of(contexts: readonly number[], node: number, mixer: number): number {
@@ -77,7 +80,7 @@ export class Likelihood {
     return Math.max(1, Math.min(CERTAIN - 1, Math.round(this.chance * CERTAIN)));
   }
 
-  /** Takes in how the decision came out that `of` was asked for last. */
+  /** Takes in the result of the decision for which `of` was last called. */
   learn(bit: number): void {
     const error = bit - this.chance;
     for (let index = 0; index < this.slots.length; index += 1) {
@@ -100,7 +103,7 @@ export class Likelihood {
   }
 }
 
-/** Two whole numbers as one of 32 bits that hardly any other two give. */
+/** Combines two whole numbers to one of 32 bits that hardly any other two give. */
 export function joined(one: number, other: number): number {
   let hash = Math.imul(one ^ (one >>> 15), 0x2545f491) + Math.imul(other + 0x3c6ef372, 0x9e3779b1);
   hash = Math.imul(hash ^ (hash >>> 16), 0x45d9f3b5);

@@ -1,8 +1,8 @@
 import { ColumnWriter, WORDS } from './columns';
 
 /**
- * What programs and courses are likely to say: in version 1 of links deflate's dictionary for the words, which then only
- * name the place; in version 2 what their model has read before the first word. No character may ever change.
+ * Likely words of programs and courses. In version 1 of links this is deflate's dictionary for the words, which then
+ * only name the place; in version 2 the model has read it before the first word. No character may ever change.
  */
 export const LIKELY_TEXT = `import music
 import radio

@@ -4,15 +4,15 @@ import type { Codec } from './codec';
 import { DamagedBytes } from './damaged-bytes';
 import type { ValueReader, ValueWriter } from './value-port';
 
-/** How one line is told: step by step, in whole mm, each told by those before it. */
+/** How one line is coded: step by step, in whole mm, each from the previous ones. */
 export interface Steps {
   write(out: ValueWriter, step: Point): void;
   read(from: ValueReader): Point;
 }
 
 /**
- * The points of lines: how many, the first one, and the steps from each to the next. Reading all lines of a course gives
- * `sceneLimits.points` points at most.
+ * The points of lines: their number, the first one, and the steps from each to the next. Reading all lines of a course
+ * gives `sceneLimits.points` points at most.
  *
  * @param begin called for every line
  */

@@ -4,7 +4,8 @@
  *     1   length of the deflated figures (3 bytes, lowest first), figures and words (`columns.ts`), each deflated (RFC 1951)
  *     2   the values one after the other, arithmetically coded by how likely a model finds them (`modelled.ts`)
  *
- * Which values in which order: `link-content.ts` and `scene-codec.ts`. What is too much for a model goes by version 1.
+ * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
+ * version 1.
  */
 import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
@@ -16,7 +17,7 @@ import { LIKELY_WORDS } from './likely-text';
 /** The most a link may unpack to, in bytes. */
 export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
-/** A link's bytes and what they mean. */
+/** A link's bytes and their meaning. */
 export interface LinkBytes {
   readonly version: 1 | 2;
   readonly bytes: Uint8Array;
@@ -35,7 +36,7 @@ export function bytesOfContent(content: Content): LinkBytes | null {
   return { version: 2, bytes: modelled.bytes() };
 }
 
-/** The content of bytes; never throws for any. */
+/** The content of the bytes; never throws. */
 export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
   try {
     return version === 1 ? contentOfColumns(bytes) : contentOfModel(bytes);
@@ -62,7 +63,7 @@ function contentOfColumns(bytes: Uint8Array): Content | 'damaged' | 'too-large' 
 
 const LENGTH_BYTES = 3;
 
-/** Columns as a link of version 1 holds them. */
+/** Columns in the form of a link of version 1. */
 export function deflatedBytes({ figures, words }: Bytes): Uint8Array {
   const [deflated, deflatedWords] = [packed(figures), packed(words, LIKELY_WORDS)];
   const all = new Uint8Array(LENGTH_BYTES + deflated.length + deflatedWords.length);
@@ -72,7 +73,7 @@ export function deflatedBytes({ figures, words }: Bytes): Uint8Array {
   return all;
 }
 
-/** Takes apart what `deflatedBytes` put together; both parts together stay within the limit. */
+/** Separates what `deflatedBytes` combined; both parts together stay within the limit. */
 function columnsOf(all: Uint8Array): Bytes | 'damaged' | 'too-large' {
   const [low = 0, middle = 0, high = 0] = all;
   const end = LENGTH_BYTES + (low | (middle << 8) | (high << 16));

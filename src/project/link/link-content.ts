@@ -8,10 +8,10 @@ import { pathCodec } from './path-codec';
 import { defaultProjectSettings, projectLimits, type ProjectSettings, type SourceFile } from '../project';
 import { dictionary, sceneCodec, sharedCodecs, type PathCodec, type SharedCodecs } from './scene-codec';
 
-/** The course as it stands in a link: all of it, or the ready one of the project's `course` with its checksum. */
+/** The course in a link: the whole course, or the ready course of the project's `course` with its checksum. */
 export type LinkScene = { readonly ready: number } | { readonly whole: Scene };
 
-/** What a link holds. */
+/** The content of a link. */
 export interface Content {
   readonly files: readonly SourceFile[];
   readonly course: string | null;
@@ -19,17 +19,17 @@ export interface Content {
   readonly scene: LinkScene;
 }
 
-/** What a link holds, in the order of one version; it is the format (see `scene-codec.ts`). */
+/** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
 export interface ContentCodec {
   readonly codec: Codec<Content>;
-  /** How many columns it uses. */
+  /** Number of columns. */
   readonly columns: number;
 }
 
 /** Version 1: for columns that are deflated. */
 export const deflatedContent = contentCodec(pathCodec);
 
-/** Version 2: for a model that learns what is likely. */
+/** Version 2: for an adaptive model. */
 export const modelledContent = contentCodec(handCodec);
 
 function contentCodec(paths: PathCodec): ContentCodec {

@@ -1,11 +1,11 @@
 /**
- * A project as the part of an address behind `#`: it opens on another device without any server, because browsers keep
- * that part to themselves.
+ * A project as the part of an address behind `#`: it opens on another device without any server, because browsers do
+ * not send that part.
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
- * A ready course that was not changed is named only. Only A–Z a–z 0–9 - _ . = occur, which collectors of links accept.
+ * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
 import { fnvOfBytes } from '#core/fnv';
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '#scene/scene';
@@ -22,30 +22,30 @@ import { MAIN, type Project } from '../project';
 /** The newest version of links that this app makes and reads. */
 export const LINK_VERSION = 2;
 
-/** What a link's content is called in the fragment. */
+/** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
 
-/** Longest link that is made and read. Chosen: Chromium takes two million characters, others less. */
+/** Longest link that is made and read. Chosen: Chromium accepts two million characters, others less. */
 export const LINK_CHARACTERS = 500_000;
 
-/** A background comes along only as long as the link stays this short. Chosen: chats and mail programs cut longer ones. */
+/** A background is included only while the link stays this short. Chosen: chats and mail programs cut longer ones. */
 export const BACKGROUND_LINK_CHARACTERS = 8_000;
 
-/** The ready courses by their ids; `null`: there is none of this id. */
+/** The ready courses by their ids; `null` for an unknown id. */
 export type ReadyCourses = (id: string) => Scene | null;
 
-/** A link, and what had no room in it: the picture of a background (the sensors read the same without), or all of it. */
+/** A link, and what did not fit: the background's picture (sensors do not need it), or the whole background. */
 export interface MadeLink {
-  /** Goes behind the `#`. */
+  /** The part of the address behind `#`. */
   readonly fragment: string;
   readonly omitted: readonly ('picture' | 'background')[];
 }
 
-/** What stands in a link, or why it cannot be opened. */
+/** The content of a link, or why it cannot be opened. */
 export type ReadLink =
   | {
       readonly project: Project;
-      /** The ready course it names is not quite what it was when the link was made. */
+      /** The ready course that it names has changed since the link was made. */
       readonly isCourseChanged: boolean;
     }
   | { readonly problem: LinkProblem };
@@ -56,15 +56,15 @@ export interface LinkProblem {
   /** One English sentence with the way out. */
   readonly message: string;
   readonly params: Readonly<Record<string, string | number>>;
-  /** What is wrong with the content of a link that is whole but makes no project. */
+  /** What is wrong with the content of an undamaged link that makes no project. */
   readonly problems: readonly ProjectProblem[];
 }
 
 /**
  * Makes the link of a project.
  *
- * @param program whether the files come along; without them the link opens with an empty program
- * @returns `null` when it would be longer than `LINK_CHARACTERS` or unpack to more than `UNPACKED_BYTES`
+ * @param program whether the files are included; without them the link opens with an empty program
+ * @returns `null` if it would be longer than `LINK_CHARACTERS` or unpack to more than `UNPACKED_BYTES`
  */
 export function linkOf(
   project: Project,
@@ -139,7 +139,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
   return content === 'damaged' ? damaged() : readContent(content, courses);
 }
 
-/** Whether what follows the checksum has it. */
+/** Whether the checksum fits what follows it. */
 function isWhole(all: Uint8Array): boolean {
   const [a = 0, b = 0, c = 0, d = 0] = all;
   return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
@@ -151,7 +151,7 @@ function readContent({ files, course, settings, scene }: Content, courses: Ready
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
     return failed('unknown-course', message, { course: course ?? '' });
   }
-  // Read like a file: what is in a link is judged by the same rules.
+  // Read like a file: the same rules judge the content of a link.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
     version: PROJECT_VERSION,
@@ -167,7 +167,7 @@ function readContent({ files, course, settings, scene }: Content, courses: Ready
   return { project, isCourseChanged };
 }
 
-/** A course as its file holds it; one that comes from bytes may hold anything its types allow. */
+/** A course as its file holds it; one that comes from bytes may hold anything that its types allow. */
 const valueOf = (scene: Scene): unknown => ({ format: SCENE_FORMAT, version: SCENE_VERSION, ...scene });
 
 const isSame = (one: Scene, other: Scene): boolean => one === other || serializeScene(one) === serializeScene(other);

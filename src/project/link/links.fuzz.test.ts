@@ -17,7 +17,7 @@ import { programOfLink } from '../webtigerpython/program-link';
 
 /** How many links are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
-/** Against an endless loop only. */
+/** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 
 const courses = (): null => null;
@@ -37,14 +37,14 @@ function columnsOf({ files, course, settings, scene }: Project): Bytes {
   return out.bytes();
 }
 
-/** A link of version 1 whose checksum is right although what it holds is not. */
+/** A link of version 1 with a correct checksum and damaged content. */
 function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
   const parts =
     rng.unit() < 0.7 ? { figures: mutatedBytes(figures, rng), words } : { figures, words: mutatedBytes(words, rng) };
   return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
 }
 
-/** The same of version 2: from the changed place on the model takes every bit for something else. */
+/** The same for version 2: from the changed place on, the model misinterprets every bit. */
 function forgedModel(link: string, rng: Rng): string {
   const bytes = fromBase64Url(link.slice(4)) ?? new Uint8Array();
   return linkOfBytes({ version: 2, bytes: mutatedBytes(bytes.subarray(4), rng) });
@@ -72,7 +72,7 @@ describe('randomly changed links', () => {
         const code = 'problem' in read ? read.problem.code : 'opened';
         codes.set(code, (codes.get(code) ?? 0) + 1);
         if ('problem' in read) expect(read.problem.message).not.toBe('');
-      // What opens can be shared again: nothing of it is beyond what a link or a file may hold.
+      // An opened project can be shared again: nothing in it exceeds the limits of a link or a file.
       else expect(projectOfLink(linkFor(read.project), courses), `seed ${String(seed)}`).toMatchObject({ project: read.project }); // prettier-ignore
       }
       for (const code of ['opened', 'damaged', 'invalid']) expect(codes.get(code), code).toBeGreaterThan(RUNS / 200);

@@ -6,15 +6,15 @@ import { OrderedReader, OrderedWriter } from './ordered-values';
 import { LIKELY_TEXT } from './likely-text';
 
 /**
- * The most that is written or read with a model, in bytes as columns would have them: a model takes about 5 µs a byte
- * on a laptop, so no link keeps a tablet busy for long. Chosen: sixteen times a drawing of 5,000 pen points.
+ * The maximum that is written or read with a model, in bytes of columns: a model takes about 5 µs a byte on a laptop,
+ * so no link keeps a tablet busy for long. Chosen: sixteen times a drawing of 5,000 pen points.
  */
 export const MODELLED_BYTES = 64 * 1024;
 
-/** What is read would be more than `MODELLED_BYTES`. */
+/** Reading would give more than `MODELLED_BYTES`. */
 export class TooManyBytes extends Error {}
 
-/** Writes values one after the other, each as so many bits as it is unlikely (`value-model.ts`). */
+/** Writes values one after the other; an unlikely value takes more bits (`value-model.ts`). */
 export class ModelWriter extends OrderedWriter {
   private readonly coder = new RangeEncoder();
   private readonly model = new ValueModel((yes, bit) => {
@@ -31,13 +31,13 @@ export class ModelWriter extends OrderedWriter {
     this.uint(column, value);
   }
 
-  /** All that was written. */
+  /** Everything that was written. */
   bytes(): Uint8Array {
     return this.coder.bytes();
   }
 }
 
-/** Reads what a `ModelWriter` wrote. Throws `DamagedBytes` for anything else, `TooManyBytes` when it does not end. */
+/** Reads what a `ModelWriter` wrote. Throws `DamagedBytes` for anything else, `TooManyBytes` if it does not end. */
 export class ModelReader extends OrderedReader {
   private readonly coder: RangeDecoder;
   private readonly model: ValueModel;
@@ -72,7 +72,7 @@ export class ModelReader extends OrderedReader {
   }
 }
 
-/** A model that has read what is likely to be said; made once. */
+/** A model that has read the likely text; made once. */
 function taughtModel(): ValueModel {
   if (taught !== null) return taught;
   taught = new ValueModel((_, bit) => bit);

@@ -1,7 +1,7 @@
 import { DamagedBytes } from './damaged-bytes';
 import type { ValueReader, ValueWriter } from './value-port';
 
-/** What all writers make of whole numbers: signs, differences and words become numbers from 0. */
+/** Common to all writers of whole numbers: signs, differences and words become numbers from 0. */
 export abstract class OrderedWriter implements ValueWriter {
   private readonly last: number[] = [];
   private readonly words = new Map<string, number>();
@@ -14,13 +14,13 @@ export abstract class OrderedWriter implements ValueWriter {
     this.uint(column, value < 0 ? -2 * value - 1 : 2 * value, near);
   }
 
-  /** A whole number as its difference from the one before in its column. */
+  /** A whole number as its difference from the previous one in its column. */
   delta(column: number, value: number): void {
     this.int(column, value - (this.last[column] ?? 0));
     this.last[column] = value;
   }
 
-  /** The number of a word that was there before, counted from 1; 0 for a new one. */
+  /** The number of an earlier word, counted from 1; 0 for a new one. */
   known(word: string): number {
     const number = this.words.get(word) ?? 0;
     if (number === 0) this.words.set(word, this.words.size + 1);

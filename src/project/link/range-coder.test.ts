@@ -4,7 +4,7 @@ import { createRng } from '#core/rng';
 
 import { CERTAIN, RangeDecoder, RangeEncoder } from './range-coder';
 
-/** Decisions that come out as likely as they are said to be. */
+/** Decisions that come out with their stated probability. */
 function decisions(count: number, seed: number) {
   const rng = createRng(seed);
   return Array.from({ length: count }, () => {

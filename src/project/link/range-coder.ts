@@ -1,5 +1,5 @@
 /**
- * An arithmetic coder for yes and no: what is likely takes far less than a bit. Both sides hold the same interval of
+ * An arithmetic coder for yes and no: a likely decision takes far less than a bit. Both sides hold the same interval of
  * 32-bit numbers; each decision keeps the part of it that its probability gives, and leading bytes that low and high
  * end have in common are written out.
  */
@@ -8,7 +8,7 @@ import { DamagedBytes } from './damaged-bytes';
 /** A probability of yes as a whole number from 1 to `CERTAIN` − 1. */
 export const CERTAIN = 65_536;
 
-/** The last number of the lower part: yes. Both ends differ in their first byte, so either part has room. */
+/** The last number of the lower part (yes). Both ends differ in their first byte, so either part has room. */
 const splitOf = (low: number, high: number, yes: number): number => low + Math.floor(((high - low) * yes) / CERTAIN);
 
 /** Writes decisions. */
@@ -17,7 +17,7 @@ export class RangeEncoder {
   private low = 0;
   private high = 0xffffffff;
 
-  /** @param yes how likely `bit` is 1, in parts of `CERTAIN` */
+  /** @param yes the probability that `bit` is 1, in parts of `CERTAIN` */
   encode(bit: number, yes: number): void {
     const split = splitOf(this.low, this.high, yes);
     if (bit === 1) this.high = split;
@@ -29,13 +29,13 @@ export class RangeEncoder {
     }
   }
 
-  /** All that was encoded. What follows counts as zeros, so one more byte tells where in the interval it ends. */
+  /** Everything that was encoded. Zeros are assumed to follow, so one more byte marks the end in the interval. */
   bytes(): Uint8Array {
     return Uint8Array.from([...this.written, (this.low >>> 24) + 1]);
   }
 }
 
-/** Zeros that a reader sees after the end when all was read: it looks four bytes ahead. */
+/** Zeros that a reader sees after the end when everything was read: it looks four bytes ahead. */
 const BEYOND = 3;
 
 /** Reads decisions in the order in which they were written, with the same probabilities. */
@@ -63,7 +63,7 @@ export class RangeDecoder {
     return bit;
   }
 
-  /** Whether exactly the bytes there are were read. */
+  /** Whether exactly the existing bytes were read. */
   get isAtEnd(): boolean {
     return this.at === this.bytes.length + BEYOND;
   }

@@ -1,6 +1,6 @@
 /**
- * A course and what belongs to it as columns of bytes (`columns.ts`), for links. The order in which the codecs are made
- * is the format: a change needs a new version of the link (`link.ts`); a kept link guards it.
+ * A course and its parts as columns of bytes (`columns.ts`), for links. The order in which the codecs are made is the
+ * format: a change needs a new version of the link (`link.ts`). A test with a kept link checks that.
  */
 import { fromBase64, toBase64 } from '#scene/base64';
 import {
@@ -54,7 +54,7 @@ export function dictionary<T>(
   return mapped(columns.list(entry, max), (it) => Object.entries(it), Object.fromEntries<T>);
 }
 
-/** How the points of a line are written, given the codec of its first: each version of links has its own way. */
+/** Makes the codec for the points of a line from the codec of its first point; it differs between versions of links. */
 export type PathCodec = (columns: Columns, start: Codec<Point>) => Codec<readonly Point[]>;
 
 /** The codec of a course. */
@@ -171,7 +171,7 @@ function pairOf(x: Codec<number>, y: Codec<number>): Codec<Point> {
   };
 }
 
-/** An id such as `wall-12`: the word before the number, then the number as its step from the one expected next. */
+/** An id such as `wall-12`: the word before the number, then the number as its step from the expected one. */
 function idCodec(columns: Columns, word: Codec<string>): Codec<string> {
   const step = columns.uint();
   const numbers = new WeakMap<ValueWriter | ValueReader, Map<string, number>>();
@@ -201,7 +201,7 @@ function idCodec(columns: Columns, word: Codec<string>): Codec<string> {
   };
 }
 
-/** Base64 as its bytes where they give the same text again, else as it is. */
+/** Base64 as its bytes if they give the same text again, otherwise as text. */
 function base64Codec(columns: Columns, text: Codec<string>): Codec<string> {
   const isBytes = columns.flag();
   const bytes = columns.bytes();
@@ -217,7 +217,7 @@ function base64Codec(columns: Columns, text: Codec<string>): Codec<string> {
   };
 }
 
-/** `data:image/png;base64,…`: what stands before the comma as text, the rest as base64. Empty: no picture. */
+/** `data:image/png;base64,…`: the part before the comma as text, the rest as base64. Empty: no picture. */
 function pictureCodec(columns: Columns, text: Codec<string>): Codec<string> {
   const data = base64Codec(columns, text);
   return {

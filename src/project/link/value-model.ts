@@ -3,9 +3,9 @@ import { DamagedBytes } from './damaged-bytes';
 import { joined, Likelihood } from './likelihood';
 
 /**
- * Makes or takes a decision: a writer writes `bit` and gives it back, a reader ignores it and gives what was written.
+ * Makes or takes a decision: a writer writes `bit` and returns it, a reader ignores it and returns what was written.
  *
- * @param yes how likely a yes is, in parts of `CERTAIN`
+ * @param yes the probability of a yes, in parts of `CERTAIN`
  */
 export type Decide = (yes: number, bit: number) => number;
 
@@ -13,27 +13,27 @@ export type Decide = (yes: number, bit: number) => number;
 const MOST_BITS = 36;
 const POWERS = Array.from({ length: MOST_BITS + 1 }, (_, power) => powerOfTwo(power));
 
-/** Decisions of a number's first bits are looked at in all contexts, those behind in the two most general. */
+/** The first bits of a number use all contexts, the later ones only the two most general. */
 const FIRST_BITS = 4;
 
 /**
- * Values as decisions. The same code writes and reads, so that both see every decision in the same contexts: for a
- * value that is read, what is handed in as value is not looked at.
+ * Values as decisions. The same code writes and reads, so that both see every decision in the same contexts: when
+ * reading, the given value is ignored.
  *
- * A whole number: how many bits its successor has, as so many times yes, then these bits, the highest first. Its contexts
- * are what was there before: in its column, and of all. A character: the bytes of its varint, bit by bit; its contexts
- * are the characters before, up to six, and the beginning of the word.
+ * A whole number: the number of bits of its successor, as that many times yes, then these bits, the highest first. Its
+ * contexts are the earlier values: in its column, and in all columns. A character: the bytes of its varint, bit by bit;
+ * its contexts are the characters before, up to six, and the beginning of the word.
  */
 export class ValueModel {
   private readonly likelihood: Likelihood;
   private readonly last: number[] = [];
   private readonly lastButOne: number[] = [];
   private previous = 0;
-  /** The bytes of characters before, the newest first. */
+  /** The bytes of the previous characters, the newest first. */
   private tail: readonly number[];
   private word: number;
 
-  /** @param taught a model that has read characters before; left out: it knows nothing */
+  /** @param taught a model that has read characters; left out: no knowledge */
   constructor(
     private readonly decide: Decide,
     taught?: ValueModel,
@@ -43,7 +43,7 @@ export class ValueModel {
     this.word = taught?.word ?? 0;
   }
 
-  /** @param near what is known about the value: contexts instead of the usual ones, most general first */
+  /** @param near knowledge about the value: contexts instead of the usual ones, most general first */
   uint(column: number, value: number, near?: readonly number[]): number {
     const done = this.number(column, value, near ?? this.contextsOf(column));
     this.lastButOne[column] = this.last[column] ?? 0;

@@ -1,4 +1,4 @@
-/** Drawings of 5,000 pen points that tests and benchmarks put into links: what a hand draws, and what it draws in a fury. */
+/** Drawings of 5,000 pen points that tests and benchmarks put into links: usual ones and frantic ones. */
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { createRng, type Rng } from '#core/rng';
@@ -25,7 +25,7 @@ export function track(rng: Rng): Drawing {
 /** A walk in steps of 3 mm that turns at random: a scribble of 15 m. */
 const scribble = (rng: Rng): Drawing => [walk(rng, { step: 3, bend: 0.1, jitterMm: 0 })];
 
-/** The same by a finger: its tremble, and whole pixels of 1.6 mm, as a small tablet reports them. */
+/** The same by a finger: its tremor, and whole pixels of 1.6 mm, as a small tablet reports them. */
 const finger = (rng: Rng): Drawing =>
   [walk(rng, { step: 3, bend: 0.1, jitterMm: 1 }).map(({ x, y }) => ({ x: pixel(x), y: pixel(y) }))]; // prettier-ignore
 const pixel = (mm: number): number => 1.6 * Math.round(mm / 1.6);
@@ -79,7 +79,7 @@ function tracks(rng: Rng): Drawing {
   });
 }
 
-/** What a hand draws in a lesson; each is to fit into a link of 2.7 kB with forty objects and a program. */
+/** Usual drawings of a lesson; each must fit into a link of 2.7 kB with forty objects and a program. */
 export const drawings: Readonly<Record<string, (rng: Rng) => Drawing>> = {
   track,
   tracks,
@@ -90,10 +90,10 @@ export const drawings: Readonly<Record<string, (rng: Rng) => Drawing>> = {
   writing: words(10),
 };
 
-/** What nobody draws on purpose. */
+/** Drawings that nobody makes on purpose. */
 export const wildDrawings: Readonly<Record<string, (rng: Rng) => Drawing>> = { wild, page: words(40) };
 
-/** The drawing of a seed as the pen leaves it in a course. */
+/** The drawing of a seed as the pen puts it into a course. */
 export const drawn = (of: (rng: Rng) => Drawing, seed: number): readonly SceneObject[] =>
   of(createRng(seed).fork('drawing')).map((line, index) => ({
     type: 'stroke',

@@ -5,7 +5,7 @@ import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/s
 import { defaultProjectSettings, type Project } from '../project';
 import { drawn, track } from './drawings';
 
-/** Forty things of all kinds that are no strokes, as a course would have them. */
+/** Forty objects of all kinds except strokes, as a course would have them. */
 export function fortyObjects(seed = 1): readonly SceneObject[] {
   const rng = createRng(seed).fork('objects');
   return Array.from({ length: 40 }, (_, index) => anObject(rng, index));

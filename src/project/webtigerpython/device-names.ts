@@ -1,4 +1,4 @@
-/** WebTigerPython's names for the microcomputers that we have, and our ids. `-` is its name for none: ours is chosen as usual. */
+/** WebTigerPython's names for our microcomputers, and our ids. Its name `-` means none: ours is chosen as usual. */
 const DEVICES: Readonly<Record<string, string>> = {
   'micro:bit': 'microbit-v2',
   'Calliope mini 1/2': 'calliope-mini-2',
@@ -6,5 +6,5 @@ const DEVICES: Readonly<Record<string, string>> = {
   '-': 'auto',
 };
 
-/** Id of the microcomputer that WebTigerPython calls like this; `null`: one that we do not have. */
+/** Id of the microcomputer with this name in WebTigerPython; `null` for one that we do not have. */
 export const deviceCalled = (name: string): string | null => (Object.hasOwn(DEVICES, name) && DEVICES[name]) || null;

@@ -1,23 +1,23 @@
 /**
- * The files of a WebTigerPython program in the forms in which it passes them on: the list `[{ "name": "main.py", "data":
- * "…" }]` of its links and messages, and what the `fs` of its pages with several files may hold. The form of `fs` is
- * described nowhere: what is recognised is a list like the one above, a dictionary of names and texts, and either of them
- * below `files`; the text of a file may be called `data`, `content`, `text` or `code`, its name also `path`.
+ * The files of a WebTigerPython program in its forms: the list `[{ "name": "main.py", "data": "…" }]` of its links and
+ * messages, and the `fs` of its pages with several files. The form of `fs` is described nowhere. We recognise a list
+ * like the one above, a dictionary of names and texts, and either of them below `files`; the text of a file may be
+ * called `data`, `content`, `text` or `code`, its name also `path`.
  */
 import { isRecord } from '#core/record';
 
 import { MAIN, type SourceFile } from '../project';
 
-/** The names under which a file's text and name may stand. */
+/** The possible field names of a file's text and name. */
 const TEXT_NAMES = ['data', 'content', 'text', 'code'] as const;
 const NAME_NAMES = ['name', 'path'] as const;
 
-/** The files of a list of `{ name, data }`, main.py first; `null` when it is none, or empty. */
+/** The files of a list of `{ name, data }`, main.py first; `null` if it is not such a list, or empty. */
 export function filesOfList(value: unknown): readonly SourceFile[] | null {
   return Array.isArray(value) ? checked(value.map((entry) => fileOf(entry, ['name'], ['data']))) : null;
 }
 
-/** The program that is only a text: the text of main.py, or a list of files as JSON. */
+/** The program in a plain text: the text of main.py, or a list of files as JSON. */
 export function filesOfText(text: string): readonly SourceFile[] {
   return (text.startsWith('[') ? filesOfList(valueOf(text)) : null) ?? [fileWith(MAIN, text)];
 }
@@ -30,7 +30,7 @@ function valueOf(json: string): unknown {
   }
 }
 
-/** The files of whatever is recognised, main.py first; `null`: nothing is. */
+/** The files of any recognised form, main.py first; `null` for anything else. */
 export function filesOfTree(value: unknown): readonly SourceFile[] | null {
   if (Array.isArray(value)) return checked(value.map((entry) => fileOf(entry, NAME_NAMES, TEXT_NAMES)));
   if (!isRecord(value)) return null;
@@ -50,7 +50,7 @@ function fileOf(entry: unknown, names: readonly string[], texts: readonly string
   return typeof name === 'string' && typeof text === 'string' ? fileWith(name, text) : null;
 }
 
-/** Our files have `\n` alone and no folders: the root is left out. */
+/** Our files have only `\n` and no folders: the root is left out. */
 const fileWith = (name: string, text: string): SourceFile => ({
   name: name.replace(/^(\.?\/)+/, ''),
   text: text.replaceAll('\r\n', '\n'),
@@ -61,7 +61,7 @@ function checked(files: readonly (SourceFile | null)[]): readonly SourceFile[] |
   return known.length === 0 || known.length < files.length ? null : withMainFirst(known);
 }
 
-/** The program is what stands in main.py; where none is called so, the first file is meant. */
+/** The program is main.py; without a file of that name, the first file is the program. */
 function withMainFirst(files: readonly SourceFile[]): readonly SourceFile[] {
   const main = files.find(({ name }) => name === MAIN) ?? files[0];
   const others = files.filter((file) => file !== main);

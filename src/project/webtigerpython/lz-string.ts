@@ -2,13 +2,13 @@
  * Reads texts that LZ-String packed with `compressToBase64`. Our own reader, because the library's has no limit: a link
  * of a few kB can unpack to hundreds of MB.
  *
- * The format: six bits a character of base64, the highest first, and as many characters as it needs: their count may be
- * one that whole bytes never have. A code has as many bits as the dictionary needs, the
- * lowest first; 0 and 1 bring a new character (8 or 16 bits follow), 2 is the end, others name an entry. After each code
- * but the first, what came before and the first character of what came now make a new entry.
+ * The format: six bits a character of base64, the highest first, and as many characters as it needs, even a number of
+ * characters that whole bytes never have. A code has as many bits as the dictionary needs, the lowest first; 0 and 1
+ * bring a new character (8 or 16 bits follow), 2 is the end, others name an entry. After each code except the first,
+ * the previous piece and the first character of the present one make a new entry.
  */
 
-/** A text that could not be unpacked: it is none, or becomes longer than allowed. */
+/** A text that could not be unpacked: it is not packed text, or exceeds the limit. */
 export type LzProblem = 'damaged' | 'too-large';
 
 const END = 2;
@@ -19,7 +19,7 @@ const LAST_WIDTH = 30;
 /**
  * Unpacks base64 in either alphabet.
  *
- * @param maxCharacters the longest text that may come out
+ * @param maxCharacters maximum length of the text
  */
 export function textOfLzBase64(base64: string, maxCharacters: number): { readonly text: string } | LzProblem {
   const sixes = sixesOf(base64.replace(/={1,3}$/, ''));
@@ -40,7 +40,7 @@ function sixesOf(base64: string): Uint8Array | null {
   return sixes;
 }
 
-/** An entry of the dictionary: a piece of the text that is there already, or a single character of its own. */
+/** An entry of the dictionary: an earlier piece of the text, or a single character of its own. */
 interface Entry {
   readonly start: number;
   readonly length: number;
@@ -58,7 +58,7 @@ class LzReader {
 
   read(): { readonly text: string } | LzProblem {
     let width = 2;
-    let left = 0; // how many codes fit this width; the first one stands apart
+    let left = 0; // the number of codes of this width; the first one is separate
     let before: Entry | null = null;
     for (;;) {
       const code = this.number(width);
@@ -71,7 +71,7 @@ class LzReader {
       if (before === null) [width, left] = [3, 4];
       else {
         if (isNew) [width, left] = counted(width, left);
-        // What came before, and one character more: it stands in the text just like this.
+        // The previous piece and one more character: the text contains exactly this.
         this.entries.push({ start: before.start, length: before.length + 1 });
         [width, left] = counted(width, left);
       }
@@ -90,14 +90,14 @@ class LzReader {
     return entry;
   }
 
-  /** An entry once more at the end of the text. The entry that is only about to be made may be named already. */
+  /** Appends an entry to the text again. The entry that is just being made may already be named. */
   private repeat(code: number, before: Entry | null): Entry | null {
     const index = code - FIRST_ENTRY;
     const known = this.entries[index];
     if (before === null || (known === undefined && index !== this.entries.length)) return null;
     const { start, length } = known ?? { start: before.start, length: before.length + 1 };
     if (this.units.length + length > this.maxCharacters) {
-      this.units.length = this.maxCharacters + 1; // told as too large by whoever asked
+      this.units.length = this.maxCharacters + 1; // the caller reports it as too large
       return before;
     }
     const entry = { start: this.units.length, length };
@@ -124,7 +124,7 @@ class LzReader {
   }
 }
 
-/** One code fewer of this width; after the last one codes are a bit longer. */
+/** One code fewer of this width; after the last one, codes are one bit longer. */
 function counted(width: number, left: number): readonly [width: number, left: number] {
   return left > 1 ? [width, left - 1] : [width + 1, 1 << width];
 }

@@ -104,7 +104,7 @@ describe('a link of WebTigerPython', () => {
   });
 });
 
-/** LZ-String's form of many equal characters: after the first each code names the entry that is only about to be made. */
+/** LZ-String's form of many equal characters: after the first, each code names the entry that is just being made. */
 function bomb(characters: number): string {
   const bits: number[] = [];
   const put = (value: number, width: number): void => {

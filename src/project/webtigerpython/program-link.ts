@@ -1,8 +1,8 @@
 /**
- * Opens the links that WebTigerPython shares: `code` is the list of files `[{ "name": "main.py", "data": "…" }]` as JSON,
- * packed with LZ-String into base64 in the alphabet of addresses; `device` is the microcomputer's name. Both stand in the
- * query (`?code=…`) or, in newer links, in the fragment (`#?code=…`). Its pages with several files have `fs` instead of
- * `code`: see `webtigerpython-files.ts`.
+ * Opens the links that WebTigerPython shares: `code` is the list of files `[{ "name": "main.py", "data": "…" }]` as
+ * JSON, packed with LZ-String into base64 in the alphabet of addresses; `device` is the microcomputer's name. Both
+ * stand in the query (`?code=…`) or, in newer links, in the fragment (`#?code=…`). Its pages with several files have
+ * `fs` instead of `code`: see `files-in-link.ts`.
  */
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION } from '#scene/scene';
 
@@ -13,7 +13,7 @@ import { FILE_BYTES, type SourceFile } from '../project';
 import { deviceCalled } from './device-names';
 import { filesOfList, filesOfTree } from './files-in-link';
 
-/** The most characters a link may unpack to. */
+/** The maximum number of characters that a link may unpack to. */
 const MAX_CHARACTERS = 4_000_000;
 
 /** Longest link that is read. */
@@ -23,7 +23,7 @@ const MAX_LINK = 500_000;
 export interface ProgramLink {
   /** main.py first. */
   readonly files: readonly SourceFile[];
-  /** Id of the microcomputer it is for, or `null`: it does not say, or it is one that we do not have. */
+  /** Id of the microcomputer it is for; `null` if the link does not say, or if we do not have it. */
   readonly device: string | null;
 }
 
@@ -33,7 +33,7 @@ export interface ProgramLinkProblem {
   /** One English sentence with the way out. */
   readonly message: string;
   readonly params: Readonly<Record<string, string | number>>;
-  /** What is wrong with the files of a link that is whole. */
+  /** What is wrong with the files of an undamaged link. */
   readonly problems: readonly ProjectProblem[];
 }
 
@@ -52,7 +52,7 @@ export function programOfLink(address: string): ProgramLink | { readonly problem
   }
   const files = filesIn(address);
   if ('problem' in files) return files;
-  // Read like a project: the files of a link are judged by the same rules.
+  // Read like a project: the same rules judge the files of a link.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
     version: PROJECT_VERSION,
@@ -106,7 +106,7 @@ function failed(
 const damaged = (): { readonly problem: ProgramLinkProblem } =>
   failed('damaged', 'The link is damaged: a part of it is missing or changed. Copy it again, whole.', {});
 
-/** A parameter of the query or of the fragment, decoded; `null`: not there, or not to be decoded. */
+/** A parameter of the query or of the fragment, decoded; `null` if it is missing or cannot be decoded. */
 function parameter(address: string, name: string): string | null {
   for (const part of address.split(/[?&#]/)) {
     if (!part.startsWith(`${name}=`)) continue;
