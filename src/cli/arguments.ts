@@ -3,7 +3,7 @@ import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/texts';
 import { parseDuration } from './duration';
 
-/** What `parcours run` was asked to do. */
+/** The request to `parcours run`. */
 export interface RunOptions {
   readonly program: string;
   readonly files: readonly string[];
@@ -30,7 +30,7 @@ export interface RunOptions {
   readonly quiet: boolean;
 }
 
-/** What the command line asks for. */
+/** The request on the command line. */
 export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
   | { readonly type: 'help' }

@@ -1,13 +1,13 @@
 import { boardTypes } from '#board/boards/index';
 import { robotTypes } from '#robots/index';
 
-/** Where the words of an option begin. */
+/** Column where the descriptions of options begin. */
 const MARGIN = ' '.repeat(22);
 
 const robotNames = [...robotTypes.map(({ id }) => id), 'or none for the microcomputer alone'].join(`,\n${MARGIN}`);
 const boardNames = boardTypes.map(({ id }) => id).join(' or ');
 
-/** What `parcours --help` prints. */
+/** The text of `parcours --help`. */
 export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
 
   npx parcours run MAIN.py [options]

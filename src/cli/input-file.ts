@@ -5,7 +5,7 @@ import { parseDuration } from './duration';
 /** The actions of an input file in its own order, or a problem that names entry and field. */
 export type ParsedInputs = { readonly inputs: readonly InputEvent[] } | { readonly problem: string };
 
-/** Most entries. Chosen: a hand moved for an hour makes fewer. */
+/** Maximum number of entries. Chosen: an hour of moving the hand tool makes fewer. */
 const MAX_ENTRIES = 100_000;
 
 type Fields = Readonly<Record<string, unknown>>;
@@ -16,7 +16,7 @@ interface Bad {
   readonly problem: string;
 }
 
-/** Reads an `--input` file. What only the board knows (sensors and their ranges) is checked when the run is made. */
+/** Reads an `--input` file. Facts that only the board knows (sensors, ranges) are checked when the run is made. */
 export function parseInputs(text: string): ParsedInputs {
   let value: unknown;
   try {
@@ -62,7 +62,7 @@ function readEntry(entry: unknown): InputEvent | Bad {
   return 'problem' in action ? action : { timeUs: at.us, action };
 }
 
-/** Of all boards together; which of them the run's board has is checked when the run is made. */
+/** Of all boards together; whether the run's board has a pad is checked when the run is made. */
 const touchPads = ['pinLogo', 'pin0', 'pin1', 'pin2', 'pin3'];
 
 /** The longest packet that radio.config allows: micropython-microbit-v2 modradio.c. */
@@ -163,7 +163,7 @@ function readArenaSenses({ arenaSenses }: Fields): InputAction | Bad {
     : wrong('arenaSenses', 'true or false', arenaSenses);
 }
 
-/** Whether it suits the course as it is then shows when the run is made. */
+/** Whether it suits the course as it is then is checked when the run is made. */
 function readEdit({ edit }: Fields): InputAction | Bad {
   const parsed = parseEdit(edit);
   if ('edit' in parsed) return { type: 'edit', edit: parsed.edit };

@@ -5,7 +5,7 @@ import { help } from './help';
 import { createTerminal } from './terminal';
 import { run } from './run';
 
-/** A reader that has gone away (`parcours run … | head`) wants nothing more. */
+/** A reader that has closed the pipe (`parcours run … | head`) wants no more output. */
 process.stdout.on('error', (error: NodeJS.ErrnoException) => {
   if (error.code === 'EPIPE') process.exit(1);
   throw error;

@@ -6,7 +6,7 @@ import { lastLine, parcours, useFolder } from './testing/parcours';
 const { folder, file } = useFolder();
 const lines = (...texts: string[]): string => texts.join('\n');
 
-/** Runs a program on the bare board with what happens to it, and gives the report. */
+/** Runs a program on the bare board with the given inputs, and returns the report. */
 function run(program: string, inputs: readonly object[], ...more: string[]) {
   const main = file('main.py', program);
   const input = file('input.json', JSON.stringify(inputs));

@@ -18,7 +18,7 @@ const MAX_PROGRAM_BYTES = 1_000_000;
 
 const MAX_INPUT_BYTES = 20_000_000; // 100,000 entries of 200 characters
 
-/** The longest file name the board's file system takes: micropython-microbit-v2, microbitfs. */
+/** The longest file name of the board's file system: micropython-microbit-v2, microbitfs. */
 const MAX_NAME_CHARACTERS = 120;
 
 /** Reads everything a run needs; a problem is one line or several, each naming the file. */

@@ -28,12 +28,12 @@ export interface ReportedRobot {
   readonly servos: Readonly<Record<string, number>>;
 }
 
-/** A packet that the program sent by radio: as text when `radio.send` made it, else its bytes. */
+/** A packet that the program sent by radio: as text if `radio.send` made it, otherwise its bytes. */
 export type ReportedPacket = { readonly atMs: number } & (
   { readonly text: string } | { readonly bytes: readonly number[] }
 );
 
-/** Everything about a run except its console: what `--json` prints, in this order. */
+/** Everything about a run except its console: the content of `--json`, in this order. */
 export interface Report {
   readonly ended: EndedWord;
   readonly exception: ReportedException | null;
@@ -41,19 +41,19 @@ export interface Report {
   readonly wallMs: number;
   readonly realTimeFactor: number;
   readonly robot: ReportedRobot | null;
-  /** Digits 0 … 9 per LED, rows parted by colons. */
+  /** Digits 0 … 9 per LED, rows separated by colons. */
   readonly display: string;
-  /** How well the course's task is done, or `null` where it sets none. */
+  /** How well the course's task is done, or `null` if the course has no task. */
   readonly verdict: Verdict | null;
   readonly heapFree: number;
   readonly traceHash: string;
-  /** What was sent by radio, oldest first; the first 10,000 packets. */
+  /** The packets sent by radio, oldest first; the first 10,000. */
   readonly radio: readonly ReportedPacket[];
-  /** Chains of colour lights on pins that no robot uses: rings and strips that the program sent colours to. */
+  /** Chains of colour lights on pins that no robot uses: rings and strips to which the program has sent colours. */
   readonly lights: Snapshot['lights'];
 }
 
-/** What is to be told about a run now. While its program goes on, `ended` is `time-limit`. */
+/** The report on a run now. While its program goes on, `ended` is `time-limit`. */
 export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[], wallMs: number): Report {
   const { ended, nowUs } = simulation;
   const snapshot = simulation.snapshot();
@@ -74,20 +74,20 @@ export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[]
   };
 }
 
-/** A program that switches the board off has finished, too. */
+/** A program that switches the board off has also finished. */
 function endedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): EndedWord {
   if (ended === null) return isOff ? 'finished' : 'time-limit';
   return ended.kind === 'fault' ? 'panic' : ended.kind;
 }
 
-/** The line that `--json` prints; `radio` and `lights` are there when there are any. */
+/** The line that `--json` prints; it has `radio` and `lights` only if they are not empty. */
 export function jsonLine(report: Report, console: string): string {
   const { heapFree, traceHash, radio, lights, ...rest } = report;
   const some = { ...(radio.length > 0 ? { radio } : {}), ...(lights.length > 0 ? { lights } : {}) };
   return JSON.stringify({ ...rest, console, heapFree, traceHash, ...some });
 }
 
-/** A packet as the report has it. */
+/** A packet in the form of the report. */
 export function reportedPacket({ timeUs, bytes }: RadioPacket): ReportedPacket {
   const atMs = timeUs / 1000;
   const text = textBytesOf(bytes);
@@ -130,7 +130,7 @@ export const rounded = (value: number): number => Math.round(value * 1000) / 100
 const displayText = (pixels: readonly number[]): string =>
   [0, 5, 10, 15, 20].map((row) => pixels.slice(row, row + 5).join('')).join(':');
 
-/** What became of the course's task, as a line for people; `null` where it sets none. */
+/** The result of the course's task, as a line for people; `null` if the course has no task. */
 export function verdictLine(verdict: Verdict | null): string | null {
   if (verdict === null) return null;
   const { state, atMs } = verdict;
@@ -165,7 +165,7 @@ function failureInWords(verdict: Verdict): string {
   }
 }
 
-/** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing where there is nothing to come to. */
+/** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing if there is nothing to reach. */
 function progressInWords({ checkpoints, targets, blocks }: Verdict): string {
   const parts = [
     counted(checkpoints.passed, checkpoints.of, 'checkpoint'),

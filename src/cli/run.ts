@@ -12,15 +12,15 @@ import type { Terminal } from './terminal';
 const DEFAULT_LIMIT_US = 600_000_000;
 
 /**
- * Does what `parcours run` promises.
+ * Carries out `parcours run`.
  *
- * @returns the exit code: 0 well, 1 the program ended with an error, 2 bad usage or a bad file
+ * @returns the exit code: 0 success, 1 the program ended with an error, 2 bad usage or a bad file
  */
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
   const chosen = chooseHardware({ ...options, ...read });
-  const hardware = 'problem' in chosen ? null : chosen; // a problem the run itself will tell
+  const hardware = 'problem' in chosen ? null : chosen; // a problem that the run itself will report
   const unfit = options.strict && hardware ? await strictFailure(read, hardware, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, ''));
@@ -65,7 +65,7 @@ function refuse(problem: string, terminal: Terminal): 2 {
 /**
  * Lists what the real board would not understand.
  *
- * @returns what to report in place of a run, or `null` when the program can run
+ * @returns the report instead of a run, or `null` if the program can run
  */
 async function strictFailure(
   read: RunFiles,
@@ -82,8 +82,8 @@ async function strictFailure(
 }
 
 /**
- * A robot on a board that it does not fit answers to nothing, another robot than the program's answers otherwise: the
- * program will meet the device's error or drive oddly, and this says why.
+ * Warns that the robot is on a board that it does not fit, or that the program is for another robot. The program will
+ * meet the device's error or drive oddly, and this says why.
  */
 function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal): void {
   const { board, robot } = hardware;
@@ -100,7 +100,7 @@ function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal):
   );
 }
 
-/** Says which file a problem of the whole set-up stands in. */
+/** Names the file of a problem of the whole set-up. */
 function placed(problem: string, options: RunOptions): string {
   if (problem.startsWith('[') && options.input !== null) return `${options.input}: ${problem}`;
   if (/^(robot\.|board:|background\.)/.test(problem) && options.scene !== null) return `${options.scene}: ${problem}`;
@@ -109,7 +109,7 @@ function placed(problem: string, options: RunOptions): string {
 
 type Opened = { readonly file: number } | { readonly problem: string };
 
-/** Opens a file for what a run gives, without emptying it yet: a run that is refused must not cost an earlier one. */
+/** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
 function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
   if (path === null) return null;
   const { program, files, scene, input } = options;
@@ -123,13 +123,13 @@ function openResult(option: string, path: string | null, options: RunOptions): O
   }
 }
 
-/** What became of the course's task. */
+/** The result of the course's task. */
 function tellVerdict({ verdict }: Report, terminal: Terminal): void {
   const line = verdictLine(verdict);
   if (line !== null) terminal.message(line);
 }
 
-/** What the program's own output does not say. */
+/** A note that the program's own output does not contain. */
 function tellEnd({ ended, exception, simulatedMs }: Report, { quiet, forUs }: RunOptions, terminal: Terminal): void {
   if (ended === 'stuck') {
     terminal.message('parcours: no sign of life for 10 s: the program is inside one call that does not end. Stopped.');

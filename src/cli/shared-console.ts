@@ -1,6 +1,6 @@
 /**
- * The program's output on its way from the worker to the main thread, in shared memory: what was printed is there at
- * once, also when the worker never comes back from what it does next. A full buffer makes the worker wait.
+ * The program's output on its way from the worker to the main thread, in shared memory: output is available at once,
+ * even if the worker never returns from what it does next. A full buffer makes the worker wait.
  */
 export interface SharedConsole {
   /** Two counters of bytes, written and read since the start, modulo 2³². */
@@ -14,7 +14,7 @@ const READ = 1;
 /** Size of the buffer. Chosen: 6 s of a real board's serial line; must be a power of two so that counters may wrap. */
 const BYTES = 65_536;
 
-/** How long the worker sleeps at most before it looks again whether there is room, in ms. */
+/** The longest sleep of the worker before it checks again for room, in ms. */
 const PATIENCE_MS = 100;
 
 /** Makes an empty one; it may be sent to a worker. */
@@ -25,7 +25,7 @@ export function createSharedConsole(): SharedConsole {
   };
 }
 
-/** The worker's side: puts text in and waits for room when there is none. */
+/** The worker's side: writes text, and waits for room if necessary. */
 export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: string) => void {
   const encoder = new TextEncoder();
   return (text) => {
@@ -47,7 +47,7 @@ export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: 
   };
 }
 
-/** The main thread's side: gives what has come since the last call, never half a character. */
+/** The main thread's side: returns what has come since the last call, never half a character. */
 export function createConsoleReader({ counters, bytes }: SharedConsole): () => string {
   const decoder = new TextDecoder();
   return () => {

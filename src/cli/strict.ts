@@ -6,13 +6,13 @@ import type { Device } from '#device-check/finding';
 import { loadRuleTexts } from '#device-check/rule-texts';
 import type de from './words/de.json';
 
-/** What `--strict` has to say about a program. */
+/** The result of `--strict` for a program. */
 export interface StrictReport {
-  /** One line for each finding, `main.py:3:7: f-strings …`, each with its newline; empty when there is none. */
+  /** One line for each finding, `main.py:3:7: f-strings …`, each with its newline; empty without findings. */
   readonly text: string;
-  /** Findings with which the device would stop: more than none is an error. */
+  /** Number of findings that would stop the device: more than 0 is an error. */
   readonly count: number;
-  /** The first line of `text` that is an error; empty when there is none. */
+  /** The first line of `text` that is an error; empty without errors. */
   readonly first: string;
   /** Findings that only change a result, such as numbers with more digits than the device keeps. Listed as hints. */
   readonly hints: number;
@@ -22,10 +22,10 @@ export interface StrictReport {
 const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /**
- * Lists what in these files runs here and not on the device.
+ * Lists what runs in these files here but not on the device.
  *
  * @param files the program and the files given with it, by their names on the board
- * @param board what the board is called in the sentences: `micro:bit V2`
+ * @param board name of the board in the sentences: `micro:bit V2`
  */
 export async function strictReport(
   files: Readonly<Record<string, string>>,

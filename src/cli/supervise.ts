@@ -5,24 +5,24 @@ import { createConsoleReader, createSharedConsole, type SharedConsole } from './
 import type { Terminal } from './terminal';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
-/** How a run came out. */
+/** The result of a run. */
 export type Outcome =
   | { readonly type: 'ran'; readonly report: Report; readonly console: string }
   | { readonly type: 'refused'; readonly problem: string }
   | { readonly type: 'broken'; readonly problem: string };
 
-/** Without a heartbeat for so long (wall time), the run is stuck inside one call that never ends. */
+/** After this time without a heartbeat (wall time), the run is stuck inside one call that never ends. */
 const STUCK_MS = 10_000;
 
-/** What an interrupted program gets for its `finally`, in ms of wall time. */
+/** Time for the `finally` of an interrupted program, in ms of wall time. */
 const FAREWELL_MS = 500;
 
 const LOOK_MS = 100;
 
-/** Time between two looks for output. Chosen: looks immediate to a reader. */
+/** Interval of checks for output. Chosen: looks immediate to a reader. */
 const DRAIN_MS = 20;
 
-/** About so much of the output the report holds; what comes after was only shown. Chosen: ten minutes of printing. */
+/** Approximate limit for output in the report; later output was only shown. Chosen: ten minutes of printing. */
 const MAX_CONSOLE_CHARACTERS = 16_000_000;
 
 /**
@@ -31,7 +31,7 @@ const MAX_CONSOLE_CHARACTERS = 16_000_000;
  */
 const STACK_MB = 32;
 
-/** What is known of a run that was ended before it could say anything. */
+/** The known facts about a run that was ended before it could report. */
 export const nothingYet: Report = {
   ended: 'stuck',
   exception: null,
@@ -47,7 +47,7 @@ export const nothingYet: Report = {
   lights: [],
 };
 
-/** Runs the task in a thread of its own, passes its output on, and ends it when it is stuck or Ctrl-C is pressed. */
+/** Runs the task in a thread of its own, passes its output on, and ends it if it is stuck or Ctrl-C is pressed. */
 export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal: Terminal): Promise<Outcome> {
   const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
   const output = passOn(createSharedConsole(), terminal);
@@ -123,7 +123,7 @@ function watchBeat(shared: Int32Array, stuck: () => void): { stop(): void } {
   return { stop: () => clearInterval(timer) };
 }
 
-/** On the first Ctrl-C the program is interrupted, after `FAREWELL_MS` or on the second one `end` is called. */
+/** The first Ctrl-C interrupts the program; after `FAREWELL_MS` or on the second one, `end` is called. */
 function onInterrupt(shared: Int32Array, end: () => void): { stop(): void; happened(): boolean } {
   let timer: NodeJS.Timeout | null = null;
   const interrupt = (): void => {

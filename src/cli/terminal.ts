@@ -1,18 +1,18 @@
-/** Where the run's words go: the program's to stdout, ours to stderr. */
+/** The destination of a run's text: the program's output goes to stdout, our messages to stderr. */
 export interface Terminal {
-  /** What the program printed; says nothing when quiet. */
+  /** Output of the program; prints nothing when quiet. */
   program(text: string): void;
   /** A line of ours for other programs, on stdout, on a line of its own. */
   line(text: string): void;
   /** A message of ours. */
   message(text: string): void;
-  /** Shows how far the run is, in one line that is replaced; only where a person looks on. */
+  /** Shows the progress of the run, in one line that is replaced; only on a terminal. */
   progress(simulatedMs: number, realTimeFactor: number): void;
-  /** Takes the progress away. */
+  /** Removes the progress line. */
   clearProgress(): void;
 }
 
-/** What the terminal writes to; `isTTY` where a person looks on. */
+/** The terminal's output stream; `isTTY` if it is a terminal. */
 export interface Stream {
   write(text: string): unknown;
   readonly isTTY?: boolean | undefined;
@@ -47,7 +47,7 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
       err.write(`${text}\n`);
     },
     progress(simulatedMs, realTimeFactor) {
-      // Half a line of the program's output would be overwritten: progress waits for the line's end.
+      // Half a line of the program's output would be overwritten: progress waits for the end of the line.
       if (!showsProgress || (out.isTTY === true && !atLineStart)) return;
       shown = true;
       err.write(

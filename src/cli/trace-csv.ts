@@ -11,7 +11,7 @@ export function traceHeader(row?: TraceRow): string {
   ].join(',');
 }
 
-/** One line of a trace file: three digits after the point, 1 for a bright floor, nothing for no distance. */
+/** One line of a trace file: three digits after the point, 1 for a bright floor, empty for no distance. */
 export function traceLine(row: TraceRow): string {
   const cells = [
     row.timeUs / 1000,

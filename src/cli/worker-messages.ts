@@ -2,7 +2,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Report } from './report';
 import type { SharedConsole } from './shared-console';
 
-/** What the worker is started with. */
+/** The worker's initial data. */
 export interface WorkerTask {
   readonly setup: RunSetup;
   /** Simulated time at which the run ends; with `untilProgramEnds` it may end sooner. */
@@ -14,21 +14,21 @@ export interface WorkerTask {
   readonly logFile: number | null;
   /** Shared words, see `BEAT` and `INTERRUPT`. */
   readonly shared: Int32Array;
-  /** Takes what the program prints. */
+  /** Receives the program's output. */
   readonly console: SharedConsole;
 }
 
 /** Index of the shared word that the worker counts up while time passes. */
 export const BEAT = 0;
 
-/** Index of the shared word that is 1 when the program is to be interrupted. */
+/** Index of the shared word that is 1 when the program must be interrupted. */
 export const INTERRUPT = 1;
 
 /** From the worker, in this order: any number of `progress`, then one of the others. */
 export type WorkerMessage =
   | { readonly type: 'progress'; readonly report: Report }
   | { readonly type: 'done'; readonly report: Report }
-  /** The set-up cannot be run: the user's mistake. */
+  /** The set-up cannot run: the user's mistake. */
   | { readonly type: 'refused'; readonly problem: string }
-  /** Something broke inside: our mistake. */
+  /** An internal error: our mistake. */
   | { readonly type: 'broken'; readonly problem: string };

@@ -1,4 +1,4 @@
-/** The thread in which a headless run happens: nothing here waits, and nothing stops it but the run's end or `terminate`. */
+/** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
 import { existsSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parentPort, workerData } from 'node:worker_threads';
@@ -11,10 +11,10 @@ import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
-/** Simulated time between two looks at the outside. Chosen: some ms of wall time, yet few suspensions of the program. */
+/** Simulated time between two checks of the outside. Chosen: some ms of wall time, few suspensions of the program. */
 const SLICE_US = 100_000;
 
-/** Packets that the report holds at most; what comes after is only sent. Chosen: ten minutes at 16 a second. */
+/** Maximum number of packets in the report; later ones are only sent. Chosen: ten minutes at 16 a second. */
 const MAX_PACKETS = 10_000;
 
 /** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
@@ -31,7 +31,7 @@ function readFirmware(): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(place));
 }
 
-/** Writes the rows that came since the last call; the first call writes the names of the columns. */
+/** Writes the rows since the last call; the first call writes the names of the columns. */
 function createTraceWriter(simulation: Simulation, file: number | null): () => void {
   let written = -1;
   return () => {
@@ -46,7 +46,7 @@ function createTraceWriter(simulation: Simulation, file: number | null): () => v
   };
 }
 
-/** Gathers what the program sends and logs; the program's text goes straight to the terminal. */
+/** Collects the program's packets and log rows; its text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
   readonly radio: ReportedPacket[];
@@ -77,7 +77,7 @@ function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly Repor
   let isInterrupted = false;
   const hasEnded = (): boolean => simulation.ended !== null || simulation.isOff;
   const isOver = (): boolean => simulation.nowUs >= untilUs || (hasEnded() && (untilProgramEnds || isInterrupted));
-  // A program stuck in its very first call is reported as it stood then.
+  // A program that is stuck in its very first call is reported in its state at that moment.
   post({ type: 'progress', report: reportOf(simulation, sent, 0) });
   while (!isOver()) {
     const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);

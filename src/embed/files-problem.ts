@@ -2,16 +2,16 @@ import { FILE_BYTES, MAIN, nameProblem, projectLimits, utf8Bytes, type SourceFil
 
 import type { Refusal } from './simulator';
 
-/** Why files of a host cannot be the program, in one sentence, whichever dialect brought them; `null`: they can. */
+/** Why files of a host cannot be the program, in one sentence, for every dialect; `null` if they can. */
 export function filesProblem(files: readonly SourceFile[]): Refusal {
-  // First, for what comes after compares each with each.
+  // First, because the following code compares each with each.
   if (files.length > projectLimits.files)
     return `files: there are ${files.length}; the limit is ${projectLimits.files}.`;
   for (const [index, { name, text }] of files.entries()) {
     const others = files.filter((_, other) => other !== index);
     const problem = nameProblem(name, others);
     if (problem !== null) return `files.${index}.name: "${shown(name)}" cannot be the name of a file (${problem}).`;
-    // A project with a longer one could be saved, and not be opened again.
+    // A project with a longer file could be saved but not opened again.
     if (utf8Bytes(text) > FILE_BYTES)
       return `files.${index}.text: "${name}" has ${utf8Bytes(text)} bytes; the limit is ${FILE_BYTES}.`;
   }

@@ -1,5 +1,5 @@
 /**
- * An origin as it is named when a message is sent to it. One that is none (`null`: a sandbox, a file) or is not known
- * cannot be named: then whoever is there hears it.
+ * An origin in the form for sending a message to it. An opaque one (`null`: a sandbox, a file) or an unknown one cannot
+ * be named: the message then goes to any receiver.
  */
 export const nameable = (origin: string | null): string => (origin === null || origin === 'null' ? '*' : origin);

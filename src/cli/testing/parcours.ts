@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { afterAll, beforeAll } from 'vitest';
 import type { Report } from '../report';
 
-/** A folder for the files of one test file; it goes when the tests are over. */
+/** A folder for the files of one test file; it is removed after the tests. */
 export function useFolder(): {
   readonly folder: string;
   readonly file: (name: string, text: string | Uint8Array) => string;

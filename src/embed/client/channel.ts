@@ -1,21 +1,21 @@
 import { nameable } from '../nameable';
 
-/** What the page is reached by: the frame that shows it, its window, or a port that leads to it. */
+/** How the page is reached: the frame that shows it, its window, or a port that leads to it. */
 export type Target = HTMLIFrameElement | Window | MessagePort;
 
-/** A way to the page and back. */
+/** A channel to the page and back. */
 export interface Channel {
-  /** Says hello; it may get lost while the page is not there yet. */
+  /** Says hello; the message may get lost while the page is not ready yet. */
   hello(message: object): void;
-  /** @throws DOMException for what cannot be cloned */
+  /** @throws DOMException for values that cannot be cloned */
   post(message: object): void;
   close(): void;
 }
 
-/** What a channel does with what the page says. */
+/** What a channel does with messages of the page. */
 export type Hear = (data: unknown) => void;
 
-/** Opens the way to a page; whatever comes from elsewhere is not heard. */
+/** Opens the channel to a page; messages from elsewhere are ignored. */
 export function openChannel(target: Target, origin: string | undefined, usePort: boolean, hear: Hear): Channel {
   if (isPort(target)) return portChannel(target, hear);
   const page = windowOf(target, origin);
@@ -25,7 +25,7 @@ export function openChannel(target: Target, origin: string | undefined, usePort:
 interface PageWindow {
   /** `null` while the frame is not in the document. */
   window(): Window | null;
-  /** Origin that is spoken to; `null`: whatever it is. */
+  /** Origin of the page; `null` for any. */
   origin(): string | null;
 }
 
@@ -34,13 +34,13 @@ function windowOf(target: HTMLIFrameElement | Window, origin: string | undefined
   return { window: () => target.contentWindow, origin: () => origin ?? originOf(target) };
 }
 
-/** Whether it is a frame that shows the page: by its name, for it may belong to another document. */
+/** Whether it is a frame that shows the page. Checked by its name, because it may belong to another document. */
 export const isFrame = (target: Target): target is HTMLIFrameElement =>
   Object.prototype.toString.call(target) === '[object HTMLIFrameElement]';
 
 const isPort = (target: Target): target is MessagePort => target instanceof MessagePort;
 
-/** The origin that a frame's page has by its address; `null`: it cannot be told. */
+/** The origin of a frame's page, from its address; `null` if it is unknown. */
 function originOf(frame: HTMLIFrameElement): string | null {
   if (frame.hasAttribute('srcdoc') || !URL.canParse(frame.src)) return null;
   if (frame.hasAttribute('sandbox') && !frame.sandbox.contains('allow-same-origin')) return 'null';
@@ -65,7 +65,7 @@ function portChannel(port: MessagePort, hear: Hear): Channel {
   return { hello: post, post, close: () => port.close() };
 }
 
-/** Every hello brings a port of its own: one that was sent before the page listened is lost. The first that answers stays. */
+/** Every hello brings a new port: one sent before the page listened is lost. The first that answers stays. */
 function ownPortChannel(page: PageWindow, hear: Hear): Channel {
   let offered: MessagePort[] = [];
   let chosen: MessagePort | null = null;

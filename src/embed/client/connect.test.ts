@@ -98,7 +98,7 @@ describe('the client for host pages', () => {
     port2.onmessage = ({ data }: MessageEvent<(typeof asked)[number]>) => {
       asked.push(data);
       if (data.type === 'hello') port2.postMessage({ parcours: 1, reply: data.id, ok: true, page: 'p' });
-      // What somebody else was answered who counts alike.
+      // The answer to another client with the same count of ids.
       else for (const reply of [1, 2, 3]) port2.postMessage({ parcours: 1, reply, ok: true });
     };
     const parcours = await connect(port1, { commandTimeoutMs: 100 });

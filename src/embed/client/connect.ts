@@ -11,7 +11,7 @@ export type * from './types';
  * Connects with a simulator in a frame, a window or behind a port; the page may still be loading.
  *
  * @returns the simulator, once the page has answered
- * @throws ParcoursError (as a rejection) with `timeout` when it does not
+ * @throws ParcoursError (as a rejection) with `timeout` if it does not
  */
 export async function connect(target: Target, options: ConnectOptions = {}): Promise<Parcours> {
   const channel = openChannel(target, options.origin, options.usePort ?? false, (data) => connection.hear(data));
@@ -27,7 +27,7 @@ export async function connect(target: Target, options: ConnectOptions = {}): Pro
   return parcoursOf(connection, stopWatching);
 }
 
-/** A frame that loads has perhaps loaded anew. */
+/** A `load` event of the frame may mean that it was loaded anew. */
 function watchFrame(target: Target, connection: Connection): () => void {
   if (!isFrame(target)) return () => undefined;
   const greetAgain = (): void => connection.greetAgain();

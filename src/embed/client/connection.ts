@@ -2,7 +2,7 @@ import type { Channel } from './channel';
 import { ParcoursError } from './parcours-error';
 import type { ClientEvents, CommandName, Commands, ConnectOptions, ErrorCode, Welcome } from './types';
 
-/** How often hello is repeated, in ms. Chosen: a page that loads takes longer; nobody feels the wait. */
+/** Interval of repeated hellos, in ms. Chosen: a page takes longer to load, and nobody feels the wait. */
 const HELLO_EVERY_MS = 250;
 const HELLO_TIMEOUT_MS = 30_000;
 const COMMAND_TIMEOUT_MS = 60_000;
@@ -15,9 +15,9 @@ interface Waiting {
 
 type Listener = (data: never) => void;
 
-/** The conversation with one page: hello until it answers, commands and their answers, events, and what happens when it is loaded anew. */
+/** The conversation with one page: hello until it answers, commands and answers, events, restarts of the page. */
 export class Connection {
-  /** What the page said last. */
+  /** The page's last answer to hello. */
   welcome: Welcome | null = null;
   private readonly waiting = new Map<string, Waiting>();
   private readonly listeners = new Map<string, Set<Listener>>();
@@ -37,7 +37,7 @@ export class Connection {
     this.wish = options.subscribe ?? {};
   }
 
-  /** Says hello until the page answers; a page that was loaded anew is told apart from one that was not. */
+  /** Says hello until the page answers; recognises whether the page was loaded anew. */
   greet(): Promise<Welcome> {
     this.greeting ??= this.sayHello()
       .then((welcome) => this.begin(welcome))
@@ -50,7 +50,7 @@ export class Connection {
     if (this.welcome !== null && !this.isClosed) this.greet().catch(() => undefined);
   }
 
-  /** Sends a command. @returns its answer @throws ParcoursError (as a rejection) when it was not done */
+  /** Sends a command. @returns its answer @throws ParcoursError (as a rejection) if it was not carried out */
   send<N extends CommandName>(type: N, fields: Commands[N]['fields']): Promise<Commands[N]['result']> {
     if (this.isClosed) return Promise.reject(new ParcoursError('closed', 'The connection is closed.'));
     const id = this.nextId();
@@ -64,7 +64,7 @@ export class Connection {
         this.fail(id, 'not-plain', `"${type}" holds something other than plain data.`);
       }
     });
-    // What the page refuses is not asked of it again after it was loaded anew.
+    // A subscription that the page refuses is not repeated after the page was loaded anew.
     if (type === 'subscribe') answer.then(() => (this.wish = { ...this.wish, ...fields })).catch(() => undefined);
     return answer;
   }
@@ -75,13 +75,13 @@ export class Connection {
     return () => void all.delete(listener);
   }
 
-  /** Two clients of one page hear each other's answers: an id is no other one's. */
+  /** Two clients of one page hear each other's answers, so ids must be unique. */
   private nextId(): string {
     this.lastId += 1;
     return `${this.session}-${String(this.lastId)}`;
   }
 
-  /** Takes what the page said. */
+  /** Takes a message of the page. */
   hear(data: unknown): void {
     if (this.isClosed || !isMessage(data)) return;
     if ('reply' in data) this.takeAnswer(data as unknown as Answer);
@@ -95,7 +95,7 @@ export class Connection {
     this.endGreeting(new ParcoursError('closed', 'The connection is closed.'));
     this.failAll('closed', 'The connection is closed.');
     this.listeners.clear();
-    // A port that is closed at once may lose what was just said.
+    // A port that is closed at once may lose the last message.
     setTimeout(() => this.channel.close(), 0);
   }
 
@@ -126,7 +126,7 @@ export class Connection {
     });
   }
 
-  /** @throws ParcoursError (as a rejection) with `wrong-message` when the page does not know what is subscribed to */
+  /** @throws ParcoursError (as a rejection) with `wrong-message` if the page does not know an event */
   private async begin(said: Welcome): Promise<Welcome> {
     const { versions, app, page, abilities } = said;
     const before = this.welcome;
@@ -165,7 +165,7 @@ export class Connection {
       try {
         listener(withoutEnvelope(data) as never);
       } catch (error) {
-        // A listener's mistake is its own: the others are told all the same.
+        // An error in one listener must not keep the event from the others.
         setTimeout(() => {
           throw error;
         }, 0);
@@ -194,7 +194,7 @@ interface Answer {
   readonly path?: string;
 }
 
-/** A page that is not what it should be may send anything in the place of a text. */
+/** A faulty page may send anything in place of a text. */
 function errorOf({ code, message, path }: Answer): ParcoursError {
   const textOf = (value: unknown): string => (typeof value === 'string' ? value : '');
   return new ParcoursError(typeof code === 'string' ? code : 'broken', textOf(message), textOf(path));
@@ -205,12 +205,12 @@ const isMessage = (data: unknown): data is Readonly<Record<string, unknown>> =>
 
 const ENVELOPE: ReadonlySet<string> = new Set(['parcours', 'reply', 'ok', 'type']);
 
-/** What a message says, without what every message has. An event's own `type` is its name, which the listener knows. */
+/** The content of a message without the common fields. An event's own `type` is its name, which the listener knows. */
 function withoutEnvelope(data: object): object {
   return Object.fromEntries(Object.entries(data).filter(([key]) => !ENVELOPE.has(key)));
 }
 
-/** Data that a framework wraps (a reactive object) cannot be cloned; as JSON it can. */
+/** Data wrapped by a framework (a reactive object) cannot be cloned; as JSON it can. */
 function postPlain(channel: Channel, message: object): void {
   try {
     channel.post(message);

@@ -20,9 +20,9 @@ export type { SourceFile } from '#project/project';
 export type { SceneEdit } from '#scene/edit';
 export type { Verdict } from '#simulation/verdict';
 
-/** The simulator in another page, as its host sees it. */
+/** The simulator in another page, for its host. */
 export interface Parcours {
-  /** What the page said when it answered the last hello. */
+  /** The page's answer to the last hello. */
   readonly welcome: Welcome;
 
   /** Opens a project, stopped: its file as text or value. */
@@ -34,15 +34,15 @@ export interface Parcours {
   /** Opens a course, stopped: its file as text or value. */
   setScene(scene: SceneFile | string): Promise<void>;
   getScene(): Promise<SceneFile>;
-  /** Changes the course, also while the robot drives on it. */
+  /** Changes the course, also during a run. */
   edit(edit: SceneEdit): Promise<void>;
   setRobot(choice: Partial<RobotChoice>): Promise<void>;
   getRobot(): Promise<RobotChoice>;
-  /** Language, theme, sound, shown parts, words of the board's controls. Nothing of it is kept in the browser. */
+  /** Language, theme, sound, shown parts, words of the board's controls. The browser keeps none of these. */
   setSettings(settings: Partial<PageSettings> & { readonly labels?: Readonly<Record<string, string>> }): Promise<void>;
   getSettings(): Promise<PageSettings>;
 
-  /** Starts anew. Done when the program runs. */
+  /** Starts a new run. Resolves when the program runs. */
   run(options?: { readonly paused?: boolean }): Promise<void>;
   /** Ends the run; the last picture stays. */
   stop(): Promise<void>;
@@ -64,64 +64,64 @@ export interface Parcours {
   press(button: 'a' | 'b', down: boolean): Promise<void>;
   touch(pad: string, down: boolean): Promise<void>;
   setSensor(sensor: string, value: number | string): Promise<void>;
-  /** Whether compass, accelerometer and light sensor feel the arena. */
+  /** Whether compass, accelerometer and light sensor measure the arena. */
   setArenaSenses(on: boolean): Promise<void>;
-  /** Types text into the serial line: into `input()` or the REPL. */
+  /** Types text into the serial line: for `input()` or the REPL. */
   serial(text: string): Promise<void>;
   /** KeyboardInterrupt in the program. */
   interrupt(): Promise<void>;
-  /** A packet arrives by radio: as `radio.send` of another board sends it, or bytes. */
+  /** Delivers a radio packet: as `radio.send` of another board sends it, or bytes. */
   radio(packet: string | readonly number[] | Uint8Array): Promise<void>;
   clearConsole(): Promise<void>;
 
   getState(): Promise<State>;
-  /** Which events come (at first all), and how many snapshots a second (at first none), 0 … 60. */
+  /** Which events are sent (at first all), and how many snapshots a second (at first 0), 0 … 60. */
   subscribe(wish: Commands['subscribe']['fields']): Promise<void>;
 
-  /** Calls `listener` with every event of this kind from now on. @returns ends it */
+  /** Calls `listener` with every event of this kind from now on. @returns a function that ends this */
   on<E extends keyof ClientEvents>(event: E, listener: (data: ClientEvents[E]) => void): () => void;
-  /** Any command by its name; what the methods above are made of. */
+  /** Sends any command by its name; the methods above use it. */
   send<N extends CommandName>(type: N, ...fields: FieldsOf<N>): Promise<Commands[N]['result']>;
-  /** Says bye. Commands that wait are rejected with `closed`. */
+  /** Says bye. Waiting commands are rejected with `closed`. */
   close(): void;
 }
 
-/** Fields of a command; none where it has none. */
+/** Fields of a command; none if it has none. */
 export type FieldsOf<N extends CommandName> =
   Partial<Commands[N]['fields']> extends Commands[N]['fields']
     ? [fields?: Commands[N]['fields']]
     : [fields: Commands[N]['fields']];
 
-/** What `on` hears: the page's events, and those of the connection. */
+/** The events of `on`: the page's events, and those of the connection. */
 export type ClientEvents = { readonly [E in EventName]: Events[E] } & {
   /** The page was loaded anew and answers again: project and settings are those of a fresh page. */
   readonly restarted: Welcome;
 };
 
-/** Why a command was not done: the page's reasons, and the connection's. */
+/** Why a command was not carried out: the page's reasons, and the connection's. */
 export type ErrorCode =
   | RefusalCode
-  /** No answer in time: the page is not there, not ours, or its host is not allowed to command it. */
+  /** No answer in time: the page is missing, is not ours, or does not allow its host to command it. */
   | 'timeout'
   /** The page was loaded anew before it answered. */
   | 'restarted'
   /** The host has closed the connection. */
   | 'closed'
-  /** The message cannot be sent: it holds something other than plain data. */
+  /** The message cannot be sent because it is not plain data. */
   | 'not-plain';
 
 /** How to connect. */
 export interface ConnectOptions {
-  /** How long hello is repeated until the page answers, in ms. At first 30,000. */
+  /** How long hello is repeated until the page answers, in ms. Default 30,000. */
   readonly timeoutMs?: number;
-  /** How long a command may take, in ms. At first 60,000: a first run fetches the VM. */
+  /** How long a command may take, in ms. Default 60,000: a first run fetches the VM. */
   readonly commandTimeoutMs?: number;
-  /** Origin of the page; at first the one of the frame's `src`. A `Window` without it is greeted whatever it shows. */
+  /** Origin of the page; by default that of the frame's `src`. A `Window` without it is greeted whatever it shows. */
   readonly origin?: string;
-  /** Speak over a `MessagePort` of its own instead of the window. */
+  /** Use a `MessagePort` of its own instead of the window. */
   readonly usePort?: boolean;
-  /** What the host calls itself, for the page's log. */
+  /** Name of the host, for the page's log. */
   readonly client?: string;
-  /** As `subscribe` takes it, from the first moment on and again after a restart. */
+  /** As for `subscribe`; holds from the start and again after a restart. */
   readonly subscribe?: Commands['subscribe']['fields'];
 }

@@ -37,7 +37,7 @@ function bench(options: Partial<ParcoursDeviceOptions> = {}) {
   return { simulator, device, heard, calls, tell: (event: SimulatorEvent) => simulator.tell(event) };
 }
 
-/** Until something is so; a test that waits in vain fails by its time limit. */
+/** Waits until a condition holds; a test that waits in vain fails by its time limit. */
 async function until(isSo: () => boolean): Promise<void> {
   while (!isSo()) await new Promise((resolve) => setTimeout(resolve, 5));
 }

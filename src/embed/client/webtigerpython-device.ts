@@ -1,6 +1,6 @@
 /**
- * The simulator as a device of WebTigerPython, or of any page with the same device interface: what the device's buttons
- * do there happens in a frame with Parcours.
+ * The simulator as a device of WebTigerPython, or of any page with the same device interface: the device's buttons
+ * there act on a frame with Parcours.
  */
 import type { Language } from '#core/texts';
 import { HOLD_MS, Printing } from '../webtigerpython/printing';
@@ -8,7 +8,7 @@ import { connect } from './connect';
 import { ParcoursError } from './parcours-error';
 import type { ClientEvents, Events, Parcours } from './types';
 
-/** A device as WebTigerPython knows it. Functions that a device does not have are greyed out there. */
+/** A device in the form of WebTigerPython. Functions that a device does not have are greyed out there. */
 export interface DeviceInterface {
   registerDevice(): void;
   disconnectDevice(): void;
@@ -20,49 +20,50 @@ export interface DeviceInterface {
 }
 
 /**
- * Where the device stands. `absent`: not registered, or disconnected; `connecting`: its page loads; `ready`: nothing runs;
- * `ended`: the program is over, while a robot drives on and the REPL answers until Stop; `missing`: its page did not answer.
+ * State of the device. `absent`: not registered, or disconnected; `connecting`: its page loads; `ready`: nothing runs;
+ * `ended`: the program is over, while a robot drives on and the REPL answers until Stop; `missing`: its page did not
+ * answer.
  */
 export type DeviceState = 'absent' | 'connecting' | 'ready' | 'running' | 'ended' | 'missing';
 
-/** What the device is, and whom it tells. */
+/** The settings and listeners of the device. */
 export interface ParcoursDeviceOptions {
   /** The frame that shows Parcours, its window, or a port that leads to it. Instead of `container` and `address`. */
   readonly frame?: HTMLIFrameElement | Window | MessagePort;
-  /** Where the device puts a frame of its own while it is registered. */
+  /** Container for a frame of the device's own, while it is registered. */
   readonly container?: HTMLElement;
   /** Address of Parcours for that frame. */
   readonly address?: string;
-  /** What that frame is called for screen readers. At first `Parcours`. */
+  /** Name of that frame for screen readers. Default `Parcours`. */
   readonly title?: string;
-  /** Id of the microcomputer, such as `microbit-v2` or `calliope-mini-3`; at first as the program's imports say. */
+  /** Id of the microcomputer, such as `microbit-v2` or `calliope-mini-3`; default: by the program's imports. */
   readonly board?: string;
-  /** Id of the robot, `none` for the bare board; at first as the program's imports say. */
+  /** Id of the robot, `none` for the bare board; by default chosen by the program's imports. */
   readonly robot?: string;
-  /** What is shown: `bar`, `code`, `board`, `arena`, `tools`, `console`. At first board and arena. */
+  /** The shown parts: `bar`, `code`, `board`, `arena`, `tools`, `console`. By default board and arena. */
   readonly parts?: readonly ('bar' | 'code' | 'board' | 'arena' | 'tools' | 'console')[];
   readonly language?: Language;
   readonly theme?: 'system' | 'light' | 'dark';
-  /** How long the page may take to answer, in ms. At first 30,000. */
+  /** How long the page may take to answer, in ms. Default 30,000. */
   readonly timeoutMs?: number;
-  /** The next piece of what the program prints; lines end in `\n`. */
+  /** Receives the next piece of the program's output; lines end in `\n`. */
   readonly onOutput?: (text: string) => void;
-  /** The traceback that ended the program, or in one sentence what could not be done. */
+  /** Receives the traceback that ended the program, or one sentence about what failed. */
   readonly onError?: (text: string) => void;
   readonly onState?: (state: DeviceState) => void;
-  /** Saves what is exported; at first the browser downloads it. */
+  /** Saves an exported project; by default the browser downloads it. */
   readonly saveFile?: (name: string, text: string) => void;
 }
 
-/** The simulator as a device: it runs, stops and exports programs. Nothing is flashed: there is no such function. */
+/** The simulator as a device: it runs, stops and exports programs. Nothing is flashed, so there is no such function. */
 export interface ParcoursDevice extends DeviceInterface {
-  /** Shows the simulator and connects with it; twice is once. */
+  /** Shows the simulator and connects with it; a second call does nothing. */
   registerDevice(): void;
-  /** Ends the run and the connection; a frame of the device's own goes. */
+  /** Ends the run and the connection, and removes a frame of the device's own. */
   disconnectDevice(): void;
   /** Ends the run and puts everything back to the start. */
   cleanUp(): void;
-  /** Runs this as `main.py`; a device that is not registered is registered first. */
+  /** Runs this as `main.py`; registers the device first if necessary. */
   runCode(code: string): void;
   stopCode(): void;
   /** Saves this program with its course and robot as a file that Parcours opens. */
@@ -72,14 +73,13 @@ export interface ParcoursDevice extends DeviceInterface {
 /** Name of an exported file. */
 const EXPORT_NAME = 'main.parcours.json';
 
-/** The parts of the page that a host with an editor and a console of its own needs. */
+/** The parts of the page for a host with an editor and a console of its own. */
 const PARTS = ['board', 'arena'] as const;
 
 /**
- * Makes the device. Its functions come back at once and do in their order what they are called for; what goes wrong is
- * told by `onError`.
+ * Makes the device. Its functions return at once and take effect in order; `onError` reports errors.
  *
- * @throws TypeError when there is neither a frame nor a container with an address
+ * @throws TypeError if there is neither a frame nor a container with an address
  */
 export function createParcoursDevice(options: ParcoursDeviceOptions): ParcoursDevice {
   if (options.frame === undefined && (options.container === undefined || options.address === undefined))
@@ -105,11 +105,11 @@ export function createParcoursDevice(options: ParcoursDeviceOptions): ParcoursDe
   };
 }
 
-/** The connection with the page, and what is waiting for it. */
+/** The connection with the page, and the actions that wait for it. */
 class DeviceLink {
   private state: DeviceState = 'absent';
   private own: HTMLIFrameElement | null = null;
-  /** Ends with `null` when the page does not answer. */
+  /** Resolves to `null` if the page does not answer. */
   private connected: Promise<Parcours | null> | null = null;
   private last: Promise<void> = Promise.resolve();
   private readonly printing = new Printing((text) => this.options.onOutput?.(text));
@@ -143,7 +143,7 @@ class DeviceLink {
     this.last = Promise.resolve();
   }
 
-  /** Does something once the page is there and what was asked before is done. */
+  /** Does something once the page is ready and earlier requests are done. */
   whenOpen(act: (parcours: Parcours) => Promise<void>): void {
     const { connected } = this;
     if (connected === null) return;
@@ -154,7 +154,7 @@ class DeviceLink {
     });
   }
 
-  /** Runs this as `main.py`. What comes after need not wait until it has begun: the page may never come to that. */
+  /** Runs this as `main.py`. Later actions do not wait until it has begun, because the page may never get that far. */
   run(code: string): void {
     const { ends } = this;
     this.whenOpen(async (parcours) => {
@@ -165,12 +165,12 @@ class DeviceLink {
     });
   }
 
-  /** Ends what runs or is about to: that it never began is no error then. */
+  /** Ends the current or coming run. If it had not begun yet, that is not an error. */
   end(act: (parcours: Parcours) => Promise<void>): void {
     this.ends += 1;
     this.whenOpen(act);
   }
-  /** How often an end was asked for. */
+  /** Number of requested ends. */
   private ends = 0;
 
   close(): void {
@@ -181,7 +181,7 @@ class DeviceLink {
     this.printing.forget();
     own?.remove();
     void connected.then(async (parcours) => {
-      // A frame that the host shows stays, with nothing running in it; our own is gone already.
+      // A frame of the host stays, with nothing running in it; our own is already gone.
       if (own === null) await parcours?.stop().catch(() => undefined);
       parcours?.close();
     });
@@ -198,7 +198,7 @@ class DeviceLink {
     const { container, address = '', title = 'Parcours' } = this.options;
     const frame = document.createElement('iframe');
     const url = new URL(address, location.href);
-    url.searchParams.set('dialect', 'none'); // it hears of everything by ours
+    url.searchParams.set('dialect', 'none'); // our own dialect tells it everything
     frame.src = url.href;
     frame.title = title;
     frame.allow = 'autoplay; microphone';
@@ -222,7 +222,7 @@ class DeviceLink {
     }
   }
 
-  /** @param isOpen whether this connection is still the device's: its last words come after the host has left */
+  /** @param isOpen whether this connection is still the device's: its last messages come after the host has left */
   private listen(parcours: Parcours, isOpen: () => boolean): void {
     const on = <E extends keyof ClientEvents>(event: E, act: (data: ClientEvents[E]) => void): void =>
       void parcours.on(event, (data) => {
@@ -252,7 +252,7 @@ class DeviceLink {
     this.tell('running');
   }
 
-  /** The program is over; what the REPL prints from now on is none of the host's business. */
+  /** The program is over; later output of the REPL does not concern the host. */
   private finish(ended: Events['ended'] | null): void {
     const traceback = ended?.exception?.traceback ?? null;
     const printed = this.printing.end({ traceback, isStopped: ended?.ended === 'stopped' });
@@ -268,7 +268,7 @@ class DeviceLink {
     this.timer = setTimeout(() => {
       void parcours.getState().then(
         ({ snapshot }) => {
-          // While only the world goes on, the program is over: its end is on the way.
+          // While only the world goes on, the program is over and its end is on the way.
           if (snapshot?.running !== 'world') this.printing.release();
         },
         () => undefined, // the page is gone

@@ -1,17 +1,17 @@
-/** Attributes that the page's address takes under the same names. */
+/** Attributes that have the same names in the page's address. */
 const PARAMETERS = ['show', 'lang', 'theme', 'speed', 'robot', 'board', 'seed', 'reality', 'world', 'task'] as const;
 
-/** Attributes that have an effect by being there. `false` is what frameworks write for "not there". */
+/** Attributes that take effect by their presence. Frameworks write `false` for absence. */
 export const isOn = (value: string | null): boolean => value !== null && value !== 'false';
 
-/** What an element says: the value of an attribute, or `null`. */
+/** The value of an attribute of the element, or `null`. */
 export type Attributes = (name: string) => string | null;
 
 /**
- * The address that the element's frame shows: that of Parcours with what the attributes wish.
+ * The address for the element's frame: that of Parcours with the wishes of the attributes.
  *
  * @param base address of the host page, for a relative `src`
- * @returns `null`: there is no `src`, or it is no address of a page (`javascript:` and the like)
+ * @returns `null` if `src` is missing or not the address of a page (`javascript:` and the like)
  */
 export function pageAddress(attribute: Attributes, base: string): string | null {
   const src = attribute('src') ?? '';
@@ -24,7 +24,7 @@ export function pageAddress(attribute: Attributes, base: string): string | null 
     if (value !== null) url.searchParams.set(name, value);
   }
   if (isOn(attribute('muted'))) url.searchParams.set('muted', 'true');
-  // The element speaks the page's own dialect: no other has to be said unasked.
+  // The element uses the page's own dialect: the page needs to speak no other before it is asked.
   if (!url.searchParams.has('dialect')) url.searchParams.set('dialect', 'none');
   return url.href;
 }

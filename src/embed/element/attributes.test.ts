@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { ParcoursAttributes, takeEarlyProperties } from './attributes';
 
-/** The element's properties over attributes that are a list. */
+/** The element's properties over a list of attributes. */
 class Element extends ParcoursAttributes {
   readonly list = new Map<string, string>();
   override getAttribute(name: string): string | null {

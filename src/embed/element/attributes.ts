@@ -1,10 +1,10 @@
 import { isOn } from './address';
 import { ParcoursMethods } from './methods';
 
-/** What an attribute can be given by script; `null` takes it away. */
+/** What a script can set an attribute to; `null` removes it. */
 export type Wished = string | number | null;
 
-/** The attributes of the element as properties, so that frameworks may give either. */
+/** The attributes of the element as properties, because frameworks may set either. */
 export abstract class ParcoursAttributes extends ParcoursMethods {
   /** Address of Parcours: its folder, or one of its pages. */
   get src(): string | null {
@@ -13,7 +13,7 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
   set src(value: string | null) {
     this.write('src', value);
   }
-  /** Parts that are shown, parted by commas: `bar`, `code`, `board`, `arena`, `tools`, `console`; or `all`. */
+  /** Shown parts, separated by commas: `bar`, `code`, `board`, `arena`, `tools`, `console`; or `all`. */
   get show(): string | null {
     return this.getAttribute('show');
   }
@@ -55,7 +55,7 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
   set seed(value: Wished) {
     this.write('seed', value);
   }
-  /** How much the robot is like a used one, 0 … 1. */
+  /** How much the robot resembles a used one, 0 … 1. */
   get reality(): string | null {
     return this.getAttribute('reality');
   }
@@ -83,14 +83,14 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
   set allow(value: string | null) {
     this.write('allow', value);
   }
-  /** `lazy` (also when left out): loads when it comes into view or is commanded; `eager`: at once. */
+  /** `lazy` (default): loads when it comes into view or receives a command; `eager`: at once. */
   get loading(): string | null {
     return this.getAttribute('loading');
   }
   set loading(value: string | null) {
     this.write('loading', value);
   }
-  /** How many `snapshot` events a second, 0 … 60; none when left out. */
+  /** Number of `snapshot` events a second, 0 … 60; 0 if left out. */
   get snapshotHz(): string | null {
     return this.getAttribute('snapshot-hz');
   }
@@ -119,7 +119,7 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
 }
 
 /**
- * Takes properties that a framework has set before the element's code came: they would hide the ones of the class.
+ * Adopts properties that a framework has set before the element's code arrived: they would hide those of the class.
  *
  * @param element one that has just become an element of this class
  */

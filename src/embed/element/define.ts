@@ -6,7 +6,7 @@ export { ParcoursSimulatorElement, type ParcoursSimulatorEvents } from './parcou
 
 const NAME = 'parcours-simulator';
 
-// Outside a browser, where a page is only written, there are no elements.
+// Outside a browser, where a page is only rendered, there are no elements.
 if ('customElements' in globalThis && customElements.get(NAME) === undefined)
   customElements.define(NAME, ParcoursSimulatorElement);
 

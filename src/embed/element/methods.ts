@@ -1,11 +1,11 @@
 import type { Parcours } from '../client/types';
 
-/** Outside a browser, where the element can be imported and stays without effect. */
+/** Outside a browser, where the element can be imported but has no effect. */
 const Base: typeof HTMLElement = 'HTMLElement' in globalThis ? HTMLElement : (class {} as typeof HTMLElement);
 
 /** The client's methods on an element: each waits until the page has answered. */
 export abstract class ParcoursMethods extends Base {
-  /** The client of the page, once it has answered and has what the element was given; loads the page where it is not there yet. */
+  /** The client of the page, once the page has answered and has the element's data; loads the page if necessary. */
   abstract whenReady(): Promise<Parcours>;
 
   readonly setProject: Parcours['setProject'] = (project) => this.whenThere((it) => it.setProject(project));

@@ -1,7 +1,7 @@
 import { connect } from '../client/connect';
 import type { ClientEvents, ConnectOptions, Parcours } from '../client/types';
 
-/** What the page tells, and the name of the DOM event that an element makes of it. */
+/** The page's events, and the names of their DOM events on the element. */
 const EVENTS: Readonly<Record<keyof ClientEvents, string>> = {
   phase: 'phase',
   started: 'started',
@@ -23,20 +23,20 @@ const EVENTS: Readonly<Record<keyof ClientEvents, string>> = {
 /** How long a page may take to answer, in ms. Chosen: a whole class opens it over one slow line. */
 const CONNECT_MS = 120_000;
 
-/** How the frame is made. */
+/** How to make the frame. */
 export interface FrameOptions {
   readonly address: string;
   /** Name for screen readers. */
   readonly title: string;
-  /** The frame's permissions, as the attribute of the same name says them. */
+  /** The frame's permissions, as in the attribute of the same name. */
   readonly allow: string;
   readonly isSandboxed: boolean;
   readonly subscribe: NonNullable<ConnectOptions['subscribe']>;
-  /** Hears every event under its DOM name. */
+  /** Receives every event under its DOM name. */
   readonly tell: (event: string, detail: unknown) => void;
 }
 
-/** A frame with Parcours and the connection to it, from when it is put somewhere until it is closed. */
+/** A frame with Parcours and its connection, from its insertion until it is closed. */
 export class PageFrame {
   readonly frame: HTMLIFrameElement;
   private parcours: Parcours | null = null;
@@ -54,8 +54,8 @@ export class PageFrame {
   /**
    * Connects with the page; the frame must be in the document.
    *
-   * @returns `null`: the frame was closed meanwhile
-   * @throws ParcoursError (as a rejection) when the page does not answer
+   * @returns `null` if the frame was closed meanwhile
+   * @throws ParcoursError (as a rejection) if the page does not answer
    */
   async connect(): Promise<Parcours | null> {
     const { subscribe, tell } = this.options;
@@ -76,7 +76,7 @@ export class PageFrame {
     return parcours;
   }
 
-  /** Ends the connection and takes the frame away. */
+  /** Ends the connection and removes the frame. */
   close(): void {
     this.isClosed = true;
     this.parcours?.close();

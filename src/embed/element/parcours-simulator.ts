@@ -7,11 +7,11 @@ import { PageFrame } from './page-frame';
 import { ABOVE_PROJECT, snapshotHzOf, wishes } from './wishes';
 import { projectFile, Work, type Given } from './work';
 
-/** What the element tells, by the name of the event, and what its `detail` is. */
+/** The element's events by name, with their `detail`. */
 export interface ParcoursSimulatorEvents {
-  /** The page is there and has what the element was given. */
+  /** The page is ready and has the element's data. */
   readonly 'parcours-ready': Welcome;
-  /** The page does not answer, or would not do what an attribute or a property says: a `ParcoursError`, mostly. */
+  /** The page does not answer, or refuses an attribute or a property: usually a `ParcoursError`. */
   readonly 'parcours-error': unknown;
   /** The page was loaded anew and has the latest work again. */
   readonly 'parcours-restarted': Welcome;
@@ -33,22 +33,22 @@ export interface ParcoursSimulatorEvents {
 
 type OtherEvents = Exclude<keyof HTMLElementEventMap, keyof ParcoursSimulatorEvents>;
 
-/** Another value of these is another page: the frame is loaded anew. */
+/** A new value of these means another page: the frame is loaded anew. */
 const LOADED_ANEW: readonly string[] = ['src', 'world', 'task', 'sandboxed'];
-/** As wide as there is room: with a height alone the ratio would make it wider than that. */
+/** As wide as there is room: with only a height set, the ratio would make it wider than that. */
 const STYLE =
   ':host{display:block;box-sizing:border-box;position:relative;width:100%;aspect-ratio:16/10}' +
   ':host{min-width:200px;min-height:160px}' +
   ':host([hidden]){display:none}' +
   'iframe{position:absolute;inset:0;width:100%;height:100%;border:0}';
-/** The page may make sound and go full screen where this page may. */
+/** The page may make sound and go full screen if this page may. */
 const ALLOW = 'autoplay; fullscreen; clipboard-write';
 /** Begins to load a little before it is scrolled into view. */
 const NEAR = '200px';
 
 /**
  * `<parcours-simulator>`: Parcours as an element of any page. Attributes say what it shows, methods command it, events
- * tell of it. What is worked on in it stays when the element is moved.
+ * report from it. The work in it stays when the element is moved.
  */
 export class ParcoursSimulatorElement extends ParcoursAttributes {
   static readonly observedAttributes: readonly string[] = [
@@ -57,17 +57,17 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
   ];
   private readonly inside: ShadowRoot;
   private readonly work = new Work();
-  /** What the host has given by script. */
+  /** Data that the host has set by script. */
   private given: Given = { project: null, scene: null, files: null };
   private page: PageFrame | null = null;
-  /** The page that is there and has everything. */
+  /** The page that is ready and has everything. */
   private client: Parcours | null = null;
   private promised: Promised | null = null;
-  /** The page did not answer: who asks is told so until another one is loaded. */
+  /** The page did not answer: callers are told so until another page is loaded. */
   private isMissing = false;
   private watch: IntersectionObserver | null = null;
   private isAnewPlanned = false;
-  /** What the frame was loaded for. */
+  /** The reason for which the frame was loaded. */
   private shown = '';
   /** Attributes that have changed since the frame got its address. */
   private readonly changed = new Set<string>();
@@ -86,7 +86,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     return this.page?.frame ?? null;
   }
 
-  /** The project it begins with: its file as text or value, or its address. As an attribute: its address. */
+  /** The initial project: its file as text or value, or its address. As an attribute: its address. */
   get project(): ProjectFile | string | null {
     return this.given.project ?? this.getAttribute('project');
   }
@@ -95,7 +95,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     if (project !== null) this.bring(async (it) => it.setProject(await projectFile(project)));
   }
 
-  /** The course it begins with, instead of the project's. */
+  /** The initial course, instead of the project's. */
   get scene(): SceneFile | string | null {
     return this.given.scene;
   }
@@ -104,7 +104,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     if (scene !== null) this.bring((it) => it.setScene(scene));
   }
 
-  /** The program it begins with, instead of the project's. */
+  /** The initial program, instead of the project's. */
   get files(): readonly SourceFile[] | null {
     return this.given.files;
   }
@@ -147,7 +147,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     this.openWhenSeen();
   }
 
-  /** Moved by a browser that can do so without loading the frame anew: everything goes on. */
+  /** Moved by a browser that can do so without reloading the frame: everything goes on. */
   connectedMoveCallback(): void {
     return undefined;
   }
@@ -169,7 +169,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     }
   }
 
-  /** Loads what is not there yet, as soon as the element is in a page and has an address. */
+  /** Loads the page if necessary, as soon as the element is in a page and has an address. */
   private open(): void {
     const address = pageAddress((name) => this.pageAttribute(name), document.baseURI);
     if (this.page !== null || !this.isConnected || address === null) return;
@@ -205,7 +205,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     this.tell('parcours-ready', parcours.welcome);
   }
 
-  /** The work, and what the address does not say. What the page refuses is told, and the rest comes all the same. */
+  /** Sends the work, and settings that the address does not carry. A refusal is reported and stops nothing else. */
   private async bringEverything(parcours: Parcours): Promise<void> {
     const complain = (error: unknown): void => this.tell('parcours-error', error);
     const isProject = await this.work.bring(parcours, { ...this.given, project: this.project }).catch(complain);
@@ -224,14 +224,14 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     this.stopWatching();
     const { page } = this;
     this.page = null;
-    // Who waits for a page goes on waiting for the next one.
+    // Callers who wait for a page go on waiting for the next one.
     if (this.client !== null || this.isMissing) this.promised = null;
     this.client = null;
     this.isMissing = false;
     page?.close();
   }
 
-  /** Several attributes often change together, and with the element's first moment: the page is loaded once. */
+  /** Several attributes often change together, and at the element's start: the page is loaded once. */
   private planAnew(): void {
     if (this.isAnewPlanned || !this.isConnected) return;
     this.isAnewPlanned = true;
@@ -269,7 +269,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     this.work.forget();
   }
 
-  /** Does something to the page if it is there; one that is not there yet gets it with everything else. */
+  /** Does something to the page if it is ready; otherwise the page gets it later with everything else. */
   private bring(act: (parcours: Parcours) => Promise<void>): void {
     if (this.client !== null) act(this.client).catch((error: unknown) => this.tell('parcours-error', error));
   }
@@ -278,7 +278,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     await wishes[name]?.(parcours, this.pageAttribute(name));
   }
 
-  /** An attribute as it holds for the page: the language is that of the text around the element. */
+  /** The effective value of an attribute: the language defaults to that of the surrounding text. */
   private pageAttribute(name: string): string | null {
     return name === 'lang' ? (this.closest('[lang]')?.getAttribute('lang') ?? null) : this.getAttribute(name);
   }
@@ -298,7 +298,7 @@ interface Promised {
   readonly fail: (reason: unknown) => void;
 }
 
-/** A page that is promised. Nobody has to hear that it did not come: there is an event for that too. */
+/** The promise of a page. Its rejection needs no handler, because there is also an event for it. */
 function promise(): Promised {
   let keep: Promised['keep'] = () => undefined;
   let fail: Promised['fail'] = () => undefined;

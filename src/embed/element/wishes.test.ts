@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { Parcours } from '../client/types';
 import { wishes } from './wishes';
 
-/** What an attribute's value makes the client say. */
+/** The calls of the client for an attribute's value. */
 async function said(name: string, value: string | null): Promise<readonly unknown[]> {
   const calls: unknown[] = [];
   const note =

@@ -4,13 +4,13 @@ import { limits } from '../parcours/limits';
 import { PARTS, type HostSpeed } from '../simulator';
 import { isOn } from './address';
 
-/** How an attribute's new value reaches a page that is there. `null` is an attribute that is gone: as at first. */
+/** How an attribute's new value reaches a running page. `null`: the attribute was removed, back to the default. */
 type Wish = (parcours: Parcours, value: string | null) => Promise<void>;
 
 const SPEEDS: readonly HostSpeed[] = [0.25, 0.5, 1, 2, 4, 8, 'max'];
 const THEMES = ['system', 'light', 'dark'] as const;
 
-/** Attributes that change the page while it is there. */
+/** Attributes that change a running page. */
 export const wishes: Readonly<Record<string, Wish>> = {
   show(parcours, value) {
     const names: readonly string[] = value?.split(/[\s,]+/) ?? [];
@@ -18,7 +18,7 @@ export const wishes: Readonly<Record<string, Wish>> = {
     return parcours.setSettings({ parts: some.length === 0 || names.includes('all') ? PARTS : some });
   },
   async lang(parcours, value) {
-    // A language that the page does not have changes nothing, and neither does none.
+    // An unknown language changes nothing, and neither does a missing one.
     const language = LANGUAGES.find((one) => one === value?.slice(0, 2).toLowerCase());
     if (language !== undefined) await parcours.setSettings({ language });
   },
@@ -32,11 +32,11 @@ export const wishes: Readonly<Record<string, Wish>> = {
   'snapshot-hz': (parcours, value) => parcours.subscribe({ snapshotHz: snapshotHzOf(value) }),
 };
 
-/** Snapshots per second that the attribute asks for, 0 … 60; what is no number asks for none. */
+/** Requested snapshots per second, 0 … 60; 0 for anything but a number. */
 export function snapshotHzOf(value: string | null): number {
   const hz = Number(value ?? 0);
   return Number.isNaN(hz) ? 0 : Math.min(limits.snapshotHz, Math.max(0, hz));
 }
 
-/** Those of them that a project brings as well: where an attribute says something, it counts. */
+/** Those that a project brings, too: an attribute that is set wins. */
 export const ABOVE_PROJECT = ['robot', 'board', 'seed', 'reality'] as const;

@@ -91,7 +91,7 @@ describe('flash', () => {
     const { simulator, door, news } = opened();
     news();
     const before = simulator.calls.length;
-    const buffers = [[], new Uint8Array(0), new Uint8Array(200_000_000)]; // whose keys would be as many texts
+    const buffers = [[], new Uint8Array(0), new Uint8Array(200_000_000)]; // its keys would be as many texts
     for (const filesystem of [null, 'print(1)', { 'main.py': 'print(1)' }, { 'main.py': [112] }, undefined, ...buffers])
       door.receive({ kind: 'flash', filesystem });
     await settled();

@@ -208,7 +208,7 @@ describe('what the program does', () => {
     simulator.tell({ type: 'failed', message: 'The robot stands in a wall.' });
     const [said] = news();
     if (said?.kind !== 'internal_error') throw new Error(JSON.stringify(said));
-    // As the official one: hosts look at its class, or hand it to what gathers errors.
+    // As in the official simulator: hosts check its class, or pass it to error reporting.
     expect(said.error).toBeInstanceOf(Error);
     expect(said.error.message).toBe('The robot stands in a wall.');
   });

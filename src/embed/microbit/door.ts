@@ -13,7 +13,7 @@ import { LogColumns } from './log-columns';
 import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent, type MicrobitState } from './messages';
 import { pressedId, StateModel } from './state';
 
-/** As the official simulator is: a new board, without the pupil's own settings of other pages. */
+/** As in the official simulator: a new board, without the pupil's own settings of other pages. */
 const PLAIN: HostSettings = {
   device: 'auto',
   firmware: '',
@@ -28,10 +28,10 @@ const PLAIN: HostSettings = {
 const BOARD_ALONE: readonly Part[] = ['board'];
 
 /**
- * Opens a door for a host of the micro:bit simulator.
+ * Makes the protocol adapter for hosts of the micro:bit simulator.
  *
- * @param wish what the address of the page asks for; it holds whatever is flashed. Where it names no robot, a program
- * that imports a robot's library has that robot, and an arena beside the board unless parts are named
+ * @param wish the settings of the page's address; they hold for every flash. If they name no robot, a program that
+ *   imports a robot's library gets that robot, and an arena beside the board unless parts are named
  */
 export function openMicrobitDoor(simulator: EmbeddedSimulator, outside: Outside, wish: HostSettings = {}): Door {
   return new MicrobitDoor(simulator, outside, wish);
@@ -41,9 +41,9 @@ class MicrobitDoor implements Door {
   private readonly state: StateModel;
   private readonly columns = new LogColumns();
   private readonly unlisten: () => void;
-  /** A stop was asked for, or another start: what the program still prints is not told. */
+  /** A stop or another start was requested: further output of the program is not sent. */
   private isQuiet = false;
-  /** A program was brought; before that the board is empty. */
+  /** A program was flashed; before that the board is empty. */
   private hasFiles = false;
   private isActive: boolean;
   private endsWithReturn = false;
@@ -140,7 +140,7 @@ class MicrobitDoor implements Door {
     }
     this.hasFiles = true;
     const wanted = this.surroundings(files);
-    // Only what is another one: every choice of a robot is another start.
+    // Only what differs: every choice of a robot restarts.
     if (wanted.robot !== robot || wanted.parts.join() !== parts.join()) this.simulator.change(wanted);
     return null;
   }
@@ -159,7 +159,7 @@ class MicrobitDoor implements Door {
     void this.simulator.run();
   }
 
-  /** The run that is going on is over for the host, whatever of it is still to come. */
+  /** The current run is over for the host, whatever of it is still to come. */
   private endRun(): void {
     if (this.isActive) this.sayAll();
     this.isActive = false;
@@ -175,7 +175,7 @@ class MicrobitDoor implements Door {
   private setValue(id: string, given: number | string): void {
     const value = this.state.read(id, given);
     if (value === null) return;
-    // Down again without an up is another press.
+    // A second press without a release is another press.
     if (isPressable(id) && Number(value) >= 0.5 && this.state.isDown(id)) this.feel(id, 0);
     this.feel(id, value);
   }
@@ -241,7 +241,7 @@ class MicrobitDoor implements Door {
     this.sayChange(...this.state.setLimits(snapshot));
   }
 
-  /** A person on the page: a host's own values are not echoed. */
+  /** The user of the page acted: a host's own values are not echoed. */
   private hearSensed(action: Extract<InputAction, { type: 'button' | 'touch' | 'sensor' }>): void {
     switch (action.type) {
       case 'button':
@@ -258,7 +258,7 @@ class MicrobitDoor implements Door {
     }
   }
 
-  /** A packet, after the group it went to: pictures, which also tell that, may come later or, while the page is hidden, never. */
+  /** A packet, after its group. Snapshots, which also report the group, may come later or (page hidden) never. */
   private tellPacket({ group, bytes }: RadioPacket): void {
     if (this.state.setRadio(true, group)) this.sayChange('radio');
     this.say({ kind: 'radio_output', data: Uint8Array.from(bytes) });
@@ -317,13 +317,13 @@ class MicrobitDoor implements Door {
   }
 }
 
-/** What a message asks for; `null` for all that is no command of this dialect. */
+/** The command in a message; `null` for anything that is not a command of this dialect. */
 function commandOf(message: unknown): MicrobitCommand | null {
   try {
     const read = v.safeParse(microbitCommand, message);
     return read.success ? read.output : null;
   } catch {
-    return null; // on the same page it may be an object that throws when it is looked at
+    return null; // on the same page it may be an object that throws when it is read
   }
 }
 

@@ -1,19 +1,19 @@
 import { FILE_BYTES, MAIN, nameProblem, projectLimits, type SourceFile } from '#project/project';
 
-/** The files of a `flash` as the page has them. */
+/** The files of a `flash` in the page's form. */
 export interface FlashedFiles {
   /** `main.py` first. */
   readonly files: readonly SourceFile[];
-  /** Which ones the page cannot hold, in English sentences; `null`: none. */
+  /** The files that the page cannot hold, in English sentences; `null` for none. */
   readonly leftOut: string | null;
 }
 
 /**
- * The files of a `flash` as the page has them: `main.py` first; where it is missing an empty one, after which the REPL
- * comes at once as on the board. The page keeps what a program is made of as text, in files of usual names: others are
- * left out, so that the program runs as far as it does without them.
+ * The files of a `flash` in the page's form: `main.py` first; if it is missing, an empty one, after which the REPL
+ * comes at once as on the board. The page keeps a program as text, in files with usual names. Other files are left out,
+ * so that the program runs as far as it does without them.
  *
- * @returns a problem in one English sentence when it is `main.py` itself that the page cannot hold
+ * @returns a problem in one English sentence if the page cannot hold `main.py` itself
  */
 export function filesOf(filesystem: Readonly<Record<string, Uint8Array>>): FlashedFiles | { readonly problem: string } {
   const main = fileOf(MAIN, filesystem[MAIN] ?? new Uint8Array(), []);
@@ -29,10 +29,10 @@ export function filesOf(filesystem: Readonly<Record<string, Uint8Array>>): Flash
   return { files, leftOut: leftOut.length === 0 ? null : leftOut.join(' ') };
 }
 
-/** Files that are left out and told of by name. Chosen: the first tell what is wrong with all. */
+/** Number of left-out files that are reported by name. Chosen: the first ones show what is wrong with all. */
 const MOST_NAMED = 5;
 
-/** One file, or why the page cannot hold it beside `others`: what it is or has, in words that go on after its name. */
+/** One file, or why the page cannot hold it beside `others`: a phrase that follows its name. */
 function fileOf(name: string, bytes: Uint8Array, others: readonly SourceFile[]): SourceFile | string {
   if (others.length >= projectLimits.files) return `is one too many; the limit is ${String(projectLimits.files)}`;
   const problem = nameProblem(name, others);

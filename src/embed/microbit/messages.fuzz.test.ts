@@ -10,7 +10,7 @@ import { LABEL_NAMES, microbitEvent } from './messages';
 
 /** How many messages are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
-/** Against an endless loop only. */
+/** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 /** Messages to one page before it is loaded anew. */
 const PER_PAGE = 50;
@@ -34,7 +34,7 @@ const USUAL: readonly object[] = [
   { kind: 'set_value', id: 'buttonA', value: '1' },
 ];
 
-/** A message like those, whole, changed or made up. Bytes stay bytes, become lists or objects, as a careless host has them. */
+/** A message like those, whole, changed or invented. Bytes may become lists or objects, as careless hosts send them. */
 function message(rng: Rng): unknown {
   const usual = USUAL[rng.u32() % USUAL.length];
   const way = rng.unit();
@@ -43,7 +43,7 @@ function message(rng: Rng): unknown {
   return way < 0.6 ? withBytes(mutated, rng) : mutated;
 }
 
-/** What is there a thousand times over is changed once: a thousand thousand objects would be most of the time. */
+/** Things that occur a thousand times are changed once: a thousand thousand objects would take most of the time. */
 function withBytes(value: unknown, rng: Rng, known = new Map<object, unknown>()): unknown {
   if (typeof value !== 'object' || value === null) return value;
   if (!known.has(value)) known.set(value, changed(value, rng, known));
@@ -74,7 +74,7 @@ const CHANGED = ['language', 'labels', 'muted', 'robot', 'parts'];
 const kindOf = (value: unknown): string =>
   typeof value === 'object' && value !== null && 'kind' in value && typeof value.kind === 'string' ? value.kind : '';
 
-/** What of the page this dialect has no word for. */
+/** Properties of the page that this dialect cannot express. */
 function untouched(simulator: RecordingSimulator): string {
   const { scene, course } = simulator.project();
   const settings = Object.entries(simulator.settings()).filter(([name]) => !CHANGED.includes(name));

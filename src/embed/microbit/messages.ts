@@ -1,7 +1,7 @@
 /**
- * The messages of the micro:bit dialect: those that the simulator of the micro:bit Python editor exchanges with the page
- * around it (micropython-microbit-v2-simulator, src/simulator.ts and src/board/). Every message is
- * `{ kind, … }`; what has another kind is nobody's business here.
+ * The messages of the micro:bit dialect: those that the simulator of the micro:bit Python editor exchanges with the
+ * page around it (micropython-microbit-v2-simulator, src/simulator.ts and src/board/). Every message is `{ kind, … }`;
+ * messages of another kind are ignored here.
  */
 import * as v from 'valibot';
 
@@ -9,17 +9,17 @@ import { FILE_BYTES } from '#project/project';
 
 import { isPlainObject } from '../plain-object';
 
-/** Version of what is written here: the first that hosts of the official simulator's v0.1 understand. */
+/** Version of this protocol: the first that hosts of the official simulator's v0.1 understand. */
 export const MICROBIT_VERSION = '0.1';
 
-/** The words of the host that the page shows; others are let by. */
+/** The words of the host that the page shows; others are ignored. */
 export const LABEL_NAMES = ['button-a', 'button-b', 'touch-logo', 'start-simulator'] as const;
 
-/** What a message may hold at most. Chosen: far beyond what any of the known hosts sends. */
+/** Maximum sizes of a message. Chosen: far beyond the messages of any known host. */
 export const microbitLimits = {
   labelCharacters: 300,
   labels: 200,
-  /** Far more than any project; the page itself takes fewer and says so. */
+  /** Far more than any project; the page itself accepts fewer and says so. */
   files: 500,
   serialCharacters: FILE_BYTES,
   packetBytes: 4096,
@@ -29,8 +29,8 @@ export const microbitLimits = {
 const text = (characters: number) => v.pipe(v.string(), v.maxLength(characters));
 
 /**
- * A record with at most so many entries: counted before anything in it is looked at. Lists and bytes are none: counting
- * theirs would make a text of every one of millions of places.
+ * A record with at most this many entries, which are counted before they are looked at. Lists and bytes are refused:
+ * counting their entries would make a text of each of millions of indices.
  */
 const record = <T extends v.GenericSchema>(value: T, most: number) =>
   v.pipe(
@@ -95,7 +95,7 @@ const setValue = v.object({
   ),
 });
 
-/** What a host may say. */
+/** The commands of a host. */
 export const microbitCommand = v.variant('kind', [
   config,
   flash,
@@ -132,7 +132,7 @@ const logState = v.object({ type: v.literal('dataLogging'), logFull: v.boolean()
 export const stateEntry = v.variant('type', [rangeSensor, enumSensor, radioState, logState]);
 export type StateEntry = v.InferOutput<typeof stateEntry>;
 
-/** What the board feels and what its radio and its log are like, by id. */
+/** Sensor values of the board, and the state of its radio and its log, by id. */
 export const microbitState = v.record(v.string(), stateEntry);
 export type MicrobitState = Readonly<Record<string, StateEntry>>;
 
@@ -167,7 +167,7 @@ const internalError = v.object({
   ),
 });
 
-/** What the page says. */
+/** The messages of the page. */
 export const microbitEvent = v.variant('kind', [
   ready,
   requestFlash,
@@ -180,7 +180,7 @@ export const microbitEvent = v.variant('kind', [
 ]);
 export type MicrobitEvent = v.InferOutput<typeof microbitEvent>;
 
-/** Every message with what it is for: the manual is made of it. */
+/** Every message with its purpose: the manual is made from it. */
 export const microbitMessages = [
   { name: 'config', direction: 'in', schema: config, about: 'Sets the language and the words of the board.' },
   { name: 'flash', direction: 'in', schema: flash, about: 'Puts a program on the board and starts it, at any time.' },

@@ -2,10 +2,10 @@ import { GESTURES } from '#board/sensors/sensors';
 
 import type { MicrobitState, StateEntry } from './messages';
 
-/** The board that has a fourth pad for fingers. */
+/** The board with a fourth touch pad. */
 const CALLIOPE = 'calliope-mini-3';
 
-/** Ids of what a finger presses, by what the page calls it. */
+/** Ids of things to press, by the page's names for them. */
 const PRESSED: Readonly<Record<string, string>> = { a: 'buttonA', b: 'buttonB' };
 
 /** The id of a button or a touch pad in the state. @param key `a`, `b`, `pinLogo`, `pin0` … */
@@ -13,7 +13,7 @@ export const pressedId = (key: string): string => PRESSED[key] ?? key;
 
 /** What a program can change about sensors. */
 export interface SensorLimits {
-  /** How far each axis of the accelerometer reaches either way, in mg. */
+  /** Range of each axis of the accelerometer in both directions, in mg. */
   readonly accelerometerRangeMg: number;
   readonly soundThresholds: { readonly quiet: number; readonly loud: number };
 }
@@ -35,8 +35,8 @@ const START_LIMITS: SensorLimits = { accelerometerRangeMg: 2000, soundThresholds
 const FIELD: Range = { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' };
 
 /**
- * Ranges in the order of the official simulator's state (its src/board/), with the names between them that are no range, or one
- * that programs change.
+ * Ranges in the order of the official simulator's state (its src/board/), and between them the names without a range,
+ * or with one that programs change.
  */
 const ORDER: readonly (readonly [id: string, range: Range | null])[] = [
   ['radio', null],
@@ -61,7 +61,7 @@ const ORDER: readonly (readonly [id: string, range: Range | null])[] = [
   ['soundLevel', null],
 ];
 
-/** The state as a host has it: sensor values that outlive programs, and what the present program has made of radio and log. */
+/** The state in the host's form: sensor values (they survive programs), and the program's settings of radio and log. */
 export class StateModel {
   private values: Readonly<Record<string, number>>;
   private gesture = 'none';
@@ -69,12 +69,12 @@ export class StateModel {
   private logFull = false;
   private limits = START_LIMITS;
 
-  /** @param values of sensors that were set already, by id */
+  /** @param values of sensors that were set before, by id */
   constructor(values: Readonly<Record<string, number>>) {
     this.values = values;
   }
 
-  /** Every entry that this board has. */
+  /** Every entry of this board. */
   whole(board: string): MicrobitState {
     const ids = ORDER.map(([id]) => id).filter((id) => id !== 'pin3' || board === CALLIOPE);
     return Object.fromEntries(ids.map((id) => [id, this.entry(id)]));
@@ -86,9 +86,9 @@ export class StateModel {
   }
 
   /**
-   * What `value` means for the sensor `id`: texts are whole numbers for all but the gesture.
+   * The meaning of `value` for the sensor `id`: texts are whole numbers for all sensors except the gesture.
    *
-   * @returns `null` when there is no such sensor, or when the value is out of its range
+   * @returns `null` for an unknown sensor, or a value out of its range
    */
   read(id: string, value: number | string): number | string | null {
     if (id === 'gesture') return GESTURES.some((name) => name === value) ? value : null;
@@ -103,12 +103,12 @@ export class StateModel {
     else if (typeof value === 'number') this.values = { ...this.values, [id]: value };
   }
 
-  /** Whether a finger is on the button or pad. */
+  /** Whether the button or pad is touched. */
   isDown(id: string): boolean {
     return (this.values[id] ?? 0) >= 0.5;
   }
 
-  /** What the program has made of its sensors; a value beyond comes within. @returns ids of those that are others now */
+  /** Applies the program's settings of its sensors; values beyond the range are clamped. @returns ids of changes */
   setLimits({ accelerometerRangeMg, soundThresholds: { quiet, loud } }: SensorLimits): readonly string[] {
     const before = this.limits;
     const isFurther = before.accelerometerRangeMg !== accelerometerRangeMg;
@@ -119,20 +119,20 @@ export class StateModel {
     return [...(isFurther ? AXES : []), ...(isOtherSound ? ['soundLevel'] : [])];
   }
 
-  /** A program is over, and with it what it has made of radio and sensors. */
+  /** A program is over, and with it its settings of radio and sensors. */
   rest(): void {
     this.setRadio(false, 0);
     this.setLimits(START_LIMITS);
   }
 
-  /** @returns whether that is news */
+  /** @returns whether that has changed */
   setRadio(enabled: boolean, group: number): boolean {
     if (this.radio.enabled === enabled && this.radio.group === group) return false;
     this.radio = { enabled, group };
     return true;
   }
 
-  /** @returns whether that is news */
+  /** @returns whether that has changed */
   setLogFull(logFull: boolean): boolean {
     if (this.logFull === logFull) return false;
     this.logFull = logFull;

@@ -1,26 +1,26 @@
 import { limits } from './limits';
 
-/** What a message costs besides what it says, in characters: a thousand of them a second at most. */
+/** Cost of a message besides its content, in characters: a thousand of them a second at most. */
 const MESSAGE_CHARACTERS = 200;
 
 /**
- * How much of one kind of news may be sent to a host: a second's worth at once, and it fills up with time. Of what comes
- * faster the end is left out and counted.
+ * Rate limit for one kind of event to a host: one second's worth at once, refilled over time. Whatever comes faster is
+ * cut at its end, left out and counted.
  */
 export class Allowance {
-  /** How much was left out since somebody last took the count. */
+  /** Number left out since the last count was taken. */
   private omitted = 0;
   private room: number = limits.outputCharactersPerSecond;
 
   /** @param atMs wall clock now */
   constructor(private atMs: number) {}
 
-  /** Whether something was left out that nobody was told of. */
+  /** Whether something was left out that was not reported yet. */
   get hasOmitted(): boolean {
     return this.omitted > 0;
   }
 
-  /** The next piece comes: whether there is room for a message at all. @param nowMs wall clock now */
+  /** Prepares for the next piece: whether there is room for a message at all. @param nowMs wall clock now */
   hasRoom(nowMs: number): boolean {
     const { outputCharactersPerSecond: most } = limits;
     const passedMs = Math.max(0, nowMs - this.atMs);
@@ -29,19 +29,19 @@ export class Allowance {
     return this.room >= MESSAGE_CHARACTERS;
   }
 
-  /** Takes room for so many characters. @returns false: there is too little */
+  /** Takes room for this many characters. @returns false if there is too little */
   take(characters: number): boolean {
     if (this.room - MESSAGE_CHARACTERS < characters) return false;
     this.room -= characters;
     return true;
   }
 
-  /** So much is left out. */
+  /** Counts what is left out. */
   omit(count: number): void {
     this.omitted += count;
   }
 
-  /** A message is sent. @returns the field that counts what was left out before it; none where that is nothing */
+  /** A message is sent. @returns the field with the number left out before it; empty if that is 0 */
   send(): { readonly omitted?: number } {
     const { omitted } = this;
     this.omitted = 0;

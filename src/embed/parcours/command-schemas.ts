@@ -1,4 +1,4 @@
-/** The fields of every command, judged by valibot. A field that no command has is refused: most often it is a slip. */
+/** The fields of every command, validated by valibot. An unknown field is refused: it is usually a typing mistake. */
 import * as v from 'valibot';
 
 import { LANGUAGES } from '#core/texts';
@@ -13,7 +13,7 @@ import { flag, idOf, poseFields, speed, textOf, THEMES } from './schema-parts';
 
 const { exactOptional: maybe, pipe, description } = v;
 
-/** What is told of a value that is judged elsewhere: by the rules of files. */
+/** A value that is validated elsewhere, by the rules of files. */
 const document = <T>(shown: string, about: string) =>
   pipe(
     v.custom<T>((value) => typeof value === 'string' || (typeof value === 'object' && value !== null)),

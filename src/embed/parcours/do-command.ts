@@ -16,18 +16,18 @@ import { PROTOCOL_VERSION, refusal, type CommandRefusal, type ReadCommand } from
 import { HOST_SPEEDS } from './schema-parts';
 import { endedWord, type Teller } from './teller';
 
-/** What this dialect tells of the page it stands in. */
+/** The page's data for this dialect. */
 export interface PageFacts {
   /** Version of the app. */
   readonly app: string;
-  /** Another text after every load of the page. */
+  /** A text that changes with every load of the page. */
   readonly page: string;
   /** Ids of the microcomputers and robots that can be chosen. */
   readonly devices: readonly string[];
   readonly robots: readonly string[];
 }
 
-/** What came of a command: the fields of its answer, or why it was not done. */
+/** The result of a command: the fields of its answer, or why it was not carried out. */
 export type Outcome = { readonly done: object } | { readonly refused: CommandRefusal };
 
 /** What commands reach. */
@@ -42,7 +42,7 @@ const done = <N extends CommandName>(_name: N, answer: Commands[N]['result']): O
 const refused = (problem: CommandRefusal): Outcome => ({ refused: problem });
 const from = (problem: Refusal): Outcome => (problem === null ? DONE : refused(refusal('refused', problem)));
 
-/** Does a command; what takes its time is done when the promise is. */
+/** Carries out a command; the promise resolves when it is done. */
 export function doCommand(command: ReadCommand, reach: CommandReach): Outcome | Promise<Outcome> {
   const { simulator, teller } = reach;
   switch (command.type) {
@@ -130,7 +130,7 @@ function setScene(given: unknown, simulator: EmbeddedSimulator): Outcome {
   return 'scene' in parsed ? from(simulator.setScene(parsed.scene)) : wrongDocument('scene', parsed.problems);
 }
 
-/** The first problem, with its place as seen from the message. */
+/** The first problem, with its place in the message. */
 function wrongDocument(
   field: string,
   problems: readonly { readonly path: string; readonly message: string }[],
@@ -144,7 +144,7 @@ function doInput(command: InputCommand, simulator: EmbeddedSimulator): Outcome {
   const action = actionOf(command);
   const phase = simulator.phase();
   const isRunning = phase === 'starting' || phase === 'running' || phase === 'paused';
-  // A number that a sensor feels holds for later runs as well; everything else happens to a run.
+  // A sensor's number holds for later runs as well; every other action happens to a run.
   if (!isRunning && !(action.type === 'sensor' && typeof action.value === 'number'))
     return refused(refusal('refused', `This needs a run; it is "${phase}".`));
   return from(simulator.input(action));

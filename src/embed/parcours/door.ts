@@ -7,15 +7,15 @@ import { isOurs, PROTOCOL_VERSION, readCommand, refusal, type Incoming } from '.
 import { Teller } from './teller';
 
 /**
- * Opens a door that speaks our own dialect (`protocol.ts`). It says nothing before the host has said hello; then every command
- * with an id is answered, one after the other, and events come as the host wants them. A `stop` or `reset` ends a `run`
- * that has not begun yet, whatever waits between them.
+ * Makes the protocol adapter for our own dialect (`protocol.ts`). It sends nothing before the host's hello. Then it
+ * answers every command with an id, one after the other, and sends the events that the host has chosen. A `stop` or
+ * `reset` ends a `run` that has not begun yet, whatever waits between them.
  */
 export function openParcoursDoor(simulator: EmbeddedSimulator, outside: Outside, facts: PageFacts): Door {
   return new ParcoursDoor(simulator, outside, facts);
 }
 
-/** The answer to a command that is not done. */
+/** The answer to a command that is not carried out. */
 export const refusedMessage = (id: CommandId, problem: ReturnType<typeof refusal>): object => ({
   parcours: PROTOCOL_VERSION,
   reply: id,
@@ -26,7 +26,7 @@ export const refusedMessage = (id: CommandId, problem: ReturnType<typeof refusal
 class ParcoursDoor implements Door {
   private readonly teller: Teller;
   private unlisten: (() => void) | null = null;
-  /** What is being done; the others wait. */
+  /** The current command; the others wait. */
   private busyWith: Incoming['asked'] | null = null;
   private isClosed = false;
   private readonly waiting: Incoming[] = [];
@@ -44,7 +44,7 @@ class ParcoursDoor implements Door {
     const incoming = read(message);
     if (incoming === null) return;
     const isEnd = endsRun(incoming);
-    // However much waits for a run that does not come, it can be given up.
+    // A run that does not come can be given up, however many commands wait for it.
     if (this.waiting.length >= limits.waitingCommands * (isEnd ? 2 : 1)) {
       this.answer(incoming.id, { refused: refusal('busy', 'Too many commands wait for the one before them.') });
       return;
@@ -64,7 +64,7 @@ class ParcoursDoor implements Door {
     this.fallSilent();
   }
 
-  /** One command after the other: an answer is never overtaken. */
+  /** One command after the other: answers stay in order. */
   private goOn(): void {
     while (this.busyWith === null && !this.isClosed) {
       const next = this.waiting.shift();
@@ -90,7 +90,7 @@ class ParcoursDoor implements Door {
     if (asked.type === 'hello') this.unlisten ??= this.simulator.listen((event) => this.teller.tell(event));
     if (this.unlisten === null) return { refused: refusal('no-hello', 'Say hello first.') };
     if (asked.type === 'bye') this.fallSilent();
-    // It would be given up at once, as a start is that is already under way.
+    // It would be given up at once, like a start that is under way.
     if (asked.type === 'run' && this.waiting.some(endsRun))
       return { refused: refusal('refused', 'The run was stopped before it began.') };
     try {
@@ -113,10 +113,10 @@ class ParcoursDoor implements Door {
   }
 }
 
-/** Whether it puts an end to a run, even to one that is still to begin. */
+/** Whether it ends a run, even one that has not begun. */
 const endsRun = ({ asked }: Incoming): boolean => 'type' in asked && (asked.type === 'stop' || asked.type === 'reset');
 
-/** `null`: not ours. A message of a page in the same realm may even throw when it is read. */
+/** `null` if it is not ours. A message of a page in the same realm may even throw when it is read. */
 function read(message: unknown): Incoming | null {
   try {
     return isOurs(message) ? readCommand(message) : null;

@@ -1,4 +1,4 @@
-/** The fields of every event and of every answer: for the manual, and to hold what the page says against what it promised. */
+/** The fields of every event and of every answer: for the manual, and to check the page's messages in tests. */
 import * as v from 'valibot';
 
 import { LANGUAGES } from '#core/texts';
@@ -197,7 +197,7 @@ const state = v.strictObject({
   ...runSettings,
 });
 
-/** Fields of the answers that bring more than that it was done. */
+/** Fields of the answers that contain more than success. */
 export const answerSchemas = {
   hello: welcome,
   state,

@@ -193,6 +193,6 @@ describe('events of our own dialect', () => {
   });
 });
 
-/** What a message says besides what every message has. */
+/** The content of a message without the common fields. */
 const ownFields = (message: Message): object =>
   Object.fromEntries(Object.entries(message).filter(([key]) => !['parcours', 'type', 'reply', 'ok'].includes(key)));

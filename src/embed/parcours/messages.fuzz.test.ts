@@ -17,7 +17,7 @@ import type { CommandName, EventName } from './protocol';
 
 /** How many messages are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
-/** Against an endless loop only. */
+/** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 /** Messages to one page before it is loaded anew. */
 const PER_PAGE = 50;
@@ -52,7 +52,7 @@ const USUAL: readonly { readonly type: CommandName; readonly [field: string]: un
   { type: 'radio', bytes: [1, 2, 3] },
 ];
 
-/** Everything that a command may do. */
+/** All possible effects of a command. */
 const ALLOWED: Readonly<Partial<Record<CommandName, RecordedCall['call']>>> = {
   'set-project': 'openProject',
   'set-files': 'setFiles',
@@ -92,7 +92,7 @@ function messageOf(rng: Rng, id: string): unknown {
 const fieldsOf = (message: unknown): Readonly<Record<string, unknown>> =>
   typeof message === 'object' && message !== null ? (message as Record<string, unknown>) : {};
 
-/** Whether the page said something that the manual promises. */
+/** Whether the manual promises this message of the page. */
 function expectPromised(said: object, seed: number): void {
   const { type, reply, ok, ...data } = said as Readonly<Record<string, unknown>>;
   const where = `seed ${String(seed)}`;

@@ -1,6 +1,6 @@
 import { isPlainObject } from '../plain-object';
 
-/** How much a message may hold before anyone looks at what it says. */
+/** Maximum size of a message, checked before its content. */
 export interface DataRoom {
   readonly values: number;
   readonly characters: number;
@@ -8,8 +8,8 @@ export interface DataRoom {
 }
 
 /**
- * Whether a message is plain data (objects, lists, texts, numbers, yes and no, `null`) and within its room. What is too much costs
- * no more than the room: a message that holds itself is found by its size.
+ * Whether a message is plain data (objects, lists, texts, numbers, booleans, `null`) within its limits. The cost is
+ * bounded by the limits: a message that contains itself is found by its size.
  *
  * @returns what is wrong, or `null`
  */
@@ -25,7 +25,7 @@ export function dataProblem(message: object, room: DataRoom): 'not-plain' | 'too
       if (typeof value !== 'object' || value === null) continue;
       if (!Array.isArray(value) && !isPlainObject(value)) return 'not-plain';
       if (Array.isArray(value) && value.length > values) return 'too-large';
-      // A list may have names as well: they are looked at with its entries.
+      // A list may also have named properties: they count like its entries.
       const inner: readonly unknown[] = Object.values(value);
       values -= inner.length;
       if (!Array.isArray(value)) for (const key of Object.keys(value)) characters -= key.length;

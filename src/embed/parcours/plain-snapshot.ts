@@ -5,7 +5,7 @@ import type { RobotSnapshot, Snapshot } from '#simulation/snapshot';
 
 import type { FloorPose, PlainLogEvent, PlainPacket, PlainRobot, PlainSnapshot } from './protocol';
 
-/** What hosts are told of a run: plain figures to three digits after the point, angles in degrees. */
+/** The data about a run for hosts: plain numbers with three digits after the point, angles in degrees. */
 export function plainSnapshot(snapshot: Snapshot): PlainSnapshot {
   const { timeUs, running, repl, board, buttons, touch, sensors, rgb, motors, sound, verdict, lights } = snapshot;
   return {
@@ -19,7 +19,7 @@ export function plainSnapshot(snapshot: Snapshot): PlainSnapshot {
   };
 }
 
-/** The robot's figures, as the command line reports them, and what it senses. */
+/** The robot's data, as the command line reports them, and its sensor readings. */
 export function plainRobot({ type, pose, state, turnedRad, pathMm, collisions }: RobotSnapshot): PlainRobot {
   return {
     type,
@@ -38,11 +38,11 @@ export function plainRobot({ type, pose, state, turnedRad, pathMm, collisions }:
   };
 }
 
-/** Digits 0 … 9 per LED, rows parted by colons. */
+/** Digits 0 … 9 per LED, rows separated by colons. */
 export const displayText = (pixels: readonly number[]): string =>
   [0, 5, 10, 15, 20].map((row) => pixels.slice(row, row + 5).join('')).join(':');
 
-/** A packet as text where `radio.send` made it, else as bytes. */
+/** A packet as text if `radio.send` made it, otherwise as bytes. */
 export function plainPacket({ timeUs, bytes }: RadioPacket): PlainPacket {
   const atMs = msOf(timeUs);
   const text = textBytesOf(bytes);
@@ -74,6 +74,6 @@ function wrappedDeg(deg: number): number {
   return rest > 180 ? rest - 360 : rest <= -180 ? rest + 360 : rest;
 }
 
-/** Without a negative zero. */
+/** Avoids a negative zero. */
 const rounded = (value: number): number => Math.round(value * 1000) / 1000 + 0;
 const roundedOrNull = (value: number | null): number | null => (value === null ? null : rounded(value));

@@ -1,10 +1,10 @@
 /**
  * Our own dialect as types: every command with its fields and its answer, every event. Nothing here exists at run time,
- * so that the client (`../client`) can be typed by it and stays free of dependencies. What is let in is judged by the
- * schemas (`command-schemas.ts`), which the compiler holds against these types.
+ * so that the client (`../client`) can be typed by it and stays free of dependencies. The schemas
+ * (`command-schemas.ts`) validate incoming messages; the compiler checks them against these types.
  *
- * Every message is `{ parcours: 1, type, … }`. A command with an `id` is answered, in the order of the commands, by
- * `{ parcours: 1, reply: id, ok: true, … }` or `{ parcours: 1, reply: id, ok: false, code, message, path }`.
+ * Every message is `{ parcours: 1, type, … }`. A command with an `id` is answered, in the order of the commands, by `{
+ * parcours: 1, reply: id, ok: true, … }` or `{ parcours: 1, reply: id, ok: false, code, message, path }`.
  */
 import type { Language } from '#core/texts';
 import type { ProjectSettings, SourceFile } from '#project/project';
@@ -14,18 +14,18 @@ import type { Verdict } from '#simulation/verdict';
 
 import type { HostSpeed, Part, Phase } from '../simulator';
 
-/** The version of this dialect. Another one is a change that an older host would not understand. */
+/** The version of this dialect. A new version is a change that an older host would not understand. */
 export type ProtocolVersion = 1;
 
-/** What stands in every message. */
+/** Common fields of every message. */
 export interface Envelope {
   readonly parcours: ProtocolVersion;
 }
 
-/** What a host counts its commands with. */
+/** A host's number for a command. */
 export type CommandId = number | string;
 
-/** A course as its file has it: what is as usual is left out, also within the objects (`src/scene/FORMAT.md`). */
+/** A course in the form of its file: default values are left out, also within the objects (`src/scene/FORMAT.md`). */
 export type SceneFile = Partial<Omit<Scene, 'robot' | 'task' | 'objects'>> & {
   readonly format: 'parcours-scene';
   readonly version: number;
@@ -34,18 +34,18 @@ export type SceneFile = Partial<Omit<Scene, 'robot' | 'task' | 'objects'>> & {
   readonly objects?: readonly { readonly type: string; readonly id: string; readonly [property: string]: unknown }[];
 };
 
-/** A project as its file has it. */
+/** A project in the form of its file. */
 export interface ProjectFile {
   readonly format: 'parcours-project';
   readonly version: number;
-  /** Id of the ready course that it started from. */
+  /** Id of the ready course from which it started. */
   readonly course?: string;
   readonly settings?: ProjectSettings;
   readonly files: readonly SourceFile[];
   readonly scene: SceneFile;
 }
 
-/** What runs: robot, its options, microcomputer and firmware. */
+/** The hardware of a run: robot, its options, microcomputer and firmware. */
 export interface RobotChoice {
   /** Id of a robot type, `none` for the bare board, or `auto`. */
   readonly robot: string;
@@ -57,7 +57,7 @@ export interface RobotChoice {
   readonly firmware: string;
 }
 
-/** What a host may set of the page. */
+/** Settings of the page for a host. */
 export interface PageSettings {
   readonly language: Language;
   readonly theme: 'system' | 'light' | 'dark';
@@ -72,7 +72,7 @@ export interface FloorPose {
   readonly headingDeg: number;
 }
 
-/** What the page can do: every name that its commands, events and settings take. */
+/** The page's abilities: every name that its commands, events and settings take. */
 export interface Abilities {
   readonly commands: readonly string[];
   readonly events: readonly string[];
@@ -97,19 +97,19 @@ export interface Welcome {
   readonly versions: readonly number[];
   /** The version of the app. */
   readonly app: string;
-  /** Another one after every load of the page: a host sees by it that the page was loaded anew. */
+  /** Changes with every load of the page: a host recognises by it that the page was loaded anew. */
   readonly page: string;
   readonly abilities: Abilities;
 }
 
-/** Where the run stands now. */
+/** The state of the run. */
 export interface State {
   readonly phase: Phase;
   /** Simulated ms of the run. */
   readonly atMs: number;
   /** Id of the board of the next run. */
   readonly board: string;
-  /** How the program ended, or `null` while it runs and before. */
+  /** How the program ended, or `null` before and while it runs. */
   readonly ended: EndedWord | null;
   readonly snapshot: PlainSnapshot | null;
   /** Values of sensors that hold for every run, by the sensor's id. */
@@ -144,7 +144,7 @@ export interface PlainRobot extends FloorPose {
   readonly servos: Readonly<Record<string, number>>;
   /** Duty of the motors, −1 … 1. */
   readonly motors: { readonly left: number; readonly right: number };
-  /** What the distance sensor faces, or `null`: nothing in range, or no such sensor. */
+  /** Reading of the distance sensor, or `null`: nothing in range, or no such sensor. */
   readonly distanceMm: number | null;
   readonly lineSensors: readonly { readonly name: string; readonly bright: boolean; readonly reading?: number }[];
 }
@@ -156,18 +156,18 @@ export type Colour = readonly [red: number, green: number, blue: number];
 export interface PlainSnapshot {
   /** Simulated ms. */
   readonly atMs: number;
-  /** Whose time it is: the program's, or after its end the world's. */
+  /** `program` until its end, then `world`. */
   readonly running: 'program' | 'world';
   readonly repl: boolean;
   readonly board: string;
-  /** Digits 0 … 9 per LED, rows parted by colons. */
+  /** Digits 0 … 9 per LED, rows separated by colons. */
   readonly display: string;
   readonly buttons: { readonly a: boolean; readonly b: boolean };
   readonly touch: Readonly<Record<string, boolean>>;
   readonly sensors: Readonly<Record<string, number | string>>;
   readonly rgb: readonly Colour[];
   readonly motors: readonly number[];
-  /** Frequency of the tone, or `null`: none. */
+  /** Frequency of the tone, or `null` for none. */
   readonly soundHz: number | null;
   readonly robot: PlainRobot | null;
   /** By the object's id. */
@@ -177,19 +177,19 @@ export interface PlainSnapshot {
   readonly lights: readonly { readonly pin: string; readonly colors: readonly Colour[] }[];
 }
 
-/** A radio packet that the program sent: as text when `radio.send` made it, else its bytes. */
+/** A radio packet of the program: as text if `radio.send` made it, otherwise its bytes. */
 export type PlainPacket = { readonly atMs: number } & (
   { readonly text: string } | { readonly bytes: readonly number[] }
 );
 
-/** Something that happened to the board's data log. */
+/** An event of the board's data log. */
 export type PlainLogEvent = { readonly atMs: number } & (
   | { readonly type: 'row'; readonly headings: readonly string[]; readonly values: readonly string[] }
   | { readonly type: 'clear' }
   | { readonly type: 'full' }
 );
 
-/** No fields, or no more in the answer than that it was done. */
+/** No fields, or an answer that contains only success. */
 export type Nothing = object;
 
 interface Command<Fields, Result> {
@@ -197,9 +197,9 @@ interface Command<Fields, Result> {
   readonly result: Result;
 }
 
-/** Every command: what it takes, and what its answer brings. */
+/** Every command: its fields, and the fields of its answer. */
 export interface Commands {
-  /** Begins. `session` is any text of the host's own: a second hello with it goes on with the same conversation. */
+  /** Begins. `session` is any text of the host's own: a second hello with it continues the same conversation. */
   hello: Command<
     { readonly session?: string; readonly client?: string; readonly versions?: readonly number[] },
     Welcome
@@ -248,11 +248,11 @@ export type CommandMessage<N extends CommandName = CommandName> = {
   [K in N]: Envelope & { readonly id?: CommandId; readonly type: K } & Commands[K]['fields'];
 }[N];
 
-/** Every event and what it tells. */
+/** Every event with its fields. */
 export interface Events {
   phase: { readonly phase: Phase };
   started: Nothing;
-  /** The program begins anew within its run (Ctrl-D at the REPL). */
+  /** The program starts again within its run (Ctrl-D at the REPL). */
   'program-restarted': Nothing;
   ended: {
     readonly ended: EndedWord;
@@ -261,10 +261,10 @@ export interface Events {
     readonly atMs: number;
     readonly robot: PlainRobot | null;
     readonly display: string;
-    /** How well the course's task was done so far, or `null` where it sets none. */
+    /** How well the course's task has been done so far, or `null` if the course has no task. */
     readonly verdict: Verdict | null;
   };
-  /** What the program and the REPL printed; `omitted`: so many characters came too fast and are left out before it. */
+  /** Output of the program and the REPL; `omitted`: characters before it that came too fast and are left out. */
   output: { readonly text: string; readonly omitted?: number };
   snapshot: { readonly snapshot: PlainSnapshot };
   'scene-changed': { readonly name: string; readonly objects: number };
@@ -273,13 +273,13 @@ export interface Events {
     readonly settings: PageSettings & RobotChoice & Pick<State, 'speed' | 'seed' | 'reality' | 'arenaSenses'>;
   };
   sensed: { readonly sensor: string; readonly value: number | string };
-  /** `omitted`: so many packets before these came too fast and are left out. */
+  /** `omitted`: number of packets before these that came too fast and are left out. */
   radio: { readonly packets: readonly PlainPacket[]; readonly omitted?: number };
-  /** `omitted`: likewise rows. That the log was emptied or is full is always told. */
+  /** `omitted`: number of rows. Events that the log was emptied or is full are never left out. */
   log: { readonly events: readonly PlainLogEvent[]; readonly omitted?: number };
-  /** An input that the run did not take. */
+  /** An input that the run refused. */
   refused: { readonly message: string };
-  /** The run could not start or broke inside. */
+  /** The run could not start or failed inside. */
   failed: { readonly message: string };
 }
 
@@ -291,33 +291,33 @@ export type EventMessage<N extends EventName = EventName> = {
   [K in N]: Envelope & { readonly type: K } & Events[K];
 }[N];
 
-/** Why a command was not done. */
+/** Why a command was not carried out. */
 export type RefusalCode =
-  /** The `parcours` of the message is a version that the page does not speak; the answer brings `versions`. */
+  /** The page does not speak the version in `parcours`; the answer lists `versions`. */
   | 'unknown-version'
   /** The page does not know this host: `hello` comes first, also after the page was loaded anew. */
   | 'no-hello'
   | 'unknown-command'
   /** A field is missing, of the wrong type or out of its range: `path` names it. */
   | 'wrong-message'
-  /** The message is larger than anything that the command could take. */
+  /** The message is larger than the command allows. */
   | 'too-large'
-  /** A project, a course or an edit is not what it should be: `path` is the place in it. */
+  /** A project, a course or an edit is not valid: `path` is the place in it. */
   | 'wrong-document'
-  /** The page cannot do it now, or has no such thing: the message says which. */
+  /** The page cannot do it now, or there is no such thing: the message says which. */
   | 'refused'
-  /** Too many commands wait for their turn. */
+  /** Too many commands are waiting. */
   | 'busy'
-  /** The app broke: please report it. */
+  /** The app failed: please report it. */
   | 'broken';
 
-/** The answer to a command that was done. */
+/** The answer to a command that was carried out. */
 export type DoneMessage<N extends CommandName = CommandName> = Envelope & {
   readonly reply: CommandId;
   readonly ok: true;
 } & Commands[N]['result'];
 
-/** The answer to a command that was not done; nothing has changed then. */
+/** The answer to a command that was not carried out; it has changed nothing. */
 export interface RefusedMessage extends Envelope {
   readonly reply: CommandId;
   readonly ok: false;
@@ -326,9 +326,9 @@ export interface RefusedMessage extends Envelope {
   readonly message: string;
   /** Place in the message, such as `project.scene.objects[2].at`; empty: the message as a whole. */
   readonly path: string;
-  /** With `unknown-version`: the ones that are known. */
+  /** With `unknown-version`: the known versions. */
   readonly versions?: readonly number[];
 }
 
-/** Everything that the page says in this dialect. */
+/** All messages of the page in this dialect. */
 export type FromPage = EventMessage | DoneMessage | RefusedMessage;

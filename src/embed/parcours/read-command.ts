@@ -10,12 +10,12 @@ import type { CommandId, CommandName, Commands, RefusalCode } from './protocol';
 /** The version of this dialect. */
 export const PROTOCOL_VERSION = 1;
 
-/** A command whose fields are what they should be. */
+/** A command with valid fields. */
 export type ReadCommand = {
   [N in CommandName]: { readonly type: N; readonly fields: Commands[N]['fields'] };
 }[CommandName];
 
-/** Why a command is not done. */
+/** Why a command is not carried out. */
 export interface CommandRefusal {
   readonly code: RefusalCode;
   readonly message: string;
@@ -23,9 +23,9 @@ export interface CommandRefusal {
   readonly versions?: readonly number[];
 }
 
-/** A message that is meant for this dialect: what it is called by, and what it asks for. */
+/** A message for this dialect: its id and its request. */
 export interface Incoming {
-  /** `null`: no answer is wanted. */
+  /** `null` if no answer is wanted. */
   readonly id: CommandId | null;
   readonly asked: ReadCommand | CommandRefusal;
 }
@@ -37,7 +37,7 @@ export function refusal(code: RefusalCode, message: string, path = ''): CommandR
   return { code, message: short, path: path.slice(0, messageCharacters) };
 }
 
-/** Whether it is a message of this dialect, of whatever version; all others are no business of ours. */
+/** Whether it is a message of this dialect, of any version; all others are ignored. */
 export const isOurs = (message: unknown): message is Readonly<Record<string, unknown>> =>
   typeof message === 'object' && message !== null && typeof (message as { parcours?: unknown }).parcours === 'number';
 
@@ -92,7 +92,7 @@ function readFields(type: CommandName, message: Readonly<Record<string, unknown>
     const path = v.getDotPath(issue) ?? '';
     return refusal('wrong-message', `${path === '' ? type : path}: ${issue.message}`, path);
   }
-  const command = { type, fields: parsed.output } as ReadCommand; // the schema of this very type has judged it
+  const command = { type, fields: parsed.output } as ReadCommand; // the schema of this very type has validated it
   return command.type === 'set-files' ? (filesProblem(command.fields.files) ?? command) : command;
 }
 

@@ -9,16 +9,16 @@ export const THEMES = ['system', 'light', 'dark'] as const;
 /** All speeds, slowest first. */
 export const HOST_SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 'max'] as const satisfies readonly HostSpeed[];
 
-/** A text of at most so many characters. */
+/** A text of at most this many characters. */
 export const textOf = (mostCharacters: number) => v.pipe(v.string(), v.maxLength(mostCharacters));
 
-/** An id; which ones there are, the page knows. */
+/** An id; the page knows which ids exist. */
 export const idOf = (about: string) => v.pipe(textOf(limits.nameCharacters), v.description(about));
 
 /** Yes or no. */
 export const flag = (about: string) => v.pipe(v.boolean(), v.description(about));
 
-/** A number that is one: neither `NaN` nor endless. */
+/** A finite number: neither `NaN` nor infinite. */
 export const numberOf = (about: string) => v.pipe(v.number(), v.finite(), v.description(about));
 
 /** A speed. */
@@ -27,7 +27,7 @@ export const speed = v.pipe(
   v.description('Simulated seconds per second; `max`: as fast as the machine can.'),
 );
 
-/** Where something is put on the floor. */
+/** A position on the floor. */
 export const poseFields = {
   xMm: numberOf('From the left edge of the arena, in mm.'),
   yMm: numberOf('From its lower edge, in mm.'),

@@ -11,27 +11,26 @@ import { displayText, msOf, plainLogEvent, plainPacket, plainRobot, plainSnapsho
 import type { Commands, EndedWord, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
 import { PROTOCOL_VERSION } from './read-command';
 
-/** Frames of a screen do not come to the ms: one that is this much early counts. */
+/** Frames of a screen are not regular to the ms: one that is this much early counts. */
 const EARLY_MS = 2;
 
-/** What a packet or a row costs besides what it holds, in characters. */
+/** Cost of a packet or a row besides its content, in characters. */
 const ENTRY_CHARACTERS = 50;
-/** What a number of a list costs, likewise. */
+/** Cost of a number in a list, in characters. */
 const NUMBER_CHARACTERS = 4;
 
 /**
- * Tells a host what happens, as far as it wants to know. A host that is slow must not drown in what a program does: its
- * output, its packets and its rows have a rate of their own each. Everything else comes as often as the page is drawn or
- * commanded, at most.
+ * Sends events to a host, as far as it has subscribed. A slow host must not be flooded by a program: output, packets
+ * and rows have a rate limit each. All other events come at most as often as the page is drawn or commanded.
  */
 export class Teller {
   private wanted: ReadonlySet<EventName> = new Set(eventNames);
   private snapshotMs = Infinity;
   private toldMs = -Infinity;
-  /** The newest snapshot that was passed over. */
+  /** The newest snapshot that was skipped. */
   private passedOver: Snapshot | null = null;
   private readonly rates: Readonly<Record<'output' | 'radio' | 'log', Allowance>>;
-  /** Whether the program runs whose end is to be told. */
+  /** Whether a program runs whose end must be reported. */
   private awaitsEnd = false;
 
   constructor(
@@ -42,7 +41,7 @@ export class Teller {
     this.rates = { output: new Allowance(nowMs), radio: new Allowance(nowMs), log: new Allowance(nowMs) };
   }
 
-  /** Chooses events and the rate of snapshots; what is left out stays. */
+  /** Chooses events and the rate of snapshots; settings that are left out stay. */
   subscribe({ events, snapshotHz }: Commands['subscribe']['fields']): void {
     if (events !== undefined) this.wanted = new Set(events);
     if (snapshotHz !== undefined) this.snapshotMs = snapshotHz === 0 ? Infinity : 1000 / snapshotHz;
@@ -131,7 +130,7 @@ export class Teller {
     this.send('snapshot', { snapshot: plainSnapshot(snapshot) });
   }
 
-  /** The last picture before things stand still is told at any rate. */
+  /** The last snapshot before everything stands still is always sent. */
   private catchUp(): void {
     const last = this.passedOver;
     this.passedOver = null;
@@ -157,7 +156,7 @@ export class Teller {
     rate.omit(plain.length - sent.length);
   }
 
-  /** That the log was emptied or is full is always told: it says what the rows are worth. */
+  /** Events that the log was emptied or is full are always sent: they say what the rows are worth. */
   private log(events: readonly TimedLogEvent[]): void {
     const { log: rate } = this.rates;
     if (!this.wanted.has('log')) return;
@@ -173,7 +172,7 @@ export class Teller {
     rate.omit(omitted);
   }
 
-  /** What was left out last is counted by a message of its own. */
+  /** What was left out last is reported in a message of its own. */
   private tellOmitted(): void {
     const { output, radio, log } = this.rates;
     if (output.hasOmitted) this.send('output', { text: '', ...output.send() });

@@ -2,13 +2,13 @@ import { openParcoursDoor } from '../parcours/door';
 import type { EventName } from '../parcours/protocol';
 import { RecordingSimulator } from './recording-simulator';
 
-/** What the page says of itself. */
+/** The page's data about itself. */
 const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
 
-/** Something that the page says. */
+/** A message of the page. */
 export type Message = Readonly<Record<string, unknown>>;
 
-/** A host at the door of our own dialect, of a page that runs nothing. */
+/** A host of our own dialect at the adapter of a page that runs nothing. */
 export function hostAt(start: ConstructorParameters<typeof RecordingSimulator>[0] = {}) {
   const simulator = new RecordingSimulator(start);
   const heard: Message[] = [];
@@ -34,7 +34,7 @@ export function greeted(start: ConstructorParameters<typeof RecordingSimulator>[
   return host;
 }
 
-/** Until everything that was promised has come. */
+/** Waits until all promises are settled. */
 export async function settled(): Promise<void> {
   for (let times = 0; times < 3000; times += 1) await Promise.resolve();
 }

@@ -21,7 +21,7 @@ import {
   type SimulatorEvent,
 } from '../simulator';
 
-/** One thing that a door did to the simulator. Reading is not recorded. */
+/** One action of an adapter on the simulator. Reading is not recorded. */
 export type RecordedCall =
   | { readonly call: 'openProject'; readonly project: Project }
   | { readonly call: 'setFiles'; readonly files: readonly SourceFile[] }
@@ -33,7 +33,7 @@ export type RecordedCall =
   | { readonly call: 'input'; readonly action: InputAction }
   | { readonly call: 'onRunAsked'; readonly isSet: boolean };
 
-/** What it is made of; whatever is left out is as on a fresh page. */
+/** Its initial state; left out: as on a fresh page. */
 export interface RecordingStart {
   readonly project?: Project;
   readonly phase?: Phase;
@@ -43,13 +43,14 @@ export interface RecordingStart {
 }
 
 /**
- * A simulator for tests of doors: it keeps the work, the settings and the phase as the app does and refuses what the app
- * refuses, runs no program, and writes down what it was told. Everything that a program would do comes by `tell`.
+ * A simulator for tests of protocol adapters. It keeps the work, the settings and the phase as the app does, and
+ * refuses what the app refuses. It runs no program, and records its calls. `tell` stands in for everything that a
+ * program would do.
  */
 export class RecordingSimulator implements EmbeddedSimulator {
-  /** What was done to it, in order; refused things are among them. */
+  /** The recorded actions, in order; refused ones are among them. */
   readonly calls: RecordedCall[] = [];
-  /** How many listen now. */
+  /** Number of present listeners. */
   get listenerCount(): number {
     return this.listeners.size;
   }
@@ -77,13 +78,13 @@ export class RecordingSimulator implements EmbeddedSimulator {
     this.rehearsal = this.newBoard();
   }
 
-  /** What the app would tell everyone who listens. A `phase` is also the phase from now on. */
+  /** Sends an event of the app to all listeners. A `phase` is also the phase from now on. */
   tell(event: SimulatorEvent): void {
     if (event.type === 'phase') this.now = event.phase;
     for (const listener of [...this.listeners]) listener(event);
   }
 
-  /** A person presses the page's Run button. @returns whether a host was asked; else it ran. */
+  /** The user presses the page's Run button. @returns whether a host was asked; otherwise it ran. */
   pressRun(): boolean {
     if (this.ask === null) void this.run();
     else this.ask();
@@ -98,7 +99,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   settings = (): ReturnType<EmbeddedSimulator['settings']> => this.held;
   sensorWishes = (): Readonly<Record<string, number>> => this.wishes;
 
-  /** The board as its sensors are; `null` while everything is at the start. */
+  /** The board with its present sensors; `null` while everything is at the start. */
   snapshot(): Snapshot | null {
     if (this.now === 'ready') return null;
     return {
@@ -238,7 +239,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     if (phase === 'ready' && this.now !== 'ready') this.tell({ type: 'phase', phase });
   }
 
-  /** What a run of the present work would have; the first board alone where the course names unknown things. */
+  /** The hardware for a run of the present work; only the first board if the course names unknown things. */
   private hardware(): Pick<Hardware, 'board' | 'firmware' | 'robot'> {
     const chosen = chooseHardware(wishOf(this.work, this.held));
     if (!('problem' in chosen)) return chosen;
@@ -247,7 +248,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return plain;
   }
 
-  /** Made once for each board and course: fuzz tests ask it a million times. */
+  /** Made once for each board and course: fuzz tests call it a million times. */
   private inputCheck(): InputCheck {
     const { checked } = this;
     if (checked?.board === this.rehearsal && checked.scene === this.work.scene) return checked.check;

@@ -17,7 +17,7 @@ const ended = (kind: 'finished' | 'exception' | 'stopped', text: string | null =
   verdict: null,
 });
 
-/** A host of WebTigerPython with the page behind its door. */
+/** A host of WebTigerPython with the page behind its adapter. */
 function bench() {
   const simulator = new RecordingSimulator();
   const posts: { type: string; data: unknown }[] = [];
@@ -30,7 +30,7 @@ function bench() {
   return {
     ...{ simulator, posts, door, files },
     wait: (ms: number) => (nowMs += ms),
-    /** What was said since it was asked last. */
+    /** The messages since the last call. */
     said: () => posts.splice(0),
     send: (type: string, data?: unknown) => door.receive(data === undefined ? { type } : { type, data }),
     print: (text: string) => simulator.tell({ type: 'output', text }),

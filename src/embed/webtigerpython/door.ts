@@ -1,6 +1,7 @@
 /**
- * WebTigerPython's dialect: the page says `pythonReady`, the host sends `files` and `run_code`, and hears what the program
- * prints. A host may send everything at once and in any order: files that come before a `run_code` are those that run.
+ * WebTigerPython's dialect: the page says `pythonReady`, the host sends `files` and `run_code`, and receives the
+ * program's output. A host may send everything at once and in any order: files that come before a `run_code` are those
+ * that run.
  */
 import * as v from 'valibot';
 
@@ -21,10 +22,10 @@ import { hostMessage, type HostMessage, type PageMessage, type SettingsData } fr
 import { HOLD_MS, Printing } from './printing';
 import { flagOf, languageOf, partsOfLayout, PICTURE } from './words';
 
-/** Phases in which no program runs any more. */
+/** Phases without a running program. */
 const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
 
-/** Opens the door; the page is ready then, and says so. */
+/** Makes the adapter; the page is then ready, and says so. */
 export const openWebTigerPythonDoor: OpenDoor = (simulator, outside): Door => {
   let isOpen = true;
   const post = (message: PageMessage): void => {
@@ -45,13 +46,13 @@ export const openWebTigerPythonDoor: OpenDoor = (simulator, outside): Door => {
   };
 };
 
-/** What a message is, if it is one of ours. */
+/** The content of a message, if it is one of ours. */
 function judged(message: unknown): HostMessage | null {
   try {
     const read = v.safeParse(hostMessage, message);
     return read.success ? read.output : null;
   } catch {
-    return null; // what throws when it is looked at comes from this very page only; it is none of ours either
+    return null; // only an object of this very page throws when it is read; it is not ours either
   }
 }
 
@@ -81,7 +82,7 @@ function bring(
   if (problem !== null) teller.complain(problem);
 }
 
-/** What the fields ask for, apart from each other: one that cannot be done leaves the others alone. */
+/** Applies each field separately: one that fails does not affect the others. */
 function settingsOf(data: SettingsData, shown: readonly Part[]): readonly HostSettings[] {
   const language = languageOf(data.lang ?? '');
   const isDark = flagOf(data.dark_mode);
@@ -95,7 +96,7 @@ function settingsOf(data: SettingsData, shown: readonly Part[]): readonly HostSe
   ];
 }
 
-/** What is shown from now on; `null`: as before. */
+/** The parts to show from now on; `null`: as before. */
 function partsOf(data: SettingsData, shown: readonly Part[]): readonly Part[] | null {
   const layout = partsOfLayout(data.layout);
   const isBare = flagOf(data.hide_topbar);
@@ -150,7 +151,7 @@ class Teller {
         this.printing.add(event.text);
         return;
       case 'snapshot':
-        // While only the world goes on, the program is over: its end is on the way.
+        // While only the world goes on, the program is over and its end is on the way.
         if (event.snapshot.running === 'program' && this.outside.nowMs() - this.heldSinceMs > HOLD_MS)
           this.printing.release();
         return;
@@ -176,7 +177,9 @@ class Teller {
     }
   }
 
-  /** The program is over: the rest of what it printed, the exception unless somebody pressed Stop, then all of it again. */
+  /**
+   * The program is over: sends the rest of its output, the exception (unless Stop was pressed), then all output again.
+   */
   private end(ended: Ended | null): void {
     const traceback = ended?.exception?.traceback ?? null;
     const printed = this.printing.end({ traceback, isStopped: ended?.kind === 'stopped' });

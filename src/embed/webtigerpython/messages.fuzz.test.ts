@@ -13,7 +13,7 @@ import { pageData } from './messages';
 
 /** How many messages are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
-/** Against an endless loop only. */
+/** Only against an endless loop. */
 const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
 
 const MESSAGES: readonly unknown[] = [
@@ -33,7 +33,7 @@ const PRINTED = ['1\r\n', 'Trace', 'back', TRACEBACK, TRACEBACK.slice(0, 40), TR
 
 const oneOf = <T>(list: readonly T[], rng: Rng): T => list[Math.floor(rng.unit() * list.length)]!;
 
-/** What the run may tell between two messages. */
+/** Events of the run between two messages. */
 function someEvent(rng: Rng): SimulatorEvent {
   const ended = { kind: oneOf(['finished', 'exception', 'stopped'] as const, rng), timeUs: 0 };
   const exception = { type: 'NameError', message: 'x', line: 1, traceback: TRACEBACK };
@@ -73,7 +73,7 @@ describe('messages of any shape to the door of WebTigerPython', () => {
         door.receive(rng.unit() < 0.1 ? message : mutatedTree(message, rng, false));
         const did = simulator.calls.splice(0).map(({ call }) => call);
         taken += did.length;
-        // A run that is asked for begins after this message.
+        // A requested run begins after this message.
         expect(did.every((call) => ['setFiles', 'change', 'run'].includes(call))).toBe(true);
         const { files, ...rest } = simulator.project();
         expect({ ...rest, settings: null }).toEqual({ ...before.project, files: undefined, settings: null });

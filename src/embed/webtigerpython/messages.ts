@@ -1,6 +1,6 @@
 /**
- * The messages of WebTigerPython's dialect, version 2025, both directions: each is `{ type, data }`. What its public
- * integrations send and wait for is fixed; where they leave the shape of `data` open, the one here is ours.
+ * The messages of WebTigerPython's dialect, version 2025, both directions: each is `{ type, data }`. The messages of
+ * its public integrations are fixed; where they leave the shape of `data` open, the shape here is our own.
  */
 import * as v from 'valibot';
 
@@ -8,10 +8,10 @@ import { FILE_BYTES, NAME_CHARACTERS, projectLimits } from '#project/project';
 
 import { LAYOUT_CHARACTERS } from './words';
 
-/** The state of WebTigerPython's interface that this dialect follows. */
+/** The version of WebTigerPython's interface that this dialect follows. */
 export const VERSION = '2025';
 
-/** Longest name of a microcomputer or language, in characters. Chosen: several times as long as any. */
+/** Longest name of a microcomputer or language, in characters. Chosen: several times the longest. */
 const WORD_CHARACTERS = 100;
 /** The most entries of one level of a layout. Chosen: it has three panes. */
 const LAYOUT_ENTRIES = 20;
@@ -19,7 +19,7 @@ const LAYOUT_ENTRIES = 20;
 const { pipe, description } = v;
 const word = pipe(v.string(), v.maxLength(WORD_CHARACTERS));
 
-/** A list that is looked into only when it is short enough. */
+/** A list whose entries are read only if it is short enough. */
 const listOf = <S extends v.GenericSchema>(item: S, most: number) =>
   pipe(v.array(v.unknown()), v.minLength(1), v.maxLength(most), v.array(item));
 
@@ -37,12 +37,12 @@ export const filesData = pipe(
   ),
 );
 
-/** A field that counts as not given where its value makes no sense. */
+/** A field that counts as not given if its value makes no sense. */
 const given = <S extends v.GenericSchema>(schema: S, about: string) =>
   v.optional(v.fallback(pipe(v.union([schema, v.undefined()]), description(about)), undefined));
 const flag = v.union([v.boolean(), v.picklist(['', 'true', 'false', '1', '0'])]);
 
-/** `data` of `settings`. Fields that are not here change nothing. */
+/** `data` of `settings`. Unknown fields change nothing. */
 export const settingsData = v.object({
   code: given(pipe(programText, v.nonEmpty()), 'The text of a program, as `files` has it.'),
   device: given(word, '`micro:bit`, `Calliope mini 1/2`, `Calliope mini 3`, `-`, or our id of a microcomputer.'),
@@ -56,22 +56,22 @@ export const settingsData = v.object({
   full_screen: given(flag, 'Shows only board and arena.'),
 });
 
-/** What a host says. */
+/** The messages of a host. */
 export const hostMessage = v.variant('type', [
   v.object({ type: v.literal('files'), data: filesData }),
   v.object({ type: v.literal('settings'), data: settingsData }),
   v.object({ type: v.literal('run_code') }),
 ]);
 
-/** A message of a host, judged. */
+/** A valid message of a host. */
 export type HostMessage = v.InferOutput<typeof hostMessage>;
-/** What a host set. */
+/** The settings of a host. */
 export type SettingsData = v.InferOutput<typeof settingsData>;
 
 const nothing = pipe(v.null(), description('Nothing.'));
 const text = (about: string) => pipe(v.string(), description(about));
 
-/** `data` of what the page says. */
+/** `data` of the page's messages. */
 export const pageData = {
   pythonReady: nothing,
   code: pipe(

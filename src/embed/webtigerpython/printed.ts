@@ -1,29 +1,29 @@
 /** How a traceback begins. */
 const HEAD = 'Traceback (most recent call last):\n';
 
-/** A traceback that is all there: its head, the lines below, and the line with the exception. */
+/** A complete traceback: its head, the lines below, and the line with the exception. */
 const WHOLE = /^Traceback \(most recent call last\):\n(?: {2}.*\n)+\S.*\n/;
 
-/** The most that is held back, in characters. Chosen: the deepest recursion of a board has a tenth of it. */
+/** Maximum that is held back, in characters. Chosen: the deepest recursion of a board has a tenth of it. */
 const HELD_CHARACTERS = 50_000;
 
-/** The most of a run that `whole` keeps, in characters. Chosen: a minute of the fastest printing. */
+/** Maximum of a run that `whole` keeps, in characters. Chosen: a minute of the fastest printing. */
 export const KEPT_CHARACTERS = 200_000;
 
 /**
- * What a program prints, with the traceback that ends it kept apart: on the serial line both come in one stream. What
- * may be the beginning of that traceback is held back until it is known. Lines end in `\n`.
+ * The output of a program, with the traceback that ends it kept apart: on the serial line both come in one stream. A
+ * possible beginning of that traceback is held back until it is certain. Lines end in `\n`.
  */
 export class Printed {
   private held = '';
   private kept = '';
 
-  /** All that came out so far; of more than `KEPT_CHARACTERS` the last part. */
+  /** All output so far; if more than `KEPT_CHARACTERS`, its last part. */
   get whole(): string {
     return this.kept.slice(-KEPT_CHARACTERS);
   }
 
-  /** Takes the next piece. @returns what is certainly no part of the last traceback */
+  /** Takes the next piece. @returns what is certainly not part of the last traceback */
   add(piece: string): string {
     const text = (this.held + piece).replaceAll('\r\n', '\n');
     const from = heldFrom(text);
@@ -31,7 +31,7 @@ export class Printed {
     return this.keep(text.slice(0, from));
   }
 
-  /** The program is over. @returns what was held back, without the traceback that ended it; `whole` has that as well */
+  /** The program is over. @returns what was held back, without the traceback that ended it; `whole` includes it */
   end(traceback: string | null): string {
     const error = traceback?.replaceAll('\r\n', '\n') ?? '';
     const rest = this.keep(error === '' ? this.held : withoutEnd(this.held, error));
@@ -49,25 +49,25 @@ export class Printed {
 
   private keep(text: string): string {
     this.kept += text;
-    // Cut now and then only: every cut copies all of it.
+    // Cut only now and then: every cut copies all of it.
     if (this.kept.length > 2 * KEPT_CHARACTERS) this.kept = this.kept.slice(-KEPT_CHARACTERS);
     return text;
   }
 }
 
-/** Where the part begins that may belong to the last traceback; the length of the text: nowhere. */
+/** Start of the part that may belong to the last traceback; the length of the text if there is none. */
 function heldFrom(text: string): number {
   let from = startOfTraceback(text, 0);
   for (;;) {
     if (text.length - from > HELD_CHARACTERS) return text.length;
     const whole = WHOLE.exec(text.slice(from))?.[0];
-    // Where something follows it, the program itself printed it and went on.
+    // If something follows it, the program itself printed it and went on.
     if (whole === undefined || from + whole.length === text.length) return from;
     from = startOfTraceback(text, from + whole.length);
   }
 }
 
-/** Where the next traceback begins, or at the end what may become one; else the end, before a `\r` that waits for its `\n`. */
+/** Start of the next traceback, or of a possible one at the end; else the end, before a `\r` that waits for `\n`. */
 function startOfTraceback(text: string, after: number): number {
   const found = text.indexOf(HEAD, after);
   if (found >= 0) return found;

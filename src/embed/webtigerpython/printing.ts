@@ -1,31 +1,31 @@
 import { Printed } from './printed';
 
-/** How long what looks like the last traceback is held back while the program goes on, in ms. Chosen: its end is told long before, also on a busy machine. */
+/** How long a possible last traceback is held back, in ms. Chosen: the program's end is reported long before. */
 export const HOLD_MS = 1000;
 
 /** How a program ended, as far as it matters here. */
 export interface PrintEnd {
   /** The traceback that ended it, or `null`. */
   readonly traceback: string | null;
-  /** By Stop: what it then says is no error. */
+  /** By Stop: its exception is then not an error. */
   readonly isStopped: boolean;
 }
 
-/** What a program has printed in all. */
+/** The whole output of a program. */
 export interface PrintWhole {
-  /** The traceback that ended it; `null`: none did, or somebody stopped it. */
+  /** The traceback that ended it; `null` if none did, or if Stop was pressed. */
   readonly error: string | null;
   readonly whole: string;
 }
 
-/** What the programs of a page print, one after the other, with the traceback that ends one kept apart. */
+/** The output of a page's programs, one after the other, with the traceback that ends one kept apart. */
 export class Printing {
   private printed: Printed | null = null;
 
-  /** @param output hears the next piece of what a program prints; never empty */
+  /** @param output receives the next piece of a program's output; never empty */
   constructor(private readonly output: (text: string) => void) {}
 
-  /** Whether a program runs; what the REPL prints afterwards is nobody's business. */
+  /** Whether a program runs; later output of the REPL is ignored. */
   get isLive(): boolean {
     return this.printed !== null;
   }
@@ -40,12 +40,12 @@ export class Printing {
     this.say(this.printed?.add(text) ?? '');
   }
 
-  /** Nothing was printed for `HOLD_MS`, and the program goes on: what was held back is no last traceback. */
+  /** Nothing was printed for `HOLD_MS`, and the program goes on: what was held back is not the last traceback. */
   release(): void {
     this.say(this.printed?.release() ?? '');
   }
 
-  /** The program is over: tells the rest of what it printed. @returns its error and all of it once more; `null`: none ran */
+  /** The program is over: sends the rest of its output. @returns its error and its whole output; `null` if none ran */
   end({ traceback, isStopped }: PrintEnd): PrintWhole | null {
     const { printed } = this;
     if (printed === null) return null;
@@ -54,7 +54,7 @@ export class Printing {
     return { error: isStopped ? null : (traceback?.replaceAll('\r\n', '\n') ?? null), whole: printed.whole };
   }
 
-  /** Nobody listens any more: what the program still has to say is not told. */
+  /** There is no listener any more: further output is dropped. */
   forget(): void {
     this.printed = null;
   }

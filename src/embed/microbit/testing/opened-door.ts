@@ -5,7 +5,7 @@ import type { MicrobitEvent } from '../messages';
 /** A text as the bytes of a file. */
 export const bytes = (text: string): Uint8Array => new TextEncoder().encode(text);
 
-/** A door on a simulator that records what is done to it, with what the door has said so far. */
+/** An adapter on a simulator that records what is done to it, with the messages of the adapter so far. */
 export function opened(wish: Parameters<typeof openMicrobitDoor>[2] = {}) {
   const simulator = new RecordingSimulator();
   const said: MicrobitEvent[] = [];
@@ -16,7 +16,7 @@ export function opened(wish: Parameters<typeof openMicrobitDoor>[2] = {}) {
   );
   const [start] = said;
   if (start === undefined) throw new Error('The door has said nothing.');
-  /** What was said since the last time this was asked. */
+  /** The messages since the last call. */
   const news = (): MicrobitEvent[] => said.splice(0);
   const flash = async (source = 'print(1)'): Promise<void> => {
     door.receive({ kind: 'flash', filesystem: { 'main.py': bytes(source) } });
@@ -25,7 +25,7 @@ export function opened(wish: Parameters<typeof openMicrobitDoor>[2] = {}) {
   return { simulator, door, news, flash, start };
 }
 
-/** Until what was started has come to its next step. */
+/** Waits until started actions have come to their next step. */
 export const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 /** The kinds of messages, in their order. */
 export const kinds = (messages: readonly MicrobitEvent[]): string[] => messages.map(({ kind }) => kind);
