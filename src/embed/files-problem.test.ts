@@ -4,7 +4,7 @@ import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
 
 import { filesProblem } from './files-problem';
 import { RecordingSimulator } from './testing/recording-simulator';
-import { openWebTigerPythonDoor } from './webtigerpython/door';
+import { createWebTigerPythonAdapter } from './webtigerpython/adapter';
 
 const main = { name: MAIN, text: '' };
 
@@ -26,11 +26,14 @@ describe('the files of a host', () => {
   it('are as limited where they come as one text', () => {
     const simulator = new RecordingSimulator();
     const said: object[] = [];
-    const door = openWebTigerPythonDoor(simulator, { nowMs: () => 0, post: (message) => void said.push(message) });
+    const adapter = createWebTigerPythonAdapter(simulator, {
+      nowMs: () => 0,
+      post: (message) => void said.push(message),
+    });
     const many = Array.from({ length: 5000 }, (_, at) => ({ name: `a${at}.py`, data: '' }));
-    door.receive({ type: 'files', data: JSON.stringify(many) });
+    adapter.receive({ type: 'files', data: JSON.stringify(many) });
     expect(simulator.project().files).toHaveLength(1);
     expect(said.at(-1)).toMatchObject({ type: 'error' });
-    door.close();
+    adapter.close();
   });
 });

@@ -3,8 +3,8 @@ import { afterEach, describe, expect, it, vi } from 'vitest';
 import { projectToText } from '#project/file';
 import { defaultScene } from '#scene/scene';
 
-import type { Door } from '../door';
-import { openParcoursDoor } from '../parcours/door';
+import type { Adapter } from '../adapter';
+import { createParcoursAdapter } from '../parcours/adapter';
 import { RecordingSimulator } from '../testing/recording-simulator';
 import { connect, ParcoursError } from './connect';
 import type { ConnectOptions } from './types';
@@ -18,17 +18,17 @@ afterEach(() => {
 /** A page behind a port, which can be loaded anew. */
 function pageBehindPort({ isThere = true } = {}) {
   const { port1, port2 } = new MessageChannel();
-  let door: Door | null = null;
+  let adapter: Adapter | null = null;
   let simulator = new RecordingSimulator();
   let loads = 0;
   const load = (): void => {
     loads += 1;
     simulator = new RecordingSimulator();
-    const outside = { post: (message: object) => port2.postMessage(message), nowMs: () => 0 };
+    const connection = { post: (message: object) => port2.postMessage(message), nowMs: () => 0 };
     const facts = { app: '0.1.0', page: `page ${String(loads)}`, devices: [], robots: [] };
-    door = openParcoursDoor(simulator, outside, facts);
+    adapter = createParcoursAdapter(simulator, connection, facts);
   };
-  port2.onmessage = ({ data }) => door?.receive(data);
+  port2.onmessage = ({ data }) => adapter?.receive(data);
   if (isThere) load();
   ends.push(() => {
     port1.close();

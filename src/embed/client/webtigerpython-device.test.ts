@@ -2,7 +2,7 @@ import { afterEach, describe, expect, it } from 'vitest';
 
 import { parseProject } from '#project/file';
 
-import { openParcoursDoor } from '../parcours/door';
+import { createParcoursAdapter } from '../parcours/adapter';
 import type { SimulatorEvent } from '../simulator';
 import { RecordingSimulator } from '../testing/recording-simulator';
 import { createParcoursDevice, type ParcoursDeviceOptions } from './webtigerpython-device';
@@ -17,9 +17,9 @@ function bench(options: Partial<ParcoursDeviceOptions> = {}) {
   const simulator = new RecordingSimulator();
   const { port1, port2 } = new MessageChannel();
   const facts = { app: '1', page: 'p', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
-  const outside = { post: (message: object) => port2.postMessage(message), nowMs: () => performance.now() };
-  const door = openParcoursDoor(simulator, outside, facts);
-  port2.onmessage = (event) => door.receive(event.data);
+  const connection = { post: (message: object) => port2.postMessage(message), nowMs: () => performance.now() };
+  const adapter = createParcoursAdapter(simulator, connection, facts);
+  port2.onmessage = (event) => adapter.receive(event.data);
   const heard: string[] = [];
   const device = createParcoursDevice({
     frame: port1,

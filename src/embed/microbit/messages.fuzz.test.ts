@@ -5,7 +5,7 @@ import { createRng, type Rng } from '#core/rng';
 import { mutatedTree } from '#scene/testing/mutate';
 
 import { RecordingSimulator, type RecordedCall } from '../testing/recording-simulator';
-import { openMicrobitDoor } from './door';
+import { createMicrobitAdapter } from './adapter';
 import { LABEL_NAMES, microbitEvent } from './messages';
 
 /** How many messages are tried: `npm run fuzz` tries a million. */
@@ -97,14 +97,14 @@ describe('randomly changed messages of the micro:bit dialect', () => {
       for (let seed = 1; seed <= RUNS;) {
         const simulator = new RecordingSimulator();
         const said: object[] = [];
-        const door = openMicrobitDoor(simulator, { post: (one) => void said.push(one), nowMs: () => 0 });
+        const adapter = createMicrobitAdapter(simulator, { post: (one) => void said.push(one), nowMs: () => 0 });
         const fixed = untouched(simulator);
         for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
           const sent = message(createRng(seed));
           const calls = simulator.calls.length;
           const files = simulator.project().files;
           said.length = 0;
-          door.receive(sent);
+          adapter.receive(sent);
           const done = simulator.calls.slice(calls);
           for (const call of done) expectAllowed(call, kindOf(sent));
           if (seed % 3 === 0) await Promise.resolve();
@@ -115,7 +115,7 @@ describe('randomly changed messages of the micro:bit dialect', () => {
           count(done.length > 0 ? kindOf(sent) : 'nothing');
         }
         expect(untouched(simulator)).toBe(fixed);
-        door.close();
+        adapter.close();
       }
       for (const name of [...Object.keys(ALLOWED), 'nothing'])
         expect(counts.get(name), name).toBeGreaterThan(RUNS / 500);

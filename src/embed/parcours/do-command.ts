@@ -14,7 +14,7 @@ import { msOf, plainSnapshot } from './plain-snapshot';
 import type { Abilities, CommandName, Commands, PageSettings, ProjectFile, RobotChoice, SceneFile } from './protocol';
 import { PROTOCOL_VERSION, refusal, type CommandRefusal, type ReadCommand } from './read-command';
 import { HOST_SPEEDS } from './schema-parts';
-import { endedWord, type Teller } from './teller';
+import { endedWord, type EventSender } from './event-sender';
 
 /** The page's data for this dialect. */
 export interface PageFacts {
@@ -33,7 +33,7 @@ export type Outcome = { readonly done: object } | { readonly refused: CommandRef
 /** What commands reach. */
 export interface CommandReach {
   readonly simulator: EmbeddedSimulator;
-  readonly teller: Teller;
+  readonly sender: EventSender;
   readonly facts: PageFacts;
 }
 
@@ -44,14 +44,14 @@ const from = (problem: Refusal): Outcome => (problem === null ? DONE : refused(r
 
 /** Carries out a command; the promise resolves when it is done. */
 export function doCommand(command: ReadCommand, reach: CommandReach): Outcome | Promise<Outcome> {
-  const { simulator, teller } = reach;
+  const { simulator, sender } = reach;
   switch (command.type) {
     case 'hello':
       return done('hello', { versions: [PROTOCOL_VERSION], app: reach.facts.app, page: reach.facts.page, abilities: abilities(reach.facts) }); // prettier-ignore
     case 'bye':
       return DONE;
     case 'subscribe':
-      teller.subscribe(command.fields);
+      sender.subscribe(command.fields);
       return DONE;
     case 'state':
       return done('state', stateOf(simulator));

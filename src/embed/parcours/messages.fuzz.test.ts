@@ -10,7 +10,7 @@ import { serializeScene } from '#scene/serialize';
 
 import { RecordingSimulator, type RecordedCall } from '../testing/recording-simulator';
 import { commandNames } from './command-schemas';
-import { openParcoursDoor } from './door';
+import { createParcoursAdapter } from './adapter';
 import { eventSchemas } from './event-schemas';
 import { limits } from './limits';
 import type { CommandName, EventName } from './protocol';
@@ -113,16 +113,16 @@ describe('randomly changed messages of our own dialect', () => {
       for (let seed = 1; seed <= RUNS;) {
         const simulator = new RecordingSimulator();
         const said: object[] = [];
-        const outside = { post: (message: object) => void said.push(message), nowMs: () => seed };
-        const door = openParcoursDoor(simulator, outside, { app: '', page: '', devices: [], robots: [] });
-        door.receive({ parcours: 1, type: 'hello' });
+        const connection = { post: (message: object) => void said.push(message), nowMs: () => seed };
+        const adapter = createParcoursAdapter(simulator, connection, { app: '', page: '', devices: [], robots: [] });
+        adapter.receive({ parcours: 1, type: 'hello' });
         for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
           const message = messageOf(createRng(seed), idOf(seed));
           const { id, parcours, type } = fieldsOf(message);
           const isAsked = id === idOf(seed) && typeof parcours === 'number';
           const before = said.length;
           const calls = simulator.calls.length;
-          door.receive(message);
+          adapter.receive(message);
           for (let times = 0; times < 20; times += 1) await Promise.resolve();
           const answers = said.slice(before).filter((one) => 'reply' in one && one.reply === idOf(seed));
           expect(answers.length, `seed ${String(seed)}`).toBe(isAsked ? 1 : 0);
@@ -132,7 +132,7 @@ describe('randomly changed messages of our own dialect', () => {
           }
         }
         for (const message of said) expectPromised(message, seed);
-        door.close();
+        adapter.close();
         expect(simulator.listenerCount).toBe(0);
       }
       for (const call of allowedCalls) expect(done.get(call), call).toBeGreaterThan(RUNS / 1000);

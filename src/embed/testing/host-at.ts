@@ -1,4 +1,4 @@
-import { openParcoursDoor } from '../parcours/door';
+import { createParcoursAdapter } from '../parcours/adapter';
 import type { EventName } from '../parcours/protocol';
 import { RecordingSimulator } from './recording-simulator';
 
@@ -13,18 +13,18 @@ export function hostAt(start: ConstructorParameters<typeof RecordingSimulator>[0
   const simulator = new RecordingSimulator(start);
   const heard: Message[] = [];
   const time = { ms: 0 };
-  const outside = { post: (message: object) => void heard.push(message as Message), nowMs: () => time.ms };
-  const door = openParcoursDoor(simulator, outside, facts);
+  const connection = { post: (message: object) => void heard.push(message as Message), nowMs: () => time.ms };
+  const adapter = createParcoursAdapter(simulator, connection, facts);
   let id = 0;
   const say = (type: string, fields: object = {}): number => {
     id += 1;
-    door.receive({ parcours: 1, id, type, ...fields });
+    adapter.receive({ parcours: 1, id, type, ...fields });
     return id;
   };
   const answerTo = (asked: number): Message | undefined => heard.find(({ reply }) => reply === asked);
   const ask = (type: string, fields: object = {}): Message | undefined => answerTo(say(type, fields));
   const events = (type: EventName): readonly Message[] => heard.filter((message) => message['type'] === type);
-  return { simulator, heard, time, door, say, ask, answerTo, events };
+  return { simulator, heard, time, adapter, say, ask, answerTo, events };
 }
 
 /** The same after its hello. */

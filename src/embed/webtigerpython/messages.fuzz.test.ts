@@ -8,7 +8,7 @@ import { mutatedTree } from '#scene/testing/mutate';
 
 import { PARTS, type SimulatorEvent } from '../simulator';
 import { RecordingSimulator } from '../testing/recording-simulator';
-import { openWebTigerPythonDoor } from './door';
+import { createWebTigerPythonAdapter } from './adapter';
 import { pageData } from './messages';
 
 /** How many messages are tried: `npm run fuzz` tries a million. */
@@ -50,13 +50,13 @@ function someEvent(rng: Rng): SimulatorEvent {
   );
 }
 
-describe('messages of any shape to the door of WebTigerPython', () => {
+describe('messages of any shape to the adapter of WebTigerPython', () => {
   it(
     `never throw, and change nothing but the files and the settings it has (${String(RUNS)} messages)`,
     async () => {
       const simulator = new RecordingSimulator();
       const posted = new Map<string, number>();
-      const door = openWebTigerPythonDoor(simulator, {
+      const adapter = createWebTigerPythonAdapter(simulator, {
         nowMs: () => 0,
         post(message) {
           const { type, data } = message as { type: keyof typeof pageData; data: unknown };
@@ -70,7 +70,7 @@ describe('messages of any shape to the door of WebTigerPython', () => {
         const rng = createRng(seed);
         const before = { project: simulator.project(), settings: simulator.settings() };
         const message = oneOf(MESSAGES, rng);
-        door.receive(rng.unit() < 0.1 ? message : mutatedTree(message, rng, false));
+        adapter.receive(rng.unit() < 0.1 ? message : mutatedTree(message, rng, false));
         const did = simulator.calls.splice(0).map(({ call }) => call);
         taken += did.length;
         // A requested run begins after this message.
@@ -101,16 +101,16 @@ describe('messages of any shape to the door of WebTigerPython', () => {
     const simulator = new RecordingSimulator();
     let looked = 0;
     const curious = new Proxy({}, { get: () => ((looked += 1), undefined) });
-    const door = openWebTigerPythonDoor(simulator, { nowMs: () => 0, post: () => undefined });
-    door.receive({ type: 'files', data: Array.from({ length: 100_000 }, () => curious) });
-    door.receive({ type: 'files', data: 'x'.repeat(FILE_BYTES + 1) });
-    door.receive({ type: 'settings', data: { layout: Array.from({ length: 100_000 }, () => curious) } });
+    const adapter = createWebTigerPythonAdapter(simulator, { nowMs: () => 0, post: () => undefined });
+    adapter.receive({ type: 'files', data: Array.from({ length: 100_000 }, () => curious) });
+    adapter.receive({ type: 'files', data: 'x'.repeat(FILE_BYTES + 1) });
+    adapter.receive({ type: 'settings', data: { layout: Array.from({ length: 100_000 }, () => curious) } });
     const own: unknown[] = ['Canvas'];
     own.push(own, own);
-    door.receive({ type: 'settings', data: { layout: own } });
+    adapter.receive({ type: 'settings', data: { layout: own } });
     expect(simulator.calls.splice(0)).toEqual([{ call: 'change', settings: { parts: ['bar', 'board', 'arena'] } }]);
     const trap = { get type(): string { throw new Error('looked at'); } }; // prettier-ignore
-    door.receive(trap);
+    adapter.receive(trap);
     expect(looked).toBe(0);
     expect(simulator.calls).toEqual([]);
   });

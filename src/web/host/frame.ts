@@ -1,4 +1,4 @@
-import type { Door, Outside } from '#embed/door';
+import type { Adapter, HostConnection } from '#embed/adapter';
 import type { HostedPage } from './hosted-page';
 import type { EmbeddedSimulator } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
@@ -7,37 +7,37 @@ import type { VisitParts } from '../visit/parts';
 import { devices } from '../work/settings/devices';
 import { appSimulator } from './app-simulator';
 import { appVersion } from './app-version';
-import type { OpenLate } from './late-door';
+import type { OpenLate } from './late-adapter';
 import { allowedOrigins, ORIGINS_META } from './origins';
-import { openGate } from './transport';
+import { openTransport } from './transport';
 
-/** Speaks with the page around this one, beginning with what it has said already. @returns ends it */
+/** Speaks with the embedding page, beginning with the messages that it has already sent. @returns ends it */
 export function openFrame(app: HostedPage, early: readonly MessageEvent<unknown>[]): () => void {
   const simulator = appSimulator(app);
   const named = document.querySelector<HTMLMetaElement>(`meta[name="${ORIGINS_META}"]`)?.content ?? null;
-  const gate = openGate({
+  const transport = openTransport({
     parent: window.parent,
     allowed: allowedOrigins(named, app.host.wish.origins),
-    openOurs: (outside) => openOurs(simulator, outside),
+    openOurs: (connection) => openOurs(simulator, connection),
     openUnasked: unaskedDialect(app, simulator),
     nowMs: () => performance.now(),
     onMissing: () => app.notices.show({ kind: 'error', key: 'notice.firmware' }),
   });
-  const receive = (event: MessageEvent<unknown>): void => gate.receive(event);
+  const receive = (event: MessageEvent<unknown>): void => transport.receive(event);
   addEventListener('message', receive);
   for (const event of early) receive(event);
   return () => {
     removeEventListener('message', receive);
-    gate.close();
+    transport.close();
   };
 }
 
-/** Another text after every load of the page; no secret. */
+/** A text that changes with every load of the page; not a secret. */
 const PAGE_ID = `${Date.now().toString(36)}-${Math.random().toString(36).slice(2)}`;
 
-async function openOurs(simulator: EmbeddedSimulator, outside: Outside): Promise<Door> {
-  const { openParcoursDoor } = await import('#embed/parcours/door');
-  return openParcoursDoor(simulator, outside, {
+async function openOurs(simulator: EmbeddedSimulator, connection: HostConnection): Promise<Adapter> {
+  const { createParcoursAdapter } = await import('#embed/parcours/adapter');
+  return createParcoursAdapter(simulator, connection, {
     app: appVersion,
     page: PAGE_ID,
     devices: devices.map(({ id }) => id),
@@ -51,9 +51,11 @@ function unaskedDialect(app: VisitParts, simulator: EmbeddedSimulator): OpenLate
     case null:
       return null;
     case 'microbit':
-      return async (outside) => (await import('#embed/microbit/door')).openMicrobitDoor(simulator, outside, settings);
+      return async (connection) =>
+        (await import('#embed/microbit/adapter')).createMicrobitAdapter(simulator, connection, settings);
     case 'webtigerpython':
-      return async (outside) => (await import('#embed/webtigerpython/door')).openWebTigerPythonDoor(simulator, outside);
+      return async (connection) =>
+        (await import('#embed/webtigerpython/adapter')).createWebTigerPythonAdapter(simulator, connection);
     default:
       return dialect satisfies never;
   }

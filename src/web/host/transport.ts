@@ -1,9 +1,9 @@
-import type { Door } from '#embed/door';
+import type { Adapter } from '#embed/adapter';
 import { nameable } from '#embed/nameable';
 
-import { lateDoor, type OpenLate } from './late-door';
+import { lateAdapter, type OpenLate } from './late-adapter';
 
-/** What of a `MessageEvent` counts. */
+/** The relevant fields of a `MessageEvent`. */
 export interface HostMessage {
   readonly data: unknown;
   readonly origin: string;
@@ -11,44 +11,44 @@ export interface HostMessage {
   readonly ports: readonly MessagePort[];
 }
 
-/** The page around this one. */
+/** The embedding page. */
 export interface ParentPage {
   postMessage(message: object, targetOrigin: string): void;
 }
 
-/** What the gate stands between. */
-export interface GateOptions {
+/** The embedding page, and the dialects for it. */
+export interface TransportOptions {
   readonly parent: ParentPage;
-  /** Origins that may command; `null`: any. */
+  /** Origins that may command; `null` for any. */
   readonly allowed: readonly string[] | null;
-  /** Our own dialect, spoken to who says hello. */
+  /** Our own dialect, for hosts that say hello. */
   readonly openOurs: OpenLate;
-  /** The dialect that is spoken unasked, or `null`. */
+  /** The dialect that the page speaks before it is asked, or `null`. */
   readonly openUnasked: OpenLate | null;
   readonly nowMs: () => number;
   /** The code of a dialect could not be fetched. */
   readonly onMissing: () => void;
 }
 
-/** The one way in for messages of other pages. */
-export interface Gate {
+/** The only entrance for messages of other pages. */
+export interface HostTransport {
   receive(message: HostMessage): void;
   close(): void;
 }
 
 /**
- * Lets the parent speak, and nobody else: neither children nor siblings nor who opened the window. The first origin that says hello
- * in our own dialect is the only one that may from then on; it is answered by name.
+ * Lets only the parent speak: neither children, siblings nor the opener of the window. The first origin that says hello
+ * in our own dialect is the only one that may command from then on; answers are sent to it by name.
  */
-export function openGate(options: GateOptions): Gate {
+export function openTransport(options: TransportOptions): HostTransport {
   const { parent, allowed, openOurs, openUnasked, nowMs, onMissing } = options;
   let partner: Partner | null = null;
-  /** Who hears what is said unasked: everybody who may, until one has spoken. */
+  /** The receivers of unrequested messages: all allowed origins, until one has spoken. */
   let audience = allowed?.map(nameable) ?? ['*'];
   const unasked =
     openUnasked === null
       ? null
-      : lateDoor(
+      : lateAdapter(
           openUnasked,
           { post: (message) => audience.forEach((origin) => post(parent, message, origin)), nowMs },
           { onMissing, onLost: () => undefined }, // these dialects have no word for it
@@ -57,7 +57,7 @@ export function openGate(options: GateOptions): Gate {
   function takeHello(session: unknown, message: HostMessage): void {
     const [port, ...more] = message.ports;
     for (const one of more) one.close();
-    // A host repeats its hello until it is answered: the same conversation goes on.
+    // A host repeats its hello until it is answered: the same conversation continues.
     if (partner !== null && typeof session === 'string' && partner.session === session && partner.isOpen()) {
       port?.close();
       partner.receive(message.data);
@@ -68,7 +68,7 @@ export function openGate(options: GateOptions): Gate {
     partner = openPartner(say, session, (send) => {
       const onLost = (lost: unknown, code: 'busy' | 'broken'): void =>
         refuse(send, isOurs(lost) ? lost.id : null, code);
-      return lateDoor(openOurs, { post: send, nowMs }, { onMissing, onLost });
+      return lateAdapter(openOurs, { post: send, nowMs }, { onMissing, onLost });
     });
     partner.receive(message.data);
   }
@@ -85,7 +85,7 @@ export function openGate(options: GateOptions): Gate {
       if (partner !== null && partner.origin !== origin) return;
       const { type, session, id } = data;
       if (type === 'hello') takeHello(session, message);
-      // After the page was loaded anew its host goes on speaking: it is told to begin again.
+      // The host of a page that was loaded anew goes on speaking: it is told to begin again.
       else if (partner === null) refuse((answer) => post(parent, answer, nameable(origin)), id, 'no-hello');
       else if (partner.isOnWindow) partner.receive(data);
     },
@@ -100,7 +100,7 @@ export function openGate(options: GateOptions): Gate {
 interface Partner {
   readonly origin: string;
   readonly session: unknown;
-  /** Whether it speaks by the window; else by its port alone. */
+  /** Whether it speaks by the window; otherwise only by its port. */
   readonly isOnWindow: boolean;
   isOpen(): boolean;
   receive(data: unknown): void;
@@ -116,19 +116,19 @@ interface PartnerWay {
 function openPartner(
   { parent, origin, port }: PartnerWay,
   session: unknown,
-  open: (send: (message: object) => void) => Door,
+  open: (send: (message: object) => void) => Adapter,
 ): Partner {
   const target = nameable(origin);
   let isOpen = true;
-  const door = open((message) => (port === null ? post(parent, message, target) : postTo(port, message)));
+  const adapter = open((message) => (port === null ? post(parent, message, target) : postTo(port, message)));
   const close = (): void => {
     isOpen = false;
-    door.close();
+    adapter.close();
     port?.close();
   };
   if (port !== null) {
-    port.onmessage = (event: MessageEvent<unknown>) => door.receive(event.data);
-    // Where browsers tell it: the host is gone and may come back with another hello.
+    port.onmessage = (event: MessageEvent<unknown>) => adapter.receive(event.data);
+    // In browsers that report it: the host is gone and may come back with another hello.
     port.addEventListener('close', close);
   }
   return {
@@ -136,28 +136,28 @@ function openPartner(
     session,
     isOnWindow: port === null,
     isOpen: () => isOpen,
-    receive: (data) => door.receive(data),
+    receive: (data) => adapter.receive(data),
     close,
   };
 }
 
-/** Why a command is not even looked at. */
+/** Why a command is refused before it is read. */
 const REFUSALS = {
   'no-hello': 'Say hello first.',
   busy: 'Too many commands wait for the page.',
   broken: 'A part of the page could not be fetched.',
 } as const;
 
-/** Answers a command of our own dialect whose code is not there. */
+/** Answers a command of our own dialect while its code is missing. */
 function refuse(send: (message: object) => void, id: unknown, code: keyof typeof REFUSALS): void {
   if (typeof id !== 'number' && (typeof id !== 'string' || id.length > LONGEST_ID)) return;
   send({ parcours: 1, reply: id, ok: false, code, message: REFUSALS[code], path: '' });
 }
 
-/** As `limits.idCharacters` of the dialect, whose code is not there yet. */
+/** Equals `limits.idCharacters` of the dialect, whose code is not loaded yet. */
 const LONGEST_ID = 100;
 
-/** Whether it is a message of our own dialect, of whatever version. */
+/** Whether it is a message of our own dialect, of any version. */
 const isOurs = (data: unknown): data is Readonly<Record<'type' | 'session' | 'id', unknown>> =>
   typeof data === 'object' && data !== null && 'parcours' in data && typeof data.parcours === 'number';
 
@@ -165,7 +165,7 @@ function post(parent: ParentPage, message: object, target: string): void {
   try {
     parent.postMessage(message, target);
   } catch {
-    // Something that cannot be cloned: a host that hears nothing is better than a page that breaks.
+    // The message cannot be cloned: a host that receives nothing is better than a page that fails.
   }
 }
 

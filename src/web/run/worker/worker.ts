@@ -1,11 +1,11 @@
 /** The module worker that owns one run. It says and hears what `protocol.ts` lists; all of its logic is in `runner.ts`. */
 import { Simulation } from '#simulation/simulation';
 
-import { closeDoors } from './moat';
+import { sealSandbox } from './sandbox';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
 
-closeDoors(globalThis);
+sealSandbox(globalThis);
 
 // A message to oneself comes back at once, but after the messages already waiting: setTimeout would add 4 ms each time.
 const channel = new MessageChannel();

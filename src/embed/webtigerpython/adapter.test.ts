@@ -4,7 +4,7 @@ import { MAIN } from '#project/project';
 
 import { PARTS, type SimulatorEvent } from '../simulator';
 import { RecordingSimulator } from '../testing/recording-simulator';
-import { openWebTigerPythonDoor } from './door';
+import { createWebTigerPythonAdapter } from './adapter';
 
 const traceback = 'Traceback (most recent call last):\n  File "main.py", line 1, in <module>\nNameError: x\n';
 const ended = (kind: 'finished' | 'exception' | 'stopped', text: string | null = null): SimulatorEvent => ({
@@ -22,23 +22,23 @@ function bench() {
   const simulator = new RecordingSimulator();
   const posts: { type: string; data: unknown }[] = [];
   let nowMs = 0;
-  const door = openWebTigerPythonDoor(simulator, {
+  const adapter = createWebTigerPythonAdapter(simulator, {
     post: (message) => posts.push(message as (typeof posts)[number]),
     nowMs: () => nowMs,
   });
   const files = () => simulator.project().files;
   return {
-    ...{ simulator, posts, door, files },
+    ...{ simulator, posts, adapter, files },
     wait: (ms: number) => (nowMs += ms),
     /** The messages since the last call. */
     said: () => posts.splice(0),
-    send: (type: string, data?: unknown) => door.receive(data === undefined ? { type } : { type, data }),
+    send: (type: string, data?: unknown) => adapter.receive(data === undefined ? { type } : { type, data }),
     print: (text: string) => simulator.tell({ type: 'output', text }),
   };
 }
 const aMoment = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
 
-describe('the door of WebTigerPython', () => {
+describe('the adapter of WebTigerPython', () => {
   it('says that it is ready, then takes files and runs them', async () => {
     const b = bench();
     expect(b.said()).toEqual([{ type: 'pythonReady', data: null }]);
@@ -206,7 +206,7 @@ describe('the door of WebTigerPython', () => {
   it('is deaf and silent once it is closed', () => {
     const b = bench();
     b.said();
-    b.door.close();
+    b.adapter.close();
     b.send('run_code');
     b.simulator.tell({ type: 'started' });
     expect(b.said()).toEqual([]);
@@ -219,7 +219,7 @@ describe('the door of WebTigerPython', () => {
     b.said();
     b.simulator.run = () => Promise.resolve('The run could not start.');
     b.send('run_code');
-    b.door.close();
+    b.adapter.close();
     await aMoment();
     expect(b.said()).toEqual([]);
   });

@@ -1,36 +1,36 @@
-import type { Door, Outside } from '#embed/door';
+import type { Adapter, HostConnection } from '#embed/adapter';
 
 import { fetchAgain } from './fetch-again';
 
-/** Opens a door whose code is fetched when it is needed. */
-export type OpenLate = (outside: Outside) => Promise<Door>;
+/** Makes an adapter whose code is fetched when it is needed. */
+export type OpenLate = (connection: HostConnection) => Promise<Adapter>;
 
-/** Whom a late door tells of what it cannot do. */
-export interface LateDoorListener {
+/** Reports what a late adapter cannot do. */
+export interface LateAdapterListener {
   /** Its code could not be fetched, however often it was tried. */
   onMissing(): void;
-  /** Nobody will hear this message: too many wait (`busy`), or the code is missing (`broken`). */
+  /** This message is lost: too many wait (`busy`), or the code is missing (`broken`). */
   onLost(message: unknown, why: 'busy' | 'broken'): void;
 }
 
-/** Messages that wait for their door's code. Chosen: more than any host sends by then. */
+/** Messages that wait for their adapter's code. Chosen: more than any host sends by then. */
 const MOST_WAITING = 200;
 
-/** A door that keeps what is said until its code is there. Where that could not be fetched, the next message tries anew. */
-export function lateDoor(open: OpenLate, outside: Outside, listener: LateDoorListener): Door {
+/** An adapter that keeps messages until its code is there. After a failed fetch, the next message tries again. */
+export function lateAdapter(open: OpenLate, connection: HostConnection, listener: LateAdapterListener): Adapter {
   const waiting: unknown[] = [];
-  let door: Door | null = null;
+  let adapter: Adapter | null = null;
   let isFetching = false;
   let isClosed = false;
   function fetchCode(): void {
     isFetching = true;
-    fetchAgain(() => (isClosed ? Promise.reject(new Error('closed')) : open(outside))).then(
+    fetchAgain(() => (isClosed ? Promise.reject(new Error('closed')) : open(connection))).then(
       (opened) => {
         if (isClosed) {
           opened.close();
           return;
         }
-        door = opened;
+        adapter = opened;
         for (const message of waiting.splice(0)) opened.receive(message);
       },
       () => {
@@ -45,8 +45,8 @@ export function lateDoor(open: OpenLate, outside: Outside, listener: LateDoorLis
   return {
     receive(message) {
       if (isClosed) return;
-      if (door !== null) {
-        door.receive(message);
+      if (adapter !== null) {
+        adapter.receive(message);
         return;
       }
       if (waiting.length >= MOST_WAITING) listener.onLost(message, 'busy');
@@ -56,7 +56,7 @@ export function lateDoor(open: OpenLate, outside: Outside, listener: LateDoorLis
     close() {
       isClosed = true;
       waiting.length = 0;
-      door?.close();
+      adapter?.close();
     },
   };
 }

@@ -25,8 +25,8 @@ describe('our own dialect', () => {
   });
 
   it('refuses another version and names the ones it knows', () => {
-    const { door, heard } = hostAt();
-    door.receive({ parcours: 2, id: 'a', type: 'hello' });
+    const { adapter, heard } = hostAt();
+    adapter.receive({ parcours: 2, id: 'a', type: 'hello' });
     expect(heard).toEqual([
       expect.objectContaining({ parcours: 1, reply: 'a', ok: false, code: 'unknown-version', versions: [1] }),
     ]);
@@ -41,8 +41,8 @@ describe('our own dialect', () => {
   });
 
   it('takes no more messages once it is closed', () => {
-    const { simulator, door, ask } = greeted();
-    door.close();
+    const { simulator, adapter, ask } = greeted();
+    adapter.close();
     expect(ask('step')).toBeUndefined();
     expect([simulator.calls, simulator.listenerCount]).toEqual([[], 0]);
   });
@@ -177,9 +177,9 @@ describe('commands of our own dialect', () => {
   });
 
   it('without an id are done and not answered', () => {
-    const { simulator, door, heard } = greeted();
+    const { simulator, adapter, heard } = greeted();
     const before = heard.length;
-    door.receive({ parcours: 1, type: 'seed', seed: 5 });
+    adapter.receive({ parcours: 1, type: 'seed', seed: 5 });
     expect(simulator.settings().seed).toBe(5);
     expect(heard.slice(before).filter((message) => 'reply' in message)).toEqual([]);
   });
@@ -200,9 +200,9 @@ describe('commands of our own dialect', () => {
   });
 
   it('cannot reach into the prototype of anything', () => {
-    const { simulator, ask, door } = greeted();
+    const { simulator, ask, adapter } = greeted();
     const hostile = (text: string): object => JSON.parse(text) as object;
-    door.receive(hostile('{"parcours":1,"id":9,"type":"seed","seed":7,"__proto__":{"polluted":true}}'));
+    adapter.receive(hostile('{"parcours":1,"id":9,"type":"seed","seed":7,"__proto__":{"polluted":true}}'));
     ask('set-robot', hostile('{"robotOptions":{"__proto__":{"polluted":"yes"},"constructor":{"prototype":"x"}}}'));
     ask('settings', hostile('{"labels":{"__proto__":"x","button-a":"A"}}'));
     expect(({} as { polluted?: unknown }).polluted).toBeUndefined();
@@ -210,10 +210,10 @@ describe('commands of our own dialect', () => {
   });
 
   it('that throw when they are read are as if they had not been', () => {
-    const { door, heard } = greeted();
+    const { adapter, heard } = greeted();
     const before = heard.length;
-    door.receive({ parcours: 1, id: 7, get type() { throw new Error('no'); } }); // prettier-ignore
-    door.receive(new Proxy({}, { get: () => { throw new Error('no'); } })); // prettier-ignore
+    adapter.receive({ parcours: 1, id: 7, get type() { throw new Error('no'); } }); // prettier-ignore
+    adapter.receive(new Proxy({}, { get: () => { throw new Error('no'); } })); // prettier-ignore
     expect(heard.length).toBe(before);
   });
 });

@@ -3,9 +3,9 @@ import type { Snapshot } from '#simulation/snapshot';
 import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/verdict';
 
-import type { Outside } from '../door';
+import type { HostConnection } from '../adapter';
 import type { EmbeddedSimulator, HostSettings, Phase, SimulatorEvent } from '../simulator';
-import { Allowance } from './allowance';
+import { RateLimit } from './rate-limit';
 import { eventNames } from './event-schemas';
 import { displayText, msOf, plainLogEvent, plainPacket, plainRobot, plainSnapshot } from './plain-snapshot';
 import type { Commands, EndedWord, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
@@ -23,22 +23,22 @@ const NUMBER_CHARACTERS = 4;
  * Sends events to a host, as far as it has subscribed. A slow host must not be flooded by a program: output, packets
  * and rows have a rate limit each. All other events come at most as often as the page is drawn or commanded.
  */
-export class Teller {
+export class EventSender {
   private wanted: ReadonlySet<EventName> = new Set(eventNames);
   private snapshotMs = Infinity;
   private toldMs = -Infinity;
   /** The newest snapshot that was skipped. */
   private passedOver: Snapshot | null = null;
-  private readonly rates: Readonly<Record<'output' | 'radio' | 'log', Allowance>>;
+  private readonly rates: Readonly<Record<'output' | 'radio' | 'log', RateLimit>>;
   /** Whether a program runs whose end must be reported. */
   private awaitsEnd = false;
 
   constructor(
     private readonly simulator: Pick<EmbeddedSimulator, 'snapshot' | 'nowUs'>,
-    private readonly outside: Outside,
+    private readonly connection: HostConnection,
   ) {
-    const nowMs = outside.nowMs();
-    this.rates = { output: new Allowance(nowMs), radio: new Allowance(nowMs), log: new Allowance(nowMs) };
+    const nowMs = connection.nowMs();
+    this.rates = { output: new RateLimit(nowMs), radio: new RateLimit(nowMs), log: new RateLimit(nowMs) };
   }
 
   /** Chooses events and the rate of snapshots; settings that are left out stay. */
@@ -120,7 +120,7 @@ export class Teller {
 
   private snapshot(snapshot: Snapshot): void {
     if (this.snapshotMs === Infinity) return;
-    const nowMs = this.outside.nowMs();
+    const nowMs = this.connection.nowMs();
     if (nowMs - this.toldMs < this.snapshotMs - EARLY_MS) {
       this.passedOver = snapshot;
       return;
@@ -140,7 +140,7 @@ export class Teller {
   private output(text: string): void {
     const { output: rate } = this.rates;
     if (!this.wanted.has('output')) return;
-    if (rate.hasRoom(this.outside.nowMs()) && rate.take(text.length)) this.send('output', { text, ...rate.send() });
+    if (rate.hasRoom(this.connection.nowMs()) && rate.take(text.length)) this.send('output', { text, ...rate.send() });
     else rate.omit(text.length);
   }
 
@@ -149,7 +149,7 @@ export class Teller {
     if (!this.wanted.has('radio')) return;
     rate.omit(dropped);
     const plain = packets.map(plainPacket);
-    const hasRoom = rate.hasRoom(this.outside.nowMs());
+    const hasRoom = rate.hasRoom(this.connection.nowMs());
     const found = hasRoom ? plain.findIndex((packet) => !rate.take(sizeOf(packet))) : 0;
     const sent = found < 0 ? plain : plain.slice(0, found);
     if (sent.length > 0) this.send('radio', { packets: sent, ...rate.send() });
@@ -160,7 +160,7 @@ export class Teller {
   private log(events: readonly TimedLogEvent[]): void {
     const { log: rate } = this.rates;
     if (!this.wanted.has('log')) return;
-    let hasRoom = rate.hasRoom(this.outside.nowMs());
+    let hasRoom = rate.hasRoom(this.connection.nowMs());
     const sent: PlainLogEvent[] = [];
     let omitted = 0;
     for (const event of events.map(plainLogEvent)) {
@@ -189,7 +189,7 @@ export class Teller {
   }
 
   private send<N extends EventName>(type: N, data: Events[N]): void {
-    if (this.wanted.has(type)) this.outside.post({ parcours: PROTOCOL_VERSION, type, ...data });
+    if (this.wanted.has(type)) this.connection.post({ parcours: PROTOCOL_VERSION, type, ...data });
   }
 }
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 
-import { closeDoors } from './moat';
+import { sealSandbox } from './sandbox';
 
-describe('the moat', () => {
+describe('the sandbox', () => {
   it('takes fetch and the like away, wherever they come from, for good', () => {
     class Scope {
       XMLHttpRequest = class {};
@@ -12,8 +12,8 @@ describe('the moat', () => {
     }
     const scope = Object.create(Scope.prototype, {}) as Record<string, unknown>;
     scope['indexedDB'] = {};
-    closeDoors(scope);
-    for (const door of [
+    sealSandbox(scope);
+    for (const name of [
       'fetch',
       'XMLHttpRequest',
       'WebSocket',
@@ -22,8 +22,8 @@ describe('the moat', () => {
       'indexedDB',
       'caches',
     ]) {
-      expect(scope[door], door).toBeUndefined();
-      expect(() => Object.assign(scope, { [door]: 1 }), door).toThrow(TypeError);
+      expect(scope[name], name).toBeUndefined();
+      expect(() => Object.assign(scope, { [name]: 1 }), name).toThrow(TypeError);
     }
     expect('fetch' in Scope.prototype).toBe(false);
   });

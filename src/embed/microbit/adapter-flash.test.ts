@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { bytes, kinds, opened, settled } from './testing/opened-door';
+import { bytes, kinds, opened, settled } from './testing/opened-adapter';
 
 describe('flash', () => {
   it('runs before anyone has clicked anything, and empties the log of the host', async () => {
@@ -24,8 +24,8 @@ describe('flash', () => {
   });
 
   it('without main.py starts the REPL', async () => {
-    const { simulator, door } = opened();
-    door.receive({ kind: 'flash', filesystem: { 'helper.py': bytes('x = 1') } });
+    const { simulator, adapter } = opened();
+    adapter.receive({ kind: 'flash', filesystem: { 'helper.py': bytes('x = 1') } });
     await settled();
     expect(simulator.project().files).toEqual([
       { name: 'main.py', text: '' },
@@ -40,9 +40,9 @@ describe('flash', () => {
     ['one larger than any board', { 'big.txt': new Uint8Array(300_000) }, /"big\.txt" is left out: .*limit/],
     ['more than there is room for', Object.fromEntries(Array.from({ length: 30 }, (_, i) => [`f${i}.py`, bytes('')])), /"f19\.py".*limit/], // prettier-ignore
   ])('runs without a file that the page cannot hold (%s), and says so', async (_, others, message) => {
-    const { simulator, door, news } = opened();
+    const { simulator, adapter, news } = opened();
     news();
-    door.receive({ kind: 'flash', filesystem: { ...others, 'main.py': bytes('print(1)') } });
+    adapter.receive({ kind: 'flash', filesystem: { ...others, 'main.py': bytes('print(1)') } });
     await settled();
     expect(simulator.phase()).toBe('running');
     expect(simulator.project().files[0]).toEqual({ name: 'main.py', text: 'print(1)' });
@@ -57,10 +57,10 @@ describe('flash', () => {
     ['a program that is no text', { 'main.py': Uint8Array.of(0xff, 0xfe) }, /main\.py.*UTF-8/],
     ['a program larger than any board', { 'main.py': new Uint8Array(300_000) }, /main\.py.*limit/],
   ])('of %s is told as an error; what runs goes on', async (_, filesystem, message) => {
-    const { simulator, door, news, flash } = opened();
+    const { simulator, adapter, news, flash } = opened();
     await flash('print("stays")');
     news();
-    door.receive({ kind: 'flash', filesystem });
+    adapter.receive({ kind: 'flash', filesystem });
     await settled();
     const [said, ...rest] = news();
     if (said?.kind !== 'internal_error') throw new Error(JSON.stringify(said));
@@ -88,12 +88,12 @@ describe('flash', () => {
   });
 
   it('of what are no bytes changes nothing and says nothing, as the official simulator', async () => {
-    const { simulator, door, news } = opened();
+    const { simulator, adapter, news } = opened();
     news();
     const before = simulator.calls.length;
     const buffers = [[], new Uint8Array(0), new Uint8Array(200_000_000)]; // its keys would be as many texts
     for (const filesystem of [null, 'print(1)', { 'main.py': 'print(1)' }, { 'main.py': [112] }, undefined, ...buffers])
-      door.receive({ kind: 'flash', filesystem });
+      adapter.receive({ kind: 'flash', filesystem });
     await settled();
     expect(simulator.calls.length).toBe(before);
     expect(news()).toEqual([]);

@@ -6,7 +6,7 @@ import { NO_ROBOT, robotMeant } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 
-import type { Door, Outside } from '../door';
+import type { Adapter, HostConnection } from '../adapter';
 import type { EmbeddedSimulator, HostSettings, Part, Phase, SimulatorEvent } from '../simulator';
 import { filesOf } from './files';
 import { LogColumns } from './log-columns';
@@ -33,11 +33,15 @@ const BOARD_ALONE: readonly Part[] = ['board'];
  * @param wish the settings of the page's address; they hold for every flash. If they name no robot, a program that
  *   imports a robot's library gets that robot, and an arena beside the board unless parts are named
  */
-export function openMicrobitDoor(simulator: EmbeddedSimulator, outside: Outside, wish: HostSettings = {}): Door {
-  return new MicrobitDoor(simulator, outside, wish);
+export function createMicrobitAdapter(
+  simulator: EmbeddedSimulator,
+  connection: HostConnection,
+  wish: HostSettings = {},
+): Adapter {
+  return new MicrobitAdapter(simulator, connection, wish);
 }
 
-class MicrobitDoor implements Door {
+class MicrobitAdapter implements Adapter {
   private readonly state: StateModel;
   private readonly columns = new LogColumns();
   private readonly unlisten: () => void;
@@ -51,7 +55,7 @@ class MicrobitDoor implements Door {
 
   constructor(
     private readonly simulator: EmbeddedSimulator,
-    private readonly outside: Outside,
+    private readonly connection: HostConnection,
     private readonly wish: HostSettings,
   ) {
     this.state = new StateModel(simulator.sensorWishes());
@@ -313,7 +317,7 @@ class MicrobitDoor implements Door {
   }
 
   private say(message: MicrobitEvent): void {
-    if (!this.isClosed) this.outside.post(message);
+    if (!this.isClosed) this.connection.post(message);
   }
 }
 

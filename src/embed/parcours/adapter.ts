@@ -1,18 +1,22 @@
-import type { Door, Outside } from '../door';
+import type { Adapter, HostConnection } from '../adapter';
 import type { EmbeddedSimulator } from '../simulator';
 import { doCommand, type Outcome, type PageFacts } from './do-command';
 import { limits } from './limits';
 import type { CommandId } from './protocol';
 import { isOurs, PROTOCOL_VERSION, readCommand, refusal, type Incoming } from './read-command';
-import { Teller } from './teller';
+import { EventSender } from './event-sender';
 
 /**
  * Makes the protocol adapter for our own dialect (`protocol.ts`). It sends nothing before the host's hello. Then it
  * answers every command with an id, one after the other, and sends the events that the host has chosen. A `stop` or
  * `reset` ends a `run` that has not begun yet, whatever waits between them.
  */
-export function openParcoursDoor(simulator: EmbeddedSimulator, outside: Outside, facts: PageFacts): Door {
-  return new ParcoursDoor(simulator, outside, facts);
+export function createParcoursAdapter(
+  simulator: EmbeddedSimulator,
+  connection: HostConnection,
+  facts: PageFacts,
+): Adapter {
+  return new ParcoursAdapter(simulator, connection, facts);
 }
 
 /** The answer to a command that is not carried out. */
@@ -23,8 +27,8 @@ export const refusedMessage = (id: CommandId, problem: ReturnType<typeof refusal
   ...problem,
 });
 
-class ParcoursDoor implements Door {
-  private readonly teller: Teller;
+class ParcoursAdapter implements Adapter {
+  private readonly sender: EventSender;
   private unlisten: (() => void) | null = null;
   /** The current command; the others wait. */
   private busyWith: Incoming['asked'] | null = null;
@@ -33,10 +37,10 @@ class ParcoursDoor implements Door {
 
   constructor(
     private readonly simulator: EmbeddedSimulator,
-    private readonly outside: Outside,
+    private readonly connection: HostConnection,
     private readonly facts: PageFacts,
   ) {
-    this.teller = new Teller(simulator, outside);
+    this.sender = new EventSender(simulator, connection);
   }
 
   receive(message: unknown): void {
@@ -87,15 +91,15 @@ class ParcoursDoor implements Door {
 
   private act({ asked }: Incoming): Outcome | Promise<Outcome> {
     if ('code' in asked) return { refused: asked };
-    if (asked.type === 'hello') this.unlisten ??= this.simulator.listen((event) => this.teller.tell(event));
+    if (asked.type === 'hello') this.unlisten ??= this.simulator.listen((event) => this.sender.tell(event));
     if (this.unlisten === null) return { refused: refusal('no-hello', 'Say hello first.') };
     if (asked.type === 'bye') this.fallSilent();
     // It would be given up at once, like a start that is under way.
     if (asked.type === 'run' && this.waiting.some(endsRun))
       return { refused: refusal('refused', 'The run was stopped before it began.') };
     try {
-      const { simulator, teller, facts } = this;
-      return doCommand(asked, { simulator, teller, facts });
+      const { simulator, sender, facts } = this;
+      return doCommand(asked, { simulator, sender, facts });
     } catch (error) {
       return broken(error);
     }
@@ -108,8 +112,8 @@ class ParcoursDoor implements Door {
 
   private answer(id: CommandId | null, outcome: Outcome): void {
     if (id === null || this.isClosed) return;
-    if ('refused' in outcome) this.outside.post(refusedMessage(id, outcome.refused));
-    else this.outside.post({ parcours: PROTOCOL_VERSION, reply: id, ok: true, ...outcome.done });
+    if ('refused' in outcome) this.connection.post(refusedMessage(id, outcome.refused));
+    else this.connection.post({ parcours: PROTOCOL_VERSION, reply: id, ok: true, ...outcome.done });
   }
 }
 

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 
 import { RecordingSimulator } from '../testing/recording-simulator';
-import { openMicrobitDoor } from './door';
-import { kinds, opened, settled } from './testing/opened-door';
+import { createMicrobitAdapter } from './adapter';
+import { kinds, opened, settled } from './testing/opened-adapter';
 
 describe('ready of the micro:bit dialect', () => {
   it('is said once, with everything that the board feels in the order of the official simulator', () => {
@@ -36,25 +36,25 @@ describe('ready of the micro:bit dialect', () => {
 
 describe('stop and reset', () => {
   it('stop ends the run with the whole state, and nothing more is printed', async () => {
-    const { simulator, door, news, flash } = opened();
+    const { simulator, adapter, news, flash } = opened();
     await flash();
     news();
-    door.receive({ kind: 'stop' });
+    adapter.receive({ kind: 'stop' });
     simulator.tell({ type: 'output', text: 'too late' });
     await settled();
     expect(simulator.phase()).toBe('stopped');
     expect(kinds(news())).toEqual(['state_change']);
-    door.receive({ kind: 'stop' });
+    adapter.receive({ kind: 'stop' });
     await settled();
     expect(news()).toEqual([]);
   });
 
   it('reset starts the program that is on the board, also after a stop', async () => {
-    const { simulator, door, flash } = opened();
+    const { simulator, adapter, flash } = opened();
     await flash('print("again")');
-    door.receive({ kind: 'stop' });
+    adapter.receive({ kind: 'stop' });
     await settled();
-    door.receive({ kind: 'reset' });
+    adapter.receive({ kind: 'reset' });
     await settled();
     expect(simulator.phase()).toBe('running');
     expect(simulator.project().files[0]?.text).toBe('print("again")');
@@ -64,8 +64,8 @@ describe('stop and reset', () => {
     const simulator = new RecordingSimulator({
       project: { ...new RecordingSimulator().project(), files: [{ name: 'main.py', text: 'print("example")' }] },
     });
-    const door = openMicrobitDoor(simulator, { post: () => undefined, nowMs: () => 0 });
-    door.receive({ kind: 'reset' });
+    const adapter = createMicrobitAdapter(simulator, { post: () => undefined, nowMs: () => 0 });
+    adapter.receive({ kind: 'reset' });
     await settled();
     expect(simulator.phase()).toBe('running');
     expect(simulator.project().files).toEqual([{ name: 'main.py', text: '' }]);
@@ -123,7 +123,7 @@ describe('what the program does', () => {
   });
 
   it('is logged with headings only when they change, also over a reset of the board', async () => {
-    const { simulator, door, news, flash } = opened();
+    const { simulator, adapter, news, flash } = opened();
     await flash();
     news();
     const row = (headings: string[], values: string[]): void =>
@@ -134,7 +134,7 @@ describe('what the program does', () => {
       { kind: 'log_output', headings: ['Time (seconds)', 'x'], data: ['0.00', '1'] },
       { kind: 'log_output', data: ['1.00', '2'] },
     ]);
-    door.receive({ kind: 'reset' });
+    adapter.receive({ kind: 'reset' });
     await settled();
     news();
     row(['y', 'x'], ['7', '3']);
@@ -159,10 +159,10 @@ describe('what the program does', () => {
   });
 
   it('sets the range of the accelerometer: the host hears of it once, and values beyond 2 g are taken until it ends', async () => {
-    const { simulator, door, news, flash } = opened();
+    const { simulator, adapter, news, flash } = opened();
     await flash();
     news();
-    door.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
+    adapter.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
     expect(simulator.sensorWishes()).toEqual({});
     const snapshot = { ...simulator.snapshot()!, accelerometerRangeMg: 8000 };
     simulator.tell({ type: 'snapshot', snapshot });
@@ -178,12 +178,12 @@ describe('what the program does', () => {
         },
       },
     ]);
-    door.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
-    door.receive({ kind: 'set_value', id: 'accelerometerY', value: 8001 });
+    adapter.receive({ kind: 'set_value', id: 'accelerometerX', value: 7000 });
+    adapter.receive({ kind: 'set_value', id: 'accelerometerY', value: 8001 });
     expect(simulator.sensorWishes()).toEqual({ accelerometerX: 7000 });
     simulator.tell({ type: 'snapshot', snapshot: { ...snapshot, accelerometerRangeMg: 4000 } });
     expect(news()).toMatchObject([{ change: { accelerometerX: { max: 4000, value: 4000 } } }]);
-    door.receive({ kind: 'stop' });
+    adapter.receive({ kind: 'stop' });
     await settled();
     expect(news()).toMatchObject([{ change: { accelerometerX: { min: -2000, max: 2000, value: 2000 } } }]);
   });
@@ -216,11 +216,11 @@ describe('what the program does', () => {
 
 describe('what a person does on the page', () => {
   it('is told; what the host sets itself is not', () => {
-    const { simulator, door, news } = opened();
+    const { simulator, adapter, news } = opened();
     news();
     simulator.tell({ type: 'sensed', action: { type: 'button', button: 'b', down: true } });
     simulator.tell({ type: 'sensed', action: { type: 'touch', pad: 'pinLogo', down: true } });
-    door.receive({ kind: 'set_value', id: 'temperature', value: 30 });
+    adapter.receive({ kind: 'set_value', id: 'temperature', value: 30 });
     expect(news()).toMatchObject([
       { kind: 'state_change', change: { buttonB: { value: 1 } } },
       { kind: 'state_change', change: { pinLogo: { value: 1 } } },
@@ -241,10 +241,10 @@ describe('set_value', () => {
     simulator.calls.flatMap((call) => (call.call === 'input' ? [call.action] : []));
 
   it('sets sensors, by numbers and by texts, and they outlive the program', async () => {
-    const { simulator, door, news, flash } = opened();
-    door.receive({ kind: 'set_value', id: 'lightLevel', value: 200 });
-    door.receive({ kind: 'set_value', id: 'temperature', value: '-3' });
-    door.receive({ kind: 'set_value', id: 'gesture', value: 'shake' });
+    const { simulator, adapter, news, flash } = opened();
+    adapter.receive({ kind: 'set_value', id: 'lightLevel', value: 200 });
+    adapter.receive({ kind: 'set_value', id: 'temperature', value: '-3' });
+    adapter.receive({ kind: 'set_value', id: 'gesture', value: 'shake' });
     await flash();
     await flash();
     expect(simulator.sensorWishes()).toMatchObject({ lightLevel: 200, temperature: -3 });
@@ -264,17 +264,17 @@ describe('set_value', () => {
     ['lightLevel', Number.NaN],
     ['lightLevel', null],
   ])('of %s to %s changes nothing', (id, value) => {
-    const { simulator, door, news } = opened();
+    const { simulator, adapter, news } = opened();
     news();
-    door.receive({ kind: 'set_value', id, value });
+    adapter.receive({ kind: 'set_value', id, value });
     expect(sensed(simulator)).toEqual([]);
     expect(news()).toEqual([]);
   });
 
   it('passes on a press that is down and up in one breath, and one more that comes without an up', async () => {
-    const { simulator, door, flash } = opened();
+    const { simulator, adapter, flash } = opened();
     await flash();
-    for (const value of [1, 0, '1', '1']) door.receive({ kind: 'set_value', id: 'buttonA', value });
+    for (const value of [1, 0, '1', '1']) adapter.receive({ kind: 'set_value', id: 'buttonA', value });
     const values = sensed(simulator).map((action) => (action.type === 'sensor' ? action.value : null));
     expect(values).toEqual([1, 0, 1, 0, 1]);
   });
@@ -282,24 +282,24 @@ describe('set_value', () => {
 
 describe('other messages', () => {
   it('set the language and the words of the board', () => {
-    const { simulator, door } = opened();
+    const { simulator, adapter } = opened();
     const translations = { 'button-a': 'Bouton A', 'touch-logo': ' ', other: 'x' };
-    door.receive({ kind: 'config', language: 'fr-CA', translations });
+    adapter.receive({ kind: 'config', language: 'fr-CA', translations });
     expect(simulator.settings().language).toBe('fr');
     expect(simulator.calls.at(-1)).toMatchObject({ settings: { labels: { 'button-a': 'Bouton A' } } });
-    door.receive({ kind: 'config', language: 'ko', translations: {} });
+    adapter.receive({ kind: 'config', language: 'ko', translations: {} });
     expect(simulator.settings().language).toBe('fr');
   });
 
   it('mute, type and come by radio, also before a program has switched the radio on', async () => {
-    const { simulator, door, flash } = opened();
+    const { simulator, adapter, flash } = opened();
     await flash();
-    door.receive({ kind: 'mute' });
+    adapter.receive({ kind: 'mute' });
     expect(simulator.settings().muted).toBe(true);
-    door.receive({ kind: 'unmute' });
+    adapter.receive({ kind: 'unmute' });
     expect(simulator.settings().muted).toBe(false);
-    door.receive({ kind: 'serial_input', data: '\x03' });
-    door.receive({ kind: 'radio_input', data: Uint8Array.of(1, 0, 1, 104) });
+    adapter.receive({ kind: 'serial_input', data: '\x03' });
+    adapter.receive({ kind: 'radio_input', data: Uint8Array.of(1, 0, 1, 104) });
     expect(simulator.calls.slice(-2)).toEqual([
       { call: 'input', action: { type: 'serial', text: '\x03' } },
       { call: 'input', action: { type: 'radio', bytes: [1, 0, 1, 104] } },
@@ -307,21 +307,21 @@ describe('other messages', () => {
   });
 
   it('that nobody knows are let by, whatever they are', () => {
-    const { simulator, door, news } = opened();
+    const { simulator, adapter, news } = opened();
     news();
     const before = simulator.calls.length;
     const trap = new Proxy({}, { get: () => { throw new Error('looked at'); } }); // prettier-ignore
     for (const message of [null, undefined, 1, 'flash', [], {}, { kind: 'toString' }, { type: 'flash' }, trap])
-      door.receive(message);
+      adapter.receive(message);
     expect(simulator.calls.length).toBe(before);
     expect(news()).toEqual([]);
   });
 
-  it('are heard no more once the door is closed', () => {
-    const { simulator, door, news } = opened();
+  it('are heard no more once the adapter is closed', () => {
+    const { simulator, adapter, news } = opened();
     news();
-    door.close();
-    door.receive({ kind: 'mute' });
+    adapter.close();
+    adapter.receive({ kind: 'mute' });
     simulator.tell({ type: 'output', text: 'x' });
     expect(simulator.settings().muted).toBe(false);
     expect(simulator.listenerCount).toBe(0);

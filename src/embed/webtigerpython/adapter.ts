@@ -9,7 +9,7 @@ import { filesOfList, filesOfText } from '#project/webtigerpython/files-in-link'
 import { deviceCalled } from '#project/webtigerpython/device-names';
 import type { Ended } from '#simulation/simulation';
 
-import type { Door, OpenDoor, Outside } from '../door';
+import type { Adapter, CreateAdapter, HostConnection } from '../adapter';
 import {
   PARTS,
   type EmbeddedSimulator,
@@ -26,18 +26,18 @@ import { flagOf, languageOf, partsOfLayout, PICTURE } from './words';
 const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
 
 /** Makes the adapter; the page is then ready, and says so. */
-export const openWebTigerPythonDoor: OpenDoor = (simulator, outside): Door => {
+export const createWebTigerPythonAdapter: CreateAdapter = (simulator, connection): Adapter => {
   let isOpen = true;
   const post = (message: PageMessage): void => {
-    if (isOpen) outside.post(message);
+    if (isOpen) connection.post(message);
   };
-  const teller = new Teller(simulator, outside, post);
-  const unlisten = simulator.listen((event) => teller.hear(event));
+  const sender = new EventSender(simulator, connection, post);
+  const unlisten = simulator.listen((event) => sender.hear(event));
   post({ type: 'pythonReady', data: null });
   return {
     receive(message) {
       const read = isOpen ? judged(message) : null;
-      if (read !== null) obey(read, simulator, teller);
+      if (read !== null) obey(read, simulator, sender);
     },
     close() {
       isOpen = false;
@@ -56,16 +56,16 @@ function judged(message: unknown): HostMessage | null {
   }
 }
 
-function obey(message: HostMessage, simulator: EmbeddedSimulator, teller: Teller): void {
+function obey(message: HostMessage, simulator: EmbeddedSimulator, sender: EventSender): void {
   switch (message.type) {
     case 'files':
-      return bring(message.data, simulator, teller);
+      return bring(message.data, simulator, sender);
     case 'settings':
       for (const settings of settingsOf(message.data, simulator.settings().parts)) simulator.change(settings);
-      if (message.data.code !== undefined) bring(message.data.code, simulator, teller);
+      if (message.data.code !== undefined) bring(message.data.code, simulator, sender);
       return;
     case 'run_code':
-      teller.run();
+      sender.run();
       return;
     default:
       message satisfies never;
@@ -75,11 +75,11 @@ function obey(message: HostMessage, simulator: EmbeddedSimulator, teller: Teller
 function bring(
   program: Extract<HostMessage, { type: 'files' }>['data'],
   simulator: EmbeddedSimulator,
-  teller: Teller,
+  sender: EventSender,
 ): void {
   const files = typeof program === 'string' ? filesOfText(program) : filesOfList([program].flat());
   const problem = files === null ? 'There is no program in it.' : simulator.setFiles(files);
-  if (problem !== null) teller.complain(problem);
+  if (problem !== null) sender.complain(problem);
 }
 
 /** Applies each field separately: one that fails does not affect the others. */
@@ -108,14 +108,14 @@ function partsOf(data: SettingsData, shown: readonly Part[]): readonly Part[] | 
 }
 
 /** Tells the host about the run. */
-class Teller {
+class EventSender {
   private readonly printing = new Printing((data) => this.post({ type: 'output', data }));
   private heldSinceMs = 0;
   private complaints = 0;
 
   constructor(
     private readonly simulator: EmbeddedSimulator,
-    private readonly outside: Outside,
+    private readonly connection: HostConnection,
     private readonly post: (message: PageMessage) => void,
   ) {}
 
@@ -147,12 +147,12 @@ class Teller {
         this.printing.begin();
         return;
       case 'output':
-        this.heldSinceMs = this.outside.nowMs();
+        this.heldSinceMs = this.connection.nowMs();
         this.printing.add(event.text);
         return;
       case 'snapshot':
         // While only the world goes on, the program is over and its end is on the way.
-        if (event.snapshot.running === 'program' && this.outside.nowMs() - this.heldSinceMs > HOLD_MS)
+        if (event.snapshot.running === 'program' && this.connection.nowMs() - this.heldSinceMs > HOLD_MS)
           this.printing.release();
         return;
       case 'program-ended':
