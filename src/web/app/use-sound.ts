@@ -9,7 +9,7 @@ export function useTone({ run }: Pick<RunParts, 'run'>): ComputedRef<number> {
   return computed(() => (run.phase.value === 'running' ? (run.snapshot.value?.sound?.hz ?? 0) : 0));
 }
 
-/** Lets the run be heard in time at 1 × and slower, unless muted; says so when the browser does not let it. */
+/** Plays the run's sound in time at 1 × and slower, unless muted; reports if the browser does not allow it. */
 export function useSound({
   run,
   settings,

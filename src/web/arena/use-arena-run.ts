@@ -26,7 +26,7 @@ export function useArenaRun({ run, work, hand }: Pick<RunParts, 'run' | 'hand'> 
     return { ...object, at: [pose.xMm, pose.yMm], turn: pose.headingDeg / 45 };
   }
 
-  /** Without a run the hand says where the next one starts; the last picture of a stopped run would stand in the way. */
+  /** Without a run the hand tool sets where the next one starts; the last picture of a stopped run would hide that. */
   function prepare(): void {
     if (run.snapshot.value !== null) void run.reset();
   }

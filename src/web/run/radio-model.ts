@@ -12,10 +12,10 @@ export interface RadioEntry {
   readonly timeUs: number;
   /** Sent by the program, or by hand to the program. */
   readonly from: 'program' | 'hand';
-  /** Its text, or its bytes as hexadecimal digits where it is none. */
+  /** Its text, or its bytes as hexadecimal digits if it has none. */
   readonly text: string;
   readonly isText: boolean;
-  /** Sent by hand while the program's radio was off: nobody received it. */
+  /** Sent by hand while the program's radio was off: it was not received. */
   readonly isLost?: true;
 }
 
@@ -37,7 +37,7 @@ export class RadioModel {
 
   constructor(private readonly run: Pick<RunModel, 'input' | 'nowUs'>) {}
 
-  /** Adds what the program sent. @param dropped packets before these that nobody kept */
+  /** Adds packets of the program. @param dropped number of packets before these that were not kept */
   take(packets: readonly RadioPacket[], dropped: number): void {
     if (dropped > 0) this.isCut.value = true;
     if (packets.length === 0) return;

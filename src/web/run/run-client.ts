@@ -10,7 +10,7 @@ export interface WorkerPort {
   onerror: ((event: ErrorEvent) => void) | null;
 }
 
-/** What the client needs and whom it tells. */
+/** The client's needs and listeners. */
 export interface ClientOptions {
   createWorker(): WorkerPort;
   /** The compiled VM. */
@@ -21,7 +21,7 @@ export interface ClientOptions {
   onKilled(): void;
 }
 
-/** What a run is told between its start and its end. */
+/** The messages of a run between its start and its end. */
 export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
 
 /** Messages that wait for the VM of their run. Chosen: more than anyone does by hand until it is there. */
@@ -42,9 +42,9 @@ export class RunClient {
   private hasBegun = false;
   private spare: WorkerPort | null = null;
   private onStopped: (() => void) | null = null;
-  /** What was sent to a run whose VM is still to come; `null`: there is no such run. */
+  /** Messages sent to a run whose VM is still loading; `null` without such a run. */
   private early: ToRun[] | null = null;
-  /** Counts starts and stops, so that a start that had to wait for the VM notices that it is no longer wanted. */
+  /** Counts starts and stops, so that a start that had to wait for the VM notices that it is obsolete. */
   private turn = 0;
 
   constructor(private readonly options: ClientOptions) {}
@@ -69,7 +69,7 @@ export class RunClient {
     }
   }
 
-  /** A run is about to start; the one before, if any, is dropped. What is sent from here on is for the new one. */
+  /** A run is about to start; the previous one, if any, is dropped. Messages from now on are for the new one. */
   expect(): void {
     this.drop();
     this.turn += 1;
@@ -87,7 +87,7 @@ export class RunClient {
     await this.warmUp();
     await this.options.firmware(); // a worker that is still being made ready gets its VM first
     if (turn !== this.turn) return;
-    await this.warmUp(); // in the place of one that broke meanwhile
+    await this.warmUp(); // replaces one that failed meanwhile
     if (turn !== this.turn) return;
     const worker = this.spare;
     if (worker === null) throw new Error(NO_WORKER);
@@ -114,7 +114,7 @@ export class RunClient {
   }
 
   /**
-   * Ends the run: by asking, and by force when there is no answer within `STOP_ANSWER_MS`. One that has not begun ends at
+   * Ends the run: politely, and by force without an answer within `STOP_ANSWER_MS`. One that has not begun ends at
    * once.
    */
   stop(): Promise<StopResult> {

@@ -9,8 +9,8 @@ import { SPEEDS, type FromWorker, type RunEvents, type Speed } from './worker/pr
 import { RunClient, type ClientOptions } from './run-client';
 
 /**
- * Where a run stands. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: likewise, ended by
- * force. `failed`: broken inside or never started.
+ * State of the run. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: the same, ended by
+ * force. `failed`: failed inside or never started.
  */
 export type RunPhase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';
 
@@ -69,18 +69,18 @@ export class RunModel {
     });
   }
 
-  /** Makes the next run immediate. Failing is not told: the run will. */
+  /** Makes the next run immediate. A failure is not reported here: the run will report it. */
   warmUp(): void {
     this.client.warmUp().catch(() => undefined);
   }
 
-  /** What every Run button does: the program runs, or a host that brings the program first is asked for it. */
+  /** For every Run button: runs the program, or asks a host that sends the program first. */
   press(): void {
     if (this.ask.value === null) void this.start();
     else this.ask.value();
   }
 
-  /** Starts anew, also while a run is under way; `paused` starts it standing still. */
+  /** Starts a new run, also during a run; with `paused` it starts paused. */
   async start(paused = false): Promise<void> {
     this.starts += 1;
     const { starts } = this;
@@ -95,7 +95,7 @@ export class RunModel {
     this.startsPaused = paused;
     this.host.onStart();
     const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
-    if (!isWanted()) return; // whoever heard of the start has stopped it
+    if (!isWanted()) return; // a listener of the start has stopped it
     try {
       await this.client.start(this.host.setup(), this.speed, paused);
     } catch {
@@ -108,7 +108,7 @@ export class RunModel {
   /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
   private starts = 0;
 
-  /** Ends the run, or its start; the last picture stays. Done when it is over, also for who asks a second time. */
+  /** Ends the run, or its start; the last picture stays. Every call resolves when the run is over. */
   stop(): Promise<void> {
     if (this.isActive.value && this.phase.value !== 'stopping') {
       this.phase.value = 'stopping';

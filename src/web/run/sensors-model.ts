@@ -17,7 +17,7 @@ export class SensorsModel {
     this.run.input({ type: 'sensor', id, value });
   }
 
-  /** A movement of the board: the program is told once, for every call anew. */
+  /** A movement of the board: each call reports it to the program again. */
   gesture(name: string): void {
     this.run.input({ type: 'sensor', id: 'gesture', value: name });
   }

@@ -6,7 +6,7 @@ export class Trail {
   /** x and y in mm alternately; two `NaN` where the hand lifted the robot. Only the first 2 · `count` are filled. */
   xyMm = new Float32Array(512);
   count = 0;
-  /** Another number whenever points have gone: what was drawn of them is no longer right. */
+  /** Changes whenever points were dropped: drawings made from them are then outdated. */
   generation = 0;
 
   /** Takes in points as a picture of the run brings them: x and y alternately. */

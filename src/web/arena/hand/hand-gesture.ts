@@ -12,10 +12,10 @@ export type Grip =
   /** By the ring: the thing looks to the pointer. `offsetRad` is what its heading was off at the start. */
   | { readonly kind: 'turn'; readonly offsetRad: number };
 
-/** One key press moves the robot so far: mm, and with Shift. Chosen: a ruler's mark, and the smallest whole step. */
+/** Movement of the robot per key press: mm, and with Shift. Chosen: a ruler's mark, and the smallest whole step. */
 const NUDGE_MM = { coarse: 10, fine: 1 };
 
-/** One key press turns it so far: rad, and with Shift. */
+/** One key press turns it by this much: rad, and with Shift. */
 const NUDGE_RAD = { coarse: Math.PI / 12, fine: Math.PI / 180 };
 
 /**
@@ -137,7 +137,7 @@ export function keepInside(pose: Pose, arena: ArenaSize, marginMm: number): Pose
   return { ...pose, xMm: clamp(pose.xMm, arena[0]), yMm: clamp(pose.yMm, arena[1]) };
 }
 
-/** The pose as it is told to others: tenths of a mm and of a degree. */
+/** The pose for messages: tenths of a mm and of a degree. */
 export function placedPose(pose: Pose): PlacedPose {
   const tenths = (value: number): number => Math.round(value * 10) / 10 + 0; // + 0 makes −0 a 0
   const deg = tenths((normalAngle(pose.headingRad) * 180) / Math.PI);

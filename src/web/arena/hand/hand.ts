@@ -62,7 +62,7 @@ interface PutDown {
   readonly atMs: number;
 }
 
-/** Snapshots that were under way when the hand let go may still show the old place: so long they are not believed. */
+/** Snapshots in transit when the hand let go may still show the old place: for this long they are ignored. */
 const SETTLE_MS = 250;
 
 /** How near counts, in CSS px: a finger's target is 44 px wide. */
@@ -235,8 +235,8 @@ export class Hand {
   }
 
   /**
-   * To be called once per frame while something is held: tells where it is, if it was moved or if the run has carried
-   * it off meanwhile.
+   * Call it once per frame while something is held: reports its place if it was moved, or if the run has carried it
+   * off.
    */
   tick(): void {
     const hold = this.#hold;
@@ -390,7 +390,7 @@ export class Hand {
   }
 }
 
-/** Radius of the ring around the robot, in CSS px: outside the body and what hangs on it, never too small for a finger. */
+/** Radius of the ring around the robot, in CSS px: outside body and attachments, never too small for a finger. */
 export function ringRadiusPx(view: View, robot: Omit<RobotShape, 'pose'>): number {
   const radiusMm = Math.max(robotRadiusMm(robot), (robot.frontMm ?? 0) * robot.scale);
   return Math.max(radiusMm * view.pxPerMm + 20, 48);

@@ -29,7 +29,7 @@ export interface BlockSprites {
   keepOnly(blocks: readonly PlacedBlock[]): void;
 }
 
-/** So far a block moves on its canvas until that follows, in px. */
+/** A block moves this far on its canvas until the canvas follows, in px. */
 const ROOM_PX = 32;
 
 interface Shown {

@@ -24,7 +24,7 @@ export interface MovingScene {
   readonly robotHeld: boolean;
   readonly display: ArrayLike<number>;
   readonly cone: ArenaCone | null;
-  /** What is shown besides the things themselves. */
+  /** Overlays that are shown with the things themselves. */
   readonly overlay: OverlayPicture | null;
   /** Simulated time for the cone's arcs, or `null` to keep them still. */
   readonly breathUs: number | null;
@@ -80,7 +80,7 @@ export function movingScene(parts: MovingParts, view: View): MovingScene {
   };
 }
 
-/** Draws blocks that nobody holds. Drawn again only when one of them has moved. */
+/** Draws blocks that nothing holds. They are redrawn only when one of them has moved. */
 export function drawBlocks(
   context: CanvasRenderingContext2D,
   view: View,

@@ -14,7 +14,7 @@ export interface MoverSprite {
 /** Room for the shadow, in px. */
 const RIM_PX = 8;
 
-/** The canvas for a moving obstacle at so many px per mm. */
+/** The canvas for a moving obstacle, at this many px per mm. */
 export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: number): MoverSprite {
   const half = Math.ceil((Math.hypot(size[0], size[1]) / 2) * pxPerMm + RIM_PX);
   return {

@@ -1,6 +1,6 @@
 /**
- * What the arena shows besides the things themselves: where the robot came by, what its line sensors see, around what it
- * turns, and chains of lights that lie on it. Loaded when the first of these is wanted.
+ * Overlays of the arena: the robot's trail, the readings of its line sensors, its centre of rotation, and chains of
+ * lights on it. Loaded when the first of these is wanted.
  */
 import type { Pose, Vec } from '#core/geometry';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
@@ -115,7 +115,7 @@ export function createOverlays(): Overlays {
 
 const NOTHING: OverlayPicture = { boxes: [], under: () => undefined, over: () => undefined };
 
-/** How far ahead of and behind its axle the robot ends, with what hangs on it, in mm. */
+/** Extent of the robot ahead of and behind its axle, with its attachments, in mm. */
 function lengthOf({ now, look, scale }: ShownRobot): Pick<LabelRow, 'frontMm' | 'backMm'> {
   const xs = look.body.outlineMm.flat().map(({ x }) => x);
   const frontMm = Math.max(...xs, attachmentFrontMm(now.state.attachments));
@@ -168,7 +168,7 @@ function drawChain(
 function createBoardShelf() {
   const made = new Map<string, LightBoard>();
   return {
-    /** A board with at least so many canvas pixels per distance between lights. */
+    /** A board with at least this many canvas pixels per distance between lights. */
     at(form: LightForm, count: number, unit: number): LightBoard {
       const fine = Math.SQRT2 ** resolutionStep(unit);
       const key = [form, count, fine].join();

@@ -21,7 +21,7 @@ export interface BlockSources {
   readonly scene: () => MovingScene;
 }
 
-/** The layer of the blocks that nobody holds. */
+/** The layer of the blocks that nothing holds. */
 export interface BlocksLayer {
   /** Asks for the layer to be painted: the view has changed. */
   draw(): void;
@@ -29,13 +29,13 @@ export interface BlocksLayer {
   update(scene: MovingScene): void;
 }
 
-/** From so many blocks on, those that lie still are kept as a picture. Chosen: fewer are painted in 2 ms. */
+/** From this number of blocks on, resting ones are kept as a picture. Chosen: fewer are painted in 2 ms. */
 const MANY = 40;
 
-/** At most so many blocks have a canvas of their own. Chosen: far more would cost as much as painting all. */
+/** At most this many blocks have a canvas of their own. Chosen: far more would cost as much as painting all. */
 const MOST_PUSHED = 24;
 
-/** Draws the blocks that nobody holds: those that have moved lately on canvases of their own, the others on a large one. */
+/** Draws the blocks that nothing holds: recently moved ones on canvases of their own, the others on a large one. */
 export function useBlocksLayer(sources: BlockSources): BlocksLayer {
   const { picture } = sources;
   const cache = createStillCache<PlacedBlock>(liesStill);

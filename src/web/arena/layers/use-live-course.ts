@@ -24,7 +24,7 @@ export function useLiveCourse(sources: LiveCourseSources): ComputedRef<LiveScene
   });
 }
 
-/** Nearer to its start than this the robot stands on it: mm, rad. Chosen: its outline would only double its rim. */
+/** A robot nearer to its start than this is at its start: mm, rad. Chosen: its outline would only double its rim. */
 const NEAR = { mm: 4, rad: 0.05 };
 
 /** Where the robot starts, if it stands elsewhere now: then its outline is drawn there. */

@@ -16,7 +16,7 @@ export interface OverlaySources {
   readonly ready: () => void;
 }
 
-/** What the arena shows besides the things themselves, for a scene. Its code comes when the first of it is wanted. */
+/** The overlays of a scene. Their code is loaded when the first one is wanted. */
 export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
   const overlays = shallowRef<Overlays | null>(null);
   const isWanted = (): boolean => {

@@ -2,7 +2,7 @@ import { onBeforeUnmount, onMounted, watch } from 'vue';
 import type { ArenaRobot } from '../picture/arena-model';
 import { degreesOf } from '../picture/arranged';
 
-/** How often the marks change at most, in ms: enough for whoever watches from outside, too little to cost a frame. */
+/** Shortest interval between changes of the marks, in ms: short enough for observers, too long to cost a frame. */
 const RENEW_MS = 100;
 
 /** Writes the robot's place onto `element` as data-x-mm, data-y-mm and data-heading-deg, with one decimal each. */

@@ -12,7 +12,7 @@ import { areMany, createStillCache, type StillFrame } from '../picture/still-cac
 import { useLayer } from '../view/use-layer';
 import type { ArenaView } from '../view/use-arena-view';
 
-/** What the layer with all that stands still shows. */
+/** Everything that the still layer shows. */
 export interface StillSources {
   readonly canvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;
   readonly picture: ArenaView;

@@ -27,7 +27,7 @@ export interface ArenaRobot {
   readonly pose: Pose;
   /** How far each wheel has turned since the start: left, right. */
   readonly wheelTurnRad: readonly [number, number];
-  /** Length of the way since the start. */
+  /** Length of the path since the start. */
   readonly pathMm: number;
   /** Turned since the start, counter-clockwise positive, not wrapped. */
   readonly turnedRad: number;
@@ -44,7 +44,7 @@ export interface ArenaRobotState {
   readonly ultrasonic: ArenaCone | null;
   /** Whether each half of the bumper is pressed; `null` while the robot carries none. */
   readonly bumper: { readonly left: boolean; readonly right: boolean } | null;
-  /** What hangs on its servos; left out: nothing. */
+  /** Its attachments; left out: none. */
   readonly attachments?: readonly ArenaAttachment[];
 }
 
@@ -113,7 +113,7 @@ export interface PlacedPose {
   readonly headingDeg: number;
 }
 
-/** What is drawn besides the things themselves. */
+/** The overlays. */
 export interface ArenaOptions {
   /** The ultrasonic cone with its hit point and distance. */
   readonly cone: boolean;

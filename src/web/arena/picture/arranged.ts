@@ -3,7 +3,7 @@ import type { Block, Scene } from '#scene/scene';
 import type { ArenaRobot, ArenaRobotState, ArenaSnapshot, PlacedBlock } from './arena-model';
 import { placedBlock } from './draw-blocks';
 
-/** What stands in the arena at one moment. */
+/** The content of the arena at one moment. */
 export interface Arranged {
   readonly robot: ArenaRobot | null;
   /** The blocks that can be pushed. */

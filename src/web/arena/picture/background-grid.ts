@@ -17,7 +17,7 @@ export function gridPicture(background: Background): HTMLCanvasElement | null {
   return canvas;
 }
 
-/** Opaque greys, a whole pixel in each number, as canvases of little-endian machines have them (all that browsers run on). */
+/** Opaque greys, one pixel per number, in the order of little-endian machines (all that browsers run on). */
 export function pixelsOf(levels: Uint8Array): Uint32Array {
   const greys = Uint32Array.from({ length: BRIGHTEST_LEVEL + 1 }, (_, level) => {
     const grey = Math.round((level * 255) / BRIGHTEST_LEVEL);

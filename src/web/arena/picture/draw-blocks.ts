@@ -119,7 +119,7 @@ function drawStripes(context: CanvasRenderingContext2D, width: number, height: n
   context.stroke();
 }
 
-/** An icon of 24 units in the middle, so many mm wide; nothing when it would be a mere dot. */
+/** An icon of 24 units in the middle, this many mm wide; nothing if it would be a mere dot. */
 export function drawIcon(
   context: CanvasRenderingContext2D,
   icon: Path2D,

@@ -8,7 +8,7 @@ export function floorPx(view: View, arena: ArenaSize): PxBox {
   return { left: corner.x, top: corner.y, width: arena[0] * view.pxPerMm, height: arena[1] * view.pxPerMm };
 }
 
-/** The part of the canvas where things may be seen: all of it, but for rulers that lie over a floor out of sight. */
+/** The visible part of the canvas: all of it, except where rulers cover floor that is out of sight. */
 export function sightPx(view: View, arena: ArenaSize, canvas: CanvasSize): PxBox {
   const floor = floorPx(view, arena);
   const margin = marginsPx(canvas);
@@ -67,7 +67,7 @@ export function drawRim(context: CanvasRenderingContext2D, view: View, arena: Ar
 /** Distances a grid line may have, in mm: each a round number of cm, or 5 mm under the magnifying glass. */
 const GRID_STEPS_MM = [5, 10, 50, 100, 500, 1000, 5000];
 
-/** Distances in mm of the faint, the ordinary and the strong grid lines at so many px per mm. */
+/** Distances in mm of the faint, the ordinary and the strong grid lines at this many px per mm. */
 export function gridSteps(pxPerMm: number): { fineMm: number; mm: number; strongMm: number } {
   const first = GRID_STEPS_MM.findIndex((step) => step * pxPerMm >= 18); // chosen: closer lines look grey
   const index = first < 0 ? GRID_STEPS_MM.length - 1 : first;

@@ -6,7 +6,7 @@ import { drawIcon, inFrameOf, roundRect } from './draw-blocks';
 import type { Palette } from './palette';
 import { toPx, type View } from '../view/view-transform';
 
-/** A box of the course as it stands at the start. */
+/** A box of the course in its place at the start. */
 export function placedBox(box: Spikes | Mover): PlacedBlock {
   return { id: box.id, pose: startPose(box), sizeMm: { x: box.size[0], y: box.size[1] } };
 }
@@ -73,7 +73,7 @@ export function teeth(size: Vec): readonly Vec[] {
   return points;
 }
 
-/** Draws a moving obstacle where it is now: yellow, with an arrow along its way; with teeth if it is spiked. */
+/** Draws a moving obstacle where it is now: yellow, with an arrow along its path; with teeth if it is spiked. */
 export function drawMover(
   context: CanvasRenderingContext2D,
   view: View,
@@ -107,10 +107,10 @@ export function drawMover(
   inFrameOf(context, view, box, false, radius, paint, mover.spiked ? () => teethPath(context, box.sizeMm) : undefined);
 }
 
-/** Direction of a mover's way, counter-clockwise from +x. */
+/** Direction of a mover's path, counter-clockwise from +x. */
 const wayRad = ({ at, to }: Mover): number => Math.atan2(to[1] - at[1], to[0] - at[0]);
 
-/** Draws the way of a moving obstacle on the floor: dashes, and its outline where it turns round. */
+/** Draws the path of a moving obstacle on the floor: dashes, and its outline at the turning point. */
 export function drawTrack(context: CanvasRenderingContext2D, view: View, mover: Mover, palette: Palette): void {
   const from = toPx(view, { x: mover.at[0], y: mover.at[1] });
   const to = toPx(view, { x: mover.to[0], y: mover.to[1] });

@@ -15,7 +15,7 @@ export function labelSize({ text, height }: { readonly text: string; readonly he
  * Begins a path around an object, in CSS px; of a moving obstacle, where it starts. Of a line it is the line itself, to
  * be stroked wider than the line is.
  *
- * @param growPx so far outside of the object
+ * @param growPx distance outside the object
  */
 export function outlinePath(context: CanvasRenderingContext2D, view: View, object: SceneObject, growPx: number): void {
   context.beginPath();
@@ -39,7 +39,7 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
   context.restore(); // the path keeps its place
 }
 
-/** Middle, direction and extent of an object that is no line. */
+/** Middle, direction and extent of an object other than a line. */
 function frameOf(object: Exclude<SceneObject, { type: 'stroke' }>): { at: Vec; angleRad: number; size: Vec } {
   if (object.type === 'wall') {
     const { from, to, thickness } = object;

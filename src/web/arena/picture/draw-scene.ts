@@ -27,11 +27,11 @@ export type PaintObjects = (
 ) => void;
 
 /**
- * Draws all of a course that does not move: floor, background, grid, zones, lines, words, walls, fixed blocks, spikes,
- * rulers. Drawn again only when the course, the view or the theme changes.
+ * Draws everything in a course that does not move: floor, background, grid, zones, lines, words, walls, fixed blocks,
+ * spikes, rulers. Drawn again only when the course, the view or the theme changes.
  *
  * @param context draws in CSS px
- * @param keep paints lines and walls, which may be many, in its own way
+ * @param keep paints lines and walls, which may be many, from a cache
  */
 export function drawScene(
   context: CanvasRenderingContext2D,

@@ -5,7 +5,7 @@ import type { View } from '../view/view-transform';
 /** Points nearer to each other than this, in px, are drawn as one. */
 const NEAR_PX = 0.6;
 
-/** White and yellow lines have a rim of so many px, so that a light floor does not swallow them. */
+/** White and yellow lines have a rim of this many px, so that they remain visible on a light floor. */
 const RIM_PX = 1.5;
 
 /** A line made ready for a zoom: `step` as of `pathStep`. */
@@ -16,7 +16,7 @@ interface MadePath {
 
 const made = new WeakMap<Stroke, MadePath>();
 
-/** Lines are made anew when the zoom has changed by a factor of 2. */
+/** Lines are rebuilt when the zoom has changed by a factor of 2. */
 export const pathStep = (pxPerMm: number): number => Math.ceil(Math.log2(Math.max(pxPerMm, 1 / 64)));
 
 /** Draws a line with round ends and joints. Its path is kept for the next time. */
@@ -54,7 +54,7 @@ function pathOf(stroke: Stroke, pxPerMm: number): Path2D {
   return path;
 }
 
-/** The points without those nearer than so many mm to the one before; both ends stay. */
+/** The points, without those nearer than this many mm to the previous one; both ends stay. */
 export function thinned(points: Stroke['points'], nearMm: number): Stroke['points'] {
   const kept: (readonly [number, number])[] = [];
   points.forEach((point, i) => {

@@ -5,7 +5,7 @@ import { toPx, type View } from '../view/view-transform';
 /** How high a course of bricks is at least, in mm; walls of 10 mm have two of them. */
 const COURSE_MM = 5;
 
-/** A brick is so many times longer than high. */
+/** Ratio of a brick's length to its height. */
 const BRICK = 3.4;
 
 /** A place where ends of walls meet. */

@@ -95,7 +95,7 @@ function drawChequers(context: CanvasRenderingContext2D, zone: Zone, palette: Pa
     for (let row = 0; row < ROWS; row += 1) {
       const inset = (row + 0.5) * square;
       const [a, b] = [width / 2 - inset, height / 2 - inset];
-      // The way round (Ramanujan), so that the last square meets the first.
+      // The circumference (Ramanujan), so that the last square meets the first.
       const round = Math.PI * (3 * (a + b) - Math.sqrt((3 * a + b) * (a + 3 * b)));
       const dash = round / (2 * Math.max(4, Math.round(round / square / 2)));
       context.setLineDash([dash, dash]);
@@ -207,7 +207,7 @@ let shared: { readonly flag: Path2D; readonly check: Path2D } | null = null;
 /** Width of the rim around a glyph, in parts of 24 of its size: it fills the white squares of a flag as well. */
 const RIM = 4;
 
-/** An icon in the middle, so many mm from there to its edge; with a rim it can be read on a line. */
+/** An icon in the middle, this many mm from there to its edge; with a rim it can be read on a line. */
 function drawGlyph(
   context: CanvasRenderingContext2D,
   name: 'flag' | 'check',

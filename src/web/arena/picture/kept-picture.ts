@@ -1,12 +1,12 @@
 import { onBeforeUnmount } from 'vue';
 import type { StillFrame } from './still-cache';
 
-/** So long the view must stand still until a kept picture is painted sharp, in ms. */
+/** Shortest rest of the view before a cached picture is repainted sharp, in ms. */
 const SETTLE_MS = 140;
 
 /** Watches whether the view stands still. */
 export interface ViewRest {
-  /** To be told of each picture. Returns whether the view stood still since the one before. */
+  /** Call it for each picture. Returns whether the view stood still since the previous one. */
   settled(frame: StillFrame): boolean;
   /** The picture was not sharp: it is painted again as soon as the view stands still. */
   sharpenSoon(): void;

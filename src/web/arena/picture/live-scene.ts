@@ -18,9 +18,9 @@ export interface LiveScene {
 const nobody: ReadonlySet<string> = new Set();
 
 /**
- * Tells what of a course a run has, by the run's own rule (`pendingChanges`).
+ * Finds out which parts of a course a run has, by the run's own rule (`pendingChanges`).
  *
- * @param started the course as the run began with it, or `null`: there is no run
+ * @param started the course with which the run began, or `null` without a run
  */
 export function liveScene(course: Scene, started: Scene | null): LiveScene {
   if (started === null || started === course)

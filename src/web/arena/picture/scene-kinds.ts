@@ -38,7 +38,7 @@ export interface SceneKinds {
 /**
  * Makes the drawing of one arena.
  *
- * @param ready called when a picture that was asked for can be drawn
+ * @param ready called when a requested picture can be drawn
  */
 export function createSceneKinds(ready: () => void): SceneKinds {
   const shelf = createBackgroundShelf(ready);

@@ -10,7 +10,7 @@ export interface StillFrame {
   /** Canvas pixels per CSS px. */
   readonly ratio: number;
   readonly palette: Palette;
-  /** Anything else: another one has everything painted anew. */
+  /** Everything else: if it changes, everything is repainted. */
   readonly look: unknown;
 }
 
@@ -38,7 +38,7 @@ export interface StillCache<T> {
 /** Courses of less than this many points and objects are painted at once: that is as quick, and always sharp. */
 const MANY = 1500; // chosen: 4 ms on the reference tablet
 
-/** How much there is to paint, in points; an object counts like so many. */
+/** Amount of painting, in points; an object counts as this many. */
 const OBJECT_POINTS = 20;
 
 /** Whether a picture of these objects should be kept. */

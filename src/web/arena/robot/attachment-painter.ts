@@ -1,9 +1,9 @@
 /**
- * Draws what hangs on a robot's servos, from the drawings of `#attachments/drawings`. Loaded late.
+ * Draws the attachments on a robot's servos, from the drawings of `#attachments/drawings`. Loaded late.
  *
- * Forks and shovels go under blocks, so they are drawn before the robot, and the blocks on them once more; all else is
- * drawn over the robot's front. Height shows by the shadow: it moves away from what is lifted, which itself comes a
- * little nearer to the eye.
+ * Forks and shovels go under blocks, so they are drawn before the robot, and the blocks on them once more; everything
+ * else is drawn over the robot's front. The shadow shows height: it moves away from the lifted thing, which itself is
+ * drawn a little larger.
  */
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
@@ -84,7 +84,7 @@ export function bodySprites({ state }: ArenaRobot, painting: RobotPainting): Spr
   return (turned ? workshopOf(painting).sonar?.body : null) ?? painting.sprites;
 }
 
-/** Draws forks and shovels, and the blocks that lie on them. To be called before the robot is drawn. */
+/** Draws forks and shovels, and the blocks on them. Call it before the robot is drawn. */
 export function drawForks(
   context: CanvasRenderingContext2D,
   view: View,
@@ -112,7 +112,7 @@ export function drawForks(
   }
 }
 
-/** Draws all other parts. To be called after the robot was drawn. */
+/** Draws all other parts. Call it after the robot was drawn. */
 export function drawFront(context: CanvasRenderingContext2D, view: View, ratio: number, painted: PaintedRobot): void {
   const canvas = { context, view, ratio };
   for (const { attachment, parts } of frontOf(painted)) {
@@ -125,8 +125,8 @@ export function drawFront(context: CanvasRenderingContext2D, view: View, ratio: 
 }
 
 /**
- * All parts that are no fork. What stands beside a lift is fixed to it: a claw rides up, and its shadow falls on the floor,
- * not on what it holds. The lift's own mast stays.
+ * All parts except forks. A part beside a lift is fixed to it: a claw rides up, and its shadow falls on the floor, not
+ * on the block it holds. The lift's own mast stays.
  */
 function frontOf(
   painted: PaintedRobot,

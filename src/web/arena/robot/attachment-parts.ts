@@ -11,7 +11,7 @@ export interface AttachmentPart {
   readonly viewBox: Box;
   /** What it turns about, in drawing units. */
   readonly pivot: Vec;
-  /** How far it is turned while nobody says otherwise, counter-clockwise. */
+  /** Its default rotation, counter-clockwise. */
   readonly restRad: number;
 }
 

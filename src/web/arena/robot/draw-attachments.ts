@@ -11,7 +11,7 @@ type Painter = typeof attachmentPainterFile;
 let painter: Painter | null = null;
 let coming: Promise<Painter> | null = null;
 
-/** The painter for what hangs on this robot; `null` when nothing does, or while it is still on its way. */
+/** The painter for this robot's attachments; `null` without any, or while it is loading. */
 export function attachmentPainter(state: ArenaRobotState, painting: RobotPainting): Painter | null {
   if ((state.attachments ?? []).length === 0) return null;
   if (painter === null) {
@@ -38,12 +38,12 @@ export function attachmentReachMm(state: ArenaRobotState): number {
 /** From the mount to the front end of each attachment, in mm of the real robot: the upper edge of its drawing. */
 export const LENGTH_MM: Readonly<Record<string, number>> = { claw: 64, forklift: 66, loader: 52, push: 22 };
 
-/** How far ahead of the axle what hangs on a robot ends, in mm of the real robot; 0 without any. */
+/** Extent of the attachments ahead of the axle, in mm of the real robot; 0 without any. */
 export function attachmentFrontMm(attachments: readonly ArenaAttachment[] = []): number {
   return Math.max(0, ...attachments.map(({ type, atMm }) => atMm.x + (LENGTH_MM[type] ?? 0)));
 }
 
-/** What hangs on a robot with these options before it runs. */
+/** The attachments of a robot with these options before it runs. */
 export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly ArenaAttachment[] {
   if (mountMm === null) return [];
   return Object.values(options)

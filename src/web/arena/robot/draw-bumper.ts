@@ -2,7 +2,7 @@ import type { ArenaRobotState } from '../picture/arena-model';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf, type RobotSprite, type SpriteShelf } from './robot-sprite';
 
-/** How far a pressed half gives way, in mm. Chosen: twice the way of a microswitch, so that it is seen. */
+/** Travel of a pressed half, in mm. Chosen: twice the travel of a microswitch, to be visible. */
 const PRESSED_MM = 3;
 
 /** A pressed half is tinted: at a small zoom 3 mm are hardly a pixel. */
@@ -41,7 +41,7 @@ export interface BumperSprite {
   readonly pushedMm: number;
 }
 
-/** The halves of the bumper that the robot carries now, at so many canvas pixels per mm; none without one. */
+/** The halves of the bumper that the robot carries now, at this many canvas pixels per mm; empty without a bumper. */
 export function bumperSprites(painting: RobotPainting, state: ArenaRobotState, pixelsPerMm: number): BumperSprite[] {
   const bumper = state.bumper === null ? null : bumperOf(painting);
   if (bumper === null) return [];

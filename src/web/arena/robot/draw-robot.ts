@@ -28,7 +28,7 @@ export function paintedRadiusMm(drawing: RobotDrawing): number {
   return Math.max(corner + 10, ...lights) * HELD_SIZE;
 }
 
-/** Light on the floor reaches so many times farther than the light's circle in the drawing. */
+/** Ratio of the radius of the light on the floor to the light's circle in the drawing. */
 const UNDERGLOW_REACH = 1.75;
 
 /** Draws the robot: shadow, light on the floor, body, and what lives on it. */

@@ -27,10 +27,10 @@ const LABEL = { perDigit: 7, rim: 8, height: 19, gap: 3, away: 10.5 };
 /** A row of readings may be as wide as this on the floor, in mm of the real robot: else it would bury the robot. Chosen: three robots. */
 const WIDEST_ROW_MM = 330;
 
-/** Readings may come nearer to the robot by so much, in px, where the rim of the arena pushes them. */
+/** The rim of the arena may push readings this much nearer to the robot, in px. */
 const NEARER_PX = 6;
 
-/** So far around an obstacle that the distance sensor sees stands the label of its distance, in px. */
+/** Distance of the label from an obstacle that the distance sensor sees, in px. */
 const HIT_PX = 66;
 
 /** A reading beside its sensor, px. */
@@ -55,7 +55,7 @@ export interface LabelRow {
 
 /**
  * Places the readings in a row ahead of the robot, in the order of the sensors from left to right and far enough from
- * each other to be read; behind it where there is no room ahead. None where the picture is too small for them.
+ * each other to be read; behind it if there is no room ahead, and nowhere if the picture is too small.
  *
  * @param scale size of the robot compared with the real one
  */

@@ -100,7 +100,7 @@ function strokeWith(context: CanvasRenderingContext2D, path: Path2D, color: stri
 /** How often the canvas of the trail is painted at most, in ms: it is large, and what is newer is drawn with the robot. */
 const RENEW_MS = 250;
 
-/** What the canvas of a trail shows: whatever of it is another, it is painted anew. */
+/** Everything that the canvas of a trail shows: any change repaints it. */
 export interface TrailFrame {
   readonly canvas: HTMLCanvasElement;
   readonly widthPx: number;

@@ -6,19 +6,19 @@ import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
  * Rules for a robot.svg: 1 unit = 1 mm; seen from above, front up (x = to the right, y = backward), origin in the
  * middle of the axle; `viewBox` around everything. It shows the robot at rest with all lights off. Parts are found by
  * their `id`, which stands on the shape itself or on a group around it (of circles, the one of class `lit` counts,
- * else the first that is no `glow`); they must not lie in a transformed group:
- * - `wheel-left`, `wheel-right`: a `<rect>`, the tyre. What is of class `tread` in it gives way to a moving tread.
- * - `rgb-0` … : a `<circle>` per colour light under the body, two or four or how many there are, in the order of the
- *   robot's state. A place only, left out of the picture: its light falls on the floor around it, from where the circle
- *   is up to 1.75 times as far.
+ * otherwise the first without class `glow`); they must not lie in a transformed group:
+ * - `wheel-left`, `wheel-right`: a `<rect>`, the tyre. A moving tread replaces the parts of class `tread` in it.
+ * - `rgb-0` … : a `<circle>` per colour light under the body, any number, in the order of the robot's state. It only
+ *   marks a place and is not drawn: its light falls on the floor around it, from where the circle is up to 1.75 times
+ *   as far.
  * - `led-left`, `led-right`: a `<circle>` per red light.
  * - `line-NAME`: a `<circle>` per line sensor's light, NAME as in the robot's state.
  * - `display`: a group of 25 `<rect>`, row by row.
- * - `bumper`: a group with two groups `bumper-left` and `bumper-right`. Drawn below all else, and only while the robot
- *   carries its bumper; a half that is pressed moves 3 mm towards the axle and turns red.
+ * - `bumper`: a group with two groups `bumper-left` and `bumper-right`. Drawn below everything else, and only while the
+ *   robot carries its bumper; a pressed half moves 3 mm towards the axle and turns red.
  * - `ultrasonic`: the group of the distance sensor, which a servo may turn: see `attachment-parts.ts`.
  *
- * A part that is not there is not drawn live; nothing else depends on it.
+ * A missing part is not drawn live; nothing else depends on it.
  */
 export interface RobotDrawing {
   /** The text without what is a place only, without the treads and the bumper. */
@@ -30,7 +30,7 @@ export interface RobotDrawing {
   readonly leds: { readonly left: Spot | null; readonly right: Spot | null };
   /** By the name of the sensor. */
   readonly line: ReadonlyMap<string, Spot>;
-  /** The lights of the display, row by row; empty when there is none. */
+  /** The lights of the display, row by row; empty without a display. */
   readonly display: readonly Box[];
   /** A document with each half of the bumper alone. */
   readonly bumper: { readonly left: string; readonly right: string } | null;

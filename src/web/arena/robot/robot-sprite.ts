@@ -9,11 +9,11 @@ export interface RobotSprite {
   readonly shadowBox: Box;
 }
 
-/** Sprites of one drawing at the zooms asked for so far. */
+/** Sprites of one drawing at the zooms requested so far. */
 export interface SpriteShelf {
   /**
-   * The sprite for so many canvas pixels per mm, or the nearest one there is while that one is being made, or `null`
-   * when there is none yet (or the drawing cannot be read).
+   * The sprite for this many canvas pixels per mm, or the nearest one while it is being made, or `null` if there is
+   * none yet (or the drawing cannot be read).
    */
   at(pixelsPerMm: number): RobotSprite | null;
 }
@@ -27,18 +27,18 @@ const STEP = Math.SQRT2;
 /** Finest sprite made: beyond 24 pixels per mm (a robot of 2000 pixels) a sprite is stretched. */
 const FINEST_STEP = Math.round(Math.log(24) / Math.log(STEP));
 
-/** Which resolution step serves so many canvas pixels per mm; step n has √2ⁿ pixels per mm. */
+/** The resolution step for this many canvas pixels per mm; step n has √2ⁿ pixels per mm. */
 export function resolutionStep(pixelsPerMm: number): number {
   const exact = Math.log(Math.max(pixelsPerMm, 0.25)) / Math.log(STEP);
   return Math.min(FINEST_STEP, Math.ceil(exact - 1e-6));
 }
 
 /**
- * Makes sprites of a drawing when they are first needed. The browser reads the SVG as an image from a data URL
- * (allowed by `img-src data:`), which takes a moment.
+ * Makes sprites of a drawing when they are first needed. The browser reads the SVG as an image from a data URL (allowed
+ * by `img-src data:`), which takes a moment.
  *
  * @param ready called when a sprite has been made, so that the picture can be drawn again
- * @param tint a colour that covers all that is drawn; its alpha says how much
+ * @param tint a colour that covers everything; its alpha says how much
  */
 export function createSpriteShelf(
   drawing: Pick<RobotDrawing, 'svg' | 'viewBox'>,

@@ -8,7 +8,7 @@ export interface Moment {
   readonly pose: Pose;
   /** Turned since the start, not wrapped. */
   readonly turnedRad: number;
-  /** Length of the way since the start. */
+  /** Length of the path since the start. */
   readonly pathMm: number;
 }
 
@@ -28,13 +28,13 @@ const WINDOW_US = 60_000;
  */
 const LONGEST_US = 200_000;
 
-/** A circle larger than this, in mm, is a straight way to the eye. Chosen: the longest side of most arenas. */
+/** A circle larger than this, in mm, looks like a straight line. Chosen: the longest side of most arenas. */
 const WIDEST_MM = 1500;
 
-/** Turning slower than this, in rad/s, is none. Chosen: 1° in a second. */
+/** Turning slower than this, in rad/s, does not count. Chosen: 1° in a second. */
 const SLOWEST_RAD_PER_S = 0.0175;
 
-/** Rounding of positions: a robot that has come farther than its way is long by more than this was carried. */
+/** Rounding of positions: a robot that has moved farther than the length of its path by more than this was carried. */
 const CARRIED_MM = 1;
 
 /**
@@ -54,7 +54,7 @@ export function rotationCentre(before: Moment, now: Moment): RotationCentre | nu
     return null;
   const radiusMm = Math.abs(apartMm / 2 / half);
   if (radiusMm > WIDEST_MM) return null;
-  const toCentre = Math.cos(angle / 2) / half / 2; // left of the way, half a chord away for a quarter turn
+  const toCentre = Math.cos(angle / 2) / half / 2; // left of the path, half a chord away for a quarter turn
   return {
     atMm: {
       x: (before.pose.xMm + now.pose.xMm) / 2 - dy * toCentre,

@@ -28,7 +28,7 @@ export interface KeySources {
   readonly say: (words: string) => void;
 }
 
-/** So long the crosshair must rest until its place is said, in ms: whoever holds an arrow key hears the end of the way. */
+/** Shortest rest of the crosshair before its place is announced, in ms: a held arrow key announces only the end. */
 const SAY_MS = 350;
 
 /** The keys of the arena while a tool is chosen. */

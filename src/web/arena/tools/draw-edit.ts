@@ -114,7 +114,7 @@ function drawTip(context: CanvasRenderingContext2D, { view }: EditFrame, tip: No
   context.restore();
 }
 
-/** The sign of the tool stands so far above the finger that covers what it does, in px. */
+/** Distance of the tool's sign above the finger that covers its work, in px. */
 const FINGER_PX = 62;
 
 function drawFinger(context: CanvasRenderingContext2D, { view, palette }: EditFrame, atMm: Vec, tool: ToolId): void {

@@ -1,6 +1,6 @@
 import type { PointerNews, ToolPointers } from './tool-pointers';
 
-/** The events of a gesture that a tool can be told later. */
+/** The events of a gesture, to be replayed to a tool later. */
 export type GestureEvent = 'pointerdown' | 'pointermove' | 'pointerup' | 'pointercancel';
 
 /** Pointers that came before the code of the tools: the first tap acts, also on a slow line. */
@@ -18,7 +18,7 @@ export function createEarlyPointers(): EarlyPointers {
   let noted: { readonly name: GestureEvent; readonly news: PointerNews }[] = [];
   return {
     note(name, event) {
-      const isGesture = noted.length > 0 || name === 'pointerdown'; // hovering is no gesture
+      const isGesture = noted.length > 0 || name === 'pointerdown'; // hovering is not a gesture
       if (!isGesture || noted.length >= MOST) return;
       noted.push({ name, news: copyOf(event) });
     },

@@ -17,7 +17,7 @@ export function isSameGhost(one: Ghost, other: Ghost): boolean {
   return true;
 }
 
-/** What a tool would change, compared with the course: objects as they would be, and which ones would be others or gone. */
+/** The effect of a tool on the course: changed objects as they would be, and the ids of changed or removed ones. */
 export interface GhostObjects {
   readonly shown: Scene['objects'];
   readonly hidden: ReadonlySet<string>;

@@ -5,7 +5,7 @@ import { countOf, removed, selectAll } from '#editor/selection';
 import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
 
-/** One press of an arrow key moves so far, and with Shift; mm. Chosen: a line of the grid, and the smallest whole step. */
+/** Movement per press of an arrow key, and with Shift; mm. Chosen: a line of the grid, the smallest whole step. */
 export const STEP_MM = { coarse: 10, fine: 1 };
 
 /** What keys do to what is selected. */

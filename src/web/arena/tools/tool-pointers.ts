@@ -75,7 +75,7 @@ export function toolPointers(surface: ToolSurface): ToolPointers {
   };
 }
 
-/** How far a picture must move so that a place is at least so far from both of its edges. */
+/** Movement of the picture that keeps a place at least this far from both of its edges. */
 export function pushed(at: number, side: number): number {
   if (at < RIM_PX) return Math.round(RIM_PX - at);
   if (at > side - RIM_PX) return Math.round(side - RIM_PX - at);
@@ -94,7 +94,7 @@ function placesOf(event: PointerNews): readonly Vec[] {
   const last = placeOf(event);
   const merged = event.getCoalescedEvents?.() ?? [];
   if (merged.length < 2) return [last];
-  // Their offset is not told everywhere, their place in the window is.
+  // Browsers do not all report their offset, but all report their place in the window.
   return merged.map(({ clientX, clientY }) => ({
     x: last.x + clientX - event.clientX,
     y: last.y + clientY - event.clientY,

@@ -8,7 +8,7 @@ import { toMm, type ArenaSize, type View } from '../view/view-transform';
 export interface SurfacePorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
-  /** The chosen tool, or `null` while there is none. */
+  /** The chosen tool, or `null` for none. */
   readonly tool: () => Tool | null;
   readonly context: () => ToolContext;
   /** The switch that turns snapping off. */
@@ -46,7 +46,7 @@ export interface Ink {
 
 /** What is to be seen of a tool at one moment. */
 export interface SurfacePicture {
-  /** What the gesture amounts to so far, and the course with it. */
+  /** The result of the gesture so far, and the course with it. */
   readonly edit: SceneEdit | null;
   readonly after: Scene | null;
   readonly ink: Ink | null;
@@ -81,7 +81,7 @@ interface Gesture {
   adds: boolean;
   edit: SceneEdit | null;
   after: Scene | null;
-  /** The path has grown since the tool was asked. */
+  /** The path has grown since the last call of the tool. */
   isStale: boolean;
 }
 
@@ -372,10 +372,10 @@ const NOTHING: SurfacePicture = {
 
 const dragOf = ({ path, free, adds, reachMm }: Gesture): Drag => ({ path, free, adds, reachMm });
 
-/** Beyond so many points of lines the eraser shows where it went, and what is left of them at the end. Chosen: 5 ms. */
+/** Beyond this many points of lines, the eraser shows its path, and the remaining lines at the end. Chosen: 5 ms. */
 const MANY_POINTS = 4000;
 
-/** The way of an eraser over many lines, in the colour of paper: cutting all of them again for each picture takes too long. */
+/** The path of an eraser over many lines, in the colour of paper: cutting them for each picture takes too long. */
 function veilOf({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
   if (id !== 'eraser' || options.eraser !== 'parts') return null;
   let points = 0;

@@ -103,7 +103,7 @@ function fetchTools(
   watch(editor.tool, (tool) => tool !== 'hand' && tools.value === null && fetch(), { immediate: true });
 }
 
-/** Each event goes to the tool that is chosen; the wheel, and everything while there is none, to the hand. */
+/** Each event goes to the chosen tool; the wheel, and without a tool everything, goes to the hand tool. */
 function handlers(
   { on: hand, zoomKey }: ArenaHand,
   tools: () => ArenaTools | null,

@@ -1,12 +1,12 @@
 /** How long it falls, in ms. */
 const FALL_MS = 1500;
 const PIECES = 56;
-/** Colours of the app that are told apart on the light floor as well. */
+/** Colours of the app that are also distinct on the light floor. */
 const COLOURS = ['--accent-line', '--run', '--info', '--brand', '--stop'];
 
 /**
- * Throws a handful of confetti up from the middle of an element, and takes it away again. Nothing for whoever wants less
- * motion. It moves by transforms alone, which the browser does beside the drawing of the arena.
+ * Throws a handful of confetti up from the middle of an element, and removes it again. Does nothing for users who
+ * prefer less motion. It moves by transforms alone, which the browser does beside the drawing of the arena.
  */
 export function throwConfetti(host: HTMLElement): void {
   if (window.matchMedia('(prefers-reduced-motion: reduce)').matches) return;

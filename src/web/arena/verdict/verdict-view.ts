@@ -35,7 +35,7 @@ export function goalsOf({ checkpoints, targets, blocks }: Verdict): readonly Goa
   return goals.filter(({ of }) => of > 0);
 }
 
-/** What must not happen, as far as the course says it; and with a time limit alone: to hold out so long. */
+/** The prohibitions of the course; and with a time limit alone: to hold out for that time. */
 export function rulesOf({
   task,
   objects,

@@ -4,7 +4,7 @@ import type { Vec } from '#core/geometry';
 /** How long a place is pointed at, in ms. */
 const FLASH_MS = 2600;
 
-/** Rings that run together on a place, three times; a still ring for whoever wants less motion. */
+/** Rings that converge on a place, three times; a still ring for users who prefer less motion. */
 const PULSE: Keyframe[] = [
   { transform: 'translate(-50%, -50%) scale(2.4)', opacity: 0 },
   { transform: 'translate(-50%, -50%) scale(1)', opacity: 1, offset: 0.45 },
@@ -19,7 +19,7 @@ let stopBefore: () => void = () => undefined;
  * Points at a place in the arena with a ring for some seconds; one place at a time.
  *
  * @param place where it is now, in CSS px from the host's upper left corner
- * @param moved what to follow: the place is asked anew when it changes
+ * @param moved what to follow: `place` is called again when it changes
  */
 export function flashAt(host: HTMLElement, place: () => Vec, moved: WatchSource): void {
   stopBefore();

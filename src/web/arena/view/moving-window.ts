@@ -28,16 +28,16 @@ export function unionOf(boxes: readonly PxBox[]): PxBox {
   return { left, top, width: right - left, height: bottom - top };
 }
 
-/** Sizes of the window are multiples of so many px: a canvas that gets another size every frame is slow. */
+/** Sizes of the window are multiples of this many px: a canvas with a new size every frame is slow. */
 const STEP_PX = 64;
 
 /**
- * Where the small canvas with the moving things lies: around what is to be drawn, on whole pixels, within the canvas.
- * A browser without a graphics card puts together anew all that a changed canvas covers; a window of a quarter of the
- * arena makes that four times cheaper.
+ * The place of the small canvas with the moving things: around what must be drawn, on whole pixels, within the canvas.
+ * A browser without a graphics card composes everything again that a changed canvas covers; a window of a quarter of
+ * the arena makes that four times cheaper.
  *
- * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is as long as
- * all fits in: a canvas that is moved has the browser sort all its layers anew.
+ * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is while
+ * everything fits: moving a canvas makes the browser sort all its layers again.
  */
 export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, before: PxBox | null): PxBox {
   const left = Math.max(0, content.left);

@@ -39,7 +39,7 @@ export interface ArenaView {
   follow(atMm: Vec, elapsedMs: number): boolean;
 }
 
-/** So long it takes to make up two thirds of the way to what is followed, in ms. Chosen by eye: it glides, and does not lag. */
+/** Time to cover two thirds of the distance to the followed thing, in ms. Chosen by eye: glides without lag. */
 const FOLLOW_MS = 140;
 
 /**
@@ -62,7 +62,7 @@ export function useArenaView(
   };
   const change = (changed: View): void => {
     const full = fitView(arena(), canvas.value).pxPerMm;
-    fitted = Math.abs(changed.pxPerMm / full - 1) < 0.004; // back at 100 % but for rounding
+    fitted = Math.abs(changed.pxPerMm / full - 1) < 0.004; // back at 100 % except for rounding
     view.value = changed;
     if (fitted) fit();
   };

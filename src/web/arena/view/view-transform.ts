@@ -69,7 +69,7 @@ export function zoomView(view: View, factor: number, around: Vec, arena: ArenaSi
   return keepInSight(moved, arena, canvas);
 }
 
-/** Moves the picture by so many px, never beyond the arena's edge. */
+/** Moves the picture by this many px, never beyond the arena's edge. */
 export function panView(view: View, byPx: Vec, arena: ArenaSize, canvas: CanvasSize): View {
   return keepInSight(
     { pxPerMm: view.pxPerMm, leftPx: view.leftPx + byPx.x, bottomPx: view.bottomPx + byPx.y },
@@ -112,10 +112,10 @@ export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasS
 }
 
 /**
- * The view moved towards showing a place in its middle third. Within the third it stays as it is: the picture rests while
- * the robot turns on the spot.
+ * The view moved towards showing a place in its middle third. Within the third it stays as it is: the picture rests
+ * while the robot turns on the spot.
  *
- * @param share how much of the missing way to go, 0 … 1
+ * @param share share of the remaining distance, 0 … 1
  * @param ratio canvas pixels per CSS px: the picture moves by whole pixels, or its fine lines would shimmer
  */
 export function followView(

@@ -1,20 +1,20 @@
 /**
- * How long after it was heard of a sound is played, in s. Chosen: what a run tells comes once a frame and the audio
- * thread looks ahead some ms; less and notes come late, more and the sound lags behind the lights.
+ * Delay between a sound's arrival and its playing, in s. Chosen: events come once a frame and the audio thread looks
+ * ahead some ms; with less, notes come late, with more, the sound lags behind the lights.
  */
 export const LATENCY_S = 0.08;
 /** A sound further ahead than this does not belong to the present tie any more, in s. */
 const MOST_AHEAD_S = 0.3;
-/** A sound that would come later than this after its time ties the clocks anew, in s. Chosen: earlier, it is played at once. */
+/** A sound later than this synchronises the clocks again, in s. Chosen: an earlier one is played at once. */
 const MOST_LATE_S = 0.02;
 
 /** Ties simulated time to the time of the sound system. */
 export interface SoundClock {
   /**
-   * When something of simulated time `timeUs` is to sound, in s of the sound system, never before `nowS`.
+   * The moment for a sound of simulated time `timeUs`, in s of the sound system, never before `nowS`.
    *
    * The first one sounds `LATENCY_S` from now. From then on the distances are those of simulated time, to the ms, as
-   * long as simulated time keeps pace; when it has stood still or stumbled, the clocks are tied anew.
+   * long as simulated time keeps pace; when it has stood still or stumbled, the clocks are synchronised again.
    *
    * @param speed simulated seconds per second
    */

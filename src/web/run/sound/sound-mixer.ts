@@ -33,7 +33,7 @@ export class SoundMixer {
     this.stream = createStream(context, this.volume);
   }
 
-  /** When the last sound that is under way ends, in s of the sound system; `Infinity` while a tone sounds. */
+  /** End of the last current sound, in s of the sound system; `Infinity` while a tone sounds. */
   get endS(): number {
     return Math.max(this.stream.endS, ...SOURCES.map((source) => this.voices[source]?.endS ?? 0));
   }
@@ -68,7 +68,7 @@ export class SoundMixer {
         this.volume.gain.setTargetAtTime(event.volume / FULL_VOLUME, atS, EDGE_S);
         break;
       case 'output':
-        // What a pin alone carries is not heard: nobody has headphones on.
+        // Sound that only a pin carries is not played: there are no headphones on the pin.
         this.speaker.gain.setTargetAtTime(event.isSpeakerOn ? 1 : 0, atS, EDGE_S);
         break;
       default:

@@ -69,7 +69,7 @@ export class SoundPlayer {
     this.change(() => (this.muted = muted));
   }
 
-  /** To be called inside a tap or a key press: there alone browsers let sound begin. */
+  /** Call it inside a tap or a key press: only there do browsers let sound begin. */
   wake(): void {
     if (!this.muted) this.open();
   }

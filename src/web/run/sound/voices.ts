@@ -125,7 +125,7 @@ export function createStream(context: BaseAudioContext, to: AudioNode) {
   };
 }
 
-/** A block that should follow the one before may be so far from its end, in s: then the clocks were tied anew. */
+/** Largest gap between a block and the end of the previous one after a synchronisation of the clocks, in s. */
 const MOST_SHIFT_S = 0.05;
 
 /** Joins stretches of samples so that there is neither a gap nor an overlap, whatever their rate. */

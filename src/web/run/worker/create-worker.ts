@@ -1,7 +1,7 @@
 /**
- * Makes the worker that runs a program. The single-file build puts `create-worker.single.ts` in the place of this file.
+ * Makes the worker that runs a program. The single-file build replaces this file by `create-worker.single.ts`.
  *
- * @throws Error where the browser allows no workers
+ * @throws Error if the browser allows no workers
  */
 export function createWorker(): Worker {
   return new Worker(new URL('./worker.ts', import.meta.url), { type: 'module' });

@@ -1,7 +1,7 @@
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { RadioPacket, RunOutlets, TimedLogEvent } from '#simulation/outlets';
 
-/** What a run has told since the last time it was asked, oldest first. */
+/** The events of a run since the last call, oldest first. */
 export interface RunEvents {
   readonly sound: readonly SoundEvent[];
   readonly radio: readonly RadioPacket[];
@@ -10,10 +10,10 @@ export interface RunEvents {
   readonly log: readonly TimedLogEvent[];
 }
 
-/** Gathers a run's news for the page. */
+/** Collects a run's events for the page. */
 export interface EventBox {
   readonly outlets: RunOutlets;
-  /** Takes out the way of the robot: x and y in mm alternately, two `NaN` where the hand lifted it. */
+  /** Takes out the robot's path: x and y in mm alternately, two `NaN` where the hand tool lifted it. */
   takeWay(): readonly number[];
   /** Takes out everything else, or `null` when there is nothing. */
   take(): RunEvents | null;
@@ -21,15 +21,15 @@ export interface EventBox {
 
 /** Most packets in one batch. Chosen: more than a page shows at once. */
 const MAX_PACKETS = 200;
-/** Most sound events in one batch, a batch being a frame: at 1 × a melody makes one, at full speed nobody listens. */
+/** Maximum of sound events per batch (a frame): at 1 × a melody makes one, at full speed sound does not matter. */
 const MAX_SOUNDS = 500;
 
-/** Most points of the way in one batch, such as while the page is hidden. Chosen: 60 m. */
+/** Maximum number of path points per batch, for instance while the page is hidden. Chosen: 60 m. */
 const MAX_POINTS = 15_000;
 
 /**
- * Creates a box. Rows of the data log are all kept: the log itself is bounded. Of packets, sounds and
- * the way the newest are kept.
+ * Creates a box. Rows of the data log are all kept, because the log itself is bounded. Of packets, sounds and the path,
+ * the newest are kept.
  */
 export function createEventBox(): EventBox {
   let sound: SoundEvent[] = [];

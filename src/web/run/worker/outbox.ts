@@ -1,7 +1,7 @@
-/** Console output on its way to the page: bounded batches, one under way at a time, and a mark at which the run should wait. */
+/** Console output on its way to the page: bounded batches, one in transit, and a mark at which the run should wait. */
 export interface Outbox {
   put(text: string): void;
-  /** The page has taken the batch under way: the next may go. */
+  /** The page has taken the batch in transit: the next one may go. */
   taken(): void;
   /** Sends everything at once, without waiting for the page: for the end of a run. */
   flush(): void;

@@ -60,13 +60,13 @@ export type FromWorker =
   /** The VM is there; `run` starts at once. */
   | { readonly type: 'prepared' }
   | { readonly type: 'started' }
-  /** `way`: where the robot came by since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
+  /** `way`: the robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly way: readonly number[] }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
   /** What sounded, was sent by radio and was logged since the last such message; about once a frame. */
   | { readonly type: 'events'; readonly events: RunEvents }
-  /** Output of the program, at most one batch under way. */
+  /** Output of the program, at most one batch in transit. */
   | { readonly type: 'console'; readonly text: string }
   /** The program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */
   | { readonly type: 'program-ended'; readonly ended: Ended }

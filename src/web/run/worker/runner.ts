@@ -17,7 +17,7 @@ export interface Run {
   /** Like `advanceTo`, but stops at once when the program ends. */
   advanceProgramTo(us: number): void;
   input(action: InputAction, timeUs: number): void;
-  /** Ends the program as Stop does: its `finally` runs, and nobody sees the traceback. */
+  /** Ends the program as Stop does: its `finally` runs, and the traceback is not shown. */
   stop(): void;
   snapshot(): Snapshot;
   takeConsole(): string;
@@ -263,7 +263,7 @@ export class Runner {
     this.meter.reset();
   }
 
-  /** Runs `task`; an error in it is ours: it ends the run and is told to the page. */
+  /** Runs `task`. An error in it is our mistake: it ends the run and is reported to the page. */
   private guarded(task: () => void): void {
     try {
       task();
