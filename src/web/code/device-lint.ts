@@ -38,7 +38,7 @@ async function diagnosticsOf(view: EditorView, question: DeviceQuestion | null):
   return findings.length === 0 ? [] : explained(findings, question);
 }
 
-/** Marks with their sentences; without a connection to fetch those there are none, and the next check tries again. */
+/** Marks with their sentences. Without a connection to fetch these there are no marks; the next check tries again. */
 async function explained(findings: readonly Finding[], { board, language }: DeviceQuestion): Promise<Diagnostic[]> {
   const texts = await loadRuleTexts(language).catch(() => null);
   if (texts === null) return [];

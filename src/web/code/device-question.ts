@@ -2,10 +2,10 @@ import type { Stop } from '#core/stop';
 import type { Device } from '#device-check/finding';
 import type { Language } from '../page/i18n';
 
-/** What the check of the shown file depends on besides its text. */
+/** Everything besides its text that the check of the shown file depends on. */
 export interface DeviceQuestion {
   readonly file: string;
-  /** The other files of the project, by name: what they define is no mistake. */
+  /** The other files of the project, by name: names that they define are not mistakes. */
   readonly files: Readonly<Record<string, string>>;
   readonly device: Device;
   /** What the microcomputer is called. */

@@ -74,7 +74,7 @@ export function editorExtensions(options: {
   label: string;
   help: HelpOptions;
   device: DeviceMarksOptions;
-  /** Where lists and cards hang: outside the pane, which cuts off what leaves it. */
+  /** The container of lists and cards: outside the pane, which cuts off what leaves it. */
   popups: HTMLElement;
   onChange(text: string): void;
   onRun(): void;

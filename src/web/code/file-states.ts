@@ -3,7 +3,7 @@ import { EditorView } from '@codemirror/view';
 
 import { markWrongLine } from './wrong-line';
 
-/** What the editor is asked to show. */
+/** What the editor should show. */
 export interface Shown {
   readonly name: string;
   readonly text: string;
@@ -42,7 +42,7 @@ export class FileStates {
     for (const name of this.hidden.keys()) if (!names.includes(name)) this.hidden.delete(name);
   }
 
-  /** Forgets all other files' states, as when another language names them anew. */
+  /** Forgets all other files' states, for instance when another language renames them. */
   refresh(text: string): void {
     this.hidden.clear();
     const { selection } = this.view.state;

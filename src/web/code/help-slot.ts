@@ -28,7 +28,7 @@ function waitForUse(view: EditorView, use: () => Promise<void>): { destroy(): vo
     use().catch(() => view.dom.addEventListener('focusin', first, { passive: true }));
   };
   for (const name of USES) view.dom.addEventListener(name, first, { passive: true });
-  // Made anew while it was being used, as when the language changed.
+  // It was made again while in use, for instance when the language changed.
   if (loaded.size > 0 || view.hasFocus) queueMicrotask(first);
   return { destroy: stop };
 }

@@ -1,7 +1,7 @@
 import { countColumn, RangeSetBuilder, type Extension } from '@codemirror/state';
 import { Decoration, EditorView, ViewPlugin, type DecorationSet, type ViewUpdate } from '@codemirror/view';
 
-/** So much further to the right than its line begins, what goes on below stands, in columns. Chosen: it cannot be taken for an indent. */
+/** Indentation of the continuation of a wrapped line, in columns. Chosen: it cannot be mistaken for an indent. */
 const FURTHER = 2;
 /** A line that is indented more than this begins below as if it were not: a phone has little more. */
 const MOST = 16;

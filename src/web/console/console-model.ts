@@ -51,7 +51,7 @@ export class ConsoleModel {
     this.show();
   }
 
-  /** The program was stopped by the pupil: its last traceback is no alarm. */
+  /** The pupil stopped the program: its last traceback is not an alarm. */
   quieten(): void {
     this.show();
     this.log.quieten();

@@ -24,7 +24,7 @@ import { hostInputs } from './host-inputs';
 import { settingsProblem } from './settings-problem';
 import { startRun } from './start-run';
 
-/** The app as its host sees it. Whatever a host does goes the way that the page's own controls go. */
+/** The app, as its host sees it. A host's actions use the same code as the page's own controls. */
 export function appSimulator(app: HostedPage): EmbeddedSimulator {
   const { run } = app;
   const change = (wish: HostSettings): Refusal => changeSettings(app, wish);
@@ -59,7 +59,7 @@ function hostWork(
   const { run, work, host, hand } = app;
   /** What a host opened last: it has that itself, nothing of it need be put aside. */
   let brought: Project | null = null;
-  /** The name under which the pupil's own work is put aside, or `null` where there is none. */
+  /** The name under which the pupil's own work is put aside, or `null` without such work. */
   function nameOfOwn(): string | null {
     const { project } = work.work.value;
     if (!host.wish.keepsWork || isOurs(project) || (brought !== null && isSameWork(project, brought))) return null;

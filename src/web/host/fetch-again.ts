@@ -2,10 +2,10 @@
 const WAITS_MS = [500, 2000, 8000];
 
 /**
- * Fetches a part of the app, again and again where the network is gone for a moment. Some browsers (Firefox) remember of a
- * module that it could not be had: there it stays missing until the page is loaded anew.
+ * Fetches a part of the app, with retries in case the network is interrupted for a moment. Some browsers (Firefox)
+ * remember that a module failed to load: there it stays missing until the page is loaded anew.
  *
- * @param wait waits so many ms
+ * @param wait waits this many ms
  * @throws what `get` rejected with at last (as a rejection)
  */
 export async function fetchAgain<T>(get: () => Promise<T>, wait = aWhile): Promise<T> {

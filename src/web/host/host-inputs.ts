@@ -20,7 +20,7 @@ import { SpacedPresses } from './spaced-presses';
 /** A running run that has sent no picture for this long is not being drawn, in ms at full speed. Chosen: many frames. */
 const BLIND_MS = 300;
 
-/** What a host does to the run, told apart from what a person does on the page: it needs no echo. */
+/** A host's actions on the run, separate from a user's actions on the page: they need no echo. */
 export interface HostInputs {
   take(action: InputAction): Refusal;
   /** Whether what is done to the run at this moment is the host's. */
@@ -55,7 +55,7 @@ export function hostInputs(app: Pick<RunParts, 'run' | 'sensors'> & WorkParts & 
   };
 }
 
-/** The presses of the run that is under way, which go on as its time does. */
+/** The presses of the current run; they continue with its time. */
 function followRun({
   run,
   settings,

@@ -12,16 +12,16 @@ const keep = (event: MessageEvent<unknown>): void => {
 };
 
 /**
- * Keeps what the page around this one says until the app listens. To be called at once: hosts speak when the frame's
- * `load` has come, and that waits neither for the texts of the language nor for the pupil's own work.
+ * Keeps messages of the embedding page until the app listens. Call it at once: hosts speak after the frame's `load`,
+ * which waits neither for the texts of the language nor for the pupil's own work.
  */
 export function keepEarlyMessages(): void {
   if (window.parent !== window) addEventListener('message', keep);
 }
 
 /**
- * Lets the page that this one stands in command it. What understands the dialects is fetched only in a frame; nothing
- * that comes before is lost.
+ * Lets the embedding page send commands. The code of the dialects is fetched only in a frame; no earlier message is
+ * lost.
  */
 export function listenToHost(app: HostedPage): void {
   if (window.parent === window) return;

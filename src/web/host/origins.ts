@@ -1,4 +1,4 @@
-/** Name of the `<meta>` with which whoever serves the page says which origins may command it, parted by spaces. */
+/** Name of the `<meta>` in which the server of the page lists the origins that may command it, separated by spaces. */
 export const ORIGINS_META = 'parcours-origins';
 
 /**
@@ -16,7 +16,7 @@ export function allowedOrigins(ofPage: string | null, ofAddress: readonly string
   return named === null ? narrowed : named.filter((origin) => narrowed.includes(origin));
 }
 
-/** The origin of an address, so that a slash at its end does no harm; what is no address stays and fits nobody but `null`. */
+/** The origin of an address, so that a slash at its end does no harm. Anything else stays and matches only `null`. */
 function plainOrigin(text: string): string {
   if (text === 'null' || !URL.canParse(text)) return text;
   const { origin } = new URL(text);

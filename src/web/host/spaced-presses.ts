@@ -2,7 +2,7 @@ import { LEAST_PRESS_US } from '../run/worker/first-presses';
 
 /** Changes of one button that wait; more are lost. Chosen: eight presses. */
 const MOST_WAITING = 16;
-/** Pictures that may be older than a change, counted from when it was told: one is under way then. */
+/** Pictures that may be older than a change, counted from its message: one is in transit then. */
 const OLD_PICTURES = 1;
 
 interface Change {
@@ -21,9 +21,9 @@ interface Button {
 }
 
 /**
- * Lets presses of a host last long enough for the board to notice them. A host may say down and up in one breath, and
- * both would fall into the same step of the world; so every change waits until the one before it is old enough, in
- * simulated time, however fast the run goes.
+ * Makes presses of a host last long enough for the board to notice them. A host may send down and up at once, and both
+ * would fall into the same step of the world. So every change waits until the previous one is old enough, in simulated
+ * time, however fast the run goes.
  */
 export class SpacedPresses {
   readonly #buttons = new Map<string, Button>();
@@ -33,7 +33,7 @@ export class SpacedPresses {
     return [...this.#buttons.values()].some(({ waiting }) => waiting.length > 0);
   }
 
-  /** A button or pad goes down or up. @param tell tells the run, at once or when it is time */
+  /** A button or pad goes down or up. @param tell passes it to the run, at once or when it is time */
   set(id: string, down: boolean, tell: () => void): void {
     const button = this.#buttons.get(id);
     if (button === undefined) {
@@ -59,7 +59,7 @@ export class SpacedPresses {
     }
   }
 
-  /** No pictures come although time passes, as in a page that is hidden: of every button the next change is told. */
+  /** No pictures come although time passes, as in a hidden page: the next change of every button is sent. */
   advanceBlindly(): void {
     for (const button of this.#buttons.values()) tellNext(button);
   }

@@ -8,8 +8,8 @@ import type { VisitParts } from '../visit/parts';
 /**
  * Starts the program, also while a run is under way.
  *
- * @param paused it stands still at its start
- * @returns when the run is under way: `null`; else why it did not begin
+ * @param paused whether it starts paused
+ * @returns `null` when the run is under way; otherwise why it did not begin
  */
 export function startRun({ run, host }: Pick<RunParts, 'run'> & VisitParts, paused: boolean): Promise<Refusal> {
   return new Promise((resolve) => {
@@ -23,7 +23,7 @@ export function startRun({ run, host }: Pick<RunParts, 'run'> & VisitParts, paus
       (phase) => {
         if (phase === 'starting') return;
         unwatch();
-        // The news of a failure comes right after its phase.
+        // The event of a failure comes right after its phase.
         queueMicrotask(() => {
           unlisten();
           if (phase === 'running' || phase === 'paused') resolve(null);

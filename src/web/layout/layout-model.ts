@@ -6,8 +6,8 @@ import type { HostView } from '../visit/host-view';
 import type { SettingsModel } from '../work/settings/settings-model';
 
 /**
- * How the panes lie: `wide` from 1280 px, `medium` from 1001, `narrow` from 600, `phone` below, and wherever the window is
- * too low for several panes: a phone held across. The same limits stand in the styles of a phone.
+ * The arrangement of the panes: `wide` from 1280 px, `medium` from 1001, `narrow` from 600, `phone` below, and wherever
+ * the window is too low for several panes: a phone held across. The same limits stand in the styles of a phone.
  */
 export type LayoutKind = 'wide' | 'medium' | 'narrow' | 'phone';
 
@@ -21,9 +21,9 @@ export type Pane = (typeof PANES)[number];
 /** What the panes' places depend on. */
 export interface LayoutModel {
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
-  /** How the panes that are shown lie to each other; `kind`, but for a pair that has room in a small frame. */
+  /** The arrangement of the shown panes; equals `kind`, except for a pair that has room in a small frame. */
   readonly arrangement: ComputedRef<LayoutKind>;
-  /** The pane that a phone is asked to show; one that is not there shows the first. */
+  /** The requested pane of a phone; if it does not exist, the first one is shown. */
   readonly tab: ShallowRef<Pane>;
   /** The panes that a phone has tabs for. */
   readonly tabs: ComputedRef<readonly Pane[]>;
@@ -136,6 +136,6 @@ function useFirstMatch<K>(queries: readonly [K, string][], other: K): Readonly<S
   return kind;
 }
 
-/** What a phone shows first: where there is no program, the arena, which has a small board in it. */
+/** The first pane of a phone: without a program the arena, which has a small board in it. */
 const first = (tabs: readonly Pane[]): Pane | undefined =>
   (['code', 'arena', 'board', 'console'] as const).find((pane) => tabs.includes(pane));

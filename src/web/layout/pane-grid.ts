@@ -29,7 +29,7 @@ const LEAST = { code: 220, board: 180, console: 96, top: 160, arena: 240 } as co
 const TOP_UNFOLDED_PX = 460;
 const BARS_PX = 60 + 8 + 8;
 
-/** The wished sizes, with more height for the board where something is unfolded below it and nobody set a height. */
+/** The wished sizes, with more height for the board if something is unfolded below it and no height was set. */
 export function withRoomForPanel(wished: PaneSizes, isUnfolded: boolean): PaneSizes {
   return isUnfolded && wished.top === 0 ? { ...wished, top: TOP_UNFOLDED_PX } : wished;
 }

@@ -56,8 +56,8 @@ function send(to: ServiceWorker | null, message: ToServiceWorker): void {
 }
 
 /**
- * Asks before a new version takes over. Whoever says yes in one tab changes the version for all: the others go on with what
- * they have, whose files stay, and are asked in their turn. No page is ever loaded anew by itself.
+ * Asks before a new version takes over. A yes in one tab changes the version for all: the others go on with their
+ * files, which stay, and are asked in turn. No page is ever reloaded by itself.
  */
 function offerUpdates(workers: ServiceWorkerContainer): (registration: ServiceWorkerRegistration) => void {
   let isAccepted = false;

@@ -51,8 +51,8 @@ self.addEventListener('fetch', (event) => {
   // A page is the same whatever its address asks of it.
   const url = request.mode === 'navigate' ? pageUrl(request.url) : request.url;
   const key = files.getCacheKeyForURL(url);
-  // A navigation to what is none of the app's pages is none of our business; a file unknown to this version may be one of
-  // the version before, whose pages may still be open.
+  // Ignores navigations to anything but the app's pages. A file unknown to this version may belong to the previous one,
+  // whose pages may still be open.
   if (key === undefined && request.mode === 'navigate') return;
   event.respondWith(kept(key ?? url, request));
 });

@@ -5,11 +5,11 @@ export const FILES_LOCK = 'parcours.files';
 
 const VERSION = 'parcours.version ';
 
-/** What a page tells the service worker. */
+/** Messages of a page to the service worker. */
 export type ToServiceWorker =
   /** The new version may serve all pages from now on: the pupil wants it. */
   | { readonly type: 'take-over' }
-  /** A page holds its version's lock now: files that nobody needs any more may go. */
+  /** A page holds its version's lock now: files that are no longer needed may go. */
   | { readonly type: 'tidy' };
 
 /** Whether something that came as a message is one of ours. */

@@ -28,7 +28,7 @@ export type Question =
       readonly done: (name: string) => void;
     };
 
-/** The question that is being asked; further ones wait for their turn. */
+/** The current question; further ones wait for their turn. */
 export interface DialogsModel {
   readonly current: Readonly<ShallowRef<Question | null>>;
   ask(question: Question): void;

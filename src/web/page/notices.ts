@@ -25,7 +25,7 @@ export function createNotices(): NoticesModel {
   const close = (): void => {
     current.value = null;
   };
-  // At once: nobody must get to press what would do something else by now.
+  // At once: a late press must not trigger something else.
   watch(
     () => current.value?.holds?.() ?? true,
     (holds) => {

@@ -1,6 +1,6 @@
 import { onScopeDispose, shallowRef, watch, type ShallowRef, type WatchSource } from 'vue';
 
-/** How often numbers that change all the time are written anew, in ms. */
+/** Interval at which constantly changing numbers are rewritten, in ms. */
 const EVERY_MS = 100; // chosen: ten times a second is as fast as anyone reads
 
 /** A value that follows its source ten times a second at most, the last one included. */

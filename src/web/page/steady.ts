@@ -1,6 +1,6 @@
 import { computed, type ComputedRef } from 'vue';
 
-/** A computed list or record that stays the same object while its values do: what is drawn from it is not drawn anew. */
+/** A computed list or record that stays the same object while its values do, so that nothing is redrawn from it. */
 export function steady<T extends object>(values: () => T): ComputedRef<T> {
   return computed<T>((before) => {
     const now = values();

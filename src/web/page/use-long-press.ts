@@ -12,7 +12,7 @@ export interface Hint {
   readonly xPx: number;
   /** Lower edge of the control, in px from the top. */
   readonly yPx: number;
-  /** Beside a column of tools the hint stands at its right, this many px from the left; `null`: above or below. */
+  /** Beside a column of tools the hint is at its right, this many px from the left; `null`: above or below. */
   readonly besidePx: number | null;
 }
 

@@ -17,7 +17,7 @@ export interface PrintWords {
 /** The ruler on each sheet, in mm: to check that the printer has not scaled. */
 export const TEST_RULER_MM = 100;
 
-/** Where marks begin and end, in mm from the edge of the sheet: most printers reach so far. */
+/** Distance of marks from the edge of the sheet, in mm: the reach of most printers. */
 const MARK_MM = { from: 4.5, to: 8.5 } as const;
 
 /**

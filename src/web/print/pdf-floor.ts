@@ -24,7 +24,7 @@ const PT_PER_MM = 72 / 25.4;
 /** How far a circle's control points lie off, for four curves (the usual approximation, right to 0.03 %). */
 const ROUND = 0.5522847498;
 
-/** Prints the part of the floor that a sheet shows, true to scale: what lies on it, not what stands on it. */
+/** Prints the part of the floor that a sheet shows, true to scale: only flat things, no solid ones. */
 export function printFloor(pdf: jsPDF, scene: Scene, tile: Tile, options: FloorOptions): void {
   const [left, top] = tile.upperLeft;
   const to: ToSheet = ([x, y]) => [MARGIN_MM + x - left, MARGIN_MM + top - y];

@@ -31,7 +31,7 @@ export function pictureAddress(background: Background): string | null {
   return canvas.toDataURL('image/png');
 }
 
-/** The background as a PDF takes it: PNG and JPEG as they are, others painted anew as JPEG on white. */
+/** The background in a form for PDF: PNG and JPEG as they are, others repainted as JPEG on white. */
 export async function backgroundForPdf(
   background: Background | null,
 ): Promise<{ readonly data: string; readonly format: 'PNG' | 'JPEG' } | null> {

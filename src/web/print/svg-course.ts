@@ -8,7 +8,7 @@ import { readRobotDrawing } from '../arena/robot/robot-drawing';
 import { jointsSvg, objectSvg, SVG_FONT, zoneSignSvg, type ToPicture } from './svg-objects';
 import { element, escapeXml, figure, pathThrough } from './svg-write';
 
-/** What a picture of a course shows besides the course. */
+/** Additions to the course in its picture. */
 export interface PictureOptions {
   readonly grid: boolean;
   readonly rulers: boolean;
@@ -16,7 +16,7 @@ export interface PictureOptions {
   readonly robot: { readonly pose: Pose; readonly scale: number; readonly drawing: string } | null;
   /** The ways the robot has gone; none: no path. */
   readonly path: readonly (readonly Vec[])[];
-  /** Address of the background's picture, or `null`: none, or painted by whoever shows this one. */
+  /** Address of the background's picture, or `null` if there is none, or if the caller paints it. */
   readonly background: string | null;
   /** Without it the floor is transparent. */
   readonly floor: boolean;
@@ -33,7 +33,7 @@ export interface CoursePicture {
 /** Room for the rulers, in parts of the arena's longer side: they grow with the arena, as on a screen. */
 const RULER_SHARE = 0.055;
 
-/** Room around the arena without rulers, likewise. */
+/** Room around the arena without rulers. */
 export const RIM_SHARE = 0.004;
 
 /** The objects in the order of painting: what lies on the floor first, numbers of zones over the lines, then what stands. */

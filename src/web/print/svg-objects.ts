@@ -8,7 +8,7 @@ import { wallJoints } from '../arena/picture/draw-walls';
 import { lightPalette as colors } from '../arena/picture/palette';
 import { element, escapeXml, pathThrough } from './svg-write';
 
-/** Fonts of the texts in a picture; whoever opens it has one of them. */
+/** Fonts of the texts in a picture; every viewer has one of them. */
 export const SVG_FONT = 'Roboto, Arial, Helvetica, sans-serif';
 
 /** From world mm (y up) to the picture's mm (y down). */
@@ -277,7 +277,7 @@ const degrees = (rad: number): number => (rad * 180) / Math.PI;
 const rect = ([width, height]: Point, rx: number, attributes: Record<string, string | number | undefined>): string =>
   element('rect', { x: -width / 2, y: -height / 2, width, height, rx, ...attributes });
 
-/** An icon of 24 units in the middle, so many mm wide. */
+/** An icon of 24 units in the middle, this many mm wide. */
 const icon = (path: string, sizeMm: number, fill: string, rim: Record<string, string | number> = {}): string =>
   element('path', { d: path, fill, ...rim, transform: `scale(${(sizeMm / 24).toFixed(4)}) translate(-12 -12)` });
 

@@ -19,11 +19,11 @@ const CALLIOPE = ['calliopemini', 'calliope_mini'] as const;
 const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
 
 /**
- * The pupil's files and the libraries that they import, themselves or by way of others: what a board needs that has
- * nothing but MicroPython.
+ * The pupil's files and the libraries that they import, directly or indirectly: everything for a board that has only
+ * MicroPython.
  *
  * @param robot id of the robot that the program drives, or `null`; a library that can drive several brings along the
- * library of this one alone, since a board has no room for all
+ *   library of this one alone, since a board has no room for all
  */
 export function filesForDevice(own: readonly SourceFile[], robot: string | null): DeviceFiles {
   const offered = allLibraries(robot);

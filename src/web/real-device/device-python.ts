@@ -9,7 +9,7 @@ export function pythonText(text: string): string {
   return `'${signs.join('')}'`;
 }
 
-/** Bytes as a literal in Python, in ASCII alone: readable where they are, so that a program grows little on its way. */
+/** Bytes as a literal in Python, in ASCII alone: readable where possible, so that a program grows little. */
 export function pythonBytes(bytes: Uint8Array): string {
   const signs = Array.from(bytes, (byte) => {
     if (byte === 0x0a) return '\\n';
@@ -21,7 +21,7 @@ export function pythonBytes(bytes: Uint8Array): string {
 
 const hex = (code: number, digits: number): string => code.toString(16).padStart(digits, '0');
 
-/** What tells two files apart: length and the two sums of Adler-32, as the device prints them too. */
+/** Tells two files apart: length and the two sums of Adler-32, as the device prints them, too. */
 export function fingerprint(bytes: Uint8Array): string {
   let [a, b] = [1, 0];
   for (const byte of bytes) {
@@ -32,8 +32,9 @@ export function fingerprint(bytes: Uint8Array): string {
 }
 
 /**
- * The pieces of Python that the device runs. Short names and small pieces: a micro:bit has 64 kB of memory for all. Its
- * modules have neither hashes nor a way to add to a file, so the sum is our own and the file stays open between pieces.
+ * The pieces of Python that the device runs. Names are short and pieces small, because a micro:bit has 64 kB of memory.
+ * Its modules can neither compute hashes nor append to a file, so the sum is our own and the file stays open between
+ * pieces.
  */
 export const devicePython = {
   /** Prints what the device calls itself. */
@@ -41,7 +42,7 @@ export const devicePython = {
   /** Prints 1 when one of the modules is there, else 0. */
   hasModule: (names: readonly string[]): string =>
     `r=0\nfor n in ${names.map(pythonText).join(',')},:\n try:\n  __import__(n)\n  r=1\n except ImportError:\n  pass\nprint(r)`,
-  /** Makes the function that prints a file's fingerprint, `-` when there is no such file. */
+  /** Makes the function that prints a file's fingerprint, `-` if the file does not exist. */
   prepare: [
     'def _p(n):',
     ' try:',

@@ -10,7 +10,7 @@ export interface Port {
 
 /** Time that passes, so that tests can let it pass. */
 export interface Timer {
-  /** Calls `act` once after so many milliseconds. @returns what calls it off */
+  /** Calls `act` once after this many milliseconds. @returns a function that cancels it */
   after(ms: number, act: () => void): () => void;
 }
 

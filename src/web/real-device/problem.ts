@@ -1,4 +1,4 @@
-/** What can go wrong on the way to the device. Plain data; the words are in `real-device-texts.ts`. */
+/** What can go wrong during the transfer to the device. Plain data; the words are in `real-device-texts.ts`. */
 export type PutProblem =
   /** Nothing at all comes back. */
   | { readonly kind: 'silent' }
@@ -6,7 +6,7 @@ export type PutProblem =
   | { readonly kind: 'no-prompt' }
   /** Another program or another tab has the line. */
   | { readonly kind: 'line-in-use' }
-  /** The page stands in a frame that may not use serial lines. */
+  /** The page is in a frame that may not use serial lines. */
   | { readonly kind: 'frame' }
   /** The program wants a module that this device does not have. */
   | { readonly kind: 'wrong-board'; readonly module: string; readonly machine: string }

@@ -21,9 +21,9 @@ export interface PutWish {
   /** Whether a file with this fingerprint may be replaced without a question. */
   isKnown(fingerprint: string): boolean;
   /**
-   * Asks whether these files on the device, which nobody here knows, may be replaced.
+   * Asks whether these unknown files on the device may be replaced.
    *
-   * @param read fetches one of them, as long as there is no answer yet; one at a time
+   * @param read fetches one of them while there is no answer yet; one at a time
    */
   mayReplace(names: readonly string[], read: (name: string) => Promise<Uint8Array<ArrayBuffer>>): Promise<boolean>;
 }
@@ -46,7 +46,7 @@ export type PutResult =
       readonly written: readonly string[];
       /** Files that were there already, as they should be. */
       readonly same: readonly string[];
-      /** False: main.py begins when somebody presses the device's reset button. */
+      /** False: main.py begins when the device's reset button is pressed. */
       readonly isStarted: boolean;
       /** What the program printed in its first moment. */
       readonly said: string;
@@ -64,7 +64,7 @@ const PIECE_BYTES = 192; // chosen: at most 770 characters of Python, a hundredt
 const FIRST_WORDS_MS = 1500; // chosen: a program that cannot start says so at once
 const SAID_CHARACTERS = 1000;
 const CLOSE_LIMIT_MS = 2000;
-/** Shares of the whole way: what comes before the writing, and what is left after it. */
+/** Shares of the whole transfer: before the writing, and after it. */
 const BEFORE = 0.12;
 const AFTER = 0.06;
 
@@ -182,7 +182,7 @@ class Transfer {
     return { changed, present };
   }
 
-  /** A question that nobody answers any more once the transfer is stopped. */
+  /** A question that is no longer answered once the transfer is stopped. */
   private ask(names: readonly string[]): Promise<boolean> {
     const { signal } = this.around;
     if (signal.aborted) return Promise.resolve(false);
@@ -262,6 +262,6 @@ const sumOf = (files: readonly Content[]): number => files.reduce((sum, { bytes 
 const isFull = (error: unknown): boolean =>
   error instanceof PutError && error.problem.kind === 'exception' && /OSError:.*\b28\b|ENOSPC/.test(error.problem.text);
 
-/** What came byte by byte as the text that it is; bytes that are none are shown as such. */
+/** Text that came byte by byte; bytes that are not text are shown as such. */
 const textOf = (bytes: string): string =>
   new TextDecoder().decode(Uint8Array.from(bytes, (sign) => sign.charCodeAt(0)));

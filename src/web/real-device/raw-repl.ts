@@ -8,7 +8,7 @@ const CTRL_D = '\x04';
 /** What MicroPython's shared/runtime/pyexec.c says when raw mode begins. */
 const RAW_BANNER = 'raw REPL; CTRL-B to exit\r\n>';
 
-// chosen: times that a micro:bit keeps with ease, and that nobody minds when nothing comes
+// chosen: times that a micro:bit meets with ease, and that do no harm when nothing comes
 const ROUNDS = 5;
 const INTERRUPT_MS = 150;
 const BANNER_LIMIT_MS = 900;
@@ -25,7 +25,7 @@ export class RawRepl {
   /**
    * Stops the program that runs and enters raw mode with an empty memory.
    *
-   * @throws PutError `silent` or `no-prompt` when there is no MicroPython that listens; those of the line
+   * @throws PutError `silent` or `no-prompt` if no MicroPython listens; those of the line
    */
   async enter(): Promise<void> {
     // More than one round: the first Ctrl-C may only skip the text of an error that scrolls over the display.

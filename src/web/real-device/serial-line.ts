@@ -6,12 +6,12 @@ const PIECE_BYTES = 32;
 const PIECE_PAUSE_MS = 10;
 /** How long the computer may take to get rid of one piece. */
 const WRITE_LIMIT_MS = 3000; // chosen: 32 bytes take 3 ms at 115,200 baud
-/** What is kept of a device that chatters and that nobody listens to. */
-const KEPT_CHARACTERS = 16_384; // chosen: far more than any answer that is asked for
+/** Limit for unread output of a device that prints without end. */
+const KEPT_CHARACTERS = 16_384; // chosen: far more than any expected answer
 
 /**
- * Text over a port: sends in small pieces, waits for what shall come, and never longer than it was told to. One thing
- * at a time: who calls waits for the end of the call before the next one.
+ * Text over a port: sends in small pieces, and waits for expected text, with a time limit. One thing at a time: callers
+ * wait for the end of a call before the next one.
  */
 export class SerialLine {
   private text = '';
@@ -29,7 +29,7 @@ export class SerialLine {
     void this.listen();
   }
 
-  /** How many bytes have come so far. */
+  /** Number of bytes received so far. */
   get heardBytes(): number {
     return this.heard;
   }
@@ -74,7 +74,7 @@ export class SerialLine {
     return before;
   }
 
-  /** Waits for so many milliseconds. @throws PutError `interrupted`, `stopped` */
+  /** Waits for this many milliseconds. @throws PutError `interrupted`, `stopped` */
   async pause(ms: number): Promise<void> {
     await this.wait(ms, () => false);
   }

@@ -81,7 +81,7 @@ export function portOf(port: SerialPort): Port {
       isClosing = true;
       try {
         await reader?.cancel();
-        await Promise.resolve(); // the read that was under way lets go of its lock
+        await Promise.resolve(); // the current read releases its lock
         writer?.releaseLock(); // a device that takes nothing any more must not keep the line open
         await port.close();
       } catch {

@@ -15,13 +15,13 @@ import { putFiles, type DeviceFile, type PutProgress, type PutResult, type PutWi
 import { chooseSerialPort, serialAbility } from './serial-port';
 import { zipOf } from './zip';
 
-/** Where the way to the device stands. */
+/** State of the transfer. */
 export type DeviceState =
   | { readonly kind: 'ready' }
   /** The browser's own list of devices is open. */
   | { readonly kind: 'choosing' }
   | { readonly kind: 'working'; readonly progress: PutProgress }
-  /** These files on the device are of somebody else. */
+  /** These files on the device are unknown to this browser. */
   | {
       readonly kind: 'asking';
       readonly names: readonly string[];
@@ -33,7 +33,7 @@ export type DeviceState =
   | { readonly kind: 'done'; readonly result: Extract<PutResult, { kind: 'done' }> }
   | { readonly kind: 'failed'; readonly problem: PutProblem };
 
-/** The way of the project to a real device: over the cable, or as files. */
+/** The transfer of the project to a real device: over the cable, or as files. */
 export function useRealDevice() {
   const app = { ...usePage(), ...useWork() };
   const hardware = useHardware(app);
@@ -105,7 +105,7 @@ function askIn(state: ShallowRef<DeviceState>): PutWish['mayReplace'] {
           for (const name of names) saveBlob(name, new Blob([await read(name)], { type: 'text/x-python' }));
           show('yes');
         } catch (error) {
-          if (!(error instanceof PutError)) throw error; // the transfer has ended with it, and says so
+          if (!(error instanceof PutError)) throw error; // the transfer has ended with it, and reports so
         }
       };
       show('no');

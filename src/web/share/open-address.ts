@@ -22,12 +22,13 @@ const courseOf = (id: string): Course | null => courses.find((course) => course.
 export const readyCourses = (id: string) => courseOf(id)?.scene ?? null;
 
 /**
- * Opens what an address holds, be it ours or one of WebTigerPython, whole or only its query or fragment: a project, a
- * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs it.
+ * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a
+ * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs
+ * it.
  *
- * @param wish what else stands in the address is as `held`: it holds for this visit; else a program brings its
+ * @param wish as `held`, the other settings in the address hold for this visit; otherwise a program brings its
  *   microcomputer along
- * @returns `null` when it is open, else why not: nothing has changed then
+ * @returns `null` on success, otherwise why not: nothing has changed then
  */
 export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();

@@ -13,7 +13,9 @@ import { shareWords as words } from './share-words';
 /** Largest file of JSON that is read: a project with a picture as floor has a few MB. */
 const MAX_BYTES = 16 * 1024 * 1024;
 
-/** Opens a project or a course from a file; the work so far is put aside. What cannot be opened gives a message. */
+/**
+ * Opens a project or a course from a file and puts the work so far aside. A file that cannot be opened gives a message.
+ */
 export async function openJsonFile(app: Workplace, loaded: File): Promise<void> {
   const file = loaded.name;
   if (!file.toLowerCase().endsWith('.json')) {

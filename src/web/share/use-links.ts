@@ -39,7 +39,7 @@ export function useLinks(app: Workplace & VisitParts): void {
       })
       .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
   }
-  /** What the address says besides holds for this visit, also against what was opened. */
+  /** The other settings in the address hold for this visit, also against the opened project. */
   function hold(): void {
     const { settings: wish } = hostWish(location, document.documentElement.dataset);
     settings.hold(heldSettings(wish));

@@ -14,7 +14,7 @@ type PageData = Readonly<Record<string, string | undefined>>;
 
 /** Longest `show` and `flag` that are read, in characters, and the most of what can be given several times. */
 const LONGEST = 1000; // chosen: nothing that has a meaning comes near
-const MOST = 20; // chosen: likewise for origins and flags
+const MOST = 20; // chosen: for origins and flags
 
 /** The parameters of the query, then those behind `#?` (WebTigerPython's newer form, that servers never see). */
 export function parametersOf({ search, hash }: Address): URLSearchParams {
@@ -22,9 +22,9 @@ export function parametersOf({ search, hash }: Address): URLSearchParams {
 }
 
 /**
- * What the address of the page asks for, and what the page itself is made for (`data-…` of its root element).
- * Parameters that nobody knows are left alone; values that make no sense count as not given. Of a parameter that is
- * there twice the first counts. None of them starts a program: links from strangers open stopped.
+ * The settings in the page's address, and those of the page itself (`data-…` of its root element). Unknown parameters
+ * are ignored; values that make no sense count as not given. If a parameter is given twice, the first one counts. None
+ * of them starts a program: links from elsewhere open stopped.
  */
 export function hostWish(address: Address, page: PageData): HostWish {
   const given = parametersOf(address);
@@ -32,7 +32,7 @@ export function hostWish(address: Address, page: PageData): HostWish {
     settings: settingsIn(given, page),
     dialect: dialectOf(given.get('dialect'), page['dialect']),
     keepsWork: page['keepsWork'] !== 'false',
-    // What is no origin is nobody's: it must not open the page to everybody.
+    // A value that is not an origin belongs to nobody: it must not open the page to everybody.
     origins: given.getAll('origin').slice(0, MOST).map(originOf),
     color: /^[#\w\s(),.%/-]{1,60}$/.exec(given.get('color') ?? '')?.[0] ?? null,
     flags: given.getAll('flag').filter(isShort).slice(0, MOST),
@@ -87,13 +87,13 @@ const numberOf = (text: string): number => (text.trim() === '' ? NaN : Number(te
 
 const isShort = (text: string): boolean => text.length <= LONGEST;
 
-/** The origin of an address; what is none stays as it is, and fits no page. */
+/** The origin of an address; anything else stays as it is, and matches no page. */
 function originOf(text: string): string {
   const url = urlOf(text);
   return url?.protocol === 'https:' || url?.protocol === 'http:' ? url.origin : text;
 }
 
-/** An address in its parts; `null`: it is none. */
+/** An address in its parts; `null` if it is not an address. */
 export function urlOf(text: string, base?: string): URL | null {
   try {
     return new URL(text, base);

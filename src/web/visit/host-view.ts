@@ -2,11 +2,11 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import type { HostSettings, Part, SimulatorEvent } from '#embed/simulator';
 
-/** What the address of the page asks for, and the page it stands in. */
+/** The settings in the page's address, and the embedding page. */
 export interface HostWish {
   /** Settings of this visit; none of them is kept. */
   readonly settings: HostSettings;
-  /** The dialect that is spoken unasked, or `null`: only who says hello is answered. */
+  /** The dialect that the page speaks before it is asked, or `null`: it then answers only a hello. */
   readonly dialect: 'microbit' | 'webtigerpython' | null;
   /** Whether the work of this page is kept in the browser; pages that a host fills forget it. */
   readonly keepsWork: boolean;
@@ -41,7 +41,7 @@ export class HostView {
     this.labels = shallowRef(wish.settings.labels ?? {});
   }
 
-  /** Tells everyone who listens; without a host nobody does. */
+  /** Notifies all listeners; without a host there are none. */
   tell(event: SimulatorEvent): void {
     for (const listener of this.listeners) listener(event);
   }

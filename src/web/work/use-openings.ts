@@ -8,7 +8,7 @@ import { stampSettings } from './stamp-settings';
 import { useDevice } from './hardware/use-device';
 import { workName } from './work-name';
 
-/** Puts a project in the place of the present one, and brings it back. */
+/** Replaces the present project, and brings it back. */
 export function useOpenings(app: Workplace) {
   const { work, notices } = app;
   const device = useDevice(app);
@@ -59,7 +59,7 @@ export function useOpenings(app: Workplace) {
   return { open, openScene, restore };
 }
 
-/** Chooses what a project runs on, where it says so. The arena goes with the robot and comes back with it. */
+/** Chooses the hardware of a project, if it names any. The arena disappears with the robot and comes back with it. */
 function bringSettings({ settings }: Pick<WorkParts, 'settings'>, { settings: brought }: Project): void {
   if (brought === undefined) return;
   const before = settings.current.value;

@@ -12,7 +12,7 @@ export function isButtonKey(key: BoardKey): key is ButtonKey {
   return key === 'a' || key === 'b';
 }
 
-/** Who is told when a key goes down and up. */
+/** Called when a key goes down and up. */
 export interface PressListener {
   press(key: BoardKey): void;
   release(key: BoardKey): void;
@@ -27,7 +27,7 @@ export const LEAST_UP_MS = 60;
 /** Changes of one key that wait for their time; more taps than that are lost. Chosen: two taps. */
 const MOST_WAITING = 4;
 
-/** One key as the listener knows it, and what it will be told next. */
+/** One key in the listener's view, and its next event. */
 interface Told {
   down: boolean;
   /** The states to come, one after the other. */
@@ -37,9 +37,9 @@ interface Told {
 }
 
 /**
- * Which keys of the board are held, by whom: fingers, the mouse and the keyboard may hold the same key at the same
- * time. A key goes down with the first that takes it and up with the last that lets go.
- * The listener is told of presses that are long enough for the board: a quick tap lasts `LEAST_DOWN_MS`.
+ * The held keys of the board and their holders: fingers, the mouse and the keyboard may hold the same key at the same
+ * time. A key goes down with its first holder and up with its last. The listener gets presses that are long enough for
+ * the board: a quick tap lasts `LEAST_DOWN_MS`.
  */
 export class Presses {
   readonly #holds = new Map<string, readonly BoardKey[]>();
@@ -73,7 +73,7 @@ export class Presses {
     this.#change(() => this.#holds.clear());
   }
 
-  /** All let go at once, however short the press was: nobody listens from now on. */
+  /** All holders let go at once, however short the press was: there is no listener from now on. */
   end(): void {
     this.#holds.clear();
     for (const [key, told] of this.#told) {

@@ -6,7 +6,7 @@ const PACKAGE = 0.66;
 const LENS = 0.25;
 const BOARD_WIDTH = 1.16;
 
-/** From so many lights on the soft glow is drawn as two discs: gradients by the hundred take too long. */
+/** From this many lights on, the soft glow is drawn as two discs: gradients by the hundred take too long. */
 const MANY = 64;
 
 /** How far the light of a lamp reaches, in distances between lamps. */

@@ -1,6 +1,6 @@
 import { usualForm, type LightForm, type LightPlace, type LightWish } from '../../work/settings/light-wish';
 
-/** How a chain of so many lights is shown: as chosen, else as usual. Without a robot nothing can lie on one. */
+/** The form of a chain of this many lights: as chosen, otherwise the usual one. Without a robot none lies on it. */
 export function shownAs(
   count: number,
   wish: LightWish | undefined,
@@ -26,7 +26,7 @@ export interface LightLayout {
  *
  * - `ring`: the first light on top, then clockwise, as on the rings by Adafruit and its copies seen from their front.
  * - `strip`: rows from left to right like the lines of a text; the wire runs back at the end of each.
- * - `matrix`: likewise, as wide as high or wider, as on Adafruit's 8 × 8 boards.
+ * - `matrix`: the same, as wide as high or wider, as on Adafruit's 8 × 8 boards.
  * - `zigzag`: every second row from right to left, as on flexible panels, which is how most 16 × 16 are made.
  */
 export function layOut(form: LightForm, count: number): LightLayout {
@@ -57,7 +57,7 @@ function stripColumns(count: number): number {
   return count <= 100 ? 10 : count <= 400 ? 20 : 32;
 }
 
-/** The two factors nearest to each other, the larger one across; more than 3 : 1 is no matrix, then 8 across. */
+/** The two factors nearest to each other, the larger one across. More than 3 : 1 is not a matrix: then 8 across. */
 function matrixColumns(count: number): number {
   let height = Math.max(1, Math.floor(Math.sqrt(count)));
   while (count % height !== 0) height -= 1;

@@ -5,7 +5,7 @@ import { slowly } from '../../page/slowly';
 import { steady } from '../../page/steady';
 import type { RunParts } from '../../run/parts';
 
-/** How long a value set by hand is shown before what the run tells counts again, in ms of a running run. */
+/** How long a value set by hand is shown before the run's own value counts again, in ms of a running run. */
 const SETTLE_MS = 500; // chosen: several pictures come back within it, also from a slow tablet
 
 /** The present values of the sensors: the run's while there is one, else what the next run starts with. */

@@ -27,7 +27,7 @@ export function signature(label: string, call: string, marked = -1): HTMLElement
   return line;
 }
 
-/** The same in short: types and `*` left out but for the parameter that is being written. */
+/** The short form: types and `*` left out, except for the parameter that is being written. */
 export function shortSignature(label: string, call: string, marked: number): HTMLElement {
   const line = element('div', 'cm-helpCall', element('b', 'cm-helpName', label), '(');
   for (const [place, { text }] of parametersOf(call).entries()) {

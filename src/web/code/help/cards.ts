@@ -67,7 +67,7 @@ export function cards(context: () => ReferenceContext, words: Words): Extension 
     ),
     Prec.high(
       keymap.of([
-        { key: 'F1', run: open }, // where there is no word, it opens the help of the page
+        { key: 'F1', run: open }, // without a word there, it opens the help of the page
         { key: 'Ctrl-Shift-Space', run: open, preventDefault: true },
         { key: 'Escape', run: close },
       ]),

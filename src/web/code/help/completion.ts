@@ -37,7 +37,9 @@ const SIGNS: Readonly<Record<Item['kind'], string>> = {
 
 /** Suggestions while typing: Enter, Tab or a tap takes one, Escape closes, Ctrl+Space asks for them. */
 export function completion(context: () => ReferenceContext, words: Words): Extension {
-  /** Where the pupil asked for suggestions: there everything is offered, elsewhere only what a word has begun with. */
+  /**
+   * The place where the pupil requested suggestions: it offers everything, other places only what fits a begun word.
+   */
   let askedAt = -1;
   const ask: Command = (view) => {
     askedAt = view.state.selection.main.head;
@@ -64,7 +66,7 @@ export function completion(context: () => ReferenceContext, words: Words): Exten
   ];
 }
 
-/** A list asked for by the last letter must not open over the page after the pupil has gone to Run: the library closes open lists only. */
+/** A late list must not open over the page after the pupil has gone to Run: the library closes only open lists. */
 function dropPending(view: EditorView): void {
   if (completionStatus(view.state) === 'pending') setTimeout(() => closeCompletion(view));
 }
@@ -82,7 +84,7 @@ function suggest(
   const typed = source.slice(from, at.pos);
   const before = source.slice(0, from);
   if (!isAsked && typed === '' && !/(\.|\bimport |\bfrom |['"])$/.test(before)) return null;
-  // Nothing to suggest to someone who has written the only fitting name.
+  // There is nothing to suggest once the only fitting name is written.
   const fitting = items.filter(({ item }) => item.label.startsWith(typed));
   if (!isAsked && fitting.length === 1 && fitting[0]?.item.label === typed) return null;
   const inImport = /^[ \t]*(import|from)\b[^\n]*$/m.test(before.slice(before.lastIndexOf('\n') + 1));
@@ -154,7 +156,7 @@ function sign(option: Completion): Node {
   return made;
 }
 
-/** Enter ends the line when the word stands there already. */
+/** Enter ends the line if the word is already complete. */
 const acceptOrEndLine: Command = (view) => {
   const chosen = selectedCompletion(view.state);
   const { head } = view.state.selection.main;

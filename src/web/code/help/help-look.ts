@@ -69,7 +69,7 @@ export const helpLook = EditorView.theme({
     whiteSpace: 'nowrap',
   },
   'li[aria-selected] .cm-completionDetail, li[aria-selected] .cm-helpSign': { color: 'var(--text-2)' },
-  // Where there is no room beside the list, its card stands below it: both must fit above a keyboard on the screen.
+  // Without room beside the list, its card goes below it: both must fit above an on-screen keyboard.
   '@media (max-width: 599px)': {
     '.cm-tooltip.cm-tooltip-autocomplete > ul': { maxHeight: '170px' },
   },

@@ -4,7 +4,7 @@ import type { EditorView } from '@codemirror/view';
 import type { Language } from '../../page/i18n';
 import type { Written } from '../../work/hardware/written-for';
 
-/** What the help needs to know; the function is asked again every time. */
+/** The data that the help needs; the function is called again every time. */
 export interface HelpOptions {
   readonly language: Language;
   /** The file that is shown, and what it is written for. */

@@ -16,8 +16,8 @@ export const meantText = words.didYouMean;
 const ABOUT_NAMES = ['NameError', 'AttributeError', 'ImportError', 'ModuleNotFoundError'];
 
 /**
- * The name that a program most likely meant where the device knows none of that name: one that could stand at that place.
- * `null`: there is none, or the exception is about something else.
+ * The name that a program most likely meant by an unknown one: a name that could stand at that place. `null` if there
+ * is none, or the exception is about something else.
  *
  * @param written the file that the exception names
  */

@@ -80,7 +80,7 @@ function explained(type: string, message: string): Omit<Advice, 'device'> {
   return { key: plain === undefined ? 'error.other' : `error.${plain}`, values: {} };
 }
 
-/** Letters that the device wrote as the bytes of UTF-8, `\xc3\xb6`, as letters again; bytes that are none stay. */
+/** Turns letters that the device wrote as the bytes of UTF-8, `\xc3\xb6`, into letters again; other bytes stay. */
 function readable(text: string): string {
   return text.replace(/(?:\\x[0-9a-f]{2})+/g, (codes) => {
     const bytes = Array.from(codes.matchAll(/[0-9a-f]{2}/g), ([byte]) => Number.parseInt(byte, 16));

@@ -3,7 +3,7 @@ import { shallowRef } from 'vue';
 import { loadErrorTexts } from '../../page/i18n';
 import type { Advice, adviceFor as AdviceFor, ErrorReport } from './error-advice';
 
-/** What knows the errors. It comes with the first run: nobody waits for it when the page opens. */
+/** The knowledge about errors. It is fetched with the first run, not when the page opens. */
 const adviceFor = shallowRef<typeof AdviceFor | null>(null);
 let coming: Promise<void> | null = null;
 

@@ -1,6 +1,6 @@
 /**
- * The one of these names that somebody most likely meant who wrote another one: the nearest by letters left out, added,
- * exchanged or swapped. `null` where none is near enough, or two are equally near.
+ * The most likely intended one of these names: the nearest by letters left out, added, exchanged or swapped. `null` if
+ * none is near enough, or two are equally near.
  */
 export function nearName(written: string, names: Iterable<string>): string | null {
   const most = mostSlips(written.length);

@@ -7,7 +7,7 @@ export interface Source {
   readonly line: number;
 }
 
-/** What is wrong with a line that MicroPython calls "invalid syntax", as far as it can be told. */
+/** What is wrong with a line that MicroPython calls "invalid syntax", as far as this can be found out. */
 export interface SyntaxAdvice {
   readonly key: TextKey;
   readonly values: TextValues;
@@ -86,7 +86,7 @@ function outsideBrackets(code: string): string {
 interface Reading {
   /** The lines without what is in texts and comments. */
   readonly codes: readonly string[];
-  /** Brackets that are open at the end of the line that was asked for, the outermost first. */
+  /** Brackets that are open at the end of the given line, the outermost first. */
   readonly open: readonly { readonly bracket: string; readonly line: number }[];
   /** The line of a text that does not end on it. */
   readonly openQuote: number | null;

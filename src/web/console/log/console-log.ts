@@ -49,7 +49,7 @@ export class ConsoleLog {
   private lines = 0;
   private nextId = 1;
   private tone: TextTone = 'plain';
-  /** The traceback being written, so far. */
+  /** The traceback that is being written. */
   private traceback = '';
   private lineStart = true;
   private lineLength = 0;
@@ -251,7 +251,7 @@ export class ConsoleLog {
   }
 }
 
-/** The exception that was typed at the REPL; an interrupt is no mistake. */
+/** The exception of a line typed at the REPL; an interrupt is not an error. */
 function failureOf(line: string, traceback: string): Failure | null {
   const [, type = '', message = ''] = /^(\w+)(?:: (.*))?$/.exec(line) ?? [];
   return type === '' || type === 'KeyboardInterrupt' ? null : { type, message, traceback };

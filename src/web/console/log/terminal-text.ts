@@ -11,7 +11,7 @@ export type TerminalPiece =
   /** The screen is cleared. */
   | { readonly kind: 'clear' };
 
-/** Longest escape sequence that is waited for; anything longer is none. Chosen: terminals' sequences have under 20. */
+/** Longest escape sequence to wait for; anything longer is not one. Chosen: terminals' sequences have under 20. */
 const LONGEST_ESCAPE = 32;
 const CONTROL = /[\x00-\x08\x0b-\x1f\x7f]/;
 const ESCAPE = /^\x1b(?:\[([0-9;?]*)([@-~])|[^[])/;
@@ -56,7 +56,7 @@ export class TerminalReader {
     const sign = tail.charAt(0);
     if (sign === '\x1b') return takeEscape(tail, pieces);
     if (sign === '\r') {
-      if (tail.length === 1) return 0; // the line feed that belongs to it may be under way
+      if (tail.length === 1) return 0; // its line feed may be in transit
       pieces.push({ kind: 'return' });
     } else if (sign === '\b') {
       pieces.push({ kind: 'move', by: -1 });

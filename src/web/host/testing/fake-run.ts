@@ -7,7 +7,7 @@ import type { WorkerPort } from '../../run/run-client';
 import { RunModel } from '../../run/run-model';
 import type { FromWorker, ToWorker } from '../../run/worker/protocol';
 
-/** The page's end of a run whose worker runs no program: it answers at once, but for starting, which the test does. */
+/** The page's end of a run whose worker runs no program: it answers at once, except to a start (the test does). */
 export function fakeRun() {
   const inputs: InputAction[] = [];
   let current: WorkerPort | null = null;

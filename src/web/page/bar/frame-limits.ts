@@ -6,7 +6,7 @@
  */
 export function sayMayBeRefused(): boolean {
   if (self.origin !== 'null') return false;
-  void say().catch(() => undefined); // what comes late did not come: the file itself is on its way all the same
+  void say().catch(() => undefined); // a late answer does not count: the file itself arrives anyway
   return true;
 }
 

@@ -12,7 +12,7 @@ export { LANGUAGES, type Language, type TextKey, type Texts, type TextValues, ty
 type Flat = Readonly<Record<string, string>>;
 type Tree = { readonly [name: string]: string | Tree };
 
-/** The texts of a language, fetched when it is chosen: nobody waits for those of another one. */
+/** The texts of a language, fetched when it is chosen: those of other languages are not loaded. */
 const catalogues = byLanguage(import.meta.glob<Texts>('../words/*.json', { import: 'default' }));
 
 /** What goes wrong in programs, by language. */
@@ -28,7 +28,7 @@ const shown = shallowRef<Language>('de');
 /** The language that is shown. Read in templates, it is followed when it changes. */
 export const shownLanguage = (): Language => shown.value;
 
-/** Shows a language whose texts are there already, without telling the page around: for `setLanguage`, and for tests. */
+/** Shows a language whose texts are loaded, without announcing it to the browser: for `setLanguage`, and for tests. */
 export const showLanguage = (language: Language): void => void (shown.value = language);
 
 /** Looks a text up by its typed name. Reads the chosen language, so templates follow when it changes. */
@@ -63,10 +63,10 @@ function flat(texts: Tree, before = ''): Flat {
   return Object.fromEntries(entries) as Flat;
 }
 
-/** The language chosen last; its texts may be under way. */
+/** The language chosen last; its texts may still be loading. */
 let wanted: Language = 'de';
 
-/** Chooses the language of the page, and tells browsers and screen readers. Done once its texts are there. */
+/** Chooses the page's language, and announces it to browsers and screen readers. Resolves once its texts are loaded. */
 export async function setLanguage(language: Language): Promise<void> {
   wanted = language;
   await loadTexts(language);

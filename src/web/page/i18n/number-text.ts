@@ -9,7 +9,7 @@ const formats = new Map<string, Intl.NumberFormat>();
  * A number as it is written in a language: `1.5` in German-speaking and Italian-speaking Switzerland, `1,5` in
  * French-speaking. Without marks for thousands, which would differ and which nothing here is large enough for.
  *
- * @param decimals so many, neither more nor fewer; without it as many as the number has, at most three
+ * @param decimals exactly this many; left out: as many as the number has, at most three
  */
 export function numberText(value: number, language: Language, decimals?: number): string {
   const key = `${language} ${String(decimals)}`;
@@ -32,7 +32,7 @@ export const decimalSign = (language: Language): string => numberText(0.5, langu
 export const dateText = (atMs: number, language: Language): string =>
   new Date(atMs).toLocaleString(localeOf(language), { dateStyle: 'medium', timeStyle: 'short' });
 
-/** What was typed as a number, with a point or a comma and either minus sign; `null`: it is none. */
+/** Parses a typed number, with a point or a comma and either minus sign; `null` for anything else. */
 export function readNumber(text: string): number | null {
   const plain = text.trim().replace(',', '.').replace('\u2212', '-');
   const value = Number(plain);

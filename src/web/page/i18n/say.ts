@@ -5,8 +5,8 @@ import { filled } from './filled';
 import type { TextValues } from './texts';
 
 /**
- * A text that brings its languages along: those of robots and courses, and those of panels that come late, which
- * nobody waits for when the page opens. Values go into the braces as in the catalogues.
+ * A text that brings its languages along: those of robots and courses, and those of panels that load late. Values go
+ * into the braces as in the catalogues.
  */
 export const say = (texts: Texts, values: TextValues = {}): string =>
   filled(texts[shownLanguage()], values, shownLanguage());

@@ -12,7 +12,7 @@ export type ErrorTexts = typeof error;
 /** The name of one text, such as `bar.run`. */
 export type TextKey = Leaves<typeof de> | `error.${keyof ErrorTexts}`;
 
-/** What stands in a text's braces; numbers are written as the language writes them. */
+/** The values for a text's braces; numbers are written in the form of the language. */
 export type TextValues = Readonly<Record<string, string | number>>;
 
 /** Looks a text up in the chosen language. */

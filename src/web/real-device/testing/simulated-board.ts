@@ -4,15 +4,15 @@ import type { Port, Timer } from '../port';
 
 const STEP_US = 5000;
 
-/** A simulated board with a cable: its serial line as a port, and its own time for whoever waits. */
+/** A simulated board with a cable: its serial line as a port, and its own time for waiting code. */
 export interface SimulatedBoard {
   readonly port: Port;
   readonly timer: Timer;
   /** All that it has sent since it was switched on. */
   console(): string;
-  /** Types into it and lets so many simulated milliseconds pass. @returns what it sent meanwhile */
+  /** Types into it and lets this many simulated milliseconds pass. @returns what it sent meanwhile */
   type(text: string, ms?: number): string;
-  /** How long somebody has waited for it in all, in its own time. */
+  /** Total waiting time, in its own time. */
   waitedMs(): number;
   /** Pulls the cable. */
   unplug(): void;
@@ -27,7 +27,7 @@ export interface BoardStart {
   readonly firmware: WebAssembly.Module;
 }
 
-/** Switches a board on. Its time passes while somebody waits for it, and as fast as it can. */
+/** Switches a board on. Its time passes while code waits for it, as fast as it can. */
 export async function simulatedBoard({ files, board, robot = 'none', firmware }: BoardStart): Promise<SimulatedBoard> {
   const setup = { scene: defaultScene(), files, robot, board, seed: 1, reality: 0, repl: 'at-once' } as const;
   let sent = '';
@@ -83,7 +83,7 @@ export async function simulatedBoard({ files, board, robot = 'none', firmware }:
   };
 }
 
-/** Time that passes in steps of 5 ms while somebody waits for it, and never by itself. */
+/** Time that passes in steps of 5 ms while code waits for it, and never by itself. */
 export class WaitingClock implements Timer {
   onStep: () => void = () => undefined;
   private readonly waiting = new Map<() => void, number>();

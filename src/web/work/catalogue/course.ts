@@ -13,12 +13,12 @@ export interface Course {
   readonly level: CourseLevel;
   readonly kind: CourseKind;
   readonly scene: Scene;
-  /** What a pupil finds on opening it: a beginning, or where there is none the solution. By the language of its words. */
+  /** The initial program of a course: a beginning, or without one the solution. By the language of its words. */
   readonly program: Readonly<Record<Language, string>>;
   /** The program that does what the course asks for. */
   readonly solution: Readonly<Record<Language, string>>;
   readonly texts: Readonly<Record<Language, CourseTexts>>;
-  /** Made from a number and no folder: who opens it works on a course of their own. */
+  /** Made from a number, without a folder: the user works on a course of their own. */
   readonly isRandom: boolean;
 }
 
@@ -69,7 +69,7 @@ function readCourse(id: string, files: ReadonlyMap<string, string>): Course[] {
   return [{ id, place, level, kind, scene, program, solution, texts, isRandom: false }];
 }
 
-/** What stands in `texts.json`. */
+/** The content of `texts.json`. */
 type FolderTexts = Partial<Pick<Course, 'place' | 'level' | 'kind'> & Record<Language, CourseTexts>>;
 
 const inEach = <T>(make: (language: Language) => T): Readonly<Record<Language, T>> =>

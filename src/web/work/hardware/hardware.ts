@@ -16,7 +16,7 @@ export const deviceSettings = (settings: Settings): readonly unknown[] => {
 /** Where chance begins. The ideal robot has no number: whatever was chosen for a used one is out of sight then. */
 export const seedOf = ({ reality, seed }: Pick<Settings, 'reality' | 'seed'>): number => (reality > 0 ? seed : 1);
 
-/** What a program runs in and with: all that is left to it when a setting says `auto`. */
+/** The surroundings of a program: they decide wherever a setting says `auto`. */
 export interface Surroundings {
   readonly scene: Scene;
   readonly files: readonly SourceFile[];

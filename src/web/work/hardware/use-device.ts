@@ -32,11 +32,11 @@ export interface DeviceModel {
   readonly chooseOption: (option: string, choice: string) => void;
   readonly resetOptions: () => void;
   readonly chooseReality: (reality: number) => void;
-  /** Takes the used robot with this number; what is no such number changes nothing. */
+  /** Takes the used robot with this number; an invalid number changes nothing. */
   readonly chooseSeed: (seed: number) => void;
   /** Takes the next one, after the last the first. */
   readonly nextSeed: () => void;
-  /** What is wrong when robot and board or robot and program do not fit, and a way out; else `null`. */
+  /** What is wrong when robot and board, or robot and program, do not fit, with a way out; otherwise `null`. */
   readonly misplugged: ComputedRef<Required<Omit<Notice, 'holds'>> | null>;
 }
 

@@ -5,7 +5,7 @@ import type { RobotReference } from '#reference/types';
 import { robotReferences } from '#robots/references';
 import type { Hardware } from '#simulation/hardware';
 
-/** A file of a project, among all its files, and what it is to run on; `null`: nobody knows. */
+/** A file of a project, among all its files, and its target; `null` if that is unknown. */
 export interface Written {
   readonly hardware: Hardware | null;
   readonly files: readonly SourceFile[];

@@ -7,10 +7,10 @@ import type { RunModel } from '../../run/run-model';
 import type { WorkModel } from './work-model';
 
 /**
- * Tells a run under way what becomes of its course, as inputs that can be replayed: whatever was changed, undone or
- * redone since it was told last. The run decides what takes effect at once and what at the next start.
+ * Sends changes of the course to the current run, as inputs that can be replayed: everything that was changed, undone
+ * or redone since the last time. The run decides what takes effect at once and what at the next start.
  *
- * @param runStart the course that the run was given; emptied here when everything is back at the start
+ * @param runStart the run's initial course; cleared here when everything is back at the start
  */
 export function useLiveEdits(
   run: Pick<RunModel, 'phase' | 'isActive' | 'input'>,

@@ -8,7 +8,7 @@ import type { Scene } from '#scene/scene';
 import { putAside, type Previous, type Work } from '../storage/history';
 
 /**
- * The pupil's work: files, the one that is shown, the course with the way it came about, and what was put aside. All
+ * The pupil's work: files, the shown file, the course with its undo history, and the work that was put aside. All
  * changes go through here.
  */
 export class WorkModel {
@@ -16,14 +16,14 @@ export class WorkModel {
   readonly files: ComputedRef<readonly SourceFile[]>;
   readonly scene: ComputedRef<Scene>;
   readonly open: ComputedRef<SourceFile>;
-  /** Counts the courses that were opened: each is another start, with nothing to take back. */
+  /** Counts the opened courses: each is a new start, with nothing to undo. */
   readonly openings: ShallowRef<number> = shallowRef(0);
   readonly canUndo: ComputedRef<boolean>;
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
   private readonly history: ShallowRef<History>;
-  /** What was opened: a course that is called otherwise, or asks for something else, is no ready course any more. */
+  /** The opened course. If its name or its task changes, it is no longer a ready course. */
   private origin: Project;
 
   constructor(
@@ -105,23 +105,23 @@ export class WorkModel {
     return this.step(redone(this.history.value));
   }
 
-  /** How the course came about, for who keeps it. */
+  /** The course with its undo history, for storage. */
   get way(): History {
     return this.history.value;
   }
 
-  /** Takes up a way that was kept, unless the course has gone on since. */
+  /** Restores a stored undo history, unless the course has changed since. */
   takeUp(way: History): void {
     const { past, present, future } = this.history.value;
     if (past.length + future.length === 0 && present === way.present) this.history.value = way;
   }
 
-  /** Opens another course, the files stay; the work so far is put aside when `nameOfOld` is given. */
+  /** Opens another course; the files stay. The work so far is put aside if `nameOfOld` is given. */
   setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
     this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);
   }
 
-  /** Opens another project; the work so far is put aside when `nameOfOld` is given. */
+  /** Opens another project. The work so far is put aside if `nameOfOld` is given. */
   openProject(project: Project, nameOfOld: string | null): void {
     this.put(project, MAIN, nameOfOld);
   }

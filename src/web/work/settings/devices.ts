@@ -50,7 +50,7 @@ export const isDevice = (id: string): boolean => id === AUTO_DEVICE || devices.s
 /** Whether the settings may name this as the robot. */
 export const isRobotChoice = (id: string): boolean => id === AUTO_ROBOT || id === NO_ROBOT || findRobot(id) !== null;
 
-/** The board that a run is asked for: an id, or `auto`. */
+/** The requested board of a run: an id, or `auto`. */
 export const boardWish = (device: string): string => devices.find(({ id }) => id === device)?.board ?? AUTO;
 
 /** The firmware of this name where the board has it, else the board's usual one. */

@@ -15,10 +15,10 @@ export interface LightWish {
 /** Choices by the name of the pin's wire, e.g. `P2`. */
 export type LightWishes = Readonly<Record<string, LightWish>>;
 
-/** Rings are sold with so many lights. */
+/** Usual numbers of lights of rings. */
 const RING_COUNTS: readonly number[] = [8, 12, 16, 24];
 
-/** The form a chain of so many lights most likely has. */
+/** The most likely form of a chain of this many lights. */
 export function usualForm(count: number): LightForm {
   if (RING_COUNTS.includes(count)) return 'ring';
   return count === 256 ? 'zigzag' : 'strip';

@@ -45,7 +45,7 @@ export function createSettings(held: Partial<Settings> = {}): SettingsModel {
       if (chosen.length === 0) return;
       const isChosen = ([name]: readonly [string, unknown]): boolean => chosen.includes(name);
       const before = visit.value;
-      // In this order whoever watches sees no value between the old one and the new one.
+      // In this order observers see no value between the old one and the new one.
       visit.value = { ...before, ...Object.fromEntries(Object.entries(part).filter(isChosen)) };
       own.value = { ...own.value, ...Object.fromEntries(Object.entries(stored).filter(isChosen)) };
       const rest = Object.entries(visit.value).filter(

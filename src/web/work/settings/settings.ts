@@ -15,7 +15,7 @@ export type Theme = (typeof THEMES)[number];
 export const BOARD_PANELS = ['sensors', 'radio', 'log'] as const;
 export type BoardPanel = (typeof BOARD_PANELS)[number];
 
-/** What the app looks like and how it runs, for whoever sits at it. Sizes in CSS pixels. */
+/** The look of the app and its way of running, for the person who uses it. Sizes in CSS pixels. */
 export interface Settings {
   readonly language: Language;
   readonly theme: Theme;
@@ -59,7 +59,7 @@ export interface Settings {
   readonly welcomed: boolean;
   /** Where the tour was left: the id of a step; `null`: it was never begun, or is over. */
   readonly tourStep: string | null;
-  /** Width of the code pane, or `null`: as the window's width suggests. The others likewise. */
+  /** Width of the code pane, or `null` to follow the window's width. The others work in the same way. */
   readonly codePx: number | null;
   readonly boardPx: number | null;
   readonly consolePx: number | null;

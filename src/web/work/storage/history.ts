@@ -44,7 +44,7 @@ export function workToText(work: Work): string {
   return textOfWork(work, packedText(work.project), ({ project }) => packedText(project));
 }
 
-/** The same with other texts in the place of the projects. */
+/** The same list with other texts for the projects. */
 export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
   const previous = work.previous.map((entry) => {
     const { name, atMs } = entry;

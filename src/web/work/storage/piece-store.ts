@@ -4,12 +4,12 @@ import type { Piece } from './pieces';
 const DATABASE = 'parcours';
 const STORE = 'pieces';
 
-/** Pieces that no work has named for so long are given up. Chosen: holidays. */
+/** Pieces that no work has named for this long are deleted. Chosen: holidays. */
 const FORGOTTEN_MS = 60 * 24 * 3600 * 1000;
 
 /** A piece as it is stored. */
 interface Entry extends Piece {
-  /** When it was last asked for or stored, in ms since 1970. */
+  /** The time of its last use, in ms since 1970. */
   readonly usedMs: number;
 }
 
@@ -20,7 +20,7 @@ export async function putPieces(pieces: readonly Piece[], nowMs: number): Promis
   });
 }
 
-/** The pieces of these names, as far as they are there; those that nobody asked for in a long time go. */
+/** The pieces of these names, as far as they exist; pieces that were not used for a long time are deleted. */
 export async function getPieces(names: readonly string[], nowMs: number): Promise<ReadonlyMap<string, string>> {
   const found = new Map<string, string>();
   await inStore('readwrite', (store) => {

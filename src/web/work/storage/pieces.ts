@@ -9,7 +9,7 @@ import type { Background } from '#scene/scene';
 import { textOfWork, type Work } from './history';
 import { packedText, packProject } from './stored-project';
 
-/** What names a piece: `{ "parcours.piece": name }` stands in its place. */
+/** The name of a piece: `{ "parcours.piece": name }` stands in its place. */
 const KEY = 'parcours.piece';
 
 /** What is shorter stays with the work. Chosen: five earlier projects of this size take little room. */
@@ -60,7 +60,7 @@ export function joinWork(text: string, pieces: ReadonlyMap<string, string>): str
   return JSON.stringify(value);
 }
 
-/** The names of the pieces that stored work asks for; of most work there are none. */
+/** The names of the pieces in stored work; most work has none. */
 export function piecesIn(text: string): readonly string[] {
   const names: string[] = [];
   // In a text of the pupil the quotes would have backslashes before them.
