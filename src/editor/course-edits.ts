@@ -11,7 +11,7 @@ export function named(scene: Scene, name: string): SceneEdit | null {
   return short === scene.name ? null : { type: 'course', changes: { name: short } };
 }
 
-/** Says what the course is about or what is to be done. `null` when it says so already. */
+/** Sets the course's description. `null` if it is the present one. */
 export function described(scene: Scene, description: string): SceneEdit | null {
   const short = description.slice(0, sceneLimits.descriptionCharacters);
   return short === scene.description ? null : { type: 'course', changes: { description: short } };
@@ -63,5 +63,5 @@ export function backgroundPlaced(scene: Scene, at: Point, size: Point): SceneEdi
   return isSame ? null : { type: 'course', changes: { background: { ...background, at: place, size: next } } };
 }
 
-/** Takes all objects away; `null` when there are none. */
+/** Removes all objects; `null` if there are none. */
 export const cleared = (scene: Scene): SceneEdit | null => (scene.objects.length === 0 ? null : { type: 'clear' });

@@ -6,7 +6,7 @@ import { distanceMm, toVec, turned } from './plane';
 import { boundsOfSelection, selectedObjects } from './selection';
 import type { Handle, Selection } from './tools/tool';
 
-/** Reach for which handles stand when nobody says; in mm. */
+/** Default reach for handles, in mm. */
 const USUAL_REACH_MM = 12;
 
 /**

@@ -9,20 +9,20 @@ export const toVec = ([x, y]: Point): Vec => ({ x, y });
 /** A place in whole mm within what a course may hold. */
 export const toPoint = ({ x, y }: Vec): Point => [wholeMm(x), wholeMm(y)];
 
-/** A coordinate in whole mm within what a course may hold; what is no number becomes the lower limit. */
+/** A coordinate in whole mm within the limits of a course; anything but a number becomes the lower limit. */
 export function wholeMm(mm: number): number {
   const { min, max } = sceneLimits.placeMm;
   if (!(mm > min)) return min;
   return mm < max ? Math.round(mm) + 0 : max; // + 0: a file knows no −0
 }
 
-/** A value kept within a range, both ends included; what is no number becomes the lower end. */
+/** A value clamped to a range, both ends included; anything but a number becomes the lower end. */
 export function within(value: number, { min, max }: { readonly min: number; readonly max: number }): number {
   if (!(value > min)) return min;
   return value < max ? value : max;
 }
 
-/** Length of the way straight from one place to another. */
+/** Length of the straight line from one place to another. */
 export function distanceMm(a: Vec, b: Vec): number {
   const dx = b.x - a.x;
   const dy = b.y - a.y;

@@ -27,7 +27,7 @@ export const intoArena = ({ x, y }: Vec, [width, height]: Point): Vec => ({
   y: within(y, { min: 0, max: height }),
 });
 
-/** Whether a place is in the arena or at most so far from its edge. */
+/** Whether a place is in the arena or at most this far from its edge. */
 export const isInArena = ({ x, y }: Vec, [width, height]: Point, marginMm = 0): boolean =>
   x >= -marginMm && y >= -marginMm && x <= width + marginMm && y <= height + marginMm;
 
@@ -147,7 +147,7 @@ export function wholeCentimetres(from: Vec, to: Vec, reachMm: number): Vec {
   return { x: from.x + (to.x < from.x ? -whole : whole), y: from.y + (to.y < from.y ? -whole : whole) };
 }
 
-/** Where the way from a place in the arena leaves it, or its end. */
+/** The point where the line from a place in the arena leaves it, or the line's end. */
 export function shortenedInto(from: Vec, to: Vec, [width, height]: Point): Vec {
   const dx = to.x - from.x;
   const dy = to.y - from.y;

@@ -4,8 +4,8 @@ import type { SceneProblem } from './problem';
 /**
  * The value of a JSON file, or why there is none.
  *
- * @param what the file is called in messages: `course`, `project`
- * @param maxCharacters longer ones are not looked at
+ * @param what name of the file in messages: `course`, `project`
+ * @param maxCharacters longer files are not read
  */
 export function readJsonFile(
   text: string,

@@ -22,22 +22,22 @@ export type SceneProblemCode =
   | 'unknown-robot'
   | 'unknown-board';
 
-/** One thing that is wrong with a course: where, what stands there, and what to do. */
+/** One mistake in a course: its place, the value there, and what to do. */
 export interface SceneProblem {
   readonly code: SceneProblemCode;
   /** Place in the file such as `objects[2].to`; empty for the file as a whole. */
   readonly path: string;
-  /** What stands there, shortened; empty when nothing does. */
+  /** The value there, shortened; empty for a missing one. */
   readonly value: string;
   /** Figures and words of the message, for translations. */
   readonly params: Readonly<Record<string, string | number>>;
-  /** One English sentence or two, naming place, value and way out. */
+  /** One or two English sentences that name place, value and remedy. */
   readonly message: string;
 }
 
 const SHOWN_CHARACTERS = 60; // chosen: fits one line of a terminal together with the message
 
-/** A value as it would stand in a file, cut to a readable length; looks two levels deep only, however deep the value is. */
+/** A value in the form of a file, cut to a readable length; looks only two levels deep, however deep the value is. */
 export function shown(value: unknown): string {
   const text = Array.isArray(value) ? shownList(value) : shownPlain(value);
   return text.length > SHOWN_CHARACTERS ? `${text.slice(0, SHOWN_CHARACTERS)}…` : text;

@@ -10,7 +10,7 @@ export interface Range {
   readonly max: number;
 }
 
-/** After so many problems the rest is not listed: nobody reads it, and a hostile file must not cost memory. */
+/** Maximum number of listed problems: nobody reads more, and a hostile file must not cost memory. */
 const MAX_PROBLEMS = 20;
 
 /**
@@ -20,7 +20,7 @@ const MAX_PROBLEMS = 20;
 export class Reader {
   private readonly found: SceneProblem[] = [];
 
-  /** What was found so far, at most 20, in the order of the file. */
+  /** The problems found so far, at most 20, in the order of the file. */
   get problems(): readonly SceneProblem[] {
     return this.found;
   }
@@ -70,7 +70,7 @@ export class Reader {
     return value as Fields;
   }
 
-  /** A text of at most so many characters. */
+  /** A text of at most this many characters. */
   text(value: unknown, path: string, maxCharacters: number, ifMissing?: string): string {
     if (value === undefined && ifMissing !== undefined) return ifMissing;
     if (typeof value !== 'string') {

@@ -12,7 +12,7 @@ export const DAMAGED_BACKGROUND =
 /** Why no run can begin in a course, whatever robot it is for. */
 export interface RunRefusal {
   readonly code: 'heap' | 'movers' | 'background';
-  /** One English sentence with the way out. */
+  /** One English sentence with the remedy. */
   readonly message: string;
   readonly params: Readonly<Record<string, number>>;
 }

@@ -31,8 +31,8 @@ export function simplified(path: readonly Vec[], toleranceMm: number = TOLERANCE
 const wholeMm = (mm: number): number => Math.round(mm) + 0;
 
 /**
- * A line is looked at in pieces of so many places, whose ends stay: the work grows with the length of the line, not with
- * its square, however it is drawn. Chosen: 2 s of a pen that reports 1000 places a second.
+ * A line is simplified in pieces of this many places, whose ends stay. The work then grows with the length of the line,
+ * not with its square, however it is drawn. Chosen: 2 s of a pen that reports 1000 places a second.
  */
 const PIECE = 2048;
 

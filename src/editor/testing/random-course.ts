@@ -8,7 +8,7 @@ import type { Drag, Selection, ToolOptions } from '../tools/tool';
 
 const extent = (rng: Rng): Point => [wholeFrom(rng, 5, 300), wholeFrom(rng, 5, 300)];
 
-/** A course with so many objects of any kind. */
+/** A course with this many objects of any kind. */
 export const randomCourse = (rng: Rng, objects: number): Scene => ({
   ...defaultScene(),
   robot: {

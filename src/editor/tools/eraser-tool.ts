@@ -29,7 +29,7 @@ export const eraserTool: Tool = {
 /** What is left of the strokes that were cut, by the id of the whole stroke. */
 type Cuts = ReadonlyMap<string, readonly Stroke[]>;
 
-/** The way of the eraser is worked up in pieces, so that a long one costs no more per move than a short one. */
+/** The eraser's path is processed in pieces, so that a long one costs no more per move than a short one. */
 const cutsAlong = alongPath<Cuts>({
   block: 32, // chosen: a quarter to half a second of a pointer; cuts are rounded to whole mm so rarely that none is seen
   start: () => new Map(),
@@ -49,7 +49,7 @@ const cutsAlong = alongPath<Cuts>({
   },
 });
 
-/** A way with fewer places, nowhere more than the rounding and this much beside it. */
+/** A path with fewer places, nowhere farther off than the rounding plus this. */
 const fewer = (places: readonly Vec[]): readonly Vec[] => simplified(places, BESIDE_MM).map(toVec);
 
 const BESIDE_MM = 0.5; // chosen: less than what is rounded
@@ -100,7 +100,7 @@ function leaving(scene: Scene, cuts: Cuts): SceneEdit | null {
   return combined([replacing(changes), removing(gone)]);
 }
 
-/** A tap takes the topmost object within half the reach (what is gone by mistake hurts); a drag also all that it passes. */
+/** A tap removes the topmost object within half the reach (mistakes hurt); a drag also removes all in its path. */
 function objectsUnder(drag: Drag, context: ToolContext): readonly string[] {
   const { scene } = context;
   const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm / 2);

@@ -21,7 +21,7 @@ export const keyOf = ({ along, line, cell }: GridEdge): string => `${along}${lin
 /** A name for the grid line of an edge. */
 export const lineKeyOf = ({ along, line }: GridEdge): string => `${along}${line}`;
 
-/** Shorter edges at the arena's far sides, where a cell is cut off, are none. */
+/** Edges shorter than this, at the arena's far sides where a cell is cut off, do not count. */
 const SHORTEST_MM = 10;
 
 /** The stretch of an edge along its line, cut off at the arena's edge. */
@@ -57,7 +57,7 @@ function beside(along: 'x' | 'y', { x, y }: Vec, cellMm: number): { readonly edg
   return { edge: { along, line, cell: Math.floor(on / cellMm) }, awayMm: Math.abs(across - line * cellMm) };
 }
 
-/** The edge nearest to a place within a distance; `null` where there is none, or where the rim is nearer. */
+/** The edge nearest to a place within a distance; `null` if there is none, or if the rim is nearer. */
 export function nearestEdge(place: Vec, cellMm: number, size: Point, withinMm: number): GridEdge | null {
   const level = beside('x', place, cellMm);
   const upright = beside('y', place, cellMm);
@@ -85,7 +85,7 @@ export interface LineWall extends Span {
   readonly wall: Wall;
 }
 
-/** So far a wall may lie beside a grid line and still count as on it, in mm. Chosen: what an eye takes for straight. */
+/** A wall this far beside a grid line still counts as on it, in mm. Chosen: it looks straight. */
 const ON_LINE_MM = 3;
 
 /** The walls on a grid line in the order of the course. */
@@ -104,7 +104,7 @@ export function wallsOn(scene: Scene, { along, line }: GridEdge, cellMm: number)
 /** The share of an edge that counts as taken by a wall. Chosen: more than a gap that a robot could go through. */
 const TAKEN = 0.6;
 
-/** Whether walls stand on most of an edge. */
+/** Whether walls cover most of an edge. */
 export function isTaken({ from, to }: Span, walls: readonly Span[]): boolean {
   const covered = walls.reduce((sum, wall) => sum + Math.max(0, Math.min(to, wall.to) - Math.max(from, wall.from)), 0);
   return covered >= TAKEN * (to - from);
@@ -117,6 +117,6 @@ export function wallEndsAlong({ along }: GridEdge, at: number, { from, to }: Spa
     : { from: toPoint({ x: at, y: from }), to: toPoint({ x: at, y: to }) };
 }
 
-/** Half a wall's thickness in whole mm: so far walls reach beyond their edge, so that corners are closed. */
+/** Half a wall's thickness in whole mm: walls extend this far beyond their edge, so that corners are closed. */
 export const overhangMm = (thickness: number): number =>
   Math.floor(Math.min(thickness, sceneLimits.thicknessMm.max) / 2);

@@ -27,7 +27,7 @@ import type { Drag, Mark, Tool, ToolContext, ToolOptions } from './tool';
 /** A tap that is farther than this share of a cell from every edge means none. */
 const TAP_WITHIN = 0.35;
 
-/** Builds mazes on the edges of a grid: a tap puts a wall or takes it away, a drag along edges does so all the way. */
+/** Builds mazes on the edges of a grid: a tap adds or removes a wall, a drag along edges does so for all of them. */
 export const mazeTool: Tool = {
   id: 'maze',
   cursor: 'cell',
@@ -50,7 +50,7 @@ export const mazeTool: Tool = {
   marksAtRest: ({ options }) => [{ type: 'grid', cellMm: cellOf(options), edge: null }],
 };
 
-/** The side of a cell in mm: never so small that a drag would go along thousands of edges. */
+/** The side of a cell in mm: never so small that a drag would pass thousands of edges. */
 const cellOf = ({ mazeCell }: ToolOptions): number => Math.round(within(mazeCell, toolOptionRanges.mazeCell));
 
 function tappedEdges(drag: Drag, { scene, options }: ToolContext): readonly GridEdge[] {
@@ -101,7 +101,7 @@ function* steps(
   cellMm: number,
   [width, height]: Point,
 ): Generator<{ readonly at: Vec; readonly dx: number; readonly dy: number }> {
-  // Outside the arena there are no edges; far away is as good as just outside.
+  // Outside the arena there are no edges; far away is equivalent to just outside.
   const near = ({ x, y }: Vec): Vec => ({
     x: within(x, { min: -cellMm, max: width + cellMm }),
     y: within(y, { min: -cellMm, max: height + cellMm }),
@@ -187,7 +187,7 @@ function joinedSpans(
   return groups.filter(({ isNew }) => isNew);
 }
 
-/** Takes walls off edges; of a wall that goes on beyond them the rest stays. */
+/** Removes walls from edges; the rest of a wall that continues beyond them stays. */
 function taken(scene: Scene, edges: readonly GridEdge[], cellMm: number): SceneEdit | null {
   const freeId = freeIds(scene);
   const changes: Replacement[] = [];

@@ -5,8 +5,8 @@ import type { Drag, ToolContext } from './tool';
 /** A calculation that goes along the path of a drag. Its states are never changed, only followed by others. */
 export interface Fold<State> {
   /**
-   * Places that are worked up together for good. The rest of the path, which is shorter, is looked at anew on every move;
-   * what a calculation rounds, it rounds once per block.
+   * Number of places that are processed together for good. The rest of the path, which is shorter, is processed again
+   * on every move; rounding happens once per block.
    */
   readonly block: number;
   /** Before the first place. */
@@ -56,7 +56,7 @@ export function alongPath<State>(fold: Fold<State>): (drag: Drag, context: ToolC
   };
 }
 
-/** Whether a drag is the one whose beginning is known. Places are told apart by identity: they never change. */
+/** Whether the beginning of a drag is known. Places are compared by identity: they never change. */
 function continues<State>(known: Kept<State>, drag: Drag, context: ToolContext): boolean {
   return (
     drag.path[0] === known.first &&

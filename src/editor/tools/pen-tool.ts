@@ -59,7 +59,7 @@ const kept = ({ x, y }: Vec): Vec => ({ x: within(x, sceneLimits.placeMm), y: wi
 /** Times of the reach that a line has to go away from its start before coming back means closing it. */
 const AWAY = 3;
 
-/** So near an end closes a line at most, in mm, also for a finger on a small screen. Chosen: twice the usual line. */
+/** Largest distance at which an end closes a line, in mm, also on small screens. Chosen: twice the usual line. */
 const CLOSES_MM = 40;
 
 /** A line that comes back to its start is joined to it, so that a track is closed without a gap or a kink. */
@@ -89,7 +89,7 @@ const toleranceOf = ({ reachMm }: Drag): number =>
 /** Chosen: 1.4 px of a finger at its usual reach of 22 px, half a pixel of a mouse. */
 const REACHES = 16;
 
-/** Coarser than that a line is not simplified, but given every so manyth point. */
+/** Coarsest simplification of a line; beyond it, only every n-th point is kept. */
 const COARSEST_MM = 500;
 
 const evenlyOf = (points: readonly Point[], count: number): readonly Point[] =>

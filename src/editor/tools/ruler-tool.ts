@@ -8,7 +8,7 @@ export const rulerTool: Tool = {
   edit: () => null,
   marks: (drag, _context, isDown) => {
     const to = endOf(drag);
-    // A tap tells x and y of the place itself.
+    // A tap shows x and y of the place itself.
     return isDown ? [{ type: 'measure', from: isTap(drag) ? to : startOf(drag), to }] : [];
   },
 };

@@ -64,7 +64,7 @@ type Grip =
 
 const grips = new WeakMap<Vec, { readonly context: ToolContext; readonly drag: Drag; readonly grip: Grip }>();
 
-/** What a drag has taken hold of, kept for as long as the place where it began: it is asked for on every move. */
+/** What a drag has grabbed, kept for as long as its starting place: it is needed on every move. */
 function gripOf(drag: Drag, context: ToolContext): Grip {
   const start = startOf(drag);
   const known = grips.get(start);

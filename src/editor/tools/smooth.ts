@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { distanceMm } from '../plane';
 
-/** Distance of the places that are averaged, in mm; larger for lines so long that there would be too many. */
+/** Distance of the averaged places, in mm; larger for very long lines, which would have too many. */
 const STEP_MM = 5;
 const MOST_PLACES = 4000;
 

@@ -8,7 +8,7 @@ import type { Tool } from './tool';
 /** Steps of the robot's heading: what set squares have, and whole degrees when free. */
 const STEP_DEG = 15;
 
-/** Puts the robot's start: a tap tells where, a drag also where to. The robot always stands wholly inside the arena. */
+/** Sets the robot's start: a tap sets its place, a drag also its direction. The robot stays inside the arena. */
 export const startTool: Tool = {
   id: 'start',
   cursor: 'crosshair',

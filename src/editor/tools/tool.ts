@@ -62,7 +62,7 @@ export interface ToolContext {
   readonly footprint: readonly (readonly Vec[])[];
 }
 
-/** Something to see while a tool is used that is no object of the course. World mm. */
+/** Something visible while a tool is used that is not an object of the course. World mm. */
 export type Mark =
   /** The frame that catches objects. */
   | { readonly type: 'frame'; readonly from: Vec; readonly to: Vec }
@@ -92,14 +92,16 @@ export interface Tool {
   readonly id: ToolId;
   /** CSS cursor over the floor. */
   readonly cursor: string;
-  /** What the drag amounts to so far, or `null` for nothing (yet). Asked again on every move, and its result shown; the last answer is the edit. */
+  /**
+   * The result of the drag so far, or `null` for nothing (yet). Called and shown on every move; the last is the edit.
+   */
   edit(drag: Drag, context: ToolContext): SceneEdit | null;
   /**
-   * Tools that draw freely: the ink that is shown along the path while it is drawn, which may have many thousand points.
-   * `edit` is then asked only at the end. `null`: `edit` shows it.
+   * For tools that draw freely: the ink along the path while it is drawn, which may have many thousand points. `edit`
+   * is then called only at the end. `null`: `edit` shows it.
    */
   ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
-  /** What is to be seen besides; `drag` is a single place while the pointer only hovers. */
+  /** Additional marks; `drag` is a single place while the pointer only hovers. */
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
   /** What is to be seen as long as the tool is chosen and nothing points: fingers never hover. */
   marksAtRest?(context: ToolContext): readonly Mark[];

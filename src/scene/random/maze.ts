@@ -1,7 +1,7 @@
 import { createRng, type Rng } from '#core/rng';
 import { sceneDefaults, type Point, type Scene, type SceneObject, type Wall } from '../scene';
 
-/** What is asked for in a random maze. */
+/** The request for a random maze. */
 export interface MazeWish {
   /** A whole number; the same seed and size always give the same maze. */
   readonly seed: number;
@@ -11,7 +11,7 @@ export interface MazeWish {
   readonly cellMm: number;
 }
 
-/** What mazes may be like. Chosen: the smallest has a way with bends in it, the largest fits the largest arena. */
+/** Limits of mazes. Chosen: the smallest has a path with bends, the largest fits the largest arena. */
 export const mazeLimits = {
   cells: { min: 2, max: 30 },
   /** 200: the robots just turn round in it; 300: with room to spare. */
@@ -39,9 +39,9 @@ const STEPS = [
 ] as const;
 
 /**
- * A perfect maze as a course: between any two cells there is exactly one way. The robot starts in the lower left cell and
- * looks into the open; the target is the cell that is farthest from it, with a black line across for the line sensors.
- * The arena's edge is the outer wall.
+ * A perfect maze as a course: between any two cells there is exactly one path. The robot starts in the lower left cell
+ * and looks into the open; the target is the cell that is farthest from it, with a black line across for the line
+ * sensors. The arena's edge is the outer wall.
  *
  * @param words name and description of the course
  * @throws RangeError for sizes beyond `mazeLimits`
@@ -121,7 +121,7 @@ function dig(wish: MazeWish, rng: Rng): Passages {
   return passages;
 }
 
-/** The cell with the longest way from `start`, and how the robot heads when it comes in. */
+/** The cell with the longest path from `start`, and the robot's heading when it comes in. */
 function farthestFrom(start: Cell, wish: MazeWish, passages: Passages): { cell: Cell; headingDeg: number } {
   const seen = new Set([indexOf(start, wish)]);
   const queue: { cell: Cell; headingDeg: number }[] = [{ cell: start, headingDeg: 0 }];
@@ -143,7 +143,7 @@ const centreOf = ({ column, row }: Cell, { cellMm }: MazeWish): Point => [
   Math.round((row + 0.5) * cellMm),
 ];
 
-/** The target fills its cell but for a rim; the black line lies across the way in. */
+/** The target fills its cell except for a rim; the black line lies across the entrance. */
 function finish(cell: Cell, headingDeg: number, wish: MazeWish): SceneObject[] {
   const at = centreOf(cell, wish);
   const side = wish.cellMm - 40; // chosen: the walls stay clear of it

@@ -3,7 +3,7 @@ import type { Vec } from '#core/geometry';
 import { createRng, type Rng } from '#core/rng';
 import { sceneDefaults, type Point, type Scene, type SceneObject } from '../scene';
 
-/** What is asked for in a random line track. */
+/** The request for a random line track. */
 export interface TrackWish {
   /** A whole number; the same seed, bends and size always give the same track. */
   readonly seed: number;
@@ -28,16 +28,16 @@ export const trackLimits = {
 const WIDTH = sceneDefaults.width;
 const TRIES = 60; // chosen: tries beyond are so near to the grid that they look like it
 const CELL_MM = 250; // chosen: a bend of 120 mm takes nearly half a side, the next one the other half
-const SAG_MM = 0.25; // chosen: so far an arc may be from its chord; points are rounded to whole mm anyway
+const SAG_MM = 0.25; // chosen: an arc may be this far from its chord; points are rounded to whole mm anyway
 const TWO_PI = 6.283185307179586;
 const MARK_MM = 150; // chosen: a robot on the line cannot pass beside a checkpoint
 
 /**
- * A closed line without corners and crossings as a course: the robot stands on it, passes three checkpoints on its way
- * round, and comes back to where it was.
+ * A closed line without corners and crossings as a course: the robot stands on it, passes three checkpoints on its lap,
+ * and comes back to its start.
  *
  * @param words name and description of the course
- * @throws RangeError for wishes beyond `trackLimits`
+ * @throws RangeError for requests beyond `trackLimits`
  */
 export function randomTrack(wish: TrackWish, words: Pick<Scene, 'name' | 'description'>): Scene {
   checkWish(wish);
@@ -102,8 +102,8 @@ function gridOf(size: Point): Grid {
 const key = (x: number, y: number): string => `${String(x)},${String(y)}`;
 
 /**
- * A patch of squares without holes, grown square by square: of all that cover half of the grid or more on the way, the
- * one whose outline has nearest to this many corners.
+ * A patch of squares without holes, grown square by square. Of all patches on the way that cover half of the grid or
+ * more, the one whose outline has nearest to this many corners is taken.
  */
 function grow(bends: number, { columns, rows }: Grid, rng: Rng): ReadonlySet<string> {
   const any = (count: number): number => Math.floor(rng.unit() * count);
@@ -259,7 +259,7 @@ function longestPiece(loop: readonly Vec[]): number {
   return lengths.indexOf(Math.max(...lengths));
 }
 
-/** Three checkpoints at the quarters of the way round, and the target where the robot starts. */
+/** Three checkpoints at the quarters of the lap, and the target where the robot starts. */
 function marks(start: Vec, ring: readonly Vec[]): SceneObject[] {
   const way = evenly(ring, 10);
   const quarter = (part: number): Point => rounded(way[Math.floor((way.length * part) / 4)] ?? ORIGIN);

@@ -4,9 +4,9 @@ import { createRng, type Rng } from '#core/rng';
 export const fuzzRuns = Number(process.env.FUZZ_RUNS ?? 10_000);
 
 /**
- * Tries a property for many seeds; a failure tells which seed it was, so that it can be tried alone.
+ * Checks a property for many seeds; a failure names its seed, so that it can be tried alone.
  *
- * @param run throws when the property does not hold
+ * @param run throws if the property does not hold
  */
 export function forManySeeds(runs: number, run: (rng: Rng, seed: number) => void): void {
   const first = Number(process.env.FUZZ_SEED ?? 0);
@@ -29,5 +29,5 @@ export function oneOf<T>(rng: Rng, things: readonly T[]): T {
   return thing as T;
 }
 
-/** True in so many of a hundred cases. */
+/** True in this many of a hundred cases. */
 export const inPercent = (rng: Rng, percent: number): boolean => rng.u32() % 100 < percent;

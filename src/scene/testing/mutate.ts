@@ -1,7 +1,7 @@
 import type { Rng } from '#core/rng';
 import { inPercent, oneOf, wholeFrom } from './fuzz';
 
-/** What does not belong where it is put; all of it can stand in a file. */
+/** Values that do not belong where they are put; all of them can occur in a file. */
 const strange: readonly unknown[] = [
   null,
   true,

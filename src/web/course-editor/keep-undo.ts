@@ -8,8 +8,8 @@ import type { CourseEditorParts } from './state/parts';
 const UNDO_KEY = 'parcours.undo';
 
 /**
- * Keeps what can be taken back while the page is loaded anew, for this tab alone. Where the work is not kept here, the way
- * begins with the page. What does it is fetched once there is something to keep.
+ * Keeps the undo history over a reload of the page, for this tab alone. If the work is not kept here, the history
+ * begins with the page. The code is fetched once there is something to keep.
  */
 export function keepUndo(app: Pick<WorkParts, 'work'> & VisitParts & Pick<CourseEditorParts, 'editor'>): void {
   if (!app.host.wish.keepsWork) return;

@@ -9,9 +9,10 @@ import type { CourseEditorParts } from './state/parts';
 const MOST_CHARACTERS = 200_000;
 
 /**
- * Takes up what was kept of the way, and keeps it from now on. Where the browser forbids it or has no room, nothing is kept.
+ * Restores the stored undo history, and stores it from now on. If the browser forbids it or has no room, nothing is
+ * stored.
  *
- * @param key where it is in the tab's own storage
+ * @param key its key in the tab's own storage
  */
 export function storeUndo(
   { work, editor }: Pick<WorkParts, 'work'> & Pick<CourseEditorParts, 'editor'>,

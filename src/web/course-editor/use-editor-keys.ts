@@ -10,10 +10,10 @@ import type { useSelectionActs } from './state/use-selection-acts';
 const BOARD_LETTERS = ['a', 'b', 'l'];
 
 /**
- * Keys of the editor. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z go for the whole page but for where text is written; letters
- * choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is chosen, A, B
- * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; beside it,
- * where a button has just been pressed, the most common of them act here.
+ * Keys of the editor. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields; letters choose
+ * tools while the arena, the palette or the head has the focus. While a program runs and the hand tool is chosen, A, B
+ * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; beside
+ * it, where a button has just been pressed, the most common of them act here.
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
   const { editor, run } = app;

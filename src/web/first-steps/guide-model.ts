@@ -2,11 +2,11 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import type { EntryId } from './guide/content/entry-ids';
 
-/** Whether the help is asked for, and where; whether it is seen. */
+/** Whether the help is requested, and where; whether it is visible. */
 export interface GuideModel {
   /** `null`: closed; an entry's name, or `''` for the help's beginning. */
   readonly at: Readonly<ShallowRef<EntryId | '' | null>>;
-  /** Whether it is on the page by now: it is fetched when it is asked for first. */
+  /** Whether it is on the page by now: it is fetched with the first request. */
   readonly isShown: ShallowRef<boolean>;
   /** Opens the help at one of its entries, or at its beginning. */
   readonly open: (entry?: EntryId | '') => void;

@@ -23,9 +23,10 @@ const FORBIDDEN_ELEMENTS = [
 ].map((name) => name.toLowerCase());
 
 /**
- * Checks the text of an SVG file: it must be nothing but a still picture. It is shown as an image, where browsers run no
- * scripts and fetch nothing anyway, and only its pixels are kept: this is so that a picture is the same wherever it is
- * opened, and says so when it would not be. Strict on purpose: what looks dangerous in a comment is dangerous as well.
+ * Checks the text of an SVG file: it must contain only a still picture. It is shown as an image, where browsers run no
+ * scripts and fetch nothing anyway, and only its pixels are kept. The check makes sure that a picture is the same
+ * wherever it is opened, and reports if it would not be. It is strict on purpose: dangerous text is refused even in a
+ * comment.
  */
 export function svgProblem(text: string): SvgProblem | null {
   const root = rootOf(text);
@@ -40,7 +41,7 @@ export function svgProblem(text: string): SvgProblem | null {
   return hasForeignReference(plain) ? 'unsafe' : null;
 }
 
-/** Where the root element begins, behind what may stand before it; `null`: it is no SVG. */
+/** Start of the root element, behind the prolog; `null` if it is not an SVG. */
 function rootOf(text: string): number | 'unsafe' | null {
   let at = /^[\s\uFEFF]*/.exec(text)?.[0].length ?? 0;
   for (;;) {
@@ -67,7 +68,7 @@ function hasForeignReference(text: string): boolean {
   return false;
 }
 
-/** `&#106;` and `&#x6a;` as the letters they stand for, so that nothing hides behind them; CSS escapes likewise. */
+/** `&#106;` and `&#x6a;` as the letters they stand for, so that nothing hides behind them; also CSS escapes. */
 function withoutCharacterReferences(text: string): string {
   const letter = (code: number): string => (code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : '');
   return text

@@ -1,6 +1,6 @@
 import { sceneLimits, type Background, type Point } from '#scene/scene';
 
-/** Side of a cell in mm, where so many cells are allowed. Chosen: a line sensor sees a spot of about 2 mm. */
+/** Side of a cell in mm, if that many cells are allowed. Chosen: a line sensor sees a spot of about 2 mm. */
 const CELL_MM = 2;
 
 /**

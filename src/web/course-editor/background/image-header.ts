@@ -40,7 +40,7 @@ function readJpeg(view: DataView): ImageHeader | null {
   return null;
 }
 
-/** C0 … CF but for the tables DHT (C4), JPG (C8) and DAC (CC). */
+/** C0 … CF except the tables DHT (C4), JPG (C8) and DAC (CC). */
 const isFrame = (marker: number): boolean =>
   marker >= 0xc0 && marker <= 0xcf && marker !== 0xc4 && marker !== 0xc8 && marker !== 0xcc;
 

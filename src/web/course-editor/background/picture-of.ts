@@ -16,8 +16,9 @@ interface Source {
 }
 
 /**
- * A picture painted anew as a `data:image/…` address of bounded length: PNG where that is short (drawings), else WebP or
- * JPEG (photographs), smaller and smaller until it fits. What else was in the file (place, camera, name) is gone.
+ * A picture painted anew as a `data:image/…` address of bounded length: PNG if that is short (drawings), otherwise WebP
+ * or JPEG (photographs), smaller and smaller until it fits. All other data in the file (place, camera, name) are
+ * dropped.
  */
 export function pictureOf(source: Source): string {
   const longest = Math.max(source.widthPx, source.heightPx);

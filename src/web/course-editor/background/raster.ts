@@ -1,6 +1,6 @@
 import { BRIGHTEST_LEVEL } from '#scene/background';
 
-/** A picture on its way to the grid of a background. It takes the picture in strips, so that it is never whole in memory. */
+/** Turns a picture into the grid of a background. It takes the picture in strips: it is never whole in memory. */
 export interface Raster {
   /**
    * Takes in the next rows of pixels, from the top.
@@ -8,7 +8,7 @@ export interface Raster {
    * @param rgba red, green, blue and alpha 0 … 255 per pixel, not premultiplied, row by row
    */
   add(rgba: ArrayLike<number>): void;
-  /** One level per cell, row by row from the upper left: 0 black … 15 bare floor. To be asked when all rows are in. */
+  /** One level per cell, row by row from the upper left: 0 black … 15 bare floor. Read it when all rows are in. */
   levels(): Uint8Array;
 }
 

@@ -16,7 +16,7 @@ const MOST_BYTES = 10_000_000;
 /** A picture of more is not decoded: it would need 4 bytes for each in memory. */
 const MOST_PIXELS = 40_000_000;
 
-/** A drawing has no pixels of its own: it gets so many on its longer side, and on a screen looks sharp with them. */
+/** A drawing has no pixels of its own: its longer side gets this many, which look sharp on a screen. */
 const SVG_PX = 3000;
 
 /** A strip of the picture that is turned into levels at a time, in pixels. */
@@ -39,12 +39,12 @@ class Refusal extends Error {
 }
 
 /**
- * Makes a background of a picture file (PNG, JPEG, or an SVG that is nothing but a picture): placed in the middle of the
- * arena as large as it fits, with the grid that the line sensors read, and a picture for the eye that has been painted
- * anew, so that nothing else of the file remains.
+ * Makes a background of a picture file (PNG, JPEG, or an SVG that is nothing but a picture): placed in the middle of
+ * the arena as large as it fits, with the grid that the line sensors read, and a repainted picture for the eye, so that
+ * nothing else of the file remains.
  *
  * @param arena its extent in mm
- * @returns a problem to tell (`backgroundProblemTexts`) for whatever cannot be read; never rejects
+ * @returns a problem to report (`backgroundProblemTexts`) if the file cannot be read; never rejects
  */
 export async function readBackground(
   file: Blob,
@@ -112,7 +112,7 @@ async function openSvg(bytes: Uint8Array): Promise<Opened> {
   return { source: image, widthPx, heightPx, isPhoto: false, close };
 }
 
-/** The drawing with its size in pixels: Firefox draws none on a canvas that does not say it. */
+/** The drawing with its size in pixels: without a size, Firefox draws nothing on a canvas. */
 function sizedSvg(
   text: string,
   size: { readonly width: number; readonly height: number },

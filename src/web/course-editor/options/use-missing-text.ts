@@ -9,7 +9,7 @@ const SHOW_MS = 5000;
 
 /**
  * Notices taps, and Enter or Space, in the arena while there are no words to put there: the field gets the focus and a
- * hint. Returns where the hint goes, in px; `null`: there is none.
+ * hint. Returns the place of the hint, in px; `null` for no hint.
  */
 export function useMissingText(
   field: Readonly<ShallowRef<HTMLElement | null>>,

@@ -4,8 +4,8 @@ import { sceneDefaults } from '#scene/scene';
 /**
  * Clears a course in one step. Robot, size and picture stay.
  *
- * @param isReady it is a ready course: its name, its task and its rules tell of what is gone, and go along. What an
- *   author has written of a course of their own stays.
+ * @param isReady whether it is a ready course: its name, its task and its rules describe the removed objects, and are
+ *   removed, too. An author's own texts stay.
  */
 export const clearAll = (isReady: boolean): SceneEdit => {
   const clear = { type: 'clear' } as const;

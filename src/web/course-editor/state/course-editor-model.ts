@@ -44,13 +44,13 @@ export interface CourseEditorModel {
   readonly isOpen: ComputedRef<boolean>;
   /** Snapping is off. */
   readonly free: ShallowRef<boolean>;
-  /** What the gesture amounts to so far; `null`: none. */
+  /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
   /** What the ruler measures, world mm; `null`: nothing yet. */
   readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
   /** The course that the run began with whose picture is shown; `null` without a run. */
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
-  /** A run is under way that does not know all of the course: walls, fixed things, the start. */
+  /** The present run does not know all of the course: walls, fixed things, the start. */
   readonly isWaiting: ComputedRef<boolean>;
   /** What has just happened, in words. */
   readonly said: Readonly<ShallowRef<string>>;

@@ -1,6 +1,6 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
-/** What of the editor stands in a window of its own. */
+/** The parts of the editor in windows of their own. */
 export type EditorPanel = 'list' | 'course' | 'background' | 'print';
 
 /** Which of the editor's windows is open. */

@@ -4,8 +4,8 @@ import type { LayoutParts } from '../../layout/parts';
 import type { CourseEditorParts } from './parts';
 
 /**
- * Whether palette, undo and keys may come now: once the page has nothing more urgent to do where they are in sight, else
- * when they are asked for. What they need besides comes with the first tool.
+ * Whether palette, undo and keys may load now: where they are in sight, once the page has nothing more urgent to do,
+ * otherwise on request. Everything else they need comes with the first tool.
  */
 export function useLateTools({
   editor,

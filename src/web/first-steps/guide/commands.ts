@@ -7,7 +7,7 @@ export interface Command {
   readonly module: string;
   /** How it is called after `from … import *`: `forward`, `irLeft.read_digital`. */
   readonly name: string;
-  /** Its arguments as the reference names them, one text for each way of calling it: `(radius: float)`. */
+  /** Its arguments as the reference names them, one text for each form of the call: `(radius: float)`. */
   readonly calls: readonly string[];
   /** What is written into a program: `leftArc(radius)`. */
   readonly code: string;
@@ -16,8 +16,8 @@ export interface Command {
 }
 
 /**
- * The commands of a module, in the order of the reference: its functions, and the functions of the objects it has. What
- * several objects share (all pins, both buttons) stands there once, with the first of them.
+ * The commands of a module, in the order of the reference: its functions, and the functions of the objects it has.
+ * Commands that several objects share (all pins, both buttons) are listed once, with the first of them.
  *
  * @param name of the module; one that does not exist has no commands
  */

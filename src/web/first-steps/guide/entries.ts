@@ -212,6 +212,6 @@ export const guideSections: readonly { readonly id: SectionId; readonly entries:
     })),
   }));
 
-/** The section that an entry stands in. */
+/** The section of an entry. */
 export const sectionOf = (id: EntryId): SectionId | undefined =>
   guideSections.find(({ entries }) => entries.some((entry) => entry.id === id))?.id;

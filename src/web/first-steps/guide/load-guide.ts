@@ -7,7 +7,7 @@ import { loadWords, type Words } from '../../code/help/words';
 import type { Language } from '../../page/i18n';
 import type { GuideContent } from './content/content';
 
-/** The help of each language: nobody waits for those of another one. */
+/** The help of each language: other languages are not loaded. */
 const contents = byLanguage(import.meta.glob<GuideContent>('../words/guide/*.json', { import: 'default' }));
 
 /** The help in one language: its own words, and those of the reference. */

@@ -1,4 +1,4 @@
-/** Small letters without their accents: `É`, `e` and `é` are the same to whoever searches; so are `ß` and `ss`. */
+/** Small letters without their accents: for the search, `É`, `e` and `é` are the same, and so are `ß` and `ss`. */
 export const folded = (text: string): string =>
   text.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase().replaceAll('ß', 'ss').replace(/[’ʼ]/g, "'");
 

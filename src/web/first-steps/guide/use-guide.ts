@@ -16,7 +16,7 @@ export type ShownSection =
 
 /** The help as it is shown now. */
 export interface GuideModel {
-  /** `null`: on its way. */
+  /** `null` while it loads. */
   readonly guide: Readonly<ShallowRef<Guide | null>>;
   /** It could not be fetched. */
   readonly isMissing: Readonly<ShallowRef<boolean>>;
@@ -40,7 +40,7 @@ export function useGuide(app: WorkParts): GuideModel {
     async ([language, id]) => {
       try {
         const loaded = await loadGuide(language, id);
-        if (shownLanguage() === language && robot.value === id) guide.value = loaded; // else another one is on its way
+        if (shownLanguage() === language && robot.value === id) guide.value = loaded; // otherwise another one is loading
         isMissing.value = false;
       } catch {
         isMissing.value = true;

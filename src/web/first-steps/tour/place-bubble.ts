@@ -16,9 +16,10 @@ const EDGE_PX = 8; // chosen: as between panes
 const BEGINNING_COUNTS = 2; // chosen: on a phone the bubble stands below the first lines of a program
 
 /**
- * Where a bubble stands that points at something: below it, beside it or above it, wherever it has room without covering
- * it; else in the corner of the window where it covers least of it, rather the end than the beginning: that is what is read
- * first. Always all of it in the window, as far as that is large enough. Without anything to point at it stands in the middle.
+ * The place of a bubble that points at something: below it, beside it or above it, wherever it has room without
+ * covering it; otherwise the corner of the window where it covers least of it, rather the end than the beginning, which
+ * is read first. The bubble is always wholly in the window, if that is large enough. Without anything to point at, it
+ * is in the middle.
  */
 export function placeBubble(
   target: Box | null,

@@ -10,10 +10,10 @@ export type Stage = (typeof STAGES)[number];
 type Sight = Pick<Settings, 'showBoard' | 'showArena' | 'showTools'>;
 
 /**
- * The stage that is in sight. It is no setting of its own: whatever shows the arena or unfolds the tools (a course, a
- * link, a button) is at another stage by that, so that none can hide what something else needs.
+ * The present stage. It is not a setting of its own: showing the arena or unfolding the tools (by a course, a link, a
+ * button) changes the stage, so that a stage can never hide what something else needs.
  *
- * @param isUnfolded the tools are unfolded where the settings leave it open: everywhere but on a phone
+ * @param isUnfolded the tools are unfolded if the settings leave it open: everywhere but on a phone
  */
 export function stageOf({ showArena, showTools }: Omit<Sight, 'showBoard'>, isUnfolded: boolean): Stage {
   if (!showArena) return 'board';

@@ -9,7 +9,7 @@ export interface Target {
   readonly box: Box;
 }
 
-/** How often the place is looked at besides, in ms: what slides and unfolds tells nobody. Chosen: soon enough for the eye. */
+/** How often the place is checked, in ms: sliding and unfolding fire no event. Chosen: soon enough for the eye. */
 const LOOK_MS = 150;
 
 /**

@@ -11,7 +11,7 @@ import { courseGalleryWords } from './course-gallery-words';
 /** Whose programs a random course is opened and solved with: ids of ready courses. */
 const models: Readonly<Record<RandomKind, string>> = { maze: 'large-maze', track: 's-bends' };
 
-/** Chosen: small ones fit beside the program on a tablet; in large ones a robot is on its way for minutes. */
+/** Chosen: small ones fit beside the program on a tablet; in large ones a robot drives for minutes. */
 const mazes = { s: { columns: 4, rows: 3 }, m: { columns: 6, rows: 4 }, l: { columns: 8, rows: 6 } } as const;
 const CELL_MM = 250;
 const tracks = {

@@ -1,6 +1,6 @@
 import type { Point } from '#scene/scene';
 
-/** Teeth along a side are about so many mm apart. Chosen: still teeth, and not dust, on a small picture. */
+/** Approximate distance of teeth along a side, in mm. Chosen: still teeth, and not dust, on a small picture. */
 const PITCH_MM = 34;
 
 /** The outline of a box with teeth around it, about its centre, as the `points` of an SVG polygon: tips lie on the edge. */
@@ -16,7 +16,7 @@ export function spikedOutline([width, height]: Point): string {
   return points.map((point) => point.map(Math.round).join(',')).join(' ');
 }
 
-/** From one corner of the inner box towards the next: valleys on it, and tips between them so much further out. */
+/** From one corner of the inner box towards the next: valleys on it, and tips between them this much farther out. */
 function side(from: Point, to: Point, outward: Point): Point[] {
   const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
   const teeth = Math.max(1, Math.round(Math.max(Math.abs(dx), Math.abs(dy)) / PITCH_MM));

@@ -46,7 +46,7 @@ function rowsOf(module: ReferenceModule, words: Readonly<Record<string, string>>
   return rows;
 }
 
-/** The ways in which a name is written; what gives nothing back does not say so, nor what takes anything what it is called. */
+/** The forms of a call; a function without a result does not mention it, and a parameter of any type has no type. */
 function codesOf(name: string, { calls, type }: Entry): readonly string[] {
   if (calls.length > 0) return calls.map((call) => name + call.replace(/ -> None$/, '').replace('(*arguments)', '(…)'));
   return [type === null ? name : `${name}: ${type}`];

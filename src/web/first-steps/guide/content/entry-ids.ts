@@ -30,7 +30,7 @@ export const BAR_IDS = [
   'menu',
 ] as const;
 
-/** What the menu offers besides. */
+/** The other entries of the menu. */
 export const MENU_IDS = [
   'stages',
   'tour',
