@@ -1,4 +1,4 @@
-import { openParcoursDoor } from '#embed/parcours/door';
+import { createParcoursAdapter } from '#embed/parcours/adapter';
 import { RecordingSimulator } from '#embed/testing/recording-simulator';
 
 import type { Print } from './example';
@@ -11,7 +11,7 @@ export function main(print: Print): void {
     print(reply === undefined ? `event ${String(type)}` : `answer ${String(reply)}: ${String(ok)}`);
   };
   const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
-  const host = openParcoursDoor(simulator, { post, nowMs: () => 0 }, facts);
+  const host = createParcoursAdapter(simulator, { post, nowMs: () => 0 }, facts);
   host.receive({ parcours: 1, id: 1, type: 'hello' });
   host.receive({ parcours: 1, id: 2, type: 'set-files', files: [{ name: 'main.py', text: 'print(1)' }] });
   simulator.tell({ type: 'started' });
