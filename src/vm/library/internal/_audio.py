@@ -1,4 +1,4 @@
-# What audio, music and speech share, and the built-in sounds, effects and frames.
+# Shared by audio, music and speech, and the built-in sounds, effects and frames.
 # Behaviour and errors: micropython-microbit-v2 modaudio.c, microbit_sound.c, microbit_soundeffect.c, microbit_pinaudio.c;
 # recording (the newest firmware): microbit_audiorecording.c, microbit_audiotrack.c.
 import _hal as _h
@@ -12,7 +12,7 @@ has_recording = _h.board_has("recording")
 
 
 def output(pin):
-    """The number of the pin that is to carry sound, -1 for none."""
+    """The number of the pin that will carry sound, -1 for none."""
     if pin is None:
         return -1
     return pin if pin is DEFAULT_PIN else pin_number(pin)
@@ -185,7 +185,7 @@ def _size(duration, rate, problem):
 
 
 def rate_of(source):
-    """Samples a second, as many as the simulation tells apart: one a microsecond."""
+    """Samples a second, up to the resolution of the simulation: one a microsecond."""
     return min(source._rate, _FASTEST)
 
 

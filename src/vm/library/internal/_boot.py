@@ -21,7 +21,7 @@ _reboot = _hal.reboot
 
 
 def run():
-    """Runs main.py, tells the simulation how it ended, and lets the REPL answer until the board restarts."""
+    """Runs main.py, reports to the simulation how it ended, and lets the REPL answer until the board restarts."""
     del _scope["_run"]
     gc.collect()
     _seal()
@@ -115,7 +115,7 @@ _booted = _hal.booted
 import _import
 
 sys.path[:] = ["", "/lib"]
-# The way to the board is the library's alone, and the runner's alone what a program could break it with.
+# Only the library may reach the board, and only the runner may call what could break it.
 for _name in ("_hal", "_boot", "_sim", "_repl"):
     del sys.modules[_name]
 for _module_of_ours in sys.modules.values():

@@ -1,4 +1,4 @@
-# What programs for the Calliope mini 1 and 2 import as calliope_mini, on the Calliope mini 3: its module, and what only
+# The module calliope_mini of the Calliope mini 1 and 2, on the Calliope mini 3: its module, and what only
 # they had. Loaded on that board alone (microbit.py).
 # Source: calliope-mini/calliope-mini-micropython, source/microbit (modmicrobit.cpp, calliopeled.cpp).
 import _hal as _h

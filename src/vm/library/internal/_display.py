@@ -45,7 +45,7 @@ def _add(frame):
     return True
 
 
-# Pictures that a generator makes one by one, perhaps without end: each is asked for when it is due.
+# Pictures that a generator makes one by one, perhaps without end: each is fetched when it is due.
 _frames = None
 _delay = 0
 _clear = False

@@ -151,7 +151,7 @@ class MicroBitImage:
         self._copy_from(src, x, y, w, h, xdest, ydest)
 
     def _copy_from(self, src, x, y, w, h, xdest, ydest):
-        # What lies outside the source counts as dark; what lands outside this image is dropped.
+        # Pixels outside the source count as dark; pixels that land outside this image are dropped.
         pixels = src._pixels()
         if src is self:
             pixels = bytes(pixels)

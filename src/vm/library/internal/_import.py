@@ -1,4 +1,4 @@
-# What a program can import: the device's modules, not those that only this build of MicroPython has.
+# The modules that a program can import: the device's, not those that only this build of MicroPython has.
 # Loaded last, when the library has all it needs.
 import builtins
 import _hal

@@ -28,7 +28,7 @@ def _name(event):
 
 
 _RATE = 11000
-# What is being recorded into: kept, so that it is not collected before the recording ends.
+# The buffer of a recording: kept, so that it is not collected before the recording ends.
 _buffer = None
 
 

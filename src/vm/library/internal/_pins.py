@@ -129,7 +129,7 @@ class MicroBitTouchOnlyPin:
             return touches
 
         def touch_calibrate(self):
-            # Finds the level of an untouched pad. A simulated pad needs none: it does not drift.
+            # Finds the level of an untouched pad. A simulated pad does not drift, so it needs no calibration.
             _touched(self._n)
 
     def set_touch_mode(self, value):

@@ -1,4 +1,4 @@
-# Runs what the REPL has collected. What is typed and shown is the simulation's (src/vm/run/repl.ts).
+# Runs what the REPL has collected. The simulation handles what is typed and shown (src/vm/run/repl.ts).
 import __main__
 import builtins
 import sys

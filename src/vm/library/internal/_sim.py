@@ -1,4 +1,4 @@
-# What the library's modules share: buffer addresses, checks, callbacks.
+# Shared by the library's modules: buffer addresses, checks, callbacks.
 # Loaded first, while every built-in module can still be imported (see _import.py).
 import _hal
 from math import trunc
@@ -32,7 +32,7 @@ def room(buffer):
 
 
 def refuse_attribute(thing, name, value):
-    """What the device says when a program puts something into one of its objects: as their __setattr__."""
+    """Raises the device's error when a program sets an attribute of one of its objects: as their __setattr__."""
     raise AttributeError("'%s' object has no attribute '%s'" % (type(thing).__name__, name))
 
 
@@ -43,7 +43,7 @@ def ints(*values):
 
 
 def number(value):
-    """Raises the device's TypeError for what is neither a whole nor a broken number."""
+    """Raises the device's TypeError for anything but an integer or a float."""
     trunc(value)
 
 
@@ -56,7 +56,7 @@ def text(value):
     return "".find(value)
 
 
-# What a module of the device's does when a program imports it for the first time, by its name.
+# Actions on the first import of a module of the device, by its name.
 on_import = {}
 
 

@@ -1,4 +1,4 @@
-# What is on the display rises, one row every 200 ms: micropython-microbit-v2 modantigravity.c. The drawing is ours.
+# The picture on the display rises, one row every 200 ms: micropython-microbit-v2 modantigravity.c. The drawing is ours.
 from _sim import on_import as _on_import
 from microbit import display as _display, sleep as _sleep
 

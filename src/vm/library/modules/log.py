@@ -46,7 +46,7 @@ def set_mirroring(serial):
 
 
 def delete(full=False):
-    # The log is gone either way: a full erase only leaves nothing to be found in the flash memory.
+    # The log is erased either way: a full erase only leaves nothing to be found in the flash memory.
     _h.log_delete()
 
 

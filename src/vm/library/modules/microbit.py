@@ -1,4 +1,4 @@
-# The module of the board: microbit, or calliopemini on a Calliope mini. What differs between boards is data (_hal.board_…).
+# The module of the board: microbit, or calliopemini on a Calliope mini. Differences between boards are data (_hal.board_…).
 import sys as _sys
 import _hal as _h
 import _pins as _kinds

@@ -50,7 +50,7 @@ __all__ = ("pitch", "play", "stop", "set_tempo", "get_tempo", "reset") + tuple(_
 
 
 def __getattr__(name):
-    # A melody becomes a tuple of notes when it is asked for.
+    # A melody becomes a tuple of notes on first use.
     if name in _MELODIES:
         return tuple(_MELODIES[name].split())
     raise AttributeError("'module' object has no attribute '" + name + "'")

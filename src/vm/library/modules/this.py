@@ -1,4 +1,4 @@
-# What `import this` prints. The words are ours, not the firmware's.
+# The text of `import this`. The words are ours, not the firmware's.
 from _sim import on_import as _on_import
 
 
