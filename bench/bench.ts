@@ -17,5 +17,5 @@ export const headlessRows = (): AsyncGenerator<Row> => measured(headlessSubjects
 /** The lines about the page in Chromium. */
 export const pageRows = (stage: Stage): AsyncGenerator<Row> => measured(pageSubjects, stage);
 
-/** The same lines where there is no Chromium. */
+/** The same lines if there is no Chromium. */
 export const skippedPageRows = (reason: string): Row[] => skipped(pageSubjects, reason);

@@ -58,7 +58,7 @@ function thing(i: number, at: Point, between: (low: number, high: number) => num
   const id = `thing-${String(i)}`;
   const box = { id, at, size: [between(20, 60), between(20, 60)] as Point, turn: i % 8 };
   const zone = { ...box, round: i % 2 === 0, number: 0, blocks: 0 };
-  // Five obstacles that push what stands in their way to and fro.
+  // Five moving obstacles that push whatever is in their path.
   if (i % 60 === 7) return { ...box, type: 'mover', to: [at[0], at[1] + 300], speed: 100, spiked: false };
   switch (i % 8) {
     case 0:

@@ -24,7 +24,7 @@ export interface Row extends Budget {
   readonly met: boolean | null;
 }
 
-/** Measures subject after subject; one that breaks says so in its lines and does not keep the others from being measured. */
+/** Measures subject after subject; a failing one says so in its lines and does not stop the others. */
 export async function* measured<Stage>(subjects: readonly Subject<Stage>[], stage: Stage): AsyncGenerator<Row> {
   for (const subject of subjects) {
     const figures = await subject.measure(stage).catch((error: unknown) => firstLine(error));

@@ -54,7 +54,7 @@ export interface App {
   /** Presses the mouse on the middle of an element and keeps it down until `letGo`. */
   grab(css: string): Promise<void>;
   letGo(): Promise<void>;
-  /** Draws with the mouse: goes down at the first place of the window (CSS px), by way of the others, and up at the last. */
+  /** Draws with the mouse: down at the first place of the window (CSS px), through the others, up at the last. */
   draw(places: readonly Place[]): Promise<void>;
   screenshot(): Promise<Buffer>;
 }

@@ -9,7 +9,7 @@ interface WithWay {
   way?: [number, number, number][];
 }
 
-/** Notes from now on where the robot comes by; `wayOf` tells it. */
+/** Records the robot's path from now on; `wayOf` returns it. */
 export const watchWay = (app: App): Promise<void> =>
   app.evaluate((css) => {
     const arena = document.querySelector<HTMLElement>(css);

@@ -51,7 +51,7 @@ const ON_DARK = STRAIGHT_ON.replace(
   'print("begun")\nwhile irLeft.read_digital(): delay(20)\nprint("dark")\nforward()',
 );
 
-/** To and fro over the floor below the sensors of a robot that stands at the start of a first visit. */
+/** Strokes to and fro over the floor below the sensors of a robot at the start of a first visit. */
 const SCRIBBLE = Array.from({ length: 17 }, (_, i) => [400 + 10 * i, i % 2 === 0 ? 80 : 180] as const);
 
 test('a course is changed while its program runs: lines hold at once, walls from the next start on', async ({

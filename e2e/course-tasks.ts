@@ -69,7 +69,7 @@ function fromTrack([x, y]: Point): number {
   );
 }
 
-/** Edges of the grid of the maze, each in its middle; the first one stands in the robot's way. No two lie in line. */
+/** Edges of the grid of the maze, each in its middle; the first one is in the robot's path. No two lie in line. */
 const EDGES: readonly Point[] = [
   [600, 80],
   [380, 300],

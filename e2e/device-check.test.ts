@@ -7,7 +7,7 @@ const MARK = '.cm-deviceMark';
 
 const CARD = '.cm-helpCard';
 
-/** What stands in an element now; empty when it is not there. */
+/** The present text of an element; empty if it does not exist. */
 const textOf = (app: App, css: string): Promise<string> =>
   app.evaluate((selector) => document.querySelector(selector)?.textContent ?? '', css);
 

@@ -50,7 +50,7 @@ async function arrowTo(app: App, css: string, arrow: 'ArrowDown' | 'ArrowRight')
 const isInMenu = (app: App, css: string): Promise<boolean> =>
   app.evaluate((selector) => (document.querySelector(selector)?.closest('[role=menu]') ?? null) !== null, css);
 
-/** As somebody who goes to a control by Tab or arrow keys, and presses Enter. */
+/** Like a user who goes to a control by Tab or arrow keys, and presses Enter. */
 async function pressAt(app: App, css: string): Promise<void> {
   await ((await isInMenu(app, css)) ? arrowTo(app, css, 'ArrowDown') : goTo(app, css));
   if (!(await isAt(app, on('editor')))) await app.press('Enter');

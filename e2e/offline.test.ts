@@ -8,7 +8,7 @@ import { toolButton, withMouse } from './pupil';
 import { openHost, release, type Host } from './release';
 import { savedFiles, watchSaving } from './transfer';
 
-/** The files of the app are on their way once the page has nothing more urgent to do. */
+/** The files of the app are fetched once the page has nothing more urgent to do. */
 const KEPT_WITHIN_MS = 60_000;
 
 test.use({ serviceWorker: 'allow' });

@@ -160,7 +160,7 @@ test('an element loads when it comes into view, with its project, and has the wo
     await ready;
     const loaded = far.frame;
     far.world = 'tour';
-    far.world = null; // as it was: no reason to load anew
+    far.world = null; // as before: no reason to reload
     await new Promise((done) => setTimeout(done, 50));
     const isSame = loaded === far.frame;
     const [first] = await far.getFiles();

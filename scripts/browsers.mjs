@@ -79,7 +79,7 @@ export async function installBrowsers() {
     return;
   }
   const env = { DEBIAN_FRONTEND: 'noninteractive' };
-  const lock = 'DPkg::Lock::Timeout=300'; // another installation may be under way
+  const lock = 'DPkg::Lock::Timeout=300'; // another installation may be in progress
   await step(`Installing ${missing.join(', ')}`, async () => {
     await mustRun('apt-get', ['update', '-qq', '-o', lock], { env, quiet: true });
     const install = ['install', '-y', '-qq', '--no-install-recommends', '-o', lock];

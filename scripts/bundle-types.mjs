@@ -1,4 +1,4 @@
-// The types of a package in one file: what a module exports and all that this is made of, without any import.
+// The types of a package in one file: a module's exports and everything they consist of, without any import.
 import { readFileSync } from 'node:fs';
 import { dirname, join, resolve } from 'node:path';
 import ts from 'typescript';
@@ -72,7 +72,7 @@ function namesFor(exported, { declared, foreign }) {
   return names;
 }
 
-/** A declaration as it stands in the one file: with its last comment, its names as given, not exported by itself. */
+/** A declaration for the one file: with its last comment, its names as given, not exported by itself. */
 function printed({ module, nodes, links }, names) {
   return nodes
     .map((node) => {

@@ -18,7 +18,7 @@ import { existsSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
 const ROBOTS = new URL('../src/robots/', import.meta.url);
 const PAGES = new URL('../docs/hardware/', import.meta.url);
 
-/** Circles that count: radius in m, speed in percent. Those shown besides hardly weigh. */
+/** Circles that count: radius in m, speed in percent. The other circles in the tables hardly weigh. */
 const RADII = [0.15, 0.2, 0.25, 0.3, 0.35, 0.4, 0.5];
 const SHOWN_RADII = [0.1, ...RADII, 1];
 const SPEEDS = [30, 50, 70, 100];
@@ -43,7 +43,7 @@ const SPARING_WEIGHT = 0.05;
  * less a wheel at low power takes more than half a second to reach its speed, and circles begin as spirals.
  */
 const LEAST_DAMPING = 0.08;
-/** Where the breakaway friction may end at the earliest, as a share of v0: below a creep nobody can tell. */
+/** The lowest end of the breakaway friction, as a share of v0: below a creep it makes no difference. */
 const LEAST_UNTIL = 0.05;
 
 /** Share of the mean speed; src/world/drive-law.ts says what it is. */
@@ -92,7 +92,7 @@ function circleMm(law, { motorLaw, arcBytes }, radiusM, percent) {
   return ((motorLaw.trackMm / 2) * (outer + inner)) / Math.max(outer - inner, 1e-9);
 }
 
-/** How much wider the circle is than asked for: 0.1 = 10 %. */
+/** How much wider the circle is than requested: 0.1 = 10 %. */
 const circleError = (law, robot, radiusM, percent) => circleMm(law, robot, radiusM, percent) / (1000 * radiusM) - 1;
 /** Logarithm of the factor by which the robot is too fast. */
 const straightError = (law, [byte, speed]) => Math.log(Math.max(wheelSpeed(law, byte, 0), 1) / speed);

@@ -9,7 +9,7 @@ import { Failure, main, note, root } from './progress.mjs';
 const FILE = 'docs/embedding.md';
 const DIALECTS = ['parcours', 'microbit', 'webtigerpython'];
 
-/** What stands in every message of ours is told once, above the tables. */
+/** The common fields of every message of ours are described once, above the tables. */
 const LONG_TYPE = 160;
 
 /**

@@ -81,7 +81,7 @@ export async function makeRobot(id, place) {
   return made.sort();
 }
 
-/** Puts the names in; the place stands in type.ts alone. */
+/** Fills in the names; the place in lists is only in type.ts. */
 function filler({ id, camel, module, title }, place) {
   return (text) =>
     text
@@ -92,7 +92,7 @@ function filler({ id, camel, module, title }, place) {
       .replace(/^ {2}place: 99,$/m, `  place: ${place},`);
 }
 
-/** Longer or shorter names shift the lines: laid out anew, as `npm run format` would. */
+/** Longer or shorter names shift the lines: reformatted, as `npm run format` would do. */
 async function layout(source, file) {
   if (!/\.(ts|md)$/.test(file)) return source;
   const options = await resolveConfig(join(root, 'src/robots/index.ts'));

@@ -37,7 +37,7 @@ export async function packAll(out = TARBALLS, { only, app = 'dist/app' } = {}) {
   return made;
 }
 
-/** Packs one of them by way of a copy that has everything. */
+/** Packs one of them from a copy that has everything. */
 async function pack({ folder, entry, hasApp }, out, app) {
   const copy = join(out, folder);
   await cp(join(root, 'packages', folder), copy, { recursive: true });
@@ -63,12 +63,12 @@ async function buildModule(entry, folder) {
       outDir: folder,
       emptyOutDir: true,
       target: 'es2022',
-      minify: false, // whoever installs it minifies it with the rest
+      minify: false, // hosts minify it with the rest
     },
   });
 }
 
-/** The app with the licences of all that it is made of. */
+/** The app with the licences of all its parts. */
 async function copyApp(app, folder) {
   if (!(await exists(join(app, 'parcours.single.html')))) throw new Failure(`There is no built app in ${app}.`);
   await cp(app, folder, { recursive: true });

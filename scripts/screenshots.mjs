@@ -17,7 +17,7 @@ const PICTURES = [
   { name: 'phone', width: 390, height: 844, dark: false, tool: 'block' },
   { name: 'phone-dark', width: 390, height: 844, dark: true },
 ];
-/** Long enough for the first course's robot to be on its way. */
+/** Long enough for the first course's robot to have set off. */
 const DRIVING_MS = 6_000;
 
 /** Chooses a tool of the course editor; on a phone the arena and the tools are unfolded first. */

@@ -40,7 +40,7 @@ async function buildCli() {
   if (!built) note('Command line: up to date.');
 }
 
-/** What makes the app besides its sources. */
+/** The ingredients of the app besides its sources. */
 const APP_BUILD = [
   'vite.config.ts',
   ...['frame-check', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),

@@ -1,7 +1,7 @@
 // Puts the whole app into one HTML file that needs nothing beside it: for frames that may load nothing (decision 0018).
 import { scriptHash } from './frame-check.mjs';
 
-/** The single file's own policy: its one script by its hash, workers made from it, WebAssembly, and no way to the network. */
+/** The single file's own policy: its one script by its hash, workers made from it, WebAssembly, and no network. */
 const policyFor = (script) =>
   [
     "default-src 'none'",
@@ -20,7 +20,7 @@ const policyFor = (script) =>
  */
 export const inlineScript = (code) => code.replace(/<(?=\/script)/gi, '\\x3C').replace(/<(?=script|!--)/gi, '\\x3C');
 
-/** CSS as it may stand inside a style element. */
+/** CSS in a form that may stand inside a style element. */
 export const inlineStyle = (css) => css.replace(/<\/(?=style)/gi, '<\\/');
 
 /**

@@ -9,7 +9,7 @@ import { smoothness } from './stretch';
 import { PLACES } from './watch';
 
 const DRIVE_MS = 3_000;
-/** A pen tells its place so often, in ms. */
+/** Interval at which a pen reports its place, in ms. */
 const PEN_MS = 8;
 const PEN_STEPS = 375; // 3 s
 

@@ -7,7 +7,7 @@ import { memoryUse, noteVms, type MemoryUse } from './worker-memory';
 const DRIVING_US = 600_000_000;
 const RESTARTS = 100;
 const WORKER_BUDGET_MB = 80;
-/** Memory is looked at this many times on the way; the first look is after the warm-up. */
+/** Number of memory measurements on the way; the first one is after the warm-up. */
 const LOOKS = 4;
 /**
  * Growth between the first look and the last that still counts as flat: a share, and some MB for chance. The process

@@ -7,7 +7,7 @@ declare global {
   }
 }
 
-/** What is written down inside the page while it is measured. All times are in ms since the page was asked for. */
+/** Data recorded inside the page during a measurement. All times are in ms since the page was requested. */
 export interface Watch {
   /** The first frame with an editor that takes text has been drawn. */
   usableMs: number | null;
@@ -19,7 +19,7 @@ export interface Watch {
   snapshots: number;
   /** Simulated time of the newest of them, in µs. */
   timeUs: number;
-  /** When each animation frame began; emptied by whoever measures. */
+  /** Start of each animation frame; the measuring code empties the list. */
   frames: number[];
   /** All files are kept for visits without a network; written by `untilKept`. */
   isKept: boolean;
