@@ -1,27 +1,5 @@
-import type { Block, Mover, Scene, SceneObject, Spikes, Wall } from '#scene/scene';
-
-/** Objects that a run keeps from its start on: they are solid, and the robot may be driving against them. */
-export type LastingObject = Wall | Spikes | Mover | (Block & { readonly type: 'fixed-block' });
-
-/** Whether an object of a course changes in a run only with the next start; everything else does at once. */
-export function isLasting(object: SceneObject): object is LastingObject {
-  switch (object.type) {
-    case 'wall':
-    case 'fixed-block':
-    case 'spikes':
-    case 'mover':
-      return true;
-    case 'block':
-    case 'stroke':
-    case 'target':
-    case 'checkpoint':
-    case 'forbidden':
-    case 'label':
-      return false;
-    default:
-      return object satisfies never;
-  }
-}
+import type { Scene, SceneObject } from '#scene/scene';
+import { isLasting, isMovable } from './kinds';
 
 /**
  * Ids of the movable blocks that a run has after its course was changed. A block that was added to the course is there
@@ -32,14 +10,14 @@ export function isLasting(object: SceneObject): object is LastingObject {
  * @param began the course that the run began with
  */
 export function movableIds(before: ReadonlySet<string>, began: Scene, course: Scene): ReadonlySet<string> {
-  if (course === began) return new Set(began.objects.filter(({ type }) => type === 'block').map(({ id }) => id));
+  if (course === began) return new Set(began.objects.filter(isMovable).map(({ id }) => id));
   const lastingIds = new Set(began.objects.filter(isLasting).map(({ id }) => id));
   const [width, height] = began.size;
   const ids = new Set<string>();
   for (const object of course.objects) {
     const { id } = object;
-    if (before.has(id) && (object.type === 'block' || isLasting(object))) ids.add(id);
-    if (object.type !== 'block' || lastingIds.has(id)) continue;
+    if (before.has(id) && (isMovable(object) || isLasting(object))) ids.add(id);
+    if (!isMovable(object) || lastingIds.has(id) || !('at' in object)) continue;
     const [x, y] = object.at;
     if (x >= 0 && x <= width && y >= 0 && y <= height) ids.add(id);
   }
@@ -68,7 +46,7 @@ export function pendingChanges(began: Scene, course: Scene): Pending {
   const lasting = new Map(began.objects.filter(isLasting).map((object) => [object.id, object]));
   const movable = movableIds(new Set(), began, course);
   const coming = course.objects.filter((object) => {
-    if (object.type === 'block') return !movable.has(object.id);
+    if (isMovable(object)) return !movable.has(object.id);
     if (!isLasting(object)) return false;
     const old = lasting.get(object.id);
     if (old === undefined || !isEqual(old, object)) return true;

@@ -1,4 +1,5 @@
 import type { Block, Scene, Task, Zone } from '#scene/scene';
+import { isSpiked } from './kinds';
 
 /** The parts of a course that matter to the judge. */
 export interface TaskBrief {
@@ -48,10 +49,8 @@ export const isTask = (brief: TaskBrief): boolean =>
   hasGoal(brief) || brief.forbidden.length > 0 || brief.task.noTouch || brief.task.seconds !== null;
 
 /** Ids of the obstacles that must never be touched: spikes, and movers with spikes. */
-export function spikedIds({ objects }: Pick<Scene, 'objects'>): ReadonlySet<string> {
-  const spiked = objects.filter((object) => object.type === 'spikes' || (object.type === 'mover' && object.spiked));
-  return new Set(spiked.map(({ id }) => id));
-}
+export const spikedIds = ({ objects }: Pick<Scene, 'objects'>): ReadonlySet<string> =>
+  new Set(objects.filter(isSpiked).map(({ id }) => id));
 
 /** Whether a course has a task, or something that must not be touched: then there is a verdict. */
 export const hasTask = (course: Pick<Scene, 'task' | 'objects'>): boolean =>

@@ -1,5 +1,6 @@
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
-import { isEqual, isLasting, pendingChanges } from '#simulation/at-once';
+import { isEqual, pendingChanges } from '#simulation/at-once';
+import { isLasting } from '#simulation/kinds';
 
 /** A course while a run of it goes on: what of it is in the run, and what waits for the next start. */
 export interface LiveScene {

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Scene, SceneObject } from '#scene/scene';
+import { isSpiked } from '#simulation/kinds';
 import { briefOf } from '#simulation/task-brief';
 import type { Verdict } from '#simulation/verdict';
 
@@ -40,8 +41,6 @@ export function rulesOf({
   task,
   objects,
 }: Pick<Scene, 'task' | 'objects'>): readonly ('noTouch' | 'avoidZones' | 'avoidSpikes' | 'holdOut')[] {
-  const isSpiked = (object: SceneObject): boolean =>
-    object.type === 'spikes' || (object.type === 'mover' && object.spiked);
   return [
     ...(task.noTouch ? (['noTouch'] as const) : []),
     ...(objects.some(({ type }) => type === 'forbidden') ? (['avoidZones'] as const) : []),

@@ -1,0 +1,104 @@
+import type { Pose, Vec } from '#core/geometry';
+import { isSame } from '#core/same';
+import type { AnyObject } from '#scene/kinds/kind';
+import { reflectanceOf } from '#scene/reflectance';
+import type { Block, Mover, Point, SceneObject, Spikes, Stroke, Wall } from '#scene/scene';
+import type { BlockHandle, MoverHandle, World } from '#world/world';
+
+/** What a run has in its world for an object. */
+export interface Body {
+  /** The handle of a block that can be pushed. */
+  readonly block?: BlockHandle;
+  /** The handle of what moves by itself. */
+  readonly mover?: MoverHandle;
+  /** Follows a change of its object; `false`: it has to be made anew. */
+  follow?(object: SceneObject): boolean;
+  /** Changes its place in the order of painting. */
+  setLayer?(layer: number): void;
+  /** Takes it out of the world. Only what lasts needs none. */
+  remove?(): void;
+}
+
+/** A kind of object as a run has it. */
+export interface RunKind<O extends AnyObject = SceneObject> {
+  /**
+   * What becomes of a change while a run goes on. `lasting`: it waits for the next start, since the robot may just be
+   * driving against it; `movable`: it shows at once, and what was pushed stays where it is otherwise; `shown`: it shows at once.
+   */
+  readonly change: 'lasting' | 'movable' | 'shown';
+  /** Whether whoever touches it has failed. Left out: never. */
+  isSpiked?(object: O): boolean;
+  /** Puts it into the world. Left out: only the verdict and people see it. */
+  build?(object: O, world: World): Body;
+}
+
+type BoxObject = Block | Spikes | Mover;
+
+const onFloor: RunKind = { change: 'shown' };
+
+/** Every kind of object by its type. */
+export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
+  wall: { change: 'lasting', build: wallBody },
+  block: { change: 'movable', build: blockBody },
+  'fixed-block': { change: 'lasting', build: fixedBody },
+  stroke: { change: 'shown', build: strokeBody },
+  target: onFloor,
+  checkpoint: onFloor,
+  forbidden: onFloor,
+  spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
+  mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
+  label: onFloor,
+};
+
+/** Whether an object of a course changes in a run only with the next start; everything else does at once. */
+export const isLasting = ({ type }: SceneObject): boolean => runKinds[type].change === 'lasting';
+
+/** Whether an object is a block that can be pushed. */
+export const isMovable = ({ type }: SceneObject): boolean => runKinds[type].change === 'movable';
+
+/** Whether whoever touches an object has failed: spikes, and movers with spikes. */
+export const isSpiked = (object: SceneObject): boolean => runKinds[object.type].isSpiked?.(object) ?? false;
+
+function wallBody({ id, from, to, thickness }: Wall, world: World): Body {
+  world.addWall({ id, fromMm: vec(from), toMm: vec(to), thicknessMm: thickness });
+  return {};
+}
+
+function fixedBody(box: Block | Spikes, world: World): Body {
+  world.addBlock({ id: box.id, ...shapeOf(box), fixed: true });
+  return {};
+}
+
+function blockBody(object: Block, world: World): Body {
+  const block = world.addBlock({ id: object.id, ...shapeOf(object), fixed: false });
+  return {
+    block,
+    follow(now: Block) {
+      const fits = isSame(now.size, object.size);
+      if (fits) block.place(poseOf(now));
+      return fits;
+    },
+    remove: () => world.removeBlock(block),
+  };
+}
+
+function moverBody(object: Mover, world: World): Body {
+  const { id, to, speed } = object;
+  return { mover: world.addMover({ id, ...shapeOf(object), toMm: vec(to), speedMmPerS: speed }) };
+}
+
+function strokeBody({ points, width, color }: Stroke, world: World): Body {
+  return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: reflectanceOf[color] });
+}
+
+const vec = ([x, y]: Point): Vec => ({ x, y });
+
+const angleOf = ({ turn }: BoxObject): number => (turn * Math.PI) / 4;
+
+const shapeOf = (box: BoxObject): { readonly atMm: Vec; readonly sizeMm: Vec; readonly angleRad: number } => ({
+  atMm: vec(box.at),
+  sizeMm: vec(box.size),
+  angleRad: angleOf(box),
+});
+
+const poseOf = (box: BoxObject): Pose => ({ xMm: box.at[0], yMm: box.at[1], headingRad: angleOf(box) });
