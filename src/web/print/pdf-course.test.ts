@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { coursePdf, type PrintWords } from './pdf-course';
-import { printable, runsWithin } from './pdf-floor';
+import { printable } from './kinds/pdf-parts';
+import { runsWithin } from './kinds/stroke';
 import { planPrint, type Paper } from './print-plan';
 
 const words: PrintWords = { name: 'Üben & mehr', planTitle: 'Plan', steps: ['Print', 'Glue'] };

@@ -1,7 +1,8 @@
 import { jsPDF } from 'jspdf';
 import type { Scene } from '#scene/scene';
 
-import { printable, printFloor, type FloorOptions } from './pdf-floor';
+import { printable } from './kinds/pdf-parts';
+import { printFloor, type FloorOptions } from './pdf-floor';
 import { MARGIN_MM, OVERLAP_MM, tileName, type PrintPlan, type Tile } from './print-plan';
 
 /** The words of a print, in the language of the page. */

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { lightPalette } from '../arena/picture/palette';
 import { courseSvg, type PictureOptions } from './svg-course';
-import { diagonals } from './svg-objects';
+import { diagonals } from './kinds/svg-parts';
 import { element, escapeXml } from './svg-write';
 
 const plain: PictureOptions = { grid: false, rulers: false, robot: null, path: [], background: null, floor: true };

@@ -1,11 +1,14 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { Point, Scene, SceneObject, Zone } from '#scene/scene';
+import type { Point, Scene } from '#scene/scene';
 
 import { gridSteps } from '../arena/picture/draw-floor';
 import { rulerLabels, rulerTicks } from '../arena/picture/draw-rulers';
 import { lightPalette as colors } from '../arena/picture/palette';
 import { readRobotDrawing } from '../arena/robot/robot-drawing';
-import { jointsSvg, objectSvg, SVG_FONT, zoneSignSvg, type ToPicture } from './svg-objects';
+import { kindOf } from './kinds/index';
+import type { ToPicture } from './kinds/kind';
+import { SVG_FONT } from './kinds/svg-parts';
+import { jointsSvg } from './kinds/wall';
 import { element, escapeXml, figure, pathThrough } from './svg-write';
 
 /** Additions to the course in its picture. */
@@ -38,20 +41,17 @@ export const RIM_SHARE = 0.004;
 
 /** The objects in the order of painting: what lies on the floor first, numbers of zones over the lines, then what stands. */
 function objectsSvg({ objects }: Scene, to: ToPicture): string[] {
-  const layer = (...types: readonly SceneObject['type'][]): string[] =>
-    objects.filter(({ type }) => types.includes(type)).map((object) => objectSvg(object, to));
+  const layer = (wanted: number): string[] =>
+    objects.filter((object) => kindOf(object).layer === wanted).map((object) => kindOf(object).svg(object, to));
   return [
-    ...layer('target', 'checkpoint', 'forbidden'),
-    ...layer('stroke'),
-    ...objects.flatMap((object) => (isZone(object) ? [zoneSignSvg(object, to)] : [])),
-    ...layer('label'),
+    ...layer(0),
+    ...layer(1),
+    ...objects.flatMap((object) => kindOf(object).signSvg?.(object, to) ?? []),
+    ...layer(2),
     jointsSvg(objects, to),
-    ...layer('wall', 'fixed-block', 'spikes', 'mover', 'block'),
+    ...layer(3),
   ];
 }
-
-const isZone = (object: SceneObject): object is Zone =>
-  object.type === 'target' || object.type === 'checkpoint' || object.type === 'forbidden';
 
 /**
  * Writes a course as an SVG document in true size: its own units are mm. Plain shapes, no scripts, styles or links, so

@@ -1,6 +1,6 @@
 import type { PlacedBlock } from '../picture/arena-model';
 import { liesStill } from '../picture/arranged';
-import { drawMovableBlock } from '../picture/draw-blocks';
+import { drawMovableBlock } from '../picture/kinds/block';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo } from './draw-moving';
 import { moverSprite } from './mover-sprite';

@@ -1,7 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { ArenaCone, ArenaRobot, PlacedBlock } from '../picture/arena-model';
 import type { Arranged } from '../picture/arranged';
-import { drawMovableBlock } from '../picture/draw-blocks';
+import { drawMovableBlock } from '../picture/kinds/block';
 import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
 import { coneBox, drawCone, drawHit } from '../robot/draw-cone';
 import { floorPx, sightPx } from '../picture/draw-floor';

@@ -1,7 +1,7 @@
 import type { OptionValues } from '#core/option';
 import type { Block, Scene } from '#scene/scene';
 import type { ArenaRobot, ArenaRobotState, ArenaSnapshot, PlacedBlock } from './arena-model';
-import { placedBlock } from './draw-blocks';
+import { placedBlock } from './kinds/block';
 
 /** The content of the arena at one moment. */
 export interface Arranged {

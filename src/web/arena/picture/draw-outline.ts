@@ -1,15 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { RobotStart, SceneObject } from '#scene/scene';
-import { CAPITAL } from './draw-label';
+import { kindOf } from './kinds/index';
 import { toPx, type View } from '../view/view-transform';
-
-/** Width of an average letter in parts of the height of capitals. */
-const LETTER = 0.83;
-
-/** Extent of the words of a label along and across them, in mm; good enough to point at. */
-export function labelSize({ text, height }: { readonly text: string; readonly height: number }): Vec {
-  return { x: Math.max(1, text.length) * height * LETTER, y: height / CAPITAL };
-}
 
 /**
  * Begins a path around an object, in CSS px; of a moving obstacle, where it starts. Of a line it is the line itself, to
@@ -19,7 +11,7 @@ export function labelSize({ text, height }: { readonly text: string; readonly he
  */
 export function outlinePath(context: CanvasRenderingContext2D, view: View, object: SceneObject, growPx: number): void {
   context.beginPath();
-  if (object.type === 'stroke') {
+  if ('points' in object) {
     object.points.forEach((point, i) => {
       const at = toPx(view, { x: point[0], y: point[1] });
       if (i === 0) context.moveTo(at.x, at.y);
@@ -27,7 +19,9 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
     });
     return;
   }
-  const { at, angleRad, size } = frameOf(object);
+  const frame = kindOf(object).frame(object);
+  if (frame === null) return;
+  const { at, angleRad, size } = frame;
   const centre = toPx(view, at);
   const width = size.x * view.pxPerMm + 2 * growPx;
   const height = size.y * view.pxPerMm + 2 * growPx;
@@ -37,23 +31,6 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
   if ('round' in object && object.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
   else context.roundRect(-width / 2, -height / 2, width, height, Math.min(3 + growPx, width / 3, height / 3));
   context.restore(); // the path keeps its place
-}
-
-/** Middle, direction and extent of an object other than a line. */
-function frameOf(object: Exclude<SceneObject, { type: 'stroke' }>): { at: Vec; angleRad: number; size: Vec } {
-  if (object.type === 'wall') {
-    const { from, to, thickness } = object;
-    const [dx, dy] = [to[0] - from[0], to[1] - from[1]];
-    return {
-      at: { x: (from[0] + to[0]) / 2, y: (from[1] + to[1]) / 2 },
-      angleRad: Math.atan2(dy, dx),
-      size: { x: Math.hypot(dx, dy), y: thickness },
-    };
-  }
-  const at = { x: object.at[0], y: object.at[1] };
-  const angleRad = (object.turn * Math.PI) / 4;
-  if (object.type === 'label') return { at, angleRad, size: labelSize(object) };
-  return { at, angleRad, size: { x: object.size[0], y: object.size[1] } };
 }
 
 /** The parts of the robot's outline where it starts, in CSS px. */

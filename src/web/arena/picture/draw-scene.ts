@@ -1,10 +1,10 @@
 import type { Scene, SceneObject, Wall } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
-import { drawFixedBlock, placedBlock } from './draw-blocks';
+import { drawFixedBlock, placedBlock } from './kinds/block';
 import { drawFloor, drawFloorGrid, drawRim, floorPx } from './draw-floor';
 import { drawRulers } from './draw-rulers';
-import { drawStroke } from './draw-stroke';
-import { drawWalls } from './draw-walls';
+import { drawStroke } from './kinds/stroke';
+import { drawWalls } from './kinds/wall';
 import type { Palette } from './palette';
 import type { SceneKinds } from './scene-kinds';
 import type { PaintList } from './still-cache';

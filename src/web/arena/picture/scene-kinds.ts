@@ -3,13 +3,12 @@
  * Loaded when any of it is first to be seen.
  */
 import type { Pose } from '#core/geometry';
-import type { Background, Mover, Scene, SceneObject, Zone } from '#scene/scene';
+import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
 import { createBackgroundShelf, drawBackground } from './draw-background';
-import { drawLabel } from './draw-label';
-import { drawMover, drawSpikes, drawTrack } from './draw-obstacles';
+import { kindOf } from './kinds/index';
+import { drawMover } from './kinds/mover';
 import { drawWaiting, type Waiting } from './draw-waiting';
-import { drawZoneGround, drawZoneSign, zoneState } from './draw-zones';
 import type { Palette } from './palette';
 import type { View } from '../view/view-transform';
 
@@ -44,26 +43,19 @@ export function createSceneKinds(ready: () => void): SceneKinds {
   const shelf = createBackgroundShelf(ready);
   return {
     background: (context, view, background) => drawBackground(context, view, background, shelf),
-    zones(context, view, scene, palette) {
-      for (const object of scene.objects) if (isZone(object)) drawZoneGround(context, view, object, palette);
+    zones(context, view, { objects }, palette) {
+      for (const object of objects) kindOf(object).ground?.(context, view, object, palette);
     },
-    zoneSigns(context, view, scene, verdict, palette) {
-      const zones = scene.objects.filter(isZone);
-      for (const zone of zones) drawZoneSign(context, view, zone, zoneState(zone, zones, verdict), palette);
+    zoneSigns(context, view, { objects }, verdict, palette) {
+      for (const object of objects) kindOf(object).sign?.(context, view, object, palette, { objects, verdict });
     },
     signs(context, view, objects, palette) {
-      for (const object of objects) {
-        if (object.type === 'label') drawLabel(context, view, object, palette);
-        if (object.type === 'mover') drawTrack(context, view, object, palette);
-      }
+      for (const object of objects) kindOf(object).mark?.(context, view, object, palette);
     },
     spikes(context, view, objects, palette) {
-      for (const object of objects) if (object.type === 'spikes') drawSpikes(context, view, object, palette);
+      for (const object of objects) kindOf(object).standing?.(context, view, object, palette);
     },
     mover: drawMover,
     waiting: drawWaiting,
   };
 }
-
-const isZone = (object: SceneObject): object is Zone =>
-  object.type === 'target' || object.type === 'checkpoint' || object.type === 'forbidden';

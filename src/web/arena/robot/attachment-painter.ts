@@ -9,7 +9,7 @@ import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
 import type { ArenaAttachment, ArenaRobot, ArenaRobotState, PlacedBlock } from '../picture/arena-model';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
-import { drawMovableBlock } from '../picture/draw-blocks';
+import { drawMovableBlock } from '../picture/kinds/block';
 import type { Palette } from '../picture/palette';
 import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import { createSpriteShelf, type SpriteShelf } from './robot-sprite';

@@ -3,7 +3,7 @@ import type { Handle, Mark, ToolId } from '#editor/tools/tool';
 import { boundsOf } from '#scene/kinds/index';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import { drawCrosshair, drawHandle, drawMark, drawSelected, type MarkFrame } from './draw-marks';
-import { drawObject } from '../picture/draw-object';
+import { drawObject } from '../picture/kinds/index';
 import { drawRobotOutline, robotOutlinePx } from '../picture/draw-outline';
 import { drawInk, inkBox, type InkFrame } from './ink-layer';
 import { boxAround, unionOf, wholeCanvas, type PxBox } from '../view/moving-window';

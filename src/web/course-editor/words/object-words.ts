@@ -1,6 +1,7 @@
 import type { Texts } from '#core/texts';
 import type { Kind } from '#editor/describe-edit';
-import type { Point, Scene, SceneObject } from '#scene/scene';
+import type { AnyObject } from '#scene/kinds/kind';
+import type { Label, Mover, Point, Scene, SceneObject, Stroke, Wall, Zone } from '#scene/scene';
 
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
@@ -36,34 +37,45 @@ export function namesOf(scene: Scene): ReadonlyMap<string, string> {
 
 function nameOf(object: SceneObject, count: number): string {
   const kind = say(words.kinds[object.type].one);
-  if (object.type === 'checkpoint') return `${kind} ${String(object.number)}`;
-  if (object.type === 'label') return say(texts.label, { kind, text: object.text });
-  return `${kind} ${String(count)}`;
+  return kindWords[object.type].name?.(object, kind) ?? `${kind} ${String(count)}`;
 }
 
-/** Where an object is, in words. */
-export function whereText(object: SceneObject): string {
-  switch (object.type) {
-    case 'wall':
-      return say(texts.fromTo, { from: placeText(object.from), to: placeText(object.to) });
-    case 'stroke': {
-      const [first = [0, 0], second] = object.points;
-      if (object.points.length === 2 && second !== undefined)
-        return say(texts.fromTo, { from: placeText(first), to: placeText(second) });
-      return say(texts.points, { at: placeText(first), count: object.points.length });
-    }
-    case 'mover':
-      return say(texts.goes, { from: placeText(object.at), to: placeText(object.to) });
-    case 'label':
-      return say(texts.at, { at: placeText(object.at) });
-    case 'block':
-    case 'fixed-block':
-    case 'spikes':
-    case 'target':
-    case 'checkpoint':
-    case 'forbidden':
-      return say(texts.sizeAt, { x: cm(object.size[0]), y: cm(object.size[1]), at: placeText(object.at) });
-    default:
-      return object satisfies never;
-  }
+/** What is said of the objects of a kind. */
+interface KindWords<O extends AnyObject = SceneObject> {
+  /** What one is called, when not by its place among those of its kind. `kind`: what the kind is called. */
+  name?(object: O, kind: string): string;
+  /** Where one is. */
+  where(object: O): string;
 }
+
+const box: KindWords<Extract<SceneObject, { readonly size: unknown }>> = {
+  where: ({ at, size }) => say(texts.sizeAt, { x: cm(size[0]), y: cm(size[1]), at: placeText(at) }),
+};
+
+/** What is said of each kind of object. */
+export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
+  wall: { where: ({ from, to }: Wall) => fromTo(from, to) },
+  stroke: {
+    where({ points }: Stroke) {
+      const [first = [0, 0], second] = points;
+      if (points.length === 2 && second !== undefined) return fromTo(first, second);
+      return say(texts.points, { at: placeText(first), count: points.length });
+    },
+  },
+  mover: { where: ({ at, to }: Mover) => say(texts.goes, { from: placeText(at), to: placeText(to) }) },
+  label: {
+    name: ({ text }: Label, kind) => say(texts.label, { kind, text }),
+    where: ({ at }: Label) => say(texts.at, { at: placeText(at) }),
+  },
+  block: box,
+  'fixed-block': box,
+  spikes: box,
+  target: box,
+  checkpoint: { ...box, name: ({ number }: Zone, kind) => `${kind} ${String(number)}` },
+  forbidden: box,
+};
+
+const fromTo = (from: Point, to: Point): string => say(texts.fromTo, { from: placeText(from), to: placeText(to) });
+
+/** Where an object is, in words. */
+export const whereText = (object: SceneObject): string => kindWords[object.type].where(object);

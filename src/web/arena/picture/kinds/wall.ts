@@ -1,6 +1,6 @@
 import type { Point, Wall } from '#scene/scene';
-import type { Palette } from './palette';
-import { toPx, type View } from '../view/view-transform';
+import type { Palette } from '../palette';
+import { toPx, type View } from '../../view/view-transform';
 
 /** How high a course of bricks is at least, in mm; walls of 10 mm have two of them. */
 const COURSE_MM = 5;

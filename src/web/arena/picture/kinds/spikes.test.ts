@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { teeth } from './draw-obstacles';
+import { teeth } from './spikes';
 
 describe('the teeth of spikes', () => {
   const points = teeth({ x: 60, y: 40 });

@@ -1,18 +1,18 @@
 import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
-import type { Zone } from '#scene/scene';
+import type { SceneObject, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
-import { canvasFont, type Palette } from './palette';
-import { toPx, type View } from '../view/view-transform';
+import { canvasFont, type Palette } from '../palette';
+import { toPx, type View } from '../../view/view-transform';
 
 /** How far a zone has been dealt with in this run. */
 export type ZoneState = 'open' | 'reached';
 
 /** A checkpoint is reached when it is among the first that were passed; a target, when all of its kind are. */
-export function zoneState(zone: Zone, zones: readonly Zone[], verdict: Verdict | null): ZoneState {
+export function zoneState(zone: Zone, objects: readonly SceneObject[], verdict: Verdict | null): ZoneState {
   if (verdict === null) return 'open';
   const isReached =
     zone.type === 'checkpoint'
-      ? zones.filter(({ type, number }) => type === 'checkpoint' && number < zone.number).length <
+      ? objects.filter((other) => other.type === 'checkpoint' && other.number < zone.number).length <
         verdict.checkpoints.passed
       : zone.type === 'target' &&
         isAll(zone.blocks > 0 ? verdict.blocks.delivered : verdict.targets.reached, zone, verdict);

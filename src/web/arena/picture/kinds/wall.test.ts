@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Point, Wall } from '#scene/scene';
-import { wallJoints } from './draw-walls';
+import { wallJoints } from './wall';
 
 const wall = (from: Point, to: Point, thickness = 10): Wall => ({ type: 'wall', id: to.join(), from, to, thickness });
 

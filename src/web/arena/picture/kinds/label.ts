@@ -1,6 +1,7 @@
+import type { Vec } from '#core/geometry';
 import type { Label } from '#scene/scene';
-import { canvasFont, type Palette } from './palette';
-import { toPx, type View } from '../view/view-transform';
+import { canvasFont, type Palette } from '../palette';
+import { toPx, type View } from '../../view/view-transform';
 
 /** Height of a capital in parts of the size of its font, for the sans-serif fonts of `canvasFont`. */
 export const CAPITAL = 0.715;
@@ -23,4 +24,12 @@ export function drawLabel(context: CanvasRenderingContext2D, view: View, label: 
   context.strokeText(label.text, 0, (size * CAPITAL) / 2);
   context.fillText(label.text, 0, (size * CAPITAL) / 2);
   context.restore();
+}
+
+/** Width of an average letter in parts of the height of capitals. */
+const LETTER = 0.83;
+
+/** Extent of the words of a label along and across them, in mm; good enough to point at. */
+export function labelSize({ text, height }: { readonly text: string; readonly height: number }): Vec {
+  return { x: Math.max(1, text.length) * height * LETTER, y: height / CAPITAL };
 }

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { pathStep, thinned } from './draw-stroke';
+import { pathStep, thinned } from './stroke';
 
 describe('a line on the canvas', () => {
   it('leaves out points that would fall together, and keeps both ends', () => {

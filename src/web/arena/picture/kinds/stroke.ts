@@ -1,6 +1,6 @@
 import type { Stroke } from '#scene/scene';
-import type { Palette } from './palette';
-import type { View } from '../view/view-transform';
+import type { Palette } from '../palette';
+import type { View } from '../../view/view-transform';
 
 /** Points nearer to each other than this, in px, are drawn as one. */
 const NEAR_PX = 0.6;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
-import { zoneState } from './draw-zones';
+import { zoneState } from './zone';
 
 const zone = (type: Zone['type'], number = 0, blocks = 0): Zone => {
   return { type, id: `${type}${String(number)}`, at: [0, 0], size: [100, 100], turn: 0, round: false, number, blocks };

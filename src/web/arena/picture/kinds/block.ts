@@ -1,8 +1,8 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block } from '#scene/scene';
-import type { PlacedBlock } from './arena-model';
-import type { Palette } from './palette';
-import { toPx, type View } from '../view/view-transform';
+import type { PlacedBlock } from '../arena-model';
+import type { Palette } from '../palette';
+import { toPx, type View } from '../../view/view-transform';
 
 /** A block of the scene as it lies at the start. */
 export function placedBlock(block: Block): PlacedBlock {

@@ -1,0 +1,85 @@
+import { mdiArrowLeftRightBold } from '@mdi/js';
+import type { Pose } from '#core/geometry';
+import type { Mover } from '#scene/scene';
+import type { Palette } from '../palette';
+import { toPx, type View } from '../../view/view-transform';
+import { drawIcon, inFrameOf, roundRect } from './block';
+import { drawTeeth, placedBox, teethPath, toothMm } from './spikes';
+
+/** Draws a moving obstacle where it is now: yellow, with an arrow along its path; with teeth if it is spiked. */
+export function drawMover(
+  context: CanvasRenderingContext2D,
+  view: View,
+  mover: Mover,
+  pose: Pose | null,
+  palette: Palette,
+): void {
+  const start = placedBox(mover);
+  const box = pose === null ? start : { ...start, pose };
+  const { x: width, y: height } = box.sizeMm;
+  const depth = mover.spiked ? toothMm(box.sizeMm) : 0;
+  const inner = { x: width - 2 * depth, y: height - 2 * depth };
+  const short = Math.min(inner.x, inner.y);
+  const frame = Math.min(3, short * 0.09);
+  const radius = mover.spiked ? 1.5 : Math.min(5, short / 6);
+  const paint = (): void => {
+    if (mover.spiked) drawTeeth(context, box.sizeMm, palette);
+    context.fillStyle = palette.mover;
+    roundRect(context, inner.x - frame, inner.y - frame, radius);
+    context.fill();
+    context.fillStyle = palette.moverLight;
+    roundRect(context, inner.x - frame * 3.2, inner.y - frame * 3.2, radius * 0.7);
+    context.fill();
+    context.strokeStyle = palette.moverInk;
+    context.lineWidth = frame;
+    roundRect(context, inner.x - frame, inner.y - frame, radius);
+    context.stroke();
+    context.rotate(box.pose.headingRad - wayRad(mover));
+    drawIcon(context, arrowsIcon(), short * 0.72, palette.moverInk, view);
+  };
+  inFrameOf(context, view, box, false, radius, paint, mover.spiked ? () => teethPath(context, box.sizeMm) : undefined);
+}
+
+/** Direction of a mover's path, counter-clockwise from +x. */
+const wayRad = ({ at, to }: Mover): number => Math.atan2(to[1] - at[1], to[0] - at[0]);
+
+/** Draws the path of a moving obstacle on the floor: dashes, and its outline at the turning point. */
+export function drawTrack(context: CanvasRenderingContext2D, view: View, mover: Mover, palette: Palette): void {
+  const from = toPx(view, { x: mover.at[0], y: mover.at[1] });
+  const to = toPx(view, { x: mover.to[0], y: mover.to[1] });
+  const line = Math.max(1.5, 2.5 * view.pxPerMm);
+  context.save();
+  context.strokeStyle = palette.moverInk;
+  context.globalAlpha *= 0.75;
+  context.lineWidth = line;
+  context.setLineDash([3 * line, 2.4 * line]);
+  context.beginPath();
+  context.moveTo(from.x, from.y);
+  context.lineTo(to.x, to.y);
+  context.stroke();
+  for (const [end, radius] of [
+    [to, 2.6 * line],
+    [from, 1.6 * line],
+  ] as const) {
+    // prettier-ignore
+    context.setLineDash([]);
+    context.fillStyle = palette.floor;
+    context.beginPath();
+    context.arc(end.x, end.y, radius, 0, 2 * Math.PI);
+    context.fill();
+    context.stroke();
+  }
+  context.translate(to.x, to.y);
+  context.rotate((-mover.turn * Math.PI) / 4);
+  context.scale(view.pxPerMm, view.pxPerMm);
+  context.lineWidth = line / view.pxPerMm;
+  context.setLineDash([2.4 * context.lineWidth, 2 * context.lineWidth]);
+  roundRect(context, mover.size[0], mover.size[1], 4);
+  context.stroke();
+  context.restore();
+}
+
+let shared: Path2D | null = null;
+
+/** Made when first drawn: `Path2D` exists in browsers only. */
+const arrowsIcon = (): Path2D => (shared ??= new Path2D(mdiArrowLeftRightBold));

@@ -1,0 +1,27 @@
+import type { SceneObject } from '#scene/scene';
+
+import { block, fixedBlock } from './block';
+import type { PrintKind } from './kind';
+import { label } from './label';
+import { mover } from './mover';
+import { spikes } from './spikes';
+import { stroke } from './stroke';
+import { wall } from './wall';
+import { zone } from './zone';
+
+/** Every kind of object by its type. */
+export const printKinds: Readonly<Record<SceneObject['type'], PrintKind>> = {
+  wall,
+  block,
+  'fixed-block': fixedBlock,
+  stroke,
+  target: zone,
+  checkpoint: zone,
+  forbidden: zone,
+  spikes,
+  mover,
+  label,
+};
+
+/** The kind of an object. */
+export const kindOf = ({ type }: SceneObject): PrintKind => printKinds[type];

@@ -1,0 +1,99 @@
+import { mdiFlagCheckered } from '@mdi/js';
+import type { jsPDF } from 'jspdf';
+import { boundsOf } from '#scene/kinds/index';
+import { boundsMeet, boxOutline, type Bounds } from '#scene/outline';
+import type { Point, Zone } from '#scene/scene';
+
+import { lightPalette as colors } from '../../arena/picture/palette';
+import { ellipse, polygon, write } from './pdf-parts';
+import { element, pathThrough } from '../svg-write';
+import type { PrintKind, ToPicture, ToSheet } from './kind';
+import { boxFrame, diagonals, icon, rect, turned, written } from './svg-parts';
+
+/** Zones of all kinds. */
+export const zone: PrintKind<Zone> = {
+  layer: 0,
+  svg: zoneSvg,
+  signSvg: (zone, to) => element('g', { transform: turned(to(zone.at), 0) }, signSvg(zone)),
+  pdf: printZone,
+};
+
+function zoneSvg(zone: Zone, to: ToPicture): string {
+  const [width, height] = zone.size;
+  const line = Math.min(3, Math.min(width, height) / 12);
+  const color = colors[zone.type];
+  const dash = { target: '10 7', checkpoint: '4 5', forbidden: undefined }[zone.type];
+  const shape = { fill: color, 'fill-opacity': 0.1, stroke: color, 'stroke-width': line, 'stroke-dasharray': dash };
+  const inset: Point = [width - line, height - line];
+  const outline = zone.round
+    ? element('ellipse', { rx: inset[0] / 2, ry: inset[1] / 2, ...shape })
+    : rect(inset, Math.min(4, width / 6), shape);
+  const hatch =
+    zone.type === 'forbidden' && !zone.round
+      ? element('path', { d: diagonals(zone.size, 16), stroke: color, 'stroke-opacity': 0.42, 'stroke-width': 2.5, fill: 'none' }) // prettier-ignore
+      : '';
+  const chequers = zone.type === 'target' && !zone.round ? chequersSvg(zone.size) : '';
+  return boxFrame(zone, to, outline + hatch + chequers);
+}
+
+function chequersSvg([width, height]: Point): string {
+  const square = Math.min(11, width / 8, height / 8);
+  const squares: string[] = [];
+  for (let row = 0; row < 2; row += 1)
+    for (let x = row * square; x < width - 0.01; x += 2 * square) {
+      const [left, right] = [-width / 2 + x, -width / 2 + Math.min(width, x + square)];
+      const [top, bottom] = [height / 2 - (row + 1) * square, height / 2 - row * square];
+      squares.push(pathThrough([[left, top], [right, top], [right, bottom], [left, bottom]], true)); // prettier-ignore
+    }
+  return element('path', { d: squares.join(''), fill: colors.target, 'fill-opacity': 0.8 });
+}
+
+function signSvg({ type, size, number, blocks }: Zone): string {
+  const radius = Math.min(20, 0.3 * Math.min(...size));
+  const color = colors[type];
+  if (type === 'target' && blocks === 0)
+    return icon(mdiFlagCheckered, radius * 2.2, color, { stroke: colors.signGround, 'stroke-width': 4, 'stroke-linejoin': 'round' }) + icon(mdiFlagCheckered, radius * 2.2, color); // prettier-ignore
+  if (type === 'target') {
+    const side = radius * 1.15;
+    const block = rect([side, side], side * 0.16, { fill: colors.movable, stroke: colors.movableInk, 'stroke-width': side * 0.13 }); // prettier-ignore
+    const ground = {
+      x: -radius * 1.35,
+      y: -radius * 0.85,
+      width: radius * 2.85,
+      height: radius * 1.7,
+      rx: radius * 0.3,
+    };
+    return (
+      element('rect', { ...ground, fill: colors.signGround }) +
+      written(`${String(blocks)}×`, radius * 0.95, color, -radius * 0.62) +
+      element('g', { transform: turned([radius * 0.73, 0], 0) }, block)
+    );
+  }
+  const isNumber = type === 'checkpoint';
+  const stroke = radius * (isNumber ? 0.16 : 0.26);
+  const disc = element('circle', { r: radius * 0.9, fill: '#fff', stroke: color, 'stroke-width': stroke });
+  const end = radius * 0.62;
+  return isNumber
+    ? disc + written(String(number), radius * (number > 9 ? 0.95 : 1.2), color, 0)
+    : disc + element('path', { d: pathThrough([[-end, -end], [end, end]]), stroke: color, 'stroke-width': stroke }); // prettier-ignore
+}
+
+function printZone(pdf: jsPDF, zone: Zone, to: ToSheet, shown: Bounds): void {
+  if (!boundsMeet(boundsOf(zone), shown)) return;
+  pdf.setDrawColor(colors[zone.type]);
+  pdf.setLineWidth(0.6);
+  pdf.setLineCap('butt');
+  pdf.setLineDashPattern(zone.type === 'forbidden' ? [] : [5, 3], 0);
+  const corners = boxOutline(zone);
+  if (zone.round) ellipse(pdf, corners, to);
+  else polygon(pdf, corners, to);
+  if (zone.type === 'forbidden' && !zone.round) {
+    const [a, b, c, d] = corners.map(({ x, y }) => to([x, y]));
+    if (a && b && c && d) pdf.line(a[0], a[1], c[0], c[1]).line(b[0], b[1], d[0], d[1]);
+  }
+  pdf.setLineDashPattern([], 0);
+  if (zone.type !== 'checkpoint') return;
+  const height = Math.min(15, 0.25 * Math.min(...zone.size));
+  pdf.setTextColor(colors.checkpoint);
+  write(pdf, String(zone.number), to(zone.at), height, 0);
+}
