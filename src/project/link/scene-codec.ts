@@ -117,16 +117,17 @@ function objectCodec(columns: Columns, parts: Parts): Codec<SceneObject> {
   return {
     write(out, object) {
       type.write(out, object.type);
-      // Each type's codec takes the objects of that type: the compiler cannot follow the table.
-      (own[object.type] as Codec<SceneObject>).write(out, object);
+      own[object.type].write(out, object);
     },
     read: (from) => own[type.read(from)].read(from),
   };
 }
 
-type CodecsByType = { readonly [T in SceneObject['type']]: Codec<Extract<SceneObject, { readonly type: T }>> };
-
-function codecsByType(columns: Columns, { text, word, size, place, paths }: Parts) {
+/** Every type's codec, in the order in which the first version of links made them: that order is the format. */
+function codecsByType(
+  columns: Columns,
+  { text, word, size, place, paths }: Parts,
+): Readonly<Record<SceneObject['type'], Codec<SceneObject>>> {
   const id = idCodec(columns, word);
   const turn = columns.uint();
   const box = { id, at: place, size, turn };
@@ -158,7 +159,7 @@ function codecsByType(columns: Columns, { text, word, size, place, paths }: Part
     target: zoneOf('target'),
     checkpoint: zoneOf('checkpoint'),
     forbidden: zoneOf('forbidden'),
-  } as unknown as CodecsByType; // a codec for `Block` stands for both of its types
+  };
 }
 
 function pairOf(x: Codec<number>, y: Codec<number>): Codec<Point> {

@@ -1,4 +1,3 @@
-import type { Texts } from '#core/texts';
 import type { Kind } from '#editor/describe-edit';
 import type { AnyObject } from '#scene/kinds/kind';
 import type { Label, Mover, Point, Scene, SceneObject, Stroke, Wall, Zone } from '#scene/scene';
