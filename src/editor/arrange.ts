@@ -12,7 +12,7 @@ import { placeInside } from './robot-place';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';
 
-/** So much of what is moved stays in the arena, so that it can be taken hold of again. Chosen: a fingertip's width. */
+/** This much of the moved things stays in the arena, so that they can be grabbed again. Chosen: a fingertip's width. */
 const STAYS_MM = 10;
 
 /**
@@ -50,7 +50,7 @@ export function stepInside({ minX, minY, maxX, maxY }: Bounds, by: Vec, [width, 
 
 function stepAlong(min: number, max: number, step: number, length: number): number {
   const stays = Math.min(STAYS_MM, max - min);
-  // What is outside already may come back by less than it takes to get in.
+  // A thing outside may come back by less than it takes to get in.
   const least = Math.max(Math.min(0, Math.ceil(stays - max)), Math.ceil(sceneLimits.placeMm.min - min));
   const most = Math.min(Math.max(0, Math.floor(length - stays - min)), Math.floor(sceneLimits.placeMm.max - max));
   if (least > most) return 0;

@@ -10,7 +10,7 @@ import { nextCheckpoint } from './kinds/zone';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';
 
-/** What was copied: plain data that can be pasted into any course. */
+/** Copied objects: plain data that can be pasted into any course. */
 export interface Clip {
   readonly objects: readonly SceneObject[];
 }
@@ -21,7 +21,7 @@ export interface Pasted {
   readonly selection: Selection;
 }
 
-/** How far a copy lies from its original, in mm. Chosen: two lines of the grid, so that both can be seen and grabbed. */
+/** Distance of a copy from its original, in mm. Chosen: two lines of the grid, so that both can be seen and grabbed. */
 export const COPY_OFFSET_MM = 20;
 
 /** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
@@ -31,11 +31,11 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
 }
 
 /**
- * Puts what was copied into a course: to the right and downwards of where it was, with ids of its own and checkpoints
+ * Pastes copied objects into a course: to the right of and below their originals, with ids of its own and checkpoints
  * with the next numbers.
  *
- * @param offsetMm how far; more for each time that the same is pasted
- * @returns `null` when it does not fit into the course any more
+ * @param offsetMm distance; it grows each time the same is pasted
+ * @returns `null` if the course has no room for it
  */
 export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_MM): Pasted | null {
   const around = boundsAll(clip.objects.map(boundsOf));

@@ -5,10 +5,10 @@ import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
 import { strokeLengthMm } from './kinds/stroke';
 import { directionDeg, distanceMm, toVec, wrappedDeg } from './plane';
 
-/** What kind of objects something happened to; `several`: of different kinds. */
+/** The kind of the affected objects; `several` for different kinds. */
 export type Kind = SceneObject['type'] | 'several';
 
-/** What an edit does, as data from which the page makes a sentence. Lengths in mm, angles in degrees. */
+/** The effect of an edit, as data from which the page makes a sentence. Lengths in mm, angles in degrees. */
 export type EditDescription =
   | { readonly type: 'nothing' }
   | { readonly type: 'drew'; readonly lengthMm: number; readonly widthMm: number; readonly color: StrokeColor }
@@ -38,21 +38,21 @@ export type EditDescription =
       readonly headingDeg: number | null;
       readonly scale: number | null;
     }
-  /** What of the course as a whole. */
+  /** The affected part of the course as a whole. */
   | { readonly type: 'course'; readonly what: readonly ('name' | 'description' | 'size' | 'task' | 'background')[] }
   /** Things of different sorts at once. */
   | { readonly type: 'several' };
 
-/** What an edit does to a course. */
+/** The effect of an edit on a course. */
 export const describeEdit = (scene: Scene, edit: SceneEdit): EditDescription =>
   describeChange(scene, applyEdit(scene, edit), edit);
 
-/** What differs between two states of a course; `edit`: what led from one to the other, or `null` where nobody knows. */
+/** The difference between two states of a course; `edit`: the edit between them, or `null` if unknown. */
 export function describeChange(before: Scene, after: Scene, edit: SceneEdit | null = null): EditDescription {
   const parts = [objectsChange(before, after, edit), robotChange(before, after), courseChange(before, after)].filter(
     (part) => part.type !== 'nothing',
   );
-  // Name and task may go along: they tell of what is gone.
+  // Name and task may be removed, too: they describe the removed objects.
   const cleared = parts.find(({ type }) => type === 'cleared');
   if (cleared) return cleared;
   return parts.length > 1 ? { type: 'several' } : (parts[0] ?? { type: 'nothing' });
@@ -104,7 +104,7 @@ function objectsChange(before: Scene, after: Scene, edit: SceneEdit | null): Edi
   const erased = erasedChange(changes);
   if (erased) return erased;
   if (removed.length === 0 && added.length === 0) return alteredChange(changed);
-  // Walls of a maze that grow together or are parted.
+  // Walls of a maze that are joined or split.
   const all = [...added, ...removed, ...changed.map(([, now]) => now)];
   return { type: 'changed', kind: commonKind(all), count: all.length };
 }

@@ -2,12 +2,12 @@ import type { Vec } from '#core/geometry';
 import { distanceMm } from './plane';
 import type { Drag } from './tools/tool';
 
-/** Where a drag began. */
+/** Start of a drag. */
 export function startOf({ path }: Drag): Vec {
   return path[0] ?? { x: 0, y: 0 };
 }
 
-/** Where a drag is now. */
+/** Present place of a drag. */
 export function endOf({ path }: Drag): Vec {
   return path[path.length - 1] ?? { x: 0, y: 0 };
 }

@@ -2,7 +2,7 @@ import { isSame } from '#core/same';
 import type { Replacement, SceneEdit } from '#scene/edit';
 import { countPoints, sceneLimits, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
 
-/** Several edits as one, the shortest way to say it; `null` for none. */
+/** Several edits as one, in the shortest form; `null` for none. */
 export function combined(edits: readonly (SceneEdit | null)[]): SceneEdit | null {
   const real = edits.filter((edit) => edit !== null);
   const [only] = real;
@@ -10,7 +10,7 @@ export function combined(edits: readonly (SceneEdit | null)[]): SceneEdit | null
   return real.length === 1 ? only : { type: 'all', edits: real };
 }
 
-/** Puts objects in, unless the course is full or there are none. */
+/** Adds objects, unless the course is full or there are none. */
 export function adding(scene: Scene, objects: readonly SceneObject[]): SceneEdit | null {
   const room = roomIn(scene);
   if (objects.length === 0 || objects.length > room.objects || pointsOf(objects) > room.points) return null;
@@ -18,8 +18,8 @@ export function adding(scene: Scene, objects: readonly SceneObject[]): SceneEdit
 }
 
 /**
- * Puts one object in, unless the very same lies at the same place already: whoever taps twice by mistake would get two
- * blocks in one another, and see one.
+ * Adds one object, unless an equal one is already at the same place: an accidental double tap would put two blocks into
+ * one another, and show one.
  */
 export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null {
   const isThere = scene.objects.some(
@@ -38,7 +38,7 @@ export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null 
 export const removing = (ids: readonly string[]): SceneEdit | null =>
   ids.length === 0 ? null : { type: 'remove', ids };
 
-/** Puts changed objects in the place of those with the same id; `null` when there are none. */
+/** Replaces objects by changed ones with the same ids; `null` if there are none. */
 export const changing = (objects: readonly SceneObject[]): SceneEdit | null =>
   replacing(objects.map((object) => ({ id: object.id, by: [object] })));
 

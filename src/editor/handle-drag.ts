@@ -7,7 +7,7 @@ import { kindOf } from './kinds/index';
 import { directionDeg, distanceMm, minus, plus, steppedDeg, wrappedDeg } from './plane';
 import type { Drag, Handle, Selection, ToolContext } from './tools/tool';
 
-/** What a drag that took hold of a handle amounts to. */
+/** The result of a drag of a handle. */
 export function handleDragged(handle: Handle, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, selection, footprint } = context;
   if (handle.kind === 'rotate') {
@@ -16,7 +16,7 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   }
   const object = scene.objects.find(({ id }) => id === handle.id);
   if (!object) return null;
-  // What is taken hold of beside its middle keeps that distance.
+  // A thing that is grabbed beside its middle keeps that distance.
   const place = plus(handle.at, minus(endOf(drag), startOf(drag)));
   const kind = kindOf(object);
   const changed =

@@ -68,7 +68,7 @@ export function handleAt(
   return best;
 }
 
-/** How far handles reach at this place: a quarter of the thing's extent where the place is on it. */
+/** Reach of handles at this place: a quarter of the thing's extent if the place is on it. */
 function reachOnBody(scene: Scene, selection: Selection, place: Vec, reachMm: number): number {
   const on = selectedObjects(scene, selection).find((object) => distanceTo(object, place, 0) !== null);
   return on ? Math.min(reachMm, kindOf(on).extentMm(on) / 4) : reachMm;

@@ -23,7 +23,7 @@ export type NumberName =
 /** Name of something about an object that can be changed. */
 export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'text' | 'type';
 
-/** What a field can be set to. */
+/** The value of a field. */
 export type FieldValue = number | boolean | string;
 
 /**
@@ -110,7 +110,7 @@ export const typeField = <T, K extends SceneObject['type']>(
   withType: (type: K, scene: Scene) => T | null,
 ): Field<T> => ({ kind: 'choice', name: 'type', value, choices, with: withType });
 
-/** The fields of the place of something that moves as a whole: not so far that a part would be beyond what a course holds. */
+/** The place fields of a thing that moves as a whole: no part of it may exceed the limits of a course. */
 export const placeFields = <O extends SceneObject>(
   object: O,
   at: Point,
@@ -125,7 +125,7 @@ export const placeFields = <O extends SceneObject>(
     return dx === 0 && dy === 0 ? null : move(object, dx, dy);
   });
 
-/** What of the robot's start can be changed by numbers. */
+/** The number fields of the robot's start. */
 export const robotFields = ({
   at,
   heading,

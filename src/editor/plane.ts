@@ -48,7 +48,7 @@ export function nearestOn(a: Vec, b: Vec, place: Vec): Vec {
   return { x: a.x + dx * share, y: a.y + dy * share };
 }
 
-/** How far a place is from a convex outline in mm; 0 inside. */
+/** Distance of a place from a convex outline in mm; 0 inside. */
 export function distanceToOutline(outline: Outline, place: Vec): number {
   let squared = Infinity;
   let lefts = 0;

@@ -10,7 +10,7 @@ import { distanceTo, kindOf, meets } from './kinds/index';
 import { distanceToOutline } from './plane';
 import type { Selection } from './tools/tool';
 
-/** Something that can be taken hold of: an object by its id, or the robot's start (`null`). */
+/** Something that can be grabbed: an object by its id, or the robot's start (`null`). */
 export type Thing = string | null;
 
 /** A selection of just one thing. */
@@ -51,8 +51,8 @@ export const selectAll = (scene: Scene, hasRobot = true): Selection => ({
 });
 
 /**
- * What is at a place, the best first: the robot, then what stands and lies there from top to bottom, then what is within
- * reach, the nearest first. Zones come last, since they are large and things stand on them.
+ * The things at a place, the best first: the robot, then things under it from top to bottom, then things within reach,
+ * the nearest first. Zones come last, because they are large and things stand on them.
  */
 export function thingsAt(
   scene: Scene,

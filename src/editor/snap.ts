@@ -97,7 +97,7 @@ export function snappedLine(start: Vec, end: Vec, to: Attractors, rules: LineRul
 }
 
 /**
- * Where the end of a line goes whose other end stays: as with `snappedLine`.
+ * The snapped place of a line's end whose other end stays: as with `snappedLine`.
  *
  * @returns the place in whole mm inside the arena
  */
@@ -159,7 +159,7 @@ export function shortenedInto(from: Vec, to: Vec, [width, height]: Point): Vec {
   return share === 1 ? to : { x: from.x + dx * share, y: from.y + dy * share };
 }
 
-/** Where a straight line, also made longer at its end, meets the middle line of a wall; `null` if it does not. */
+/** The point where a line, also extended at its end, meets the middle line of a wall; `null` if it does not. */
 function crossing(from: Vec, to: Vec, wall: Wall): Vec | null {
   const a = toVec(wall.from);
   const way = { x: to.x - from.x, y: to.y - from.y };
@@ -217,7 +217,7 @@ export function wallAttractors(scene: Scene): Attractors {
   return attractors;
 }
 
-/** What a wall snaps to whose end is moved: all others. */
+/** Snap targets for a wall whose end is moved: all other walls. */
 export function otherWalls(scene: Scene, { id }: Wall): Attractors {
   const walls = wallAttractors(scene).walls.filter((wall) => wall.id !== id);
   return { ends: walls.flatMap(({ from, to }) => [from, to]), walls };

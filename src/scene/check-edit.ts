@@ -21,7 +21,7 @@ export function parseEdit(value: unknown): ParsedEdit {
   return first ? { problem: first.message, problems: reader.problems } : { edit };
 }
 
-/** What is wrong with doing an edit to a course: too much of something, a figure out of range, an unknown or a double id. */
+/** What is wrong with applying an edit to a course: too much of something, a value out of range, a wrong id. */
 export function editProblem(scene: Scene, edit: SceneEdit): SceneProblem | null {
   const reader = new Reader();
   readEdit(edit, '', wholeRoom(), 0, reader);
@@ -29,12 +29,12 @@ export function editProblem(scene: Scene, edit: SceneEdit): SceneProblem | null 
   return reader.problems[0] ?? null;
 }
 
-/** Edits within one, all told. Chosen: one for every object. */
+/** Maximum number of edits within one. Chosen: one for every object. */
 const MAX_EDITS = sceneLimits.objects;
 /** Edits within edits within edits. Chosen: more than anything makes. */
 const MAX_DEPTH = 4;
 
-/** What the rest of an edit may still hold. */
+/** The remaining budget of an edit. */
 interface Room {
   edits: number;
   objects: number;
@@ -86,7 +86,7 @@ function readEdit(value: unknown, path: string, room: Room, depth: number, reade
   }
 }
 
-/** What each edit holds besides its type. */
+/** The fields of each edit besides its type. */
 const partsOf: Readonly<Record<SceneEdit['type'], readonly string[]>> = {
   add: ['objects'],
   remove: ['ids'],

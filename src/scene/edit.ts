@@ -5,10 +5,10 @@ export type SceneEdit =
   /** Puts objects on top of the others; their ids must be free. */
   | { readonly type: 'add'; readonly objects: readonly SceneObject[] }
   | { readonly type: 'remove'; readonly ids: readonly string[] }
-  /** Puts other objects in the place of some, which keeps the order of painting: a changed object, or the pieces of a stroke. */
+  /** Replaces objects and keeps the order of painting: by changed objects, or by the pieces of a stroke. */
   | { readonly type: 'replace'; readonly changes: readonly Replacement[] }
   | { readonly type: 'robot'; readonly robot: Partial<RobotStart> }
-  /** What belongs to the course as a whole. */
+  /** Changes the course as a whole. */
   | { readonly type: 'course'; readonly changes: CourseChanges }
   /** Removes all objects; the background, the robot and the task stay. */
   | { readonly type: 'clear' }
@@ -31,8 +31,8 @@ export interface CourseChanges {
 }
 
 /**
- * The course after an edit. What the edit does not change stays the same object, so that a picture can tell what changed;
- * an edit that changes nothing gives the same scene back.
+ * The course after an edit. Unchanged parts stay the same objects, so that a picture can see what changed; an edit that
+ * changes nothing returns the same scene.
  */
 export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
   switch (edit.type) {

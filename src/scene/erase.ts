@@ -4,16 +4,16 @@ import { boundsMeet, boundsOfOutline, lengthOf, type Bounds } from './outline';
 import type { Point, Stroke } from './scene';
 import { thinned } from './simplify';
 
-/** A round eraser and the way it went. */
+/** A round eraser and its path. */
 export interface Eraser {
   readonly radiusMm: number;
-  /** The way, piece by piece. */
+  /** The path, piece by piece. */
   readonly pieces: readonly Piece[];
   /** Rectangles around each piece, around eight of those each …, up to a single one: what is far off is passed over. */
   readonly levels: readonly (readonly Bounds[])[];
 }
 
-/** A straight piece of the way; a single place when both ends are the same. */
+/** A straight piece of the path; a single place if both ends are equal. */
 interface Piece {
   readonly from: Vec;
   readonly to: Vec;
@@ -23,7 +23,7 @@ interface Piece {
 type Interval = readonly [from: number, to: number];
 
 const FAN = 8; // chosen: flat enough to be built on every move of the pointer
-const PATH_TOLERANCE_MM = 0.25; // chosen: nobody sees it, and a slow hand costs no more than a fast one
+const PATH_TOLERANCE_MM = 0.25; // chosen: it is invisible, and a slow hand costs no more than a fast one
 
 /** An eraser that went along a path in world mm; a single place is a dab. */
 export function eraserAlong(path: readonly Vec[], radiusMm: number): Eraser {
@@ -52,10 +52,10 @@ function unionOf(all: readonly Bounds[]): Bounds {
 }
 
 /**
- * What an eraser leaves of a stroke. No paint stays under the eraser, however fast it went: the middle line is cut where
- * the eraser comes nearer than half the stroke's width, as the ends of what is left are round.
+ * The rest of a stroke after an eraser. No paint stays under the eraser, however fast it went: the middle line is cut
+ * where the eraser comes nearer than half the stroke's width, because the ends of the rest are round.
  *
- * @returns the lines that are left, in their order, none shorter than 1 mm; `null` when the stroke stays as it is
+ * @returns the remaining lines, in their order, none shorter than 1 mm; `null` if the stroke stays as it is
  */
 export function erased(stroke: Stroke, eraser: Eraser): readonly (readonly Point[])[] | null {
   const reachMm = eraser.radiusMm + stroke.width / 2;
@@ -162,7 +162,7 @@ function merged(intervals: readonly Interval[]): readonly Interval[] {
   return all;
 }
 
-/** The part of a straight line that is nearer than `reachMm` to a piece of the way; a merely touched place is none. */
+/** The part of a straight line that is nearer than `reachMm` to a piece of the path; a mere touch does not count. */
 function partNear(from: Vec, to: Vec, piece: Piece, reachMm: number): Interval | null {
   const direction = { x: to.x - from.x, y: to.y - from.y };
   const parts = [
@@ -191,7 +191,7 @@ function partInDisc(from: Vec, direction: Vec, centre: Vec, radiusMm: number): I
   return [-half - width, -half + width];
 }
 
-/** The part in the rectangle around a piece of the way, without its round ends. */
+/** The part in the rectangle around a piece of the path, without its round ends. */
 function partInStrip(from: Vec, direction: Vec, { from: start, to: end }: Piece, reachMm: number): Interval | null {
   const length = lengthOf(end.x - start.x, end.y - start.y);
   if (length === 0) return null;

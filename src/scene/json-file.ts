@@ -29,7 +29,7 @@ export function readJsonFile(
   }
 }
 
-/** What is said of a file with several things wrong: the first one's message, and how many follow. */
+/** The message about a file with several mistakes: the first one's, and the number of others. */
 export function summaryOf(problems: readonly Pick<SceneProblem, 'message'>[]): string {
   const first = problems[0]?.message ?? '';
   return problems.length > 1 ? `${first} (and ${String(problems.length - 1)} more)` : first;

@@ -1,4 +1,4 @@
-/** Where a text stops being JSON: line and column count from 1. */
+/** The place where a text stops being JSON: line and column count from 1. */
 export interface JsonPosition {
   readonly line: number;
   readonly column: number;
@@ -47,7 +47,7 @@ function errorOffset(text: string): number | null {
   }
 }
 
-/** What the token makes of the state; `null` when it may not stand here. Changes the stack of open brackets. */
+/** The state after the token; `null` if it may not occur here. Changes the stack of open brackets. */
 function step(open: ('{' | '[')[], expected: Expected, token: string): Expected | null {
   if (expected === 'colon') return token === ':' ? 'value' : null;
   const inside = open.at(-1);

@@ -1,10 +1,10 @@
 import { sceneDefaults, type Point } from './scene';
 import type { Box } from './outline';
 
-/** A place or an extent as it stands in a file. */
+/** A place or an extent in the form of a file. */
 export const pair = (point: Point): string => `[${point[0]}, ${point[1]}]`;
 
-/** A property as it stands in a file; none for a value that is the default. */
+/** A property in the form of a file; nothing for a default value. */
 export function property(
   name: string,
   value: string | number | boolean | null,
@@ -16,7 +16,7 @@ export function property(
 /** Properties as an object on one line. */
 export const braces = (properties: readonly string[]): string => `{ ${properties.join(', ')} }`;
 
-/** Where a box is, how large and how turned. */
+/** Place, size and rotation of a box. */
 export const boxProperties = ({ at, size, turn }: Box): readonly string[] => [
   `"at": ${pair(at)}`,
   `"size": ${pair(size)}`,

@@ -2,8 +2,8 @@ import type { Fields } from './reader';
 import { SCENE_VERSION } from './scene';
 
 /**
- * What makes a file of version n one of version n + 1; the first is for version 1. A step sees unchecked data: it moves
- * and renames what it finds and leaves judging to the reader.
+ * Steps that turn a file of version n into one of version n + 1; the first is for version 1. A step sees unchecked
+ * data: it moves and renames values and leaves the validation to the reader.
  */
 const steps: readonly ((file: Fields) => Fields)[] = [
   // 1 → 2: zones, spikes, movers, labels, colours, task and background are new; what there was means the same.

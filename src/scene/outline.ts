@@ -12,7 +12,7 @@ export interface Bounds {
   readonly maxY: number;
 }
 
-/** What lies in the arena as a turned rectangle: its centre, extent along its own x and y, and rotation in eighths. */
+/** Objects in the form of a turned rectangle: centre, extent along its own x and y, and rotation in eighths. */
 export interface Box {
   readonly at: Point;
   readonly size: Point;
@@ -70,8 +70,8 @@ export function squaredDistance(place: Vec, from: Vec, to: Vec): number {
 }
 
 /**
- * How deep two convex outlines overlap, in mm: so far one of them must move. 0 or less when some line parts them
- * (separating axis theorem); then at least so far they are apart.
+ * Overlap of two convex outlines in mm: the distance that one of them must move. 0 or less if a line separates them
+ * (separating axis theorem); they are then at least that far apart.
  */
 export function overlapMm(a: Outline, b: Outline): number {
   return Math.min(depthAlongAxesOf(a, a, b), depthAlongAxesOf(b, a, b));

@@ -2,7 +2,7 @@ import { solidOutline } from './kinds/index';
 import { boundsOfOutline, overlapMm, type Bounds, type Outline } from './outline';
 import type { Block, Point, SceneObject } from './scene';
 
-/** Bodies may overlap by so much: the figures of a course are whole mm, and turned corners are not. */
+/** Bodies may overlap by this much: the numbers of a course are whole mm, and turned corners are not. */
 const TOLERANCE_MM = 1;
 
 /** Pairs of bodies that are measured at most. Chosen: a few 10 ms; who needs more has hundreds of things in one heap. */
@@ -14,13 +14,13 @@ interface Solid {
   readonly bounds: Bounds;
 }
 
-/** A movable block and what it stands inside. */
+/** A movable block and what it overlaps. */
 export interface Stuck {
   readonly block: Block;
   readonly other: SceneObject;
 }
 
-/** Movable blocks that stand inside something solid, each once: their run would begin with a jolt. */
+/** Movable blocks that overlap something solid, each once: their run would begin with a jolt. */
 export function stuckBlocks(objects: readonly SceneObject[]): readonly Stuck[] {
   const solids = solidsOf(objects);
   const stuck = new Map<Block, SceneObject>();
@@ -53,7 +53,7 @@ function solidsOf(objects: readonly SceneObject[]): readonly Solid[] {
  */
 export const MOST_STUCK_PAIRS = 2000;
 
-/** Whether movable blocks stand inside each other or inside other things at more places than a run can sort out. */
+/** Whether movable blocks overlap each other or other things at more places than a run can resolve. */
 export function isHeap(objects: readonly SceneObject[]): boolean {
   const solids = solidsOf(objects);
   let [measured, overlapping] = [0, 0];

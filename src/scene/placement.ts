@@ -5,13 +5,14 @@ import { movedOutline, overlapMm, type Outline } from './outline';
 import type { SceneProblem } from './problem';
 import type { RobotStart, Scene, SceneObject } from './scene';
 
-/** Bodies may overlap by so much without being called inside each other: the figures of a scene are whole mm. */
+/** Bodies may overlap by this much without a complaint: the numbers of a scene are whole mm. */
 const TOLERANCE_MM = 1;
 
 /**
- * What is wrong with where the robot starts: outside the arena, or inside something solid.
+ * What is wrong with the robot's start: outside the arena, or inside something solid.
  *
- * @param footprint convex parts of the robot at scale 1, in its own frame (x forward, y left, origin mid-axle); empty: none
+ * @param footprint convex parts of the robot at scale 1, in its own frame (x forward, y left, origin mid-axle); empty:
+ *   none
  */
 export function placementProblems(scene: Scene, footprint: readonly Outline[]): readonly SceneProblem[] {
   const parts = robotOutlines(scene.robot, footprint);
@@ -25,7 +26,7 @@ export function placementProblems(scene: Scene, footprint: readonly Outline[]): 
   return [];
 }
 
-/** The parts of a robot as they stand at the start, in world mm. */
+/** The parts of a robot at its start, in world mm. */
 export function robotOutlines(
   { at, heading, scale }: Pick<RobotStart, 'at' | 'heading' | 'scale'>,
   footprint: readonly Outline[],

@@ -4,10 +4,10 @@ import type { Reader } from './reader';
 import type { SceneObject } from './scene';
 
 /**
- * Reads an unchecked object of a course; what is wrong with it is noted in the reader.
+ * Reads an unchecked object of a course; its mistakes are noted in the reader.
  *
- * @param pointsLeft how many points a stroke may have at most
- * @returns `null` when not even its type can be told
+ * @param pointsLeft maximum number of points of a stroke
+ * @returns `null` if not even its type is known
  */
 export function readObject(value: unknown, path: string, pointsLeft: number, reader: Reader): SceneObject | null {
   const type: unknown = typeof value === 'object' && value !== null && 'type' in value ? value.type : undefined;

@@ -1,11 +1,11 @@
 import type { StrokeColor } from './scene';
 
 /**
- * What an infrared line sensor gets back from each colour: 0 nothing (black), 1 as much as from bare light floor.
+ * The reflectance of each colour for an infrared line sensor: 0 nothing (black), 1 as much as from bare light floor.
  *
  * Line sensors of school robots shine infrared (about 940 nm). Black tape and ink hold soot and swallow it; the dyes of
  * red and yellow ink let it pass to the paper, so that such lines are nearly invisible to the sensor; blue and green
- * ones are seen, less surely than black. Chosen to say that much: dyes differ from pen to pen.
+ * ones are seen, less reliably than black. Chosen to express just that: dyes differ from pen to pen.
  */
 export const reflectanceOf: Readonly<Record<StrokeColor, number>> = {
   black: 0,

@@ -6,7 +6,7 @@ import { copies, stuckBlocks, type Stuck } from './overlaps';
 import { placementProblems, robotOutlines } from './placement';
 import type { Block, Mover, Point, Scene, SceneObject, Zone } from './scene';
 
-/** What can be wrong with a course that can be kept all the same. */
+/** Problems of a course that can still be kept. */
 export type RuleCode =
   | 'robot-outside'
   | 'robot-inside'
@@ -35,14 +35,14 @@ export interface RuleProblem {
   readonly ids: readonly string[];
 }
 
-/** So many problems of one kind are listed. Chosen: nobody reads on, and each costs a line on the screen. */
+/** Maximum number of listed problems of one kind. Chosen: nobody reads more, and each costs a line on the screen. */
 export const MOST_OF_A_KIND = 20;
 
 /**
  * Everything about a course that can be kept but will not work as meant: to be shown to its author, never a reason to
  * refuse it.
  *
- * @param footprint convex parts of the robot at scale 1, in its own frame; empty: it is not known, or there is none
+ * @param footprint convex parts of the robot at scale 1, in its own frame; empty: unknown, or no robot
  */
 export function findProblems(scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] {
   const things = sorted(scene);

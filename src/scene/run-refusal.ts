@@ -5,7 +5,7 @@ import type { Scene } from './scene';
 /** Chosen: each looks out for all it might push. A hundred are far beyond any lesson; two thousand take a second for a step. */
 const MOST_MOVERS = 100;
 
-/** What is said of a background whose grid cannot be unpacked. */
+/** The message about a background whose grid cannot be unpacked. */
 export const DAMAGED_BACKGROUND =
   'background.levels: the picture on the floor is damaged. Take it in anew, or remove it.';
 

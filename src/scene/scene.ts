@@ -69,7 +69,7 @@ export interface Zone {
   readonly blocks: number;
 }
 
-/** A solid thing with spikes that stands still: whoever touches it has failed. */
+/** A solid thing with spikes that stands still: a robot that touches it has failed. */
 export interface Spikes {
   readonly type: 'spikes';
   readonly id: string;
@@ -78,7 +78,7 @@ export interface Spikes {
   readonly turn: number;
 }
 
-/** A solid box that goes to and fro between `at` and `to`, whatever stands in its way. */
+/** A solid box that moves to and fro between `at` and `to`, whatever is in its path. */
 export interface Mover {
   readonly type: 'mover';
   readonly id: string;
@@ -113,7 +113,7 @@ export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label;
 /** How many points an object holds: a stroke may have tens of thousands, everything else has none. */
 export const countPoints = (object: SceneObject): number => ('points' in object ? object.points.length : 0);
 
-/** What a course asks for besides its zones. */
+/** The task of a course besides its zones. */
 export interface Task {
   /** Seconds of simulated time until the task must be done; `null`: no limit. */
   readonly seconds: number | null;
@@ -138,7 +138,7 @@ export interface Background {
   readonly picture: string;
 }
 
-/** Where the robot starts, and which one it is. */
+/** The robot's start, and its type. */
 export interface RobotStart {
   /** Id of a robot type, or `null`: chosen by what the program imports. */
   readonly type: string | null;
@@ -147,7 +147,7 @@ export interface RobotStart {
   readonly heading: number;
   /** Size of the robot relative to the real one. */
   readonly scale: number;
-  /** What is chosen about the robot: id of an option → id of a choice. What is left out is as usual. */
+  /** Chosen options of the robot: id of an option → id of a choice. Missing options have their defaults. */
   readonly options: Readonly<Record<string, string>>;
 }
 
@@ -165,13 +165,13 @@ export interface Scene {
   readonly objects: readonly SceneObject[];
 }
 
-/** What a course file calls itself. */
+/** The name of the format in a course file. */
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The version this app writes, and the newest it reads. */
 export const SCENE_VERSION = 2;
 
-/** What is taken for properties that a file leaves out. */
+/** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
   size: [1200, 900] as Point, // chosen: a table top
   thickness: 10,
@@ -188,7 +188,7 @@ export const sceneDefaults = {
   labelHeight: 30, // chosen: read on a projector from the last row
 } as const;
 
-/** What a course may hold at most. Chosen: far beyond any lesson, small enough for a school tablet. */
+/** Limits of a course. Chosen: far beyond any lesson, small enough for a school tablet. */
 export const sceneLimits = {
   /** More than the longest file that a course within the other limits can become. */
   textCharacters: 8_000_000,
@@ -215,7 +215,7 @@ export const sceneLimits = {
   backgroundMm: { min: 10, max: 20_000 },
   /** Cells of a background's grid; 1000 × 1000 are 2 m at 2 mm. */
   cells: 1_000_000,
-  /** Of a background's picture, and of its levels. */
+  /** For a background's picture, and for its levels. */
   pictureCharacters: 1_500_000,
 } as const;
 

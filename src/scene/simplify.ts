@@ -6,8 +6,8 @@ import type { Point } from './scene';
 export const TOLERANCE_MM = 1;
 
 /**
- * The coarsest for a finger, which trembles by more than a millimetre and is reported in whole pixels. Chosen: less than
- * the radius of the spot that a line sensor sees (2.5 mm on all robots here), so that no sensor can tell.
+ * The coarsest for a finger, which trembles by more than a millimetre and is reported in whole pixels. Chosen: less
+ * than the radius of the spot that a line sensor sees (2.5 mm on all robots here), so that no sensor notices it.
  */
 export const FINGER_TOLERANCE_MM = 2;
 

@@ -22,7 +22,7 @@ const turnedPlaced = <O extends Placed>(object: O, pivot: Vec, angleDeg: number)
   turn: eighths(object.turn + angleDeg / 45),
 });
 
-/** What all objects with a middle and a rotation have in common. */
+/** Shared by all objects with a middle and a rotation. */
 export const placed = {
   turnsInEighths: true,
   place: ({ at }: Placed) => at,
@@ -32,7 +32,7 @@ export const placed = {
   turned: turnedPlaced,
 };
 
-/** What all boxes have in common: a rectangle with a corner that sizes it and a knob that turns it. */
+/** Shared by all boxes: a rectangle with a corner that sizes it and a knob that turns it. */
 export const boxed = {
   ...placed,
   ...hitWithin<BoxObject>(boxOutline),
@@ -68,7 +68,7 @@ export function knobAbove({ id, at, turn }: Placed, heightMm: number, reachMm: n
   return { kind: 'rotate', at: { x: at[0] - sin * byMm, y: at[1] + cos * byMm }, id };
 }
 
-/** Sides that a dragged box has at least, in mm. Chosen: what can still be seen and taken hold of. */
+/** Shortest sides of a dragged box, in mm. Chosen: it can still be seen and grabbed. */
 const SMALLEST_MM = 10;
 
 /** The upright box between where a drag began and where it is, inside the arena. */

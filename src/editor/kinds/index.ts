@@ -35,13 +35,13 @@ export const kindOf = ({ type }: Pick<SceneObject, 'type'>): EditorKind => edito
 export const movedBy = (object: SceneObject, dx: number, dy: number): SceneObject =>
   kindOf(object).moved(object, dx, dy);
 
-/** The place of an object that its numbers tell; of a line its start. */
+/** The place of an object in its number fields; of a line its start. */
 export const placeOf = (object: SceneObject): Point => kindOf(object).place(object);
 
 /** The middle that an object turns about. */
 export const middleOf = (object: SceneObject): Vec => kindOf(object).middle(object);
 
-/** How far a place is from an object in mm, at most `reachMm`; 0 on it, `null` when it is farther away. */
+/** Distance of a place from an object in mm, at most `reachMm`; 0 on it, `null` if it is farther away. */
 export function distanceTo(object: SceneObject, place: Vec, reachMm: number): number | null {
   if (!holds(grown(boundsOf(object), reachMm), place)) return null;
   const mm = kindOf(object).distanceMm(object, place);
@@ -55,7 +55,7 @@ const holds = ({ minX, minY, maxX, maxY }: Bounds, { x, y }: Vec): boolean =>
 export const meets = (object: SceneObject, outline: Outline, around: Bounds = boundsOfOutline(outline)): boolean =>
   boundsMeet(boundsOf(object), around) && kindOf(object).meets(object, outline, around);
 
-/** What of an object can be changed by numbers and words, in the order of a list. */
+/** The fields of an object, in the order of a list. */
 export const fieldsOf = (object: SceneObject): readonly Field<SceneObject>[] => kindOf(object).fields(object);
 
 /** A new object in the size and look that the tools are set to; `null`: the course has no room for it. */

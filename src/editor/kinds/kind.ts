@@ -8,19 +8,19 @@ import type { Drag, Handle, ToolOptions } from '../tools/tool';
 
 /** A kind of object as the tools and the list of objects know it. World mm. */
 export interface EditorKind<O extends AnyObject = SceneObject> {
-  /** What is drawn over what: zones, then strokes (1) and words (2) on the floor, then what stands on it (3). */
+  /** Order of drawing: zones, then strokes (1) and words (2) on the floor, then solid things (3). */
   readonly layer: 0 | 1 | 2 | 3;
   /** Whether it can only be turned in eighths of a full turn. */
   readonly turnsInEighths: boolean;
-  /** The place that its numbers tell, which the grid attracts; of a line its start. */
+  /** Its place in its number fields, which the grid attracts; of a line its start. */
   place(object: O): Point;
-  /** A line's displacement from one end to the other; `null`: it is no line. */
+  /** A line's displacement from one end to the other; `null` for anything but a line. */
   span(object: O): Vec | null;
   /** The place it turns about. Turned about it, it stays where it is, so that eight taps lead back. */
   middle(object: O): Vec;
   /** The length of a line, the smaller side of a box. */
   extentMm(object: O): number;
-  /** How far a place is from it; 0 on it. */
+  /** Distance of a place from it; 0 on it. */
   distanceMm(object: O, place: Vec): number;
   /** Whether it has a place in common with a convex outline; the edge counts. `around`: the rectangle around the outline. */
   meets(object: O, outline: Outline, around: Bounds): boolean;
@@ -28,17 +28,17 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   moved(object: O, dx: number, dy: number): O;
   /** Turned counter-clockwise about a place; what knows only eighths takes the nearest. */
   turned(object: O, pivot: Vec, angleDeg: number): O;
-  /** The points where it can be taken hold of. `reachMm`: of the pointer; knobs stand clear of it. */
+  /** The points where it can be grabbed. `reachMm`: of the pointer; knobs keep this distance from it. */
   handles(object: O, reachMm: number): readonly Handle[];
   /** With the corner that its handle holds at a place; left out: it has no such handle. `null`: nothing changes. */
   sized?(object: O, place: Vec, drag: Drag): O | null;
   /** With the end that a handle holds at a place; left out: it has no such handle. `null`: nothing changes. */
   endMoved?(object: O, end: 'from' | 'to', place: Vec, drag: Drag, scene: Scene): O | null;
-  /** What of it can be changed by numbers and words, in the order of a list. */
+  /** Its fields, in the order of a list. */
   fields(object: O): readonly Field<O>[];
   /** A new one in the size and look that the tools are set to; `null`: the course has no room for it. */
   made(id: string, at: Point, scene: Scene, options: ToolOptions): O | null;
-  /** A new one that was put by a drag instead of a tap; left out: a drag draws it in another way. */
+  /** A new one made by a drag instead of a tap; left out: a drag draws it in another manner. */
   dragged?(object: O, drag: Drag, arena: Point): O;
 }
 

@@ -30,5 +30,5 @@ export const label: EditorKind<Label> = {
 export const oneLine = (text: string): string =>
   text.replace(/\s+/gu, ' ').trim().slice(0, sceneLimits.labelCharacters).replace(HALF_A_SIGN, '').trim();
 
-/** What is left of a sign of two UTF-16 units that was cut in the middle. */
+/** Half of a character of two UTF-16 units that was cut in the middle. */
 const HALF_A_SIGN = /[\uD800-\uDBFF]$/u;

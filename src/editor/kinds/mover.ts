@@ -9,7 +9,7 @@ import { boxed, boxFields } from './box';
 import { shifted, type EditorKind } from './kind';
 import { turnedExtent } from './line';
 
-/** How far a mover goes that was put by a tap, in mm. Chosen: two cells of the arena's grid. */
+/** Length of the path of a mover that was put by a tap, in mm. Chosen: two cells of the arena's grid. */
 const USUAL_TRACK_MM = 200;
 
 /** Boxes that go to and fro: moved, sized and turned together with their track. */
@@ -55,7 +55,7 @@ function moved(mover: Mover, dx: number, dy: number): Mover {
   return { ...mover, at: shifted(mover.at, dx, dy), to: shifted(mover.to, dx, dy) };
 }
 
-/** Where a mover turns whose turning point is dragged: in one of the eight directions, unless free; never where it starts. */
+/** The turning point of a mover during its drag: in one of the eight directions, unless free; never at its start. */
 function turningPoint(place: Vec, at: Point, arena: Point, { free, reachMm }: Drag): Point {
   const start = toVec(at);
   const way = shortenedInto(start, free ? place : alongEighths(start, place), arena);

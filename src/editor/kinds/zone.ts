@@ -36,13 +36,13 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
 
 // Sizes chosen: a robot fits in with room to spare.
 
-/** Where the robot, or blocks, shall come to. */
+/** A place that the robot, or blocks, must reach. */
 export const target = zoneKind('target', [200, 200]);
 
-/** What is to be passed in the order of its numbers. */
+/** A place to be passed in the order of its numbers. */
 export const checkpoint = zoneKind('checkpoint', [150, 150]);
 
-/** What must not be entered. */
+/** A place that must not be entered. */
 export const forbidden = zoneKind('forbidden', [200, 200]);
 
 const numberOf = (type: Zone['type'], scene: Scene): number | null =>

@@ -87,7 +87,7 @@ export const mover = (id: string, at: Point, to: Point): SceneObject => ({
   spiked: false,
 });
 
-/** What a tool works on, with the usual options. */
+/** The surroundings of a tool, with the usual options. */
 export const contextOf = (
   scene: Scene,
   options: Partial<ToolOptions> = {},
@@ -111,6 +111,6 @@ export function used(tool: Tool, one: Drag, context: ToolContext): Scene {
   return edit ? applyEdit(context.scene, edit) : context.scene;
 }
 
-/** What came into a course by an edit. */
+/** The objects that an edit added to a course. */
 export const newObjects = (before: Scene, after: Scene): readonly SceneObject[] =>
   after.objects.filter((object) => !before.objects.includes(object));

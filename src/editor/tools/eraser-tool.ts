@@ -26,7 +26,7 @@ export const eraserTool: Tool = {
     options.eraser === 'parts' ? [{ type: 'eraser', at: endOf(drag), radiusMm: options.eraserWidth / 2 }] : [],
 };
 
-/** What is left of the strokes that were cut, by the id of the whole stroke. */
+/** The rests of the strokes that were cut, by the id of the whole stroke. */
 type Cuts = ReadonlyMap<string, readonly Stroke[]>;
 
 /** The eraser's path is processed in pieces, so that a long one costs no more per move than a short one. */
@@ -77,7 +77,7 @@ function wiped(drag: Drag, context: ToolContext): SceneEdit | null {
   return leaving(scene, fits ? cuts : new Map([...cuts].map(([id, pieces]) => [id, longest(pieces)])));
 }
 
-/** Where the course is full, cutting would make too many: the longest piece stays, which never needs more room. */
+/** In a full course, cutting would make too many: the longest piece stays, which never needs more room. */
 function longest(pieces: readonly Stroke[]): readonly Stroke[] {
   const lengths = pieces.map(strokeLengthMm);
   const most = Math.max(...lengths);

@@ -50,7 +50,7 @@ export function edgeAlong(
   return awayMm <= withinMm ? existing(edge, cellMm, size) : null;
 }
 
-/** The piece of the nearest grid line along an axis, whether or not there is an edge, and how far away it is. */
+/** The piece of the nearest grid line along an axis, whether or not there is an edge, and its distance. */
 function beside(along: 'x' | 'y', { x, y }: Vec, cellMm: number): { readonly edge: GridEdge; readonly awayMm: number } {
   const [on, across] = along === 'x' ? [x, y] : [y, x];
   const line = Math.round(across / cellMm);

@@ -59,7 +59,7 @@ function tappedEdges(drag: Drag, { scene, options }: ToolContext): readonly Grid
   return edge ? [edge] : [];
 }
 
-/** How far the path has gone along edges, and those along which it went far enough, in the order it did. */
+/** The length of the path along each edge, and the edges with enough of it, in their order. */
 interface Travel {
   readonly mm: ReadonlyMap<string, number>;
   readonly edges: ReadonlyMap<string, GridEdge>;
@@ -95,7 +95,7 @@ const edgesAlong = alongPath<Travel>({
   },
 });
 
-/** A path in short steps: the middle of each and how far it goes. */
+/** A path in short steps: the middle and the length of each. */
 function* steps(
   places: readonly Vec[],
   cellMm: number,
@@ -214,10 +214,10 @@ function pieces({ wall }: LineWall, spans: readonly Span[], edge: GridEdge, free
   }));
 }
 
-/** What is too short to be the rest of a wall: hardly more than the overhang at a corner, in mm. */
+/** Too short for the rest of a wall: hardly more than the overhang at a corner, in mm. */
 const SHORT_REST_MM = 5;
 
-/** What is left of a wall when stretches are taken out, or `null`: they do not touch it. */
+/** The rests of a wall when stretches are removed, or `null` if they do not touch it. */
 function withoutSpans({ wall, from, to }: LineWall, spans: readonly Span[]): readonly Span[] | null {
   const out = overhangMm(wall.thickness);
   let rest: readonly Span[] = [{ from, to }];

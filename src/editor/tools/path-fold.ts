@@ -26,8 +26,8 @@ interface Kept<State> {
 }
 
 /**
- * Makes a function that carries a calculation along a drag and remembers how far it got in the same course, so that a
- * long drag costs no more per move than a short one. It always answers what it would without memory.
+ * Makes a function that runs a calculation along a drag and remembers its progress in the same course, so that a long
+ * drag costs no more per move than a short one. It always returns what it would without memory.
  */
 export function alongPath<State>(fold: Fold<State>): (drag: Drag, context: ToolContext) => State {
   const kept = new WeakMap<Scene, Kept<State>>();

@@ -55,7 +55,7 @@ export const selectTool: Tool = {
   },
 };
 
-/** What a drag has taken hold of. */
+/** The things that a drag has grabbed. */
 type Grip =
   | { readonly type: 'handle'; readonly handle: Handle }
   /** `held`: the thing right under the pointer; it is the one that the grid attracts. */
@@ -97,7 +97,7 @@ function findGrip(drag: Drag, { scene, selection, footprint }: ToolContext): Gri
   return { type: 'things', held: topmost, selection: drag.adds ? joined(selection, only(topmost)) : only(topmost) };
 }
 
-/** How far the drag moves things: such that the place of the held one comes onto the grid when that is near. */
+/** The displacement of a drag: the place of the held thing snaps to the grid if that is near. */
 function stepOf(drag: Drag, { held }: Extract<Grip, { type: 'things' }>, scene: Scene): Vec {
   const step = minus(endOf(drag), startOf(drag));
   const anchor = anchorOf(held, scene);
@@ -106,7 +106,7 @@ function stepOf(drag: Drag, { held }: Extract<Grip, { type: 'things' }>, scene: 
   return minus(to, anchor);
 }
 
-/** The place of a thing that its numbers tell: what the grid attracts. */
+/** The place of a thing in its number fields: the grid attracts it. */
 function anchorOf(thing: Thing, scene: Scene): Vec | null {
   if (thing === null) return toVec(scene.robot.at);
   const object = scene.objects.find(({ id }) => id === thing);

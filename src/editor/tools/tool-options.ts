@@ -1,7 +1,7 @@
 import { sceneDefaults, sceneLimits, type Point } from '#scene/scene';
 import type { ToolOptions } from './tool';
 
-/** What the tools are set to before anything is chosen. */
+/** Initial options of the tools. */
 export const usualToolOptions: ToolOptions = {
   penWidth: sceneDefaults.width,
   penColor: sceneDefaults.color,
@@ -29,7 +29,7 @@ export interface OptionRange {
   readonly step: number;
 }
 
-/** What may be set, in mm, mm/s or a count. Upper bounds are those of a course (`sceneLimits`) or chosen to fit an arena. */
+/** Ranges of the options, in mm, mm/s or a count. Upper bounds: those of a course (`sceneLimits`), or chosen. */
 export const toolOptionRanges = {
   penWidth: { ...sceneLimits.widthMm, step: 1 },
   eraserWidth: { min: 5, max: 300, step: 5 },

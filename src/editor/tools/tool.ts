@@ -18,7 +18,7 @@ export interface Drag {
   readonly reachMm: number;
 }
 
-/** What is selected: objects of the course by id, and whether the robot's start is. */
+/** The selection: objects of the course by id, and whether the robot's start is selected. */
 export interface Selection {
   readonly ids: readonly string[];
   readonly robot: boolean;
@@ -26,7 +26,7 @@ export interface Selection {
 
 export const nothingSelected: Selection = { ids: [], robot: false };
 
-/** What is set beside the tools. One record for all tools: a tool reads what is its own. */
+/** The options beside the tools. One record for all tools: each reads its own. */
 export interface ToolOptions {
   readonly penWidth: number;
   readonly penColor: StrokeColor;
@@ -52,7 +52,7 @@ export interface ToolOptions {
   readonly labelHeight: number;
 }
 
-/** What a tool works on. */
+/** The surroundings of a tool. */
 export interface ToolContext {
   /** The course as it was when the drag began. */
   readonly scene: Scene;
@@ -68,14 +68,14 @@ export type Mark =
   | { readonly type: 'frame'; readonly from: Vec; readonly to: Vec }
   /** The ruler's line; the page writes length, angle, x and y beside it. */
   | { readonly type: 'measure'; readonly from: Vec; readonly to: Vec }
-  /** Where an end has snapped to. */
+  /** The point to which an end has snapped. */
   | { readonly type: 'snap'; readonly at: Vec }
-  /** What the eraser covers. */
+  /** The area of the eraser. */
   | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }
   /** The grid on whose edges a maze is built, and the edge that a tap would change. */
   | { readonly type: 'grid'; readonly cellMm: number; readonly edge: readonly [Vec, Vec] | null };
 
-/** A point of what is selected that can be taken hold of. */
+/** A point of the selection that can be grabbed. */
 export interface Handle {
   readonly kind: 'rotate' | 'from' | 'to' | 'size';
   /** World mm. */
@@ -103,8 +103,8 @@ export interface Tool {
   ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
   /** Additional marks; `drag` is a single place while the pointer only hovers. */
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
-  /** What is to be seen as long as the tool is chosen and nothing points: fingers never hover. */
+  /** What to show while the tool is chosen and nothing points: fingers never hover. */
   marksAtRest?(context: ToolContext): readonly Mark[];
-  /** What is selected after the drag is over; left out: as before. `after` is the course with the edit applied. */
+  /** The selection after the drag; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
 }

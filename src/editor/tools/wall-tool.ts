@@ -5,7 +5,7 @@ import { distanceMm, toVec } from '../plane';
 import { isInArena, snapMarks, snappedLine, wallAttractors, type SnappedLine } from '../snap';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
-/** What is shorter was not meant as a wall. Chosen: half the usual thickness. */
+/** A shorter drag was not meant as a wall. Chosen: half the usual thickness. */
 const SHORTEST_MM = 5;
 
 /** Draws a wall from where the drag begins to where it ends. */

@@ -32,7 +32,7 @@ const knownBounds = new WeakMap<SceneObject, Bounds>();
 
 /**
  * The smallest rectangle along the axes around an object, with the width of strokes and the track of movers. World mm.
- * Kept for as long as the object, which never changes: it is asked for on every move of a pointer.
+ * Cached for the life of the object, which never changes: it is needed on every move of a pointer.
  */
 export function boundsOf(object: SceneObject): Bounds {
   const known = knownBounds.get(object);

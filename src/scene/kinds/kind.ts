@@ -2,7 +2,7 @@ import { boundsOfOutline, overlapMm, type Bounds, type Outline } from '../outlin
 import type { SceneObject } from '../scene';
 import type { Unread } from './unread';
 
-/** What every object of a course has, whatever its kind. */
+/** Common properties of all objects of a course. */
 export interface AnyObject {
   readonly type: string;
   readonly id: string;
@@ -10,13 +10,13 @@ export interface AnyObject {
 
 /** A kind of object as the course knows it: its form in a file, and where it is. */
 export interface SceneKind<O extends AnyObject = SceneObject> {
-  /** What messages call it. */
+  /** Its name in messages. */
   readonly name: string;
-  /** What a file may say of it besides `id` and `type`. */
+  /** Its properties in a file besides `id` and `type`. */
   readonly properties: readonly string[];
   /** Reads an unchecked one; what is wrong with it is noted in the reader. */
   read(given: Unread): O;
-  /** Its properties as they stand in a file, those that are the default left out. */
+  /** Its properties in the form of a file, without defaults. */
   write(object: O): readonly string[];
   /** The outline of what a robot bumps into, in world mm (a mover: where it starts); `null` for what lies flat on the floor. */
   solid(object: O): Outline | null;

@@ -37,7 +37,7 @@ export const readPlace = ({ reader, at }: Unread, name: string): Point =>
 export const readTurn = ({ reader, at }: Unread): number =>
   reader.whole(...at('turn'), { min: 0, max: 7 }, sceneDefaults.turn);
 
-/** What every box has: where, how large and how turned. */
+/** Common properties of all boxes: place, size and rotation. */
 export const readBox = (given: Unread): Box & { readonly id: string } => ({
   id: readId(given),
   at: readPlace(given, 'at'),

@@ -44,13 +44,13 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
   };
 }
 
-/** Where the robot, or blocks, shall come to. */
+/** A place that the robot, or blocks, must reach. */
 export const target = zoneKind('target');
 
-/** What is to be passed in the order of its numbers. */
+/** A place to be passed in the order of its numbers. */
 export const checkpoint = zoneKind('checkpoint');
 
-/** What must not be entered. */
+/** A place that must not be entered. */
 export const forbidden = zoneKind('forbidden');
 
 /** Figures of a course are whole mm; so little is an error of rounding. */

@@ -13,7 +13,7 @@ export interface TrackWish {
   readonly size: Point;
 }
 
-/** What tracks may be like, and what every one keeps. */
+/** Limits of tracks, and what every track guarantees. */
 export const trackLimits = {
   bends: { min: 4, max: 14 },
   sizeMm: { min: 900, max: 4000 },

@@ -40,7 +40,7 @@ export const mover = { id: 'm', type: 'mover', at: [100, 100], to: [300, 100], s
 export const label = { id: 'l', type: 'label', at: [100, 100], text: 'Start' };
 /** A background as a file may have it. */
 export const background = { at: [0, 0], size: [400, 300], cells: [4, 3], levels: 'AAAA' };
-/** `full` with a background, changed in some way. */
+/** `full` with a background, changed as given. */
 export const withBackground = (change: object): unknown => changed({ background: { ...background, ...change } });
 /** A wall as a file may have it. */
 export const wall = { id: 'w', type: 'wall', from: [0, 0], to: [100, 0] };
@@ -52,7 +52,7 @@ export function sceneOf(value: unknown): Scene {
   return parsed.scene;
 }
 
-/** What is wrong with a file, as text or as a value. */
+/** The problem of a file, given as text or as a value. */
 export function problemsOf(value: unknown): readonly SceneProblem[] {
   const parsed = typeof value === 'string' ? parseScene(value) : parseSceneValue(value);
   return 'scene' in parsed ? [] : parsed.problems;

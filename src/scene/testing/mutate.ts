@@ -31,7 +31,7 @@ const strange: readonly unknown[] = [
   [1e999, 0],
 ];
 
-/** What can only come in a message, not in a file. */
+/** Values that can only come in a message, not in a file. */
 const strangeInMessages: readonly unknown[] = [NaN, Infinity, -0, undefined, 10n, new Date(NaN), new Map([['a', 1]])];
 
 interface Slot {
