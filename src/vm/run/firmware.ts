@@ -82,18 +82,20 @@ const EROFS = 69;
 /**
  * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
  * for host objects and its file system are not used, so the host is out of reach and copies share nothing.
+ *
+ * @returns also `serve`, which names the host: it is made of the firmware, so it comes after it and before anything runs
  */
 export function instantiateFirmware(
   module: WebAssembly.Module,
-  host: FirmwareHost,
   loader: (memory: () => Memory) => Loader,
-): { readonly firmware: Firmware; readonly memory: Memory } {
-  const loaded: { firmware?: Firmware; memory?: Memory } = {};
+): { readonly firmware: Firmware; readonly memory: Memory; readonly serve: (host: FirmwareHost) => void } {
+  const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost } = {};
   const running = (): Firmware => loaded.firmware ?? notLoaded();
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
+  const host = (): FirmwareHost => loaded.host ?? notLoaded();
   const files = loader(inMemory);
   const imports = {
-    host: { tick: () => host.tick(), fatal: () => host.fatal(), collected: () => host.collected() },
+    host: { tick: () => host().tick(), fatal: () => host().fatal(), collected: () => host().collected() },
     env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
@@ -102,7 +104,7 @@ export function instantiateFirmware(
   Object.assign(loaded, { firmware, memory });
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
-  return { firmware, memory };
+  return { firmware, memory, serve: (given) => void (loaded.host = given) };
 }
 
 function notLoaded(): never {
@@ -156,11 +158,11 @@ function invokers(running: () => Firmware, memory: () => Memory): HostFunctions 
 }
 
 /** The place where Python meets the host: one object, `_hal`, whose attributes are functions. Everything else is refused. */
-function boundary(memory: () => Memory, host: FirmwareHost): HostFunctions {
+function boundary(memory: () => Memory, host: () => FirmwareHost): HostFunctions {
   const nothing = (): number => 0;
-  const refuse = (): never => host.fatal();
+  const refuse = (): never => host().fatal();
   const find = (reference: number, nameAddress: number): number =>
-    reference === HAL_REFERENCE ? host.lookup(memory().textUntilZero(nameAddress)) : -1;
+    reference === HAL_REFERENCE ? host().lookup(memory().textUntilZero(nameAddress)) : -1;
   const refused = [
     'call0_kwarg calln_kwarg js_reflect_construct js_get_iter js_iter_next js_subscr_load js_subscr_store create_promise',
     'js_then_resolve js_then_reject js_then_continue proxy_convert_mp_to_js_then_js_to_mp_obj_jsside',
@@ -168,12 +170,12 @@ function boundary(memory: () => Memory, host: FirmwareHost): HostFunctions {
   ];
   return {
     ...Object.fromEntries(refused.flatMap((line) => line.split(' ')).map((each) => [each, refuse])),
-    call0: (reference: number, out: number) => host.call(reference, [], out),
-    call1: (reference: number, _via: number, a: number, out: number) => host.call(reference, [memory().read(a)], out),
+    call0: (reference: number, out: number) => host().call(reference, [], out),
+    call1: (reference: number, _via: number, a: number, out: number) => host().call(reference, [memory().read(a)], out),
     call2: (reference: number, _via: number, a: number, b: number, out: number) =>
-      host.call(reference, [memory().read(a), memory().read(b)], out),
+      host().call(reference, [memory().read(a), memory().read(b)], out),
     calln: (reference: number, _via: number, count: number, first: number, out: number) =>
-      host.call(
+      host().call(
         reference,
         Array.from({ length: count }, (_, i) => memory().read(first + i * VALUE_BYTES)),
         out,
@@ -193,12 +195,12 @@ function boundary(memory: () => Memory, host: FirmwareHost): HostFunctions {
 }
 
 /** Time and random numbers of the C code. Its own clock is never read: the library replaces every access to it. */
-function system(host: FirmwareHost): HostFunctions {
+function system(host: () => FirmwareHost): HostFunctions {
   return {
-    mp_js_random_u32: () => host.randomU32() | 0,
+    mp_js_random_u32: () => host().randomU32() | 0,
     mp_js_ticks_ms: () => 0,
     mp_js_time_ms: () => 0,
-    _abort_js: () => host.fatal(),
+    _abort_js: () => host().fatal(),
     emscripten_resize_heap: () => 0,
     ...Object.fromEntries(
       ['chdir', 'mkdirat', 'poll', 'renameat', 'rmdir', 'unlinkat'].map((call) => [`__syscall_${call}`, () => -EROFS]),
@@ -209,13 +211,13 @@ function system(host: FirmwareHost): HostFunctions {
 }
 
 /** Output of the C code. */
-function output(memory: () => Memory, host: FirmwareHost): HostFunctions {
+function output(memory: () => Memory, host: () => FirmwareHost): HostFunctions {
   const write = (_file: number, vectors: number, count: number, written: number): number => {
     let total = 0;
     for (let i = 0; i < count; i++) {
       const address = memory().word(vectors + 8 * i);
       const length = memory().word(vectors + 8 * i + 4);
-      if (length) host.write(memory().bytes.subarray(address, address + length));
+      if (length) host().write(memory().bytes.subarray(address, address + length));
       total += length;
     }
     memory().setWord(written, total);

@@ -54,37 +54,36 @@ export class Session {
     private readonly ports: SessionPorts,
   ) {
     const rng = createRng(setup.seed).fork('vm');
-    let engine: Engine | undefined;
-    let heap: Heap | undefined;
-    const host: FirmwareHost = {
-      tick: () => engine?.tick(),
-      fatal: () => {
-        throw new VmFault('MicroPython cannot go on: its memory or its stack is used up.');
-      },
-      collected: () => heap?.collected(),
-      write: (bytes) => {
-        this.print(bytes);
-        engine?.print(bytes.length * this.printByteUs);
-      },
-      randomU32: () => rng.u32(),
-      lookup: (name) => engine?.lookup(name) ?? -1,
-      call: (reference, args, result) => engine?.call(reference, args, result),
-    };
-    const { firmware, memory } = instantiateFirmware(
-      setup.firmware,
-      host,
-      createLoader(lookupIn(ports.files, setup.libraries)),
-    );
+    const loader = createLoader(lookupIn(ports.files, setup.libraries));
+    const { firmware, memory, serve } = instantiateFirmware(setup.firmware, loader);
     this.firmware = firmware;
     this.memory = memory;
-    this.heap = heap = new Heap(firmware, memory);
-    this.engine = engine = new Engine(firmware, memory, setup.clock, ports.startUs, (machine) =>
-      this.calls(machine, rng),
-    );
+    this.heap = new Heap(firmware, memory);
+    this.engine = new Engine(firmware, memory, setup.clock, ports.startUs, (machine) => this.calls(machine, rng));
+    serve(this.host(rng));
     ports.port.onInterrupt = () => this.engine.interrupt();
     this.startFirmware();
     this.loadLibrary();
     this.program = this.executor(PROGRAM);
+  }
+
+  /** What the firmware asks. */
+  private host(rng: Rng): FirmwareHost {
+    const { engine, heap } = this;
+    return {
+      tick: () => engine.tick(),
+      fatal: () => {
+        throw new VmFault('MicroPython cannot go on: its memory or its stack is used up.');
+      },
+      collected: () => heap.collected(),
+      write: (bytes) => {
+        this.print(bytes);
+        engine.print(bytes.length * this.printByteUs);
+      },
+      randomU32: () => rng.u32(),
+      lookup: (name) => engine.lookup(name),
+      call: (reference, args, result) => engine.call(reference, args, result),
+    };
   }
 
   /** Runs until the clock reaches the limit, the program ends or the board restarts. The report tells how it ended. */
@@ -133,18 +132,25 @@ export class Session {
 
   private calls(engine: Engine, rng: Rng): SyscallTable {
     const { files, port, report, repl } = this.ports;
-    return {
-      ...createHal(engine, this.setup.board, files, port, rng),
-      ...createHeapCalls(this.heap),
+    const runner: SyscallTable = {
       ...report.syscalls(),
       ...createReplCalls(repl, port, engine),
       ...this.runnerCalls(engine),
+      booted: () => {
+        engine.hide(Object.keys(runner));
+        return null;
+      },
+    };
+    return {
+      ...createHal(engine, this.setup.board, files, port, rng),
+      ...createHeapCalls(this.heap),
+      ...runner,
       ...this.programCalls(engine),
     };
   }
 
   /**
-   * For the library's runner alone: they are hidden from Python when it calls booted().
+   * For the library's runner alone. Like the report's and the REPL's they are hidden from Python when it calls booted().
    *
    * - seal() · reserve_bytes() → size, reserve(address of a block), reserve_give(), reserve_hold(): see heap.ts
    * - on_callback(address of the dispatcher) · throw(address of an exception) → whether it is one
@@ -173,7 +179,6 @@ export class Session {
         if (isException) engine.throwInProgram(address(exception));
         return isException;
       },
-      booted: does(() => engine.hide(RUNNERS)),
       finish: (): Wait => {
         report.finish();
         repl.programEnded();
@@ -252,12 +257,6 @@ export class Session {
   }
 }
 
-/** Functions that the library's runner takes for itself before it hides them. */
-const RUNNERS = [
-  ...['seal', 'reserve_bytes', 'reserve', 'reserve_give', 'reserve_hold', 'on_callback', 'throw', 'booted'],
-  ...['report_begin', 'report_end', 'finish', 'shown', 'shown_skip', 'reboot'],
-  ...['repl', 'repl_text', 'repl_names', 'repl_run', 'repl_fail', 'repl_raw'],
-];
 /** The kind of a result that is an exception: ports/webassembly/proxy_c.c. */
 const EXCEPTION = -1;
 /** Alignment of the C stack: WebAssembly tool conventions, basic C ABI. */
