@@ -149,7 +149,7 @@ const common = {
   resolve: {
     alias: [
       // What jsPDF would fetch to print web pages; courses are printed from their own data.
-      { find: /^(html2canvas|dompurify|canvg)$/, replacement: here('src/web/print/left-out.ts') }, // prettier-ignore
+      { find: /^(html2canvas|dompurify|canvg)$/, replacement: here('src/web/print/left-out.ts') },
     ],
   },
   define: {

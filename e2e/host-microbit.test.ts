@@ -176,7 +176,6 @@ test('what the editor holds down and sets before a program runs is so for it and
     compassHeading: 90,
     accelerometerX: -500,
   }))
-    // prettier-ignore
     await send(app, { kind: 'set_value', id, value });
   const reads = 'from microbit import *\nsleep(100)\nprint(button_a.is_pressed(), pin0.is_touched(), display.read_light_level(), microphone.sound_level(), compass.heading(), accelerometer.get_x())\nwhile True: sleep(20)\n'; // prettier-ignore
   const expected = 'True True 33 200 90 -500\r\n';

@@ -48,7 +48,6 @@ describe('an attribute that changes while the page is there', () => {
       ['-3', 0],
       ['many', 0],
     ] as const)
-      // prettier-ignore
       expect(await hz(value)).toEqual({ snapshotHz });
   });
 

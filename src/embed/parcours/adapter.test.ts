@@ -163,7 +163,7 @@ describe('commands of our own dialect', () => {
     await settled();
     const answers = heard.filter(({ reply }) => ids.includes(Number(reply)));
     expect(answers.map(({ reply }) => reply)).toEqual(ids);
-    expect(answers.map((answer) => answer['phase'] ?? answer['ok'])).toEqual([true, 'paused', false, true, 'running']); // prettier-ignore
+    expect(answers.map((answer) => answer['phase'] ?? answer['ok'])).toEqual([true, 'paused', false, true, 'running']);
     expect(simulator.calls.map(({ call }) => call)).toEqual(['run', 'resume']);
   });
 

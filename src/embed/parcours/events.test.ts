@@ -73,7 +73,6 @@ describe('events of our own dialect', () => {
       ['stopped', 'stopped'],
       ['killed', 'stuck'],
     ] as const) {
-      // prettier-ignore
       const { simulator, events } = greeted();
       simulator.tell({ type: 'started' });
       simulator.tell({ type: 'phase', phase });
@@ -126,7 +125,7 @@ describe('events of our own dialect', () => {
     simulator.tell({ type: 'log', events: [{ type: 'clear', timeUs: 0 }, ...rows, { type: 'full', timeUs: 9 }] });
     const sentPackets = events('radio')[0]?.['packets'] as readonly { atMs: number }[];
     const sentRows = events('log')[0]?.['events'] as readonly { type: string }[];
-    expect(sentPackets.map(({ atMs }) => atMs)).toEqual(packets.slice(0, sentPackets.length).map((_, at) => at)); // prettier-ignore
+    expect(sentPackets.map(({ atMs }) => atMs)).toEqual(packets.slice(0, sentPackets.length).map((_, at) => at));
     expect(sentRows.map(({ type }) => type).filter((type) => type !== 'row')).toEqual(['clear', 'full']);
     for (const one of [events('radio')[0], events('log')[0]])
       expect(JSON.stringify(one).length).toBeLessThan(1.5 * limits.outputCharactersPerSecond);

@@ -82,7 +82,6 @@ describe('a link of WebTigerPython', () => {
       codeOf('x'),
       '%E4',
     ])
-      // prettier-ignore
       expect(problemOf(`?code=${code}`)).toMatch(/^damaged: The link is damaged/);
     expect(problemOf(HOST)).toMatch(/^damaged/);
     expect(
