@@ -1,7 +1,7 @@
 import { zlibSync, deflateSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { toBase64 } from '#core/base64';
 import { packLevels, unpackLevels } from './background';
-import { fromBase64, toBase64 } from './base64';
 
 describe('the levels of a background', () => {
   const levels = Uint8Array.from({ length: 600 * 450 }, (_, cell) => (cell * 7) % 16);
@@ -30,20 +30,5 @@ describe('the levels of a background', () => {
     const damaged = [packed.slice(0, 400), 'A', '====', '!!!!', '////', toBase64(zlibSync(levels))];
     for (const text of damaged) expect(unpackLevels({ cells: [600, 450], levels: text })).toBeNull();
     expect(unpackLevels({ cells: [2, 1], levels: packLevels(new Uint8Array([3, 16])) })).toBeNull();
-  });
-});
-
-describe('base64', () => {
-  it('is what Node makes of all lengths up to 300 bytes', () => {
-    for (let length = 0; length <= 300; length++) {
-      const bytes = Uint8Array.from({ length }, (_, index) => (index * 89 + length * 41) % 256);
-      const text = Buffer.from(bytes).toString('base64');
-      expect(toBase64(bytes)).toBe(text);
-      expect(fromBase64(text)).toEqual(bytes);
-    }
-  });
-
-  it('with a foreign sign, a wrong length or an early end is none', () => {
-    for (const text of ['AAA', 'AA-A', 'A=AA', 'AA=A', '=AAA', 'AAAA=', 'ÄAAA']) expect(fromBase64(text)).toBeNull();
   });
 });

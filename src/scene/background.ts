@@ -1,5 +1,5 @@
 import { deflateSync, Inflate } from 'fflate';
-import { fromBase64, toBase64 } from './base64';
+import { fromBase64, toBase64 } from '#core/base64';
 import type { Background } from './scene';
 
 /** The level of bare floor, the brightest; 0 is black. */

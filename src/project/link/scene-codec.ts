@@ -2,7 +2,7 @@
  * A course and its parts as columns of bytes (`columns.ts`), for links. The order in which the codecs are made is the
  * format: a change needs a new version of the link (`link.ts`). A test with a kept link checks that.
  */
-import { fromBase64, toBase64 } from '#scene/base64';
+import { fromBase64, toBase64 } from '#core/base64';
 import {
   sceneLimits,
   strokeColors,

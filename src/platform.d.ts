@@ -29,3 +29,6 @@ declare class TextEncoder {
 
 /** The bytes of a base64 text, one per character. */
 declare function atob(base64: string): string;
+
+/** A text of bytes, one per character, as base64. */
+declare function btoa(bytes: string): string;
