@@ -1,4 +1,5 @@
 import type { Clock } from '#core/clock';
+import type { Rgb } from '#core/rgb';
 import type { BoardType, Feature, FirmwareType } from './boards/board-type';
 import { Button } from './sensors/button';
 import { Compass } from './sensors/compass';
@@ -13,7 +14,7 @@ import { Pin } from './wires/pin';
 import { Power } from './power';
 import { PwmUnit } from './wires/pwm-unit';
 import { Radio } from './radio';
-import { RgbLeds, type Rgb } from './display/rgb-leds';
+import { RgbLeds } from './display/rgb-leds';
 import { SampledSensor } from './sensors/sampled-sensor';
 import { Sensors, type Pressable } from './sensors/sensors';
 import { Sound } from './sound/sound';

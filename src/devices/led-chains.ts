@@ -5,8 +5,8 @@
  * Bytes as in `ws2812.ts`. A chain is as long as the longest stream sent to it since the start.
  */
 import type { Wire } from '#board/wires/wire';
+import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
-import type { Rgb } from './ws2812';
 
 /** The colours of one chain, as plain data. */
 export interface LedChain {

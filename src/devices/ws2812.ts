@@ -5,10 +5,8 @@
  * bit first; each LED keeps the first 24 bits it receives after a reset and passes the rest on.
  */
 import type { Wire } from '#board/wires/wire';
+import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
-
-/** Red, green, blue, each 0 … 255. */
-export type Rgb = readonly [number, number, number];
 
 const BYTES_PER_LED = 3;
 const DARK: Rgb = [0, 0, 0];

@@ -25,9 +25,9 @@ import type { Board } from '#board/board';
 import type { Clock } from '#core/clock';
 import type { Vec } from '#core/geometry';
 import type { Option, OptionValues } from '#core/option';
+import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
 import type { Texts } from '#core/texts';
-import type { Rgb } from '#devices/ws2812';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { Cone, ConeHit } from '#world/world';
 

@@ -1,4 +1,6 @@
 import type { Pose } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
+import type { LedChain } from '#devices/led-chains';
 import type { RobotState } from '#robots/robot';
 import type { Verdict } from './verdict';
 
@@ -12,7 +14,7 @@ export interface BoardSnapshot {
   /** Whether each touch pad is touched, by its name. */
   readonly touch: Readonly<Record<string, boolean>>;
   /** The colour LEDs on the board itself, 0 … 255 each; none on a micro:bit. */
-  readonly rgb: readonly (readonly [number, number, number])[];
+  readonly rgb: readonly Rgb[];
   /** Duty of the board's own motor outputs, −1 … 1; none on a micro:bit. */
   readonly motors: readonly number[];
   /** The light beside the microphone. */
@@ -50,15 +52,9 @@ export interface Snapshot extends BoardSnapshot {
   /** How well the task is done, or `null` if the course has no task. */
   readonly verdict: Verdict | null;
   /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
-  readonly lights: readonly LightChain[];
+  readonly lights: readonly LedChain[];
   /** Whether the board measures the arena: see the action `arena-senses`. */
   readonly arenaSenses: boolean;
-}
-
-/** A chain of colour lights on a pin, the light next to the pin first; red, green, blue 0 … 255. */
-export interface LightChain {
-  readonly pin: string;
-  readonly colors: readonly (readonly [number, number, number])[];
 }
 
 /** The robot at one moment. */

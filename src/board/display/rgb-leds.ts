@@ -1,7 +1,5 @@
+import type { Rgb } from '#core/rgb';
 import type { Wire } from '../wires/wire';
-
-/** Brightness of red, green and blue, 0 … 255 each. */
-export type Rgb = readonly [red: number, green: number, blue: number];
 
 const BYTES_PER_LED = 3;
 const DARK: Rgb = [0, 0, 0];

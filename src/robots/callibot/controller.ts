@@ -37,8 +37,8 @@
  * `knotech2.ts`, calliope-net/callibot2 `sensoren.ts` (types, encoders), Pegasus2105/callibot-ESP32 (old colour byte).
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
+import type { Rgb } from '#core/rgb';
 import { createRegisterMachine, type RegisterPart } from '#devices/i2c-registers';
-import type { Rgb } from '#devices/ws2812';
 
 export const MOTORS_ADDRESS = 0x20;
 export const LIGHTS_ADDRESS = 0x21;

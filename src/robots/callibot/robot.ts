@@ -10,10 +10,10 @@
  *      0x23 … 0x27  answer, do nothing
  */
 import type { Vec } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
 import { signedDuty } from '#devices/dc-motor';
 import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import { createRegisterMachine } from '#devices/i2c-registers';
-import type { Rgb } from '#devices/ws2812';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountMotors, mountServos } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';

@@ -1,7 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import type { Rgb } from '#core/rgb';
 import { attachHcSr04 } from '#devices/hc-sr04';
-import { attachWs2812, type Rgb } from '#devices/ws2812';
+import { attachWs2812 } from '#devices/ws2812';
 import { runOnWires } from '../testing/wires';
 import { createController } from './controller';
 import { maqueenLiteBuild } from './robot';

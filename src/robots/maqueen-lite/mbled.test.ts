@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { attachWs2812, type Rgb } from '#devices/ws2812';
+import type { Rgb } from '#core/rgb';
+import { attachWs2812 } from '#devices/ws2812';
 import { runOnWires } from '../testing/wires';
 import { maqueenLiteBuild } from './robot';
 

@@ -29,7 +29,7 @@ import {
   textRegisters,
   type RegisterPart,
 } from '#devices/i2c-registers';
-import type { Rgb } from '#devices/ws2812';
+import type { Rgb } from '#core/rgb';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenplus.ts
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Rgb } from '#devices/ws2812';
+import type { Rgb } from '#core/rgb';
 import type { World } from '#world/world';
 import { putOnFloor } from '../testing/floor';
 import { CONTROLLER_ADDRESS, LINE_NAMES, VERSION_TEXT } from './controller';

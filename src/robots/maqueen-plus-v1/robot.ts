@@ -7,9 +7,9 @@
  *      P2  ultrasonic echo       P16       infrared receiver
  */
 import type { Vec } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
-import type { Rgb } from '#devices/ws2812';
 import { STEP_US } from '#world/world';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountServos } from '../mounting';
