@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
+import { rounded } from '#simulation/report';
 import type { Verdict } from '#simulation/verdict';
-import { exitCodeOf, jsonLine, rounded, verdictLine, wrappedDeg, type Report } from './report';
+import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceHeader, traceLine } from './trace-csv';
 
@@ -49,10 +50,6 @@ describe('the report', () => {
     expect((['finished', 'time-limit', 'exception', 'panic', 'stopped', 'stuck'] as const).map(exitCodeOf)).toEqual([
       0, 0, 1, 1, 1, 1,
     ]);
-  });
-
-  it('turns headings into more than -180° up to 180°', () => {
-    expect([0, 180, -180, 181, -181, 720, 540].map(wrappedDeg)).toEqual([0, 180, 180, -179, 179, 0, 180]);
   });
 
   it('knows no negative zero', () => {

@@ -1,46 +1,27 @@
-import { textBytesOf } from '#board/radio-text';
-import type { RadioPacket, Simulation, Snapshot, Verdict } from '#simulation/simulation';
+import {
+  displayText,
+  endedWord,
+  robotReport,
+  rounded,
+  type EndedWord,
+  type PacketReport,
+  type RobotReport,
+} from '#simulation/report';
+import type { Ended, Simulation } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
+import type { Verdict } from '#simulation/verdict';
 
-/** How a run ended, as a word for programs. */
-export type EndedWord = 'finished' | 'time-limit' | 'exception' | 'panic' | 'stopped' | 'stuck';
-
-/** The exception that ended the program. */
-export interface ReportedException {
-  readonly type: string;
-  readonly message: string;
-  readonly line: number | null;
-  readonly traceback: string;
-}
-
-/** The robot at the end. */
-export interface ReportedRobot {
-  readonly type: string;
-  readonly xMm: number;
-  readonly yMm: number;
-  /** Counter-clockwise from +x, more than −180 up to 180. */
-  readonly headingDeg: number;
-  /** Since the start, counter-clockwise positive, not wrapped. */
-  readonly turnedDeg: number;
-  readonly pathMm: number;
-  readonly collisions: number;
-  readonly leds: { readonly left: number; readonly right: number };
-  readonly rgb: readonly (readonly [number, number, number])[];
-  readonly servos: Readonly<Record<string, number>>;
-}
-
-/** A packet that the program sent by radio: as text if `radio.send` made it, otherwise its bytes. */
-export type ReportedPacket = { readonly atMs: number } & (
-  { readonly text: string } | { readonly bytes: readonly number[] }
-);
+/** How a run ended, as a word for programs; `time-limit`: its program went on. */
+export type RunEndedWord = EndedWord | 'time-limit';
 
 /** Everything about a run except its console: the content of `--json`, in this order. */
 export interface Report {
-  readonly ended: EndedWord;
-  readonly exception: ReportedException | null;
+  readonly ended: RunEndedWord;
+  readonly exception: Ended['exception'];
   readonly simulatedMs: number;
   readonly wallMs: number;
   readonly realTimeFactor: number;
-  readonly robot: ReportedRobot | null;
+  readonly robot: RobotReport | null;
   /** Digits 0 … 9 per LED, rows separated by colons. */
   readonly display: string;
   /** How well the course's task is done, or `null` if the course has no task. */
@@ -48,23 +29,23 @@ export interface Report {
   readonly heapFree: number;
   readonly traceHash: string;
   /** The packets sent by radio, oldest first; the first 10,000. */
-  readonly radio: readonly ReportedPacket[];
+  readonly radio: readonly PacketReport[];
   /** Chains of colour lights on pins that no robot uses: rings and strips to which the program has sent colours. */
   readonly lights: Snapshot['lights'];
 }
 
 /** The report on a run now. While its program goes on, `ended` is `time-limit`. */
-export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[], wallMs: number): Report {
+export function reportOf(simulation: Simulation, sent: readonly PacketReport[], wallMs: number): Report {
   const { ended, nowUs } = simulation;
   const snapshot = simulation.snapshot();
   const simulatedMs = nowUs / 1000;
   return {
-    ended: endedWord(simulation),
+    ended: runEndedWord(simulation),
     exception: ended?.exception ?? null,
     simulatedMs,
     wallMs: rounded(wallMs),
     realTimeFactor: wallMs > 0 ? rounded(simulatedMs / wallMs) : 0,
-    robot: snapshot.robot && reportedRobot(snapshot.robot),
+    robot: snapshot.robot && robotReport(snapshot.robot),
     display: displayText(snapshot.display),
     verdict: snapshot.verdict,
     heapFree: simulation.heapFree(),
@@ -74,10 +55,9 @@ export function reportOf(simulation: Simulation, sent: readonly ReportedPacket[]
   };
 }
 
-/** A program that switches the board off has also finished. */
-function endedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): EndedWord {
-  if (ended === null) return isOff ? 'finished' : 'time-limit';
-  return ended.kind === 'fault' ? 'panic' : ended.kind;
+/** A program that switches the board off has finished, too. */
+function runEndedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): RunEndedWord {
+  return ended === null ? (isOff ? 'finished' : 'time-limit') : endedWord(ended);
 }
 
 /** The line that `--json` prints; it has `radio` and `lights` only if they are not empty. */
@@ -87,48 +67,10 @@ export function jsonLine(report: Report, console: string): string {
   return JSON.stringify({ ...rest, console, heapFree, traceHash, ...some });
 }
 
-/** A packet in the form of the report. */
-export function reportedPacket({ timeUs, bytes }: RadioPacket): ReportedPacket {
-  const atMs = timeUs / 1000;
-  const text = textBytesOf(bytes);
-  return text === null ? { atMs, bytes } : { atMs, text: new TextDecoder().decode(text) };
-}
-
 /** 0 for a run without exception, 1 for one that ended badly. */
-export function exitCodeOf(ended: EndedWord): 0 | 1 {
+export function exitCodeOf(ended: RunEndedWord): 0 | 1 {
   return ended === 'finished' || ended === 'time-limit' ? 0 : 1;
 }
-
-function reportedRobot(robot: NonNullable<ReturnType<Simulation['snapshot']>['robot']>): ReportedRobot {
-  const { pose, state } = robot;
-  return {
-    type: robot.type,
-    xMm: rounded(pose.xMm),
-    yMm: rounded(pose.yMm),
-    headingDeg: rounded(wrappedDeg(degOf(pose.headingRad))),
-    turnedDeg: rounded(degOf(robot.turnedRad)),
-    pathMm: rounded(robot.pathMm),
-    collisions: robot.collisions,
-    leds: { left: state.leds.left, right: state.leds.right },
-    rgb: state.rgb,
-    servos: state.servos,
-  };
-}
-
-/** Radians to degrees. */
-export const degOf = (rad: number): number => (rad * 180) / Math.PI;
-
-/** The same direction, more than −180° up to 180°. */
-export function wrappedDeg(deg: number): number {
-  const rest = deg % 360;
-  return rest > 180 ? rest - 360 : rest <= -180 ? rest + 360 : rest;
-}
-
-/** To three digits after the point, without a negative zero: enough for reading; the exact run is in the trace hash. */
-export const rounded = (value: number): number => Math.round(value * 1000) / 1000 + 0;
-
-const displayText = (pixels: readonly number[]): string =>
-  [0, 5, 10, 15, 20].map((row) => pixels.slice(row, row + 5).join('')).join(':');
 
 /** The result of the course's task, as a line for people; `null` if the course has no task. */
 export function verdictLine(verdict: Verdict | null): string | null {

@@ -1,5 +1,6 @@
+import { degOf, wrappedDeg } from '#core/angle';
+import { rounded } from '#simulation/report';
 import type { TraceRow } from '#simulation/trace';
-import { degOf, rounded, wrappedDeg } from './report';
 
 /** The first line of a trace file; the line sensors are those of the robot in `row`, none without a robot. */
 export function traceHeader(row?: TraceRow): string {

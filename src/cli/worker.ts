@@ -3,10 +3,12 @@ import { existsSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
-import { checkRun } from '#simulation/run-problem';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
-import { Simulation, type RunOutlets } from '#simulation/simulation';
-import { reportedPacket, reportOf, type Report, type ReportedPacket } from './report';
+import type { RunOutlets } from '#simulation/outlets';
+import { packetReport, type PacketReport } from '#simulation/report';
+import { checkRun } from '#simulation/run-problem';
+import { Simulation } from '#simulation/simulation';
+import { reportOf, type Report } from './report';
 import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
@@ -49,15 +51,15 @@ function createTraceWriter(simulation: Simulation, file: number | null): () => v
 /** Collects the program's packets and log rows; its text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
-  readonly radio: ReportedPacket[];
+  readonly radio: PacketReport[];
   readonly log: LogEvent[];
 } {
-  const radio: ReportedPacket[] = [];
+  const radio: PacketReport[] = [];
   const log: LogEvent[] = [];
   const outlets: RunOutlets = {
     print: createConsoleWriter(task.console),
     radio: (packet) => {
-      if (radio.length < MAX_PACKETS) radio.push(reportedPacket(packet));
+      if (radio.length < MAX_PACKETS) radio.push(packetReport(packet));
     },
     ...(task.logFile === null ? {} : { log: (event) => log.push(event) }),
   };
@@ -69,7 +71,7 @@ function writeLog(file: number, events: readonly LogEvent[]): void {
   writeSync(file, csvOf(withLogEvents(emptyLog, events)));
 }
 
-function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly ReportedPacket[]): Report {
+function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly PacketReport[]): Report {
   const { shared, untilUs, untilProgramEnds } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile);
   const startMs = performance.now();

@@ -18,6 +18,7 @@ import type { SceneEdit } from '#scene/edit';
 export type * from '../parcours/protocol';
 export type { SourceFile } from '#project/project';
 export type { SceneEdit } from '#scene/edit';
+export type { EndedWord } from '#simulation/report';
 export type { Verdict } from '#simulation/verdict';
 
 /** The simulator in another page, for its host. */

@@ -5,16 +5,17 @@ import { parseEdit } from '#scene/check-edit';
 import { parseScene, parseSceneValue } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import type { InputAction } from '#simulation/input';
+import { endedWord, msOf } from '#simulation/report';
 
 import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';
 import { commandNames } from './command-schemas';
 import { eventNames } from './event-schemas';
 import { limits } from './limits';
-import { msOf, plainSnapshot } from './plain-snapshot';
+import { plainSnapshot } from './plain-snapshot';
 import type { Abilities, CommandName, Commands, PageSettings, ProjectFile, RobotChoice, SceneFile } from './protocol';
 import { PROTOCOL_VERSION, refusal, type CommandRefusal, type ReadCommand } from './read-command';
 import { HOST_SPEEDS } from './schema-parts';
-import { endedWord, type EventSender } from './event-sender';
+import type { EventSender } from './event-sender';
 
 /** The page's data for this dialect. */
 export interface PageFacts {

@@ -1,14 +1,15 @@
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
-import type { Snapshot } from '#simulation/snapshot';
+import { displayText, endedWord, msOf, packetReport, type EndedWord } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/verdict';
 
 import type { HostConnection } from '../adapter';
 import type { EmbeddedSimulator, HostSettings, Phase, SimulatorEvent } from '../simulator';
 import { RateLimit } from './rate-limit';
 import { eventNames } from './event-schemas';
-import { displayText, msOf, plainLogEvent, plainPacket, plainRobot, plainSnapshot } from './plain-snapshot';
-import type { Commands, EndedWord, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
+import { plainLogEvent, plainRobot, plainSnapshot } from './plain-snapshot';
+import type { Commands, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
 import { PROTOCOL_VERSION } from './read-command';
 
 /** Frames of a screen are not regular to the ms: one that is this much early counts. */
@@ -102,15 +103,9 @@ export class EventSender {
     this.tellOmitted();
     this.catchUp();
     const snapshot = this.simulator.snapshot();
-    const exception = ended?.exception ?? null;
     this.send('ended', {
       ended: word,
-      exception: exception && {
-        type: exception.type,
-        message: exception.message,
-        line: exception.line,
-        traceback: exception.traceback,
-      },
+      exception: ended?.exception ?? null,
       atMs: msOf(ended?.timeUs ?? this.simulator.nowUs()),
       robot: snapshot?.robot ? plainRobot(snapshot.robot) : null,
       display: snapshot === null ? '' : displayText(snapshot.display),
@@ -148,7 +143,7 @@ export class EventSender {
     const { radio: rate } = this.rates;
     if (!this.wanted.has('radio')) return;
     rate.omit(dropped);
-    const plain = packets.map(plainPacket);
+    const plain = packets.map(packetReport);
     const hasRoom = rate.hasRoom(this.connection.nowMs());
     const found = hasRoom ? plain.findIndex((packet) => !rate.take(sizeOf(packet))) : 0;
     const sent = found < 0 ? plain : plain.slice(0, found);
@@ -198,9 +193,6 @@ const sizeOf = (packet: PlainPacket): number =>
 
 const rowSize = ({ headings, values }: Extract<PlainLogEvent, { type: 'row' }>): number =>
   ENTRY_CHARACTERS + [...headings, ...values].join('  ').length;
-
-/** How a program ended, as a word. */
-export const endedWord = ({ kind }: Pick<Ended, 'kind'>): EndedWord => (kind === 'fault' ? 'panic' : kind);
 
 function sensed(action: Extract<SimulatorEvent, { type: 'sensed' }>['action']): Events['sensed'] {
   switch (action.type) {

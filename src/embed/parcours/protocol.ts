@@ -6,10 +6,14 @@
  * Every message is `{ parcours: 1, type, … }`. A command with an `id` is answered, in the order of the commands, by `{
  * parcours: 1, reply: id, ok: true, … }` or `{ parcours: 1, reply: id, ok: false, code, message, path }`.
  */
+import type { Rgb } from '#core/rgb';
 import type { Language } from '#core/texts';
 import type { ProjectSettings, SourceFile } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
+import type { PlacedPose } from '#simulation/input';
+import type { EndedWord, PacketReport, RobotReport } from '#simulation/report';
+import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/verdict';
 
 import type { HostSpeed, Part, Phase } from '../simulator';
@@ -66,11 +70,7 @@ export interface PageSettings {
 }
 
 /** A pose on the floor: mm from the arena's lower left corner, degrees counter-clockwise from +x. */
-export interface FloorPose {
-  readonly xMm: number;
-  readonly yMm: number;
-  readonly headingDeg: number;
-}
+export type FloorPose = PlacedPose;
 
 /** The page's abilities: every name that its commands, events and settings take. */
 export interface Abilities {
@@ -120,28 +120,11 @@ export interface State {
   readonly arenaSenses: boolean;
 }
 
-/** How a run ended. `panic`: the board itself stopped; `stuck`: inside one endless call, ended by force. */
-export type EndedWord = 'finished' | 'exception' | 'panic' | 'stopped' | 'stuck';
-
 /** The exception that ended a program. */
-export interface PlainException {
-  readonly type: string;
-  readonly message: string;
-  readonly line: number | null;
-  readonly traceback: string;
-}
+export type PlainException = NonNullable<Ended['exception']>;
 
-/** The robot's figures, as the command line reports them. */
-export interface PlainRobot extends FloorPose {
-  readonly type: string;
-  /** Since the start, counter-clockwise positive, not wrapped. */
-  readonly turnedDeg: number;
-  readonly pathMm: number;
-  readonly collisions: number;
-  readonly leds: { readonly left: number; readonly right: number };
-  readonly rgb: readonly Colour[];
-  /** Degrees by port. */
-  readonly servos: Readonly<Record<string, number>>;
+/** The robot's figures, as the command line reports them, and what it senses. */
+export interface PlainRobot extends RobotReport {
   /** Duty of the motors, −1 … 1. */
   readonly motors: { readonly left: number; readonly right: number };
   /** Reading of the distance sensor, or `null`: nothing in range, or no such sensor. */
@@ -150,7 +133,7 @@ export interface PlainRobot extends FloorPose {
 }
 
 /** Red, green, blue, 0 … 255 each. */
-export type Colour = readonly [red: number, green: number, blue: number];
+export type Colour = Rgb;
 
 /** The run at one moment. */
 export interface PlainSnapshot {
@@ -178,9 +161,7 @@ export interface PlainSnapshot {
 }
 
 /** A radio packet of the program: as text if `radio.send` made it, otherwise its bytes. */
-export type PlainPacket = { readonly atMs: number } & (
-  { readonly text: string } | { readonly bytes: readonly number[] }
-);
+export type PlainPacket = PacketReport;
 
 /** An event of the board's data log. */
 export type PlainLogEvent = { readonly atMs: number } & (
