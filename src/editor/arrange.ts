@@ -1,3 +1,4 @@
+import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
@@ -7,7 +8,7 @@ import { sceneLimits, type Point, type Scene, type SceneObject } from '#scene/sc
 import { boundsAll } from './bounds';
 import { changing, combined, startingAt } from './edits';
 import { kindOf, middleOf, movedBy } from './kinds/index';
-import { middleBetween, toPoint, toVec, turnedAbout, within, wrappedDeg } from './plane';
+import { middleBetween, toPoint, toVec, turnedAbout, within } from './plane';
 import { placeInside } from './robot-place';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';

@@ -1,9 +1,11 @@
+import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
 import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
 import { strokeLengthMm } from './kinds/stroke';
-import { directionDeg, distanceMm, toVec, wrappedDeg } from './plane';
+import { directionDeg, distanceMm, toVec } from './plane';
 
 /** The kind of the affected objects; `several` for different kinds. */
 export type Kind = SceneObject['type'] | 'several';
@@ -59,7 +61,7 @@ export function describeChange(before: Scene, after: Scene, edit: SceneEdit | nu
 }
 
 function robotChange({ robot: before }: Scene, { robot: after }: Scene): EditDescription {
-  if (before === after || isSame(before, after)) return { type: 'nothing' };
+  if (isSame(before, after)) return { type: 'nothing' };
   return {
     type: 'robot',
     at: isSame(before.at, after.at) ? null : after.at,
@@ -74,9 +76,6 @@ function courseChange(before: Scene, after: Scene): EditDescription {
   );
   return what.length === 0 ? { type: 'nothing' } : { type: 'course', what };
 }
-
-const isSame = (one: unknown, other: unknown): boolean =>
-  one === other || JSON.stringify(one) === JSON.stringify(other);
 
 interface Changes {
   readonly added: readonly SceneObject[];

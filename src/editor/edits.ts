@@ -52,11 +52,11 @@ export function startingAt(
   robot: Partial<Pick<RobotStart, 'at' | 'heading' | 'scale'>>,
 ): SceneEdit | null {
   const { at, heading, scale } = scene.robot;
-  const isSame =
+  const isAsBefore =
     (robot.at === undefined || (robot.at[0] === at[0] && robot.at[1] === at[1])) &&
     (robot.heading === undefined || robot.heading === heading) &&
     (robot.scale === undefined || robot.scale === scale);
-  return isSame ? null : { type: 'robot', robot };
+  return isAsBefore ? null : { type: 'robot', robot };
 }
 
 /** How many more objects and points of strokes a course may hold. */

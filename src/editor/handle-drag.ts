@@ -1,10 +1,11 @@
+import { wrappedDeg } from '#core/angle';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { middleOfSelection, selectionTurnsInEighths, turnedBy } from './arrange';
 import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { kindOf } from './kinds/index';
-import { directionDeg, distanceMm, minus, plus, steppedDeg, wrappedDeg } from './plane';
+import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import type { Drag, Handle, Selection, ToolContext } from './tools/tool';
 
 /** The result of a drag of a handle. */

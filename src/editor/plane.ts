@@ -1,3 +1,4 @@
+import { degOf, radOf, wrappedDeg } from '#core/angle';
 import { exactAtan2, exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { squaredDistance, type Outline } from '#scene/outline';
@@ -64,13 +65,7 @@ export function distanceToOutline(outline: Outline, place: Vec): number {
 }
 
 /** Direction from one place to another in degrees, −180 … 180, counter-clockwise from +x. */
-export const directionDeg = (from: Vec, to: Vec): number => (exactAtan2(to.y - from.y, to.x - from.x) * 180) / Math.PI;
-
-/** An angle in degrees brought to above −180 up to 180. */
-export function wrappedDeg(angleDeg: number): number {
-  const turns = Math.ceil((angleDeg - 180) / 360);
-  return angleDeg - turns * 360 + 0;
-}
+export const directionDeg = (from: Vec, to: Vec): number => degOf(exactAtan2(to.y - from.y, to.x - from.x));
 
 /** The multiple of `stepDeg` nearest to an angle, above −180 up to 180. */
 export const steppedDeg = (angleDeg: number, stepDeg: number): number =>
@@ -83,8 +78,8 @@ export function turned({ x, y }: Vec, angleDeg: number): Vec {
   if (angle === 90) return { x: -y, y: x };
   if (angle === 180) return { x: -x, y: -y };
   if (angle === -90) return { x: y, y: -x };
-  const cos = exactCos((angle * Math.PI) / 180);
-  const sin = exactSin((angle * Math.PI) / 180);
+  const cos = exactCos(radOf(angle));
+  const sin = exactSin(radOf(angle));
   return { x: x * cos - y * sin, y: x * sin + y * cos };
 }
 

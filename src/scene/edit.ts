@@ -1,3 +1,4 @@
+import { isSame } from '#core/same';
 import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
@@ -78,19 +79,6 @@ const withObjects = (scene: Scene, objects: readonly SceneObject[]): Scene =>
   objects.length === scene.objects.length && objects.every((object, index) => object === scene.objects[index])
     ? scene
     : { ...scene, objects };
-
-/** Whether two pieces of plain data say the same. */
-function isSame(a: unknown, b: unknown): boolean {
-  if (a === b) return true;
-  if (typeof a !== 'object' || typeof b !== 'object' || a === null || b === null) return false;
-  if (Array.isArray(a) && Array.isArray(b))
-    return a.length === b.length && a.every((value, index) => isSame(value, b[index]));
-  const values = new Map(Object.entries(a));
-  const others = Object.entries(b);
-  return (
-    values.size === others.length && others.every(([key, value]) => values.has(key) && isSame(values.get(key), value))
-  );
-}
 
 /** An id that no object has: `wall-1`, `wall-2`, … The same scene always gives the same. `taken`: further ids to avoid. */
 export function freeId(scene: Scene, prefix: string, taken: readonly string[] = []): string {

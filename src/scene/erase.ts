@@ -70,7 +70,7 @@ export function erased(stroke: Stroke, eraser: Eraser): readonly (readonly Point
     left.addLine(before, point, erasedParts(vecOf(before), vecOf(point), eraser, reachMm));
   }
   const lines = left.isCut ? left.lines() : [stroke.points];
-  return lines.length === 1 && lines[0] && isSameLine(lines[0], stroke.points) ? null : lines;
+  return lines.length === 1 && lines[0] && isSame(lines[0], stroke.points) ? null : lines;
 }
 
 function mayTouch(stroke: Stroke, { levels, radiusMm }: Eraser): boolean {
@@ -121,9 +121,6 @@ function add(line: Point[], point: Point): void {
   if (!last || !isSame(last, point)) line.push(point);
 }
 
-const isSame = (a: Point, b: Point): boolean => a[0] === b[0] && a[1] === b[1];
-const isSameLine = (a: readonly Point[], b: readonly Point[]): boolean =>
-  a.length === b.length && a.every((point, index) => isSame(point, b[index] ?? point));
 const vecOf = ([x, y]: Point): Vec => ({ x, y });
 const between = (from: Point, to: Point, share: number): Point => [
   Math.round(from[0] + (to[0] - from[0]) * share) + 0,

@@ -1,3 +1,4 @@
+import { radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { kindOf, solidOutline } from './kinds/index';
@@ -31,7 +32,7 @@ export function robotOutlines(
   { at, heading, scale }: Pick<RobotStart, 'at' | 'heading' | 'scale'>,
   footprint: readonly Outline[],
 ): readonly Outline[] {
-  const headingRad = (heading * Math.PI) / 180;
+  const headingRad = radOf(heading);
   const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
   return footprint.map((part) => {
     const scaled = part.map(({ x, y }) => ({ x: x * scale, y: y * scale }));

@@ -1,3 +1,4 @@
+import { degOf, radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import type { Sensors } from '#board/sensors/sensors';
@@ -58,10 +59,10 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
   };
   const step = (): void => {
     const { headingRad } = chassis.pose();
-    const degrees = Math.round(90 - (headingRad * 180) / Math.PI) % 360;
+    const degrees = Math.round(90 - degOf(headingRad)) % 360;
     const headingDeg = degrees < 0 ? degrees + 360 : degrees;
     set('compassHeading', headingDeg);
-    const angleRad = (headingDeg * Math.PI) / 180;
+    const angleRad = radOf(headingDeg);
     set('compassX', FIELD_HORIZONTAL_NT * exactCos(angleRad));
     set('compassY', -FIELD_HORIZONTAL_NT * exactSin(angleRad));
     set('compassZ', -FIELD_DOWN_NT);

@@ -1,3 +1,4 @@
+import { isSame } from '#core/same';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
 
@@ -49,17 +50,14 @@ export function pendingChanges(began: Scene, course: Scene): Pending {
     if (isMovable(object)) return !movable.has(object.id);
     if (!isLasting(object)) return false;
     const old = lasting.get(object.id);
-    if (old === undefined || !isEqual(old, object)) return true;
+    if (old === undefined || !isSame(old, object)) return true;
     lasting.delete(object.id);
     return false;
   });
   return {
     coming,
     going: [...lasting.values()],
-    robot: !isEqual(began.robot, course.robot),
-    arena: !isEqual(began.size, course.size) || began.board !== course.board,
+    robot: !isSame(began.robot, course.robot),
+    arena: !isSame(began.size, course.size) || began.board !== course.board,
   };
 }
-
-/** Whether two pieces of plain data say the same; their properties have to come in the same order. */
-export const isEqual = (a: unknown, b: unknown): boolean => a === b || JSON.stringify(a) === JSON.stringify(b);

@@ -1,5 +1,6 @@
 import { Board } from '#board/board';
 import { findBoard } from '#board/boards/index';
+import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import type { Robot, RobotType } from '#robots/robot';
@@ -39,7 +40,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   if (type === null || build === null) return null;
   const { clock, world, start } = place;
   const { at, heading, scale } = start;
-  const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 };
+  const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
   const reality = createReality(place.reality, place.seed, () => clock.nowUs);
   const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose);
   let supply = reality.supply({ left: 0, right: 0 });

@@ -9,6 +9,7 @@
  *
  * A measurement is a function of its moment, not of the number of readings: an additional snapshot changes nothing.
  */
+import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
 import type { ChassisType } from '#world/chassis';
@@ -43,7 +44,7 @@ const ECHO_NOISE_SHARE = 0.01;
 const MISSED_ECHOES = 0.02;
 
 /** Beyond this angle from a wall's normal the sensor hears nothing at reality 1: measured in a thesis at ETH Zürich. */
-const INCIDENCE_LIMIT_RAD = (25 * Math.PI) / 180;
+const INCIDENCE_LIMIT_RAD = radOf(25);
 
 /** The robot as built. */
 const IDEAL: Reality = {

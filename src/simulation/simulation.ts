@@ -1,5 +1,6 @@
 import { Board } from '#board/board';
 import { packetOfText } from '#board/radio-text';
+import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
@@ -385,8 +386,6 @@ function judgeOf(course: Scene, { type, chassis }: Mounted, world: CourseWorld):
     spiked: spikedIds(course),
   });
 }
-
-const radOf = (degrees: number): number => (degrees * Math.PI) / 180;
 
 const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
 

@@ -1,5 +1,6 @@
+import { isSame } from '#core/same';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
-import { isEqual, pendingChanges } from '#simulation/at-once';
+import { pendingChanges } from '#simulation/at-once';
 import { isLasting } from '#simulation/kinds';
 
 /** A course while a run of it goes on: what of it is in the run, and what waits for the next start. */
@@ -39,7 +40,7 @@ export function liveScene(course: Scene, started: Scene | null): LiveScene {
     waiting: coming,
     leaving: new Set(going.map(({ id }) => id)),
     start: robot ? course.robot : null,
-    size: isEqual(course.size, started.size) ? null : course.size,
+    size: isSame(course.size, started.size) ? null : course.size,
   };
 }
 

@@ -1,5 +1,6 @@
+import { isSame } from '#core/same';
 import type { Scene } from '#scene/scene';
-import { isEqual, pendingChanges } from '#simulation/at-once';
+import { pendingChanges } from '#simulation/at-once';
 
 /** Whether anything of a course waits for the next start of a run that began with `start`. */
 export function waitsForStart(start: Scene, now: Scene): boolean {
@@ -10,6 +11,6 @@ export function waitsForStart(start: Scene, now: Scene): boolean {
 
 /** Whether anything solid stands elsewhere in the second course: what a picture of an earlier run would show wrongly. */
 export const movesBodies = (before: Scene, after: Scene): boolean =>
-  waitsForStart(before, after) || !isEqual(blocksOf(before), blocksOf(after));
+  waitsForStart(before, after) || !isSame(blocksOf(before), blocksOf(after));
 
 const blocksOf = ({ objects }: Scene): Scene['objects'] => objects.filter(({ type }) => type === 'block');
