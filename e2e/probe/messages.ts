@@ -1,4 +1,4 @@
-import type { RunSetup } from '#simulation/simulation';
+import type { RunSetup } from '#simulation/run-setup';
 
 /** One run for the worker. */
 export interface ProbeTask {

@@ -1,4 +1,4 @@
-import type { RunSetup } from '#simulation/simulation';
+import type { RunSetup } from '#simulation/run-setup';
 import firmwareUrl from '../../.cache/vm/vm.wasm?url';
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { Heard, Stretch } from './ears';

@@ -1,6 +1,7 @@
 import { findAttachment } from '#attachments/types';
 import { maqueenLite } from '#robots/maqueen-lite/type';
-import { createWorld, STEP_US } from '#world/world';
+import { STEP_US } from '#world/step';
+import { createWorld } from '#world/world';
 
 import type { Print } from './example';
 

@@ -1,4 +1,5 @@
-import { createWorld, STEP_US } from '#world/world';
+import { STEP_US } from '#world/step';
+import { createWorld } from '#world/world';
 
 import type { Print } from './example';
 

@@ -6,7 +6,7 @@ import { maqueenPlusV2Build } from '#robots/maqueen-plus-v2/robot';
 import type { RobotBuild } from '#robots/robot';
 import { putOnFloor, type Floor } from '#robots/testing/floor';
 import { scaledBody } from '#simulation/scaled-body';
-import type { BlockHandle, WallShape } from '#world/world';
+import type { BlockHandle, WallShape } from '#world/shapes';
 
 /** How a program drives and turns a servo on one kind of robot. */
 interface Controls {

@@ -8,7 +8,9 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
-import type { Ended, Snapshot, Verdict } from '#simulation/simulation';
+import type { Ended } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
+import type { Verdict } from '#simulation/verdict';
 
 /** State of a run, as on the page. `stopped` keeps the last picture; `ready` is everything at the start. */
 export type Phase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';

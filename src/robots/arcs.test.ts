@@ -1,6 +1,8 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { createWorld, STEP_US, type Chassis } from '#world/world';
+import type { Chassis } from '#world/chassis';
+import { STEP_US } from '#world/step';
+import { createWorld } from '#world/world';
 import { robotTypes } from './index';
 import type { RobotType } from './robot';
 

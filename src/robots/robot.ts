@@ -29,7 +29,7 @@ import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
 import type { Texts } from '#core/texts';
 import type { Chassis, ChassisType } from '#world/chassis';
-import type { Cone, ConeHit } from '#world/world';
+import type { Cone, ConeHit } from '#world/probes/distance-cone';
 
 /** A kind of robot, as everyone may know it. Light, as the page loads it before anything runs. */
 export interface RobotType {

@@ -2,7 +2,7 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { FARTHEST_MM } from '#devices/hc-sr04';
-import type { Cone } from '#world/world';
+import type { Cone } from '#world/probes/distance-cone';
 import type { RobotContext, UltrasonicState } from './robot';
 
 /** Distance of its cans ahead of its board, about whose middle a servo turns it. Chosen after the drawings. */

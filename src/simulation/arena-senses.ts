@@ -3,7 +3,7 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import type { Sensors } from '#board/sensors/sensors';
 import type { Chassis } from '#world/chassis';
-import { STEP_US } from '#world/world';
+import { STEP_US } from '#world/step';
 
 /** The arena's data about the board's place. */
 export interface Surroundings {

@@ -2,7 +2,8 @@ import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { BRIGHTEST_LEVEL, unpackLevels } from '#scene/background';
 import type { Background, Point, Scene, SceneObject } from '#scene/scene';
-import { createWorld, type BlockHandle, type FloorGrid, type MoverHandle, type World } from '#world/world';
+import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
+import { createWorld, type World } from '#world/world';
 import { movableIds } from './at-once';
 import { isLasting, isMovable, runKinds, type Body } from './kinds';
 

@@ -3,7 +3,7 @@ import type { Pose } from '#core/geometry';
 import { zoneHolds } from '#scene/kinds/zone';
 import { movedOutline, type Outline } from '#scene/outline';
 import type { Zone } from '#scene/scene';
-import type { BlockHandle } from '#world/world';
+import type { BlockHandle } from '#world/shapes';
 import type { TaskBrief } from './task-brief';
 
 /** Counts the blocks that lie in targets. */

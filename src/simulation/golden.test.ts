@@ -3,7 +3,8 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { bareProgram } from '#core/testing/bare-program';
 import { LANGUAGES } from '#core/texts';
 import { parseScene } from '#scene/parse';
-import { Simulation, type RobotSnapshot, type Snapshot } from './simulation';
+import { Simulation } from './simulation';
+import type { RobotSnapshot, Snapshot } from './snapshot';
 
 /** The recorded runs: courses/golden.json, made by `npm run courses:record`. */
 interface Golden {

@@ -4,7 +4,7 @@ import { zoneHolds, zoneOverlaps } from '#scene/kinds/zone';
 import { lengthOf, movedOutline, type Outline } from '#scene/outline';
 import type { Scene, Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
-import type { BlockHandle } from '#world/world';
+import type { BlockHandle } from '#world/shapes';
 import { createDeliveries, isSame, type Deliveries } from './deliveries';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
 import type { Verdict } from './verdict';

@@ -3,7 +3,8 @@ import { isSame } from '#core/same';
 import type { AnyObject } from '#scene/kinds/kind';
 import { reflectanceOf } from '#scene/reflectance';
 import type { Block, Mover, Point, SceneObject, Spikes, Stroke, Wall } from '#scene/scene';
-import type { BlockHandle, MoverHandle, World } from '#world/world';
+import type { BlockHandle, MoverHandle } from '#world/shapes';
+import type { World } from '#world/world';
 
 /** What a run has in its world for an object. */
 export interface Body {

@@ -3,7 +3,8 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { randomMaze } from '#scene/random/maze';
 import { randomTrack } from '#scene/random/track';
 import type { Scene } from '#scene/scene';
-import { Simulation, type Verdict } from './simulation';
+import { Simulation } from './simulation';
+import type { Verdict } from './verdict';
 
 let firmware: WebAssembly.Module;
 beforeAll(() => {

@@ -13,7 +13,8 @@ import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
 import type { ChassisType } from '#world/chassis';
-import { STEP_US, type Cone, type ConeHit } from '#world/world';
+import type { Cone, ConeHit } from '#world/probes/distance-cone';
+import { STEP_US } from '#world/step';
 
 /** A robot's faults. */
 export interface Reality {

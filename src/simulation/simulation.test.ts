@@ -4,8 +4,9 @@ import type { SoundEvent } from '#board/sound/sound-event';
 import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { chooseHardware, importedModules, type Hardware, type HardwareWish } from './hardware';
+import type { RadioPacket, TimedLogEvent } from './outlets';
 import type { RunSetup } from './run-setup';
-import { Simulation, type RadioPacket, type TimedLogEvent } from './simulation';
+import { Simulation } from './simulation';
 import { createTraceHash } from './trace';
 
 let firmware: WebAssembly.Module;

@@ -7,7 +7,8 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
-import { STEP_US, type World } from '#world/world';
+import { STEP_US } from '#world/step';
+import type { World } from '#world/world';
 import { movableIds } from './at-once';
 import { CourseWorld } from './course-world';
 import type { Hardware } from './hardware';
@@ -25,13 +26,6 @@ import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
 import { spikedIds } from './task-brief';
 import type { Verdict } from './verdict';
 import { createWayTeller } from './way';
-
-export type { InputAction, InputEvent, PlacedPose } from './input';
-export type { RadioPacket, RunOutlets, TimedLogEvent } from './outlets';
-export type { RunSetup } from './run-setup';
-export type { RobotSnapshot, Snapshot } from './snapshot';
-export type { TraceRow } from './trace';
-export type { Verdict } from './verdict';
 
 /** How and when the program ended. */
 export interface Ended extends VmEnd {

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Vec } from '#core/geometry';
+import type { ChassisPart } from './chassis';
 import { createToolRig, OPEN_RAD, TEST_CLAW, TEST_FORK } from './testing/tools';
 import type { ToolRig } from './testing/tools';
-import type { ChassisPart } from './world';
 
 /** A half of a bumper, 6 mm deep, ahead of the test robot's front at 59 mm. */
 const half = (fromY: number, toY: number): Vec[] => [

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import type { BlockHandle } from './shapes';
 import { createRig, LITE_DRIVE, testChassis } from './testing/rig';
-import type { BlockHandle } from './world';
 
 /** How far the test robot's front is ahead of its axle, in mm. */
 const FRONT_MM = 59;

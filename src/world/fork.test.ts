@@ -1,7 +1,8 @@
 import { describe, expect, it } from 'vitest';
+import type { Fork } from './chassis';
+import type { BlockHandle } from './shapes';
 import { createToolRig, TEST_FORK, UP_MM } from './testing/tools';
 import type { ToolRig } from './testing/tools';
-import type { BlockHandle, Fork } from './world';
 
 /** How far the test robot's front is ahead of its axle, in mm. */
 const FRONT_MM = 59;

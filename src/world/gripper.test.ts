@@ -1,10 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { Pose, Vec } from '#core/geometry';
+import type { Gripper } from './chassis';
 import { turned } from './physics/block-body';
 import { gapBetween } from './physics/convex';
+import type { BlockHandle } from './shapes';
 import { createToolRig, OPEN_RAD, TEST_CLAW } from './testing/tools';
 import type { ToolRig } from './testing/tools';
-import type { BlockHandle, Gripper } from './world';
 
 /** How far the test robot's front is ahead of its axle, in mm. */
 const FRONT_MM = 59;

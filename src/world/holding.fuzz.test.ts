@@ -2,13 +2,14 @@ import { describe, expect, it } from 'vitest';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
 import type { Rng } from '#core/rng';
+import type { Chassis } from './chassis';
 import { turned } from './physics/block-body';
 import { gapBetween } from './physics/convex';
-import { rectangleCorners, wallCorners } from './shapes';
+import { rectangleCorners, wallCorners, type BlockHandle } from './shapes';
 import type { WallShape } from './shapes';
 import { createRig, hashOf, testChassis } from './testing/rig';
 import { OPEN_RAD, TEST_CLAW, TEST_FORK, UP_MM } from './testing/tools';
-import type { BlockHandle, Chassis, World } from './world';
+import type { World } from './world';
 
 const SIZE = { widthMm: 900, heightMm: 700 };
 const SIDES_MM = [50, 30, 60, 40, 50, 35];

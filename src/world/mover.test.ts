@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import type { MoverHandle } from './shapes';
 import { createRig, hashOf, testChassis } from './testing/rig';
 import { STEP_S } from './step';
 import { createWorld } from './world';
-import type { MoverHandle, World } from './world';
+import type { World } from './world';
 
 const box = (from: readonly [number, number], to: readonly [number, number], speedMmPerS: number, id = 'mover') => ({
   id,

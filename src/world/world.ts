@@ -19,32 +19,6 @@ import type {
   WorldSize,
 } from './shapes';
 
-export type {
-  Chassis,
-  ChassisPart,
-  ChassisType,
-  Fork,
-  ForkType,
-  Gripper,
-  GripperType,
-  Wheel,
-  WheelSide,
-} from './chassis';
-export type { DriveLaw } from './drive-law';
-export type { Cone, ConeHit } from './probes/distance-cone';
-export type {
-  BlockHandle,
-  BlockShape,
-  FloorGrid,
-  MoverHandle,
-  MoverShape,
-  StrokeHandle,
-  StrokeShape,
-  WallShape,
-  WorldSize,
-} from './shapes';
-export { STEP_US } from './step';
-
 /** The arena: floor, walls, blocks and robots, moving in steps of `STEP_US`. World frame: mm, x right, y up, origin lower left. */
 export interface World {
   /** Throws RangeError if the wall has no length or no thickness. */

@@ -8,7 +8,7 @@ import { movableIds } from '#simulation/at-once';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import { createInputCheck, type InputCheck } from '#simulation/run-problem';
-import type { Snapshot } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
 import { filesProblem } from '../files-problem';

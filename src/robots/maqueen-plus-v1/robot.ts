@@ -10,7 +10,7 @@ import type { Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
-import { STEP_US } from '#world/world';
+import { STEP_US } from '#world/step';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountServos } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';

@@ -3,7 +3,9 @@ import { findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import { completeOptions, type OptionValues } from '#core/option';
 import { createVm } from '#vm/run/vm';
-import { createWorld, STEP_US, type Chassis, type World } from '#world/world';
+import type { Chassis } from '#world/chassis';
+import { STEP_US } from '#world/step';
+import { createWorld, type World } from '#world/world';
 import type { Robot, RobotBuild } from '../robot';
 
 /** A robot in an arena of 3 m × 3 m, its board controlled by a test. */

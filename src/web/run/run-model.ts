@@ -2,7 +2,7 @@ import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
-import type { Ended, Snapshot } from '#simulation/simulation';
+import type { Ended } from '#simulation/simulation';
 
 import { Trail } from './trail';
 import { SPEEDS, type FromWorker, type RunEvents, type Speed } from './worker/protocol';

@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
+import type { ForkType, Gripper, GripperType } from '../chassis';
+import type { BlockHandle } from '../shapes';
 import { STEP_S } from '../step';
-import type { BlockHandle, ForkType, Gripper, GripperType } from '../world';
 import { createRig } from './rig';
 import type { Rig } from './rig';
 

@@ -1,8 +1,8 @@
 import { nextTick } from 'vue';
 
 import type { InputAction } from '#simulation/input';
-import type { Snapshot } from '#simulation/simulation';
 
+import type { Snapshot } from '#simulation/snapshot';
 import type { TestPage } from './page';
 
 /** A micro:bit at its start, without a robot, on an empty course; `changes` says what is different. */

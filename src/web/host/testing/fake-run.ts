@@ -1,6 +1,5 @@
 import type { InputAction } from '#simulation/input';
 import { defaultScene } from '#scene/scene';
-import type { Snapshot } from '#simulation/simulation';
 
 import { HostView, noHost } from '../../visit/host-view';
 import type { WorkerPort } from '../../run/run-client';

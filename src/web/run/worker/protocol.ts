@@ -16,8 +16,9 @@
  */
 import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
-import type { Ended, Snapshot } from '#simulation/simulation';
+import type { Ended } from '#simulation/simulation';
 
+import type { Snapshot } from '#simulation/snapshot';
 import type { RunEvents } from './event-box';
 
 export type { RunEvents } from './event-box';

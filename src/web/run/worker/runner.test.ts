@@ -1,8 +1,9 @@
 import { describe, expect, it } from 'vitest';
 
 import type { RunSetup } from '#simulation/run-setup';
-import type { Ended, Snapshot } from '#simulation/simulation';
+import type { Ended } from '#simulation/simulation';
 
+import type { Snapshot } from '#simulation/snapshot';
 import type { FromWorker, ToWorker } from './protocol';
 import { Runner, type Run } from './runner';
 

@@ -1,8 +1,9 @@
 import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { RunOutlets } from '#simulation/outlets';
-import type { Ended, Snapshot } from '#simulation/simulation';
+import type { Ended } from '#simulation/simulation';
 
+import type { Snapshot } from '#simulation/snapshot';
 import { createEventBox } from './event-box';
 import { createFirstPresses } from './first-presses';
 import { createOutbox } from './outbox';
