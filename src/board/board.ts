@@ -16,7 +16,7 @@ import { PwmUnit } from './wires/pwm-unit';
 import { Radio } from './radio';
 import { RgbLeds } from './display/rgb-leds';
 import { SampledSensor } from './sensors/sampled-sensor';
-import { Sensors, type Pressable } from './sensors/sensors';
+import { padId, Sensors, type Pressable } from './sensors/sensors';
 import { Sound } from './sound/sound';
 import { SpiBus } from './wires/spi-bus';
 import { TickGrid } from './tick-grid';
@@ -155,16 +155,7 @@ export class Board {
 
   /** Sensor ids of everything that can be pressed: `buttonA`, `pin0`, and `pinLogo` for `pin_logo`. */
   private pressables(): ReadonlyMap<string, Pressable> {
-    const all = new Map<string, Pressable>([
-      ['buttonA', this.buttonA],
-      ['buttonB', this.buttonB],
-    ]);
-    for (const [name, pad] of this.touch) {
-      all.set(
-        name.replace(/_(.)/, (_, letter: string) => letter.toUpperCase()),
-        pad,
-      );
-    }
-    return all;
+    const pads = Array.from(this.touch, ([pin, pad]) => [padId(pin), pad] as const);
+    return new Map<string, Pressable>([['buttonA', this.buttonA], ['buttonB', this.buttonB], ...pads]);
   }
 }

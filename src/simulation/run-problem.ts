@@ -1,6 +1,5 @@
-import { Board } from '#board/board';
-import { WIDEST_G } from '#board/sensors/motion';
-import { Clock } from '#core/clock';
+import type { BoardType } from '#board/boards/board-type';
+import { askedSensors } from '#board/sensors/asked-sensors';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
@@ -24,19 +23,19 @@ export function checkRun(setup: RunSetup): Hardware | { readonly problem: string
   return problem === null ? hardware : { problem };
 }
 
-function firstProblem(setup: RunSetup, { board, firmware, robot }: Hardware): string | null {
+function firstProblem(setup: RunSetup, { board, robot }: Hardware): string | null {
   if (!(setup.reality >= 0 && setup.reality <= 1))
     return `Reality ${String(setup.reality)} is not within 0 (ideal) … 1 (like a used school robot).`;
   const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
   if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
   const refusal = runRefusal(setup.scene);
   if (refusal !== null) return refusal.message;
-  return inputsProblem(setup, new Board(board, new Clock(), firmware), robot !== null);
+  return inputsProblem(setup, board, robot !== null);
 }
 
 /** A problem of the replayed log, with the place of its entry. Each is checked against the course as it is then. */
-function inputsProblem({ scene, inputs = [] }: RunSetup, rehearsal: Board, hasRobot: boolean): string | null {
-  const check = createInputCheck(rehearsal, scene, hasRobot);
+function inputsProblem({ scene, inputs = [] }: RunSetup, board: BoardType, hasRobot: boolean): string | null {
+  const check = createInputCheck(board, scene, hasRobot);
   const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
   let course = scene;
   let movable = movableIds(new Set(), scene, scene);
@@ -62,12 +61,10 @@ export type InputCheck = (action: InputAction, course: Scene, movable: ReadonlyS
 /**
  * Makes the check of a run.
  *
- * @param rehearsal a board of the run's type, separate from the run: setting a sensor there shows which values it
- *   accepts
  * @param began the course that the run begins with
  */
-export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boolean): InputCheck {
-  rehearsal.motion.setRange(WIDEST_G); // the range that the program sets is known only then; values beyond are clamped
+export function createInputCheck(board: BoardType, began: Scene, hasRobot: boolean): InputCheck {
+  const sensors = askedSensors(board);
   return (action, course, movable) => {
     switch (action.type) {
       case 'button':
@@ -78,9 +75,9 @@ export function createInputCheck(rehearsal: Board, began: Scene, hasRobot: boole
       case 'radio':
         return 'bytes' in action && !action.bytes.every(isByte) ? 'radio: a packet is a list of bytes 0 … 255.' : null;
       case 'touch':
-        return sensorProblem(rehearsal, action.pad, action.down ? 1 : 0);
+        return sensors.problemOf(action.pad, action.down ? 1 : 0);
       case 'sensor':
-        return sensorProblem(rehearsal, action.id, action.value);
+        return sensors.problemOf(action.id, action.value);
       case 'place':
         return hasRobot ? poseProblem(action.pose, began) : 'There is no robot that could be placed.';
       case 'place-block':
@@ -103,16 +100,6 @@ function editInWords(course: Scene, edit: SceneEdit): string | null {
 }
 
 const isByte = (value: number): boolean => Number.isInteger(value) && value >= 0 && value <= 255;
-
-function sensorProblem(rehearsal: Board, id: string, value: number | string): string | null {
-  try {
-    rehearsal.sensors.set(id, value);
-    return null;
-  } catch (error) {
-    if (error instanceof RangeError) return error.message;
-    throw error;
-  }
-}
 
 function blockProblem(id: string, blocks: ReadonlySet<string>): string {
   const known = blocks.size > 0 ? `Known are ${[...blocks].join(', ')}.` : 'This course has none.';

@@ -110,11 +110,7 @@ export class Simulation {
       repl: setup.repl ?? 'when-typed',
       write: outlets.print ?? ((text) => this.output.push(text)),
     });
-    this.check = createInputCheck(
-      new Board(hardware.board, new Clock(), hardware.firmware),
-      setup.scene,
-      hardware.robot !== null,
-    );
+    this.check = createInputCheck(hardware.board, setup.scene, hardware.robot !== null);
   }
 
   /** Simulated time since the start. */

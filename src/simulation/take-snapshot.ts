@@ -1,4 +1,5 @@
 import type { Board } from '#board/board';
+import { padId } from '#board/sensors/sensors';
 import type { BoardSnapshot } from './snapshot';
 
 /** The visible state of the board now. */
@@ -22,6 +23,3 @@ export function boardSnapshot(board: Board): BoardSnapshot {
     isSounding: hz !== null || board.sound.isSounding,
   };
 }
-
-/** A touch pad's sensor id: `pinLogo` for `pin_logo`. */
-const padId = (name: string): string => name.replace('_logo', 'Logo');

@@ -9,6 +9,11 @@ const RANGES_G = [2, 4, 8] as const; // what set_range is documented to round to
 export const WIDEST_G = RANGES_G[2];
 const AXES = { accelerometerX: 'x', accelerometerY: 'y', accelerometerZ: 'z' } as const;
 
+/** Lets the accelerometer's sensors reach this far either way. */
+export function limitReach(sensors: Sensors, mg: number): void {
+  for (const id of Object.keys(AXES)) sensors.limit(id, -mg, mg);
+}
+
 /**
  * The accelerometer. It samples every 20 ms, at whole multiples since the start of the run; gestures are found in these
  * samples, and each setting of the sensor `gesture` makes another one.
@@ -56,7 +61,7 @@ export class Motion {
   setRange(g: number): void {
     this.catchUp();
     this.reachMg = (RANGES_G.find((range) => range >= g) ?? WIDEST_G) * 1000;
-    for (const id of Object.keys(AXES)) this.sensors.limit(id, -this.reachMg, this.reachMg);
+    limitReach(this.sensors, this.reachMg);
     this.readSensors();
   }
 

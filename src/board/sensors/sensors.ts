@@ -51,6 +51,9 @@ export const GESTURES: readonly string[] = [
   ...GESTURE_NAMES.filter((name) => name !== '' && name !== '2g'), // the official simulator has no 2g
 ];
 
+/** Sensor id of a touch pad, by the Python name of its pin: `pin0`, and `pinLogo` for `pin_logo`. */
+export const padId = (pin: string): string => pin.replace(/_(.)/, (_, letter: string) => letter.toUpperCase());
+
 /**
  * The board's sensor values, set from outside.
  *
@@ -76,30 +79,39 @@ export class Sensors {
     const pressable = this.pressables.get(id);
     if (pressable) return pressable.isDown ? 1 : 0;
     const value = this.values.get(id);
-    if (value === undefined) throw unknown(id, this.ids);
+    if (value === undefined) throw new RangeError(unknown(id, this.ids));
     return value;
   }
 
-  /** Sets a value. @throws RangeError for an unknown id or a value outside its range, naming id, value and range */
-  set(id: string, value: number | string): void {
-    const pressable = this.pressables.get(id);
+  /** What is wrong with a value: an unknown id, or outside its range. Names id, value and range; `null`: it can be set. */
+  problemOf(id: string, value: number | string): string | null {
     if (id === 'gesture') {
-      this.gesture = oneOf(id, value, GESTURES);
-    } else if (pressable) {
-      if (within(id, value, PRESSABLE) >= 0.5) pressable.press();
-      else pressable.release();
-    } else {
-      const range = this.ranges.get(id);
-      if (!range) throw unknown(id, this.ids);
-      this.values.set(id, within(id, value, range));
+      const isGesture = typeof value === 'string' && GESTURES.includes(value);
+      return isGesture ? null : `Sensor ${id}: ${JSON.stringify(value)} is none of ${GESTURES.join(', ')}.`;
     }
+    const range = this.pressables.has(id) ? PRESSABLE : this.ranges.get(id);
+    if (!range) return unknown(id, this.ids);
+    if (typeof value === 'number' && value >= range.min && value <= range.max) return null;
+    const span = `${range.min} … ${range.max} ${range.unit}`.trim();
+    return `Sensor ${id}: ${JSON.stringify(value)} is not a number within ${span}.`;
+  }
+
+  /** Sets a value. @throws RangeError with the words of `problemOf` */
+  set(id: string, value: number | string): void {
+    const problem = this.problemOf(id, value);
+    if (problem !== null) throw new RangeError(problem);
+    const pressable = this.pressables.get(id);
+    if (id === 'gesture') this.gesture = String(value);
+    else if (!pressable) this.values.set(id, Number(value));
+    else if (Number(value) >= 0.5) pressable.press();
+    else pressable.release();
     for (const tell of [...this.listeners]) tell(id);
   }
 
   /** Changes the range of a sensor; a value beyond it is clamped. @throws RangeError for an id without a range */
   limit(id: string, min: number, max: number): void {
     const range = this.ranges.get(id);
-    if (!range) throw unknown(id, [...this.ranges.keys()]);
+    if (!range) throw new RangeError(unknown(id, [...this.ranges.keys()]));
     this.ranges.set(id, { ...range, min, max });
     this.values.set(id, Math.max(min, Math.min(max, this.values.get(id) ?? range.start)));
   }
@@ -133,17 +145,5 @@ export class Sensors {
   }
 }
 
-function within(id: string, value: number | string, range: { min: number; max: number; unit: string }): number {
-  if (typeof value === 'number' && value >= range.min && value <= range.max) return value;
-  const span = `${range.min} … ${range.max} ${range.unit}`.trim();
-  throw new RangeError(`Sensor ${id}: ${JSON.stringify(value)} is not a number within ${span}.`);
-}
-
-function oneOf(id: string, value: number | string, choices: readonly string[]): string {
-  if (typeof value === 'string' && choices.includes(value)) return value;
-  throw new RangeError(`Sensor ${id}: ${JSON.stringify(value)} is none of ${choices.join(', ')}.`);
-}
-
-function unknown(id: string, ids: readonly string[]): RangeError {
-  return new RangeError(`There is no sensor ${JSON.stringify(id)}. Known are ${ids.join(', ')}.`);
-}
+const unknown = (id: string, ids: readonly string[]): string =>
+  `There is no sensor ${JSON.stringify(id)}. Known are ${ids.join(', ')}.`;

@@ -1,7 +1,5 @@
 import { watch } from 'vue';
 
-import { Board } from '#board/board';
-import { Clock } from '#core/clock';
 import type { Refusal } from '#embed/simulator';
 import type { Scene } from '#scene/scene';
 import { movableIds } from '#simulation/at-once';
@@ -104,7 +102,7 @@ function followRun({
 }
 
 /** What the run itself would say: a page without a run refuses the same. */
-function inputProblem(action: InputAction, { board, firmware, robot }: Hardware, scene: Scene): Refusal {
-  const check = createInputCheck(new Board(board, new Clock(), firmware), scene, robot !== null);
+function inputProblem(action: InputAction, { board, robot }: Hardware, scene: Scene): Refusal {
+  const check = createInputCheck(board, scene, robot !== null);
   return check(action, scene, movableIds(new Set(), scene, scene));
 }

@@ -4,6 +4,7 @@ import type { InputAction } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
+import type { Snapshot } from '#simulation/snapshot';
 import { Trail } from './trail';
 import { SPEEDS, type FromWorker, type RunEvents, type Speed } from './worker/protocol';
 import { RunClient, type ClientOptions } from './run-client';

@@ -1,6 +1,7 @@
 import type { InputAction } from '#simulation/input';
 import { defaultScene } from '#scene/scene';
 
+import type { Snapshot } from '#simulation/snapshot';
 import { HostView, noHost } from '../../visit/host-view';
 import type { WorkerPort } from '../../run/run-client';
 import { RunModel } from '../../run/run-model';
