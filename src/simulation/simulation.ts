@@ -13,6 +13,7 @@ import { movableIds } from './at-once';
 import { CourseWorld } from './course-world';
 import type { Hardware } from './hardware';
 import type { InputAction, InputEvent, PlacedPose } from './input';
+import { InputQueue } from './input-queue';
 import { Judge } from './judge';
 import { mountRobot, type Mounted } from './mount-robot';
 import type { RunOutlets } from './outlets';
@@ -50,8 +51,7 @@ export class Simulation {
   private readonly hash = createTraceHash();
   private readonly rows: TraceRow[] = [];
   private readonly log: InputEvent[] = [];
-  /** Actions that wait for their step, in order of time. */
-  private readonly waiting: InputEvent[];
+  private readonly waiting: InputQueue;
   private readonly check: InputCheck;
   /** The course as it is now. */
   private course: Scene;
@@ -99,7 +99,7 @@ export class Simulation {
     this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);
     this.tellWay = this.mounted && outlets.way ? createWayTeller(this.mounted.chassis, outlets.way) : () => undefined;
     this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
-    this.waiting = [...(setup.inputs ?? [])].sort((a, b) => a.timeUs - b.timeUs);
+    this.waiting = new InputQueue(setup.inputs ?? []);
     this.vm = createVm({
       firmware,
       board: this.board,
@@ -179,17 +179,15 @@ export class Simulation {
   }
 
   /**
-   * Performs an action from outside. It takes effect at the next step of the world at or after `timeUs`, is stamped
-   * with that time and logged.
+   * Performs an action from outside. It takes effect at the next step of the world, is stamped with that time and
+   * logged. A button or pad waits until the board has noticed its last change, see `InputQueue`.
    *
-   * @param timeUs simulated time, not before now
    * @throws RangeError for an unknown sensor, pad, block or object, and for a value out of range; then nothing is done
    */
-  input(action: InputAction, timeUs = this.nowUs): void {
-    const problem = this.problemOf(action, timeUs);
+  input(action: InputAction): void {
+    const problem = this.problemOf(action);
     if (problem !== null) throw new RangeError(problem);
-    const place = this.waiting.findIndex((event) => event.timeUs > timeUs);
-    this.waiting.splice(place < 0 ? this.waiting.length : place, 0, { timeUs, action });
+    this.waiting.add(action, this.nowUs);
   }
 
   /** KeyboardInterrupt in the program, at the next step of the world. */
@@ -269,23 +267,21 @@ export class Simulation {
   }
 
   private takeInputs(): void {
-    for (let next = this.waiting[0]; next && next.timeUs <= this.nowUs; next = this.waiting[0]) {
-      this.waiting.shift();
+    for (let action = this.waiting.takeDue(this.nowUs); action; action = this.waiting.takeDue(this.nowUs)) {
       // An edit made while a log is replayed may have removed what a later entry of the log refers to.
-      if (this.isMoot(next.action)) continue;
-      this.log.push({ timeUs: this.nowUs, action: next.action });
-      this.act(next.action);
+      if (this.isMoot(action)) continue;
+      this.log.push({ timeUs: this.nowUs, action });
+      this.act(action);
     }
   }
 
   /** Checks an action that will take effect after those that wait for the same step. */
-  private problemOf(action: InputAction, timeUs: number): string | null {
+  private problemOf(action: InputAction): string | null {
     let course = this.course;
     let movable = this.courseWorld.movableIds();
-    for (const waiting of this.waiting) {
-      if (waiting.timeUs > timeUs) break;
-      if (waiting.action.type !== 'edit') continue;
-      course = applyEdit(course, waiting.action.edit);
+    for (const before of this.waiting.until(this.nowUs)) {
+      if (before.action.type !== 'edit') continue;
+      course = applyEdit(course, before.action.edit);
       movable = movableIds(movable, this.scene, course);
     }
     return this.check(action, course, movable);
