@@ -1,9 +1,7 @@
 import { onScopeDispose } from 'vue';
 
 import { Presses, type BoardKey } from '../board/drawing/presses';
-import { slownessOf } from '../board/drawing/board-press';
 import type { RunParts } from '../run/parts';
-import type { WorkParts } from '../work/model/parts';
 
 /** Keys of the keyboard that press something on the board. */
 const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pinLogo' };
@@ -16,14 +14,11 @@ export interface KeyActions {
 }
 
 /** Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs, Ctrl+S saves. */
-export function useKeys(
-  { run, settings }: Pick<RunParts, 'run'> & Pick<WorkParts, 'settings'>,
-  actions: KeyActions,
-): void {
-  const presses = new Presses(
-    { press: (key) => actions.press(key, true), release: (key) => actions.press(key, false) },
-    () => slownessOf(settings.current.value.speed),
-  );
+export function useKeys({ run }: Pick<RunParts, 'run'>, actions: KeyActions): void {
+  const presses = new Presses({
+    press: (key) => actions.press(key, true),
+    release: (key) => actions.press(key, false),
+  });
   function down(event: KeyboardEvent): void {
     if (event.ctrlKey || event.metaKey) return command(event, actions);
     const key = BOARD_KEYS[event.key.toLowerCase()];
@@ -42,7 +37,7 @@ export function useKeys(
     removeEventListener('keydown', down);
     removeEventListener('keyup', up);
     removeEventListener('blur', releaseAll);
-    presses.end();
+    presses.letGoAll();
   });
 }
 

@@ -1,8 +1,8 @@
 import { onBeforeUnmount, onMounted, shallowRef, type ShallowRef } from 'vue';
 import { Presses, type BoardKey, type PressListener } from './presses';
 
-/** How long a press lasts that comes as a mere click, from a screen reader or a switch, in ms. */
-const CLICK_MS = 200; // chosen: a button of the board must be down for about 40 ms to count
+/** How long a press shows that comes as a mere click, from a screen reader or a switch, in ms. Chosen: to be seen. */
+const CLICK_MS = 200;
 
 /** Handlers for one thing that can be pressed; for `v-on`. */
 export interface PressHandlers {
@@ -17,37 +17,28 @@ export interface PressHandlers {
   contextmenu(event: Event): void;
 }
 
-/**
- * Lets fingers, mouse, keyboard and screen readers press the keys of the board.
- * @param slowness how many times slower than real time the program runs, 1 or more: a tap lasts as much longer
- */
-export function usePresses(
-  listener: PressListener,
-  slowness: () => number = () => 1,
-): {
+/** Lets fingers, mouse, keyboard and screen readers press the keys of the board. */
+export function usePresses(listener: PressListener): {
   readonly down: Readonly<ShallowRef<ReadonlySet<BoardKey>>>;
   /** The handlers of something that presses these keys. */
   handlersFor(keys: readonly BoardKey[]): PressHandlers;
 } {
   const down = shallowRef<ReadonlySet<BoardKey>>(new Set());
-  const presses = new Presses(
-    {
-      press(key) {
-        down.value = new Set([...down.value, key]);
-        listener.press(key);
-      },
-      release(key) {
-        down.value = new Set([...down.value].filter((other) => other !== key));
-        listener.release(key);
-      },
+  const presses = new Presses({
+    press(key) {
+      down.value = new Set([...down.value, key]);
+      listener.press(key);
     },
-    slowness,
-  );
+    release(key) {
+      down.value = new Set([...down.value].filter((other) => other !== key));
+      listener.release(key);
+    },
+  });
   const letGoAll = (): void => presses.letGoAll();
   onMounted(() => window.addEventListener('blur', letGoAll));
   onBeforeUnmount(() => {
     window.removeEventListener('blur', letGoAll);
-    presses.end();
+    presses.letGoAll();
   });
   return { down, handlersFor: (keys) => handlers(presses, keys) };
 }

@@ -1,7 +1,6 @@
 import type { InputAction } from '#simulation/input';
 import { defaultScene } from '#scene/scene';
 
-import type { Snapshot } from '#simulation/snapshot';
 import { HostView, noHost } from '../../visit/host-view';
 import type { WorkerPort } from '../../run/run-client';
 import { RunModel } from '../../run/run-model';
@@ -40,10 +39,7 @@ export function fakeRun() {
     ...{ onOutput: nothing, onEnded: nothing, onRestarted: nothing, onEvents: nothing },
     ...{ onUnavailable: nothing, onRefused: nothing, onKilled: nothing },
   });
-  const picture = (ms: number): void => {
-    say({ type: 'snapshot', snapshot: { timeUs: ms * 1000 } as Snapshot, way: [] });
-  };
-  return { run, host, inputs, say, picture };
+  return { run, host, inputs, say };
 }
 
 /** Until everything that was promised has come. */

@@ -40,7 +40,7 @@ const PRESSED = `
 from microbit import *
 while running_time() < 200:
     if button_a.is_pressed():
-        sleep(100)
+        sleep(150)
         print(button_a.was_pressed(), button_a.is_pressed(), pin_logo.is_touched())
         break`;
 const press = (down: boolean): InputAction => ({ type: 'button', button: 'a', down });

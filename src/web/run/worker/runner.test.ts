@@ -29,9 +29,9 @@ function bench(
     advanceProgramTo(us: number) {
       run.advanceTo(Math.min(us, Math.max(run.nowUs, options.endsAtUs ?? Infinity)));
     },
-    input(action: unknown, timeUs: number) {
+    input(action: unknown) {
       if (options.inputError !== undefined) throw options.inputError;
-      run.inputs.push({ action, timeUs });
+      run.inputs.push({ action, timeUs: run.nowUs });
     },
     stop() {
       if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };

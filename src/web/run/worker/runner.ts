@@ -5,7 +5,6 @@ import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
 import { createEventBox } from './event-box';
-import { createFirstPresses } from './first-presses';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type Speed, type ToWorker } from './protocol';
@@ -17,7 +16,7 @@ export interface Run {
   advanceTo(us: number): void;
   /** Like `advanceTo`, but stops at once when the program ends. */
   advanceProgramTo(us: number): void;
-  input(action: InputAction, timeUs: number): void;
+  input(action: InputAction): void;
   /** Ends the program as Stop does: its `finally` runs, and the traceback is not shown. */
   stop(): void;
   snapshot(): Snapshot;
@@ -62,7 +61,6 @@ export class Runner {
   private aliveAtMs = 0;
   /** What was done while the run was being created. */
   private readonly early: InputAction[] = [];
-  private readonly timeOfInput = createFirstPresses();
   private readonly events = createEventBox();
   private readonly meter = createSpeedMeter();
   private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
@@ -150,7 +148,7 @@ export class Runner {
     }
     this.guarded(() => {
       try {
-        run.input(action, this.timeOfInput(action, run.nowUs));
+        run.input(action);
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
         // Refused: nothing of it is done, and the run is as good as before.
