@@ -1,5 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { PlacedBlock } from '../picture/arena-model';
+import { movePicture, type PicturePorts } from '../view/pinch';
 import {
   gripBody,
   gripRing,
@@ -16,15 +17,13 @@ import { robotRadiusMm, targetAt, type RobotShape, type Target } from './hit-tes
 import { toMm, toPx, type ArenaSize, type View } from '../view/view-transform';
 
 /** What the hand sees and does. */
-export interface HandPorts {
+export interface HandPorts extends PicturePorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
   /** As the run or the course says, not as the hand holds it. A newer snapshot brings a new `pose` object. */
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
   readonly place: (thing: HeldThing, pose: Pose) => void;
-  readonly pan: (byPx: Vec) => void;
-  readonly zoom: (factor: number, aroundPx: Vec) => void;
   /** Something looks different now. */
   readonly changed: () => void;
   /** Wall time in ms. */
@@ -73,61 +72,58 @@ const REACH_PX = { touch: { slop: 10, touch: 22 }, mouse: { slop: 2, touch: 12 }
  * Gets pointer and key events as plain data, so it can be tested without a browser.
  */
 export class Hand {
-  readonly #ports: HandPorts;
-  readonly #pointers = new Map<number, Vec>();
-  #hold: Hold | null = null;
-  #putDown: PutDown | null = null;
-  #hover: Target = { kind: 'floor' };
-  #hoverRing = false;
-  #selected = false;
-  #focused = false;
+  private readonly pointers = new Map<number, Vec>();
+  private hold: Hold | null = null;
+  private putDown: PutDown | null = null;
+  private hover: Target = { kind: 'floor' };
+  private hoverRing = false;
+  private selected = false;
+  private focused = false;
 
-  constructor(ports: HandPorts) {
-    this.#ports = ports;
-  }
+  constructor(private readonly ports: HandPorts) {}
 
   /** What is held, and by what. */
   get held(): { readonly thing: HeldThing; readonly turning: boolean } | null {
-    if (this.#hold === null) return null;
-    return { thing: this.#hold.thing, turning: this.#hold.grip.kind === 'turn' || this.#hold.twist !== null };
+    if (this.hold === null) return null;
+    return { thing: this.hold.thing, turning: this.hold.grip.kind === 'turn' || this.hold.twist !== null };
   }
 
   /** Whether the ring around the robot shows. */
   get ringShows(): boolean {
-    if (this.#ports.robot() === null) return false;
-    return this.#selected || this.#focused || this.#hoverRing || this.#hold?.thing.kind === 'robot';
+    if (this.ports.robot() === null) return false;
+    return this.selected || this.focused || this.hoverRing || this.hold?.thing.kind === 'robot';
   }
 
   /** The CSS cursor for what is under the pointer. */
   get cursor(): string {
-    if (this.#hold !== null) return 'grabbing';
-    return this.#hover.kind === 'floor' ? 'default' : 'grab';
+    if (this.hold !== null) return 'grabbing';
+    return this.hover.kind === 'floor' ? 'default' : 'grab';
   }
 
   /** Where to show the thing: in the hand, where it was just put down, or else where the run says. */
   poseOf(thing: HeldThing, pose: Pose): Pose {
-    if (this.#hold !== null && isSameThing(this.#hold.thing, thing)) return this.#hold.pose;
-    const put = this.#putDown;
+    if (this.hold !== null && isSameThing(this.hold.thing, thing)) return this.hold.pose;
+    const put = this.putDown;
     if (put === null || !isSameThing(put.thing, thing)) return pose;
-    const settling = this.#ports.nowMs() - put.atMs < SETTLE_MS && put.before !== null && isNear(put.before, pose);
+    const settling = this.ports.nowMs() - put.atMs < SETTLE_MS && put.before !== null && isNear(put.before, pose);
     if (pose === put.before || settling) return put.pose;
-    this.#putDown = null;
+    this.putDown = null;
     return pose;
   }
 
   /** A finger or button goes down. */
   pointerDown(press: Press): void {
-    this.#pointers.set(press.id, press.at);
-    const hold = this.#hold;
+    this.pointers.set(press.id, press.at);
+    const hold = this.hold;
     if (hold !== null) {
-      if (hold.pointer !== null && hold.twist === null) this.#startTwist(hold, press.id);
+      if (hold.pointer !== null && hold.twist === null) this.startTwist(hold, press.id);
       return;
     }
-    if (this.#pointers.size > 1 || press.pansOnly) return;
-    const target = this.#targetAt(press.at, press.touch);
-    this.#selected = target.kind === 'robot' || target.kind === 'ring';
-    if (target.kind !== 'floor') this.#take(target, press);
-    this.#ports.changed();
+    if (this.pointers.size > 1 || press.pansOnly) return;
+    const target = this.targetAt(press.at, press.touch);
+    this.selected = target.kind === 'robot' || target.kind === 'ring';
+    if (target.kind !== 'floor') this.take(target, press);
+    this.ports.changed();
   }
 
   /**
@@ -136,44 +132,44 @@ export class Hand {
    * @param keepsHeading it only moves (the Shift key)
    */
   pointerMove(id: number, at: Vec, keepsHeading = false): void {
-    const before = this.#pointers.get(id);
+    const before = this.pointers.get(id);
     if (before === undefined) {
-      this.#hoverAt(at);
+      this.hoverAt(at);
       return;
     }
-    this.#pointers.set(id, at);
-    if (this.#hold !== null) this.#follow(this.#hold, id, keepsHeading);
-    else this.#movePicture(id, before, at);
+    this.pointers.set(id, at);
+    if (this.hold !== null) this.follow(this.hold, id, keepsHeading);
+    else movePicture(this.ports, before, at, [...this.pointers].find(([other]) => other !== id)?.[1]);
   }
 
   /** A finger or button goes up, or the browser takes the pointer away. */
   pointerUp(id: number): void {
-    this.#pointers.delete(id);
-    const hold = this.#hold;
+    this.pointers.delete(id);
+    const hold = this.hold;
     if (hold === null) return;
-    if (hold.pointer === id) this.#letGo();
+    if (hold.pointer === id) this.letGo();
     else if (hold.twist?.pointer === id) {
       hold.twist = null;
-      this.#regrip(hold, true);
+      this.regrip(hold, true);
     }
   }
 
   /** The pointer leaves the canvas. */
   pointerLeave(): void {
-    this.#hover = { kind: 'floor' };
-    this.#hoverRing = false;
-    this.#ports.changed();
+    this.hover = { kind: 'floor' };
+    this.hoverRing = false;
+    this.ports.changed();
   }
 
   /** Lets go of everything and points at nothing: a tool takes over. */
   release(): void {
-    this.#letGo();
-    this.#pointers.clear();
-    this.#hover = { kind: 'floor' };
-    this.#hoverRing = false;
-    this.#selected = false;
-    this.#focused = false;
-    this.#ports.changed();
+    this.letGo();
+    this.pointers.clear();
+    this.hover = { kind: 'floor' };
+    this.hoverRing = false;
+    this.selected = false;
+    this.focused = false;
+    this.ports.changed();
   }
 
   /**
@@ -182,11 +178,11 @@ export class Hand {
    * @returns whether it was used
    */
   wheel(deltaPx: number): boolean {
-    const hold = this.#hold;
+    const hold = this.hold;
     if (hold === null) return false;
     hold.pose = { ...hold.pose, headingRad: wheelTurnedHeading(hold.pose.headingRad, deltaPx) };
     hold.moved = true;
-    this.#ports.changed();
+    this.ports.changed();
     return true;
   }
 
@@ -196,13 +192,13 @@ export class Hand {
    * @returns whether it was used
    */
   keyDown(key: string, fine: boolean): boolean {
-    if (key === 'Escape') return this.#putBack();
-    const robot = this.#ports.robot();
-    const from = this.#hold?.pose ?? (robot === null ? null : this.poseOf({ kind: 'robot' }, robot.pose));
+    if (key === 'Escape') return this.putBack();
+    const robot = this.ports.robot();
+    const from = this.hold?.pose ?? (robot === null ? null : this.poseOf({ kind: 'robot' }, robot.pose));
     const pose = from === null ? null : nudgedPose(from, key, fine);
     if (from === null || pose === null) return false;
     const thing: HeldThing = { kind: 'robot' };
-    this.#hold ??= {
+    this.hold ??= {
       thing,
       pointer: null,
       startPose: from,
@@ -211,27 +207,27 @@ export class Hand {
       twist: null,
       moved: true,
     };
-    this.#hold.pose = this.#inside(this.#hold.thing, pose);
-    this.#hold.moved = true;
-    this.#regrip(this.#hold);
+    this.hold.pose = this.inside(this.hold.thing, pose);
+    this.hold.moved = true;
+    this.regrip(this.hold);
     this.tick();
-    this.#ports.changed();
+    this.ports.changed();
     return true;
   }
 
   /** A key goes up: what the keyboard holds is let go. */
   keyUp(): void {
-    if (this.#hold?.pointer === null) this.#letGo();
+    if (this.hold?.pointer === null) this.letGo();
   }
 
   /** Whether the arena has the keyboard. */
   focus(focused: boolean): void {
-    this.#focused = focused;
+    this.focused = focused;
     if (!focused) {
       this.keyUp();
-      this.#selected = false;
+      this.selected = false;
     }
-    this.#ports.changed();
+    this.ports.changed();
   }
 
   /**
@@ -239,53 +235,53 @@ export class Hand {
    * off.
    */
   tick(): void {
-    const hold = this.#hold;
+    const hold = this.hold;
     if (hold === null) return;
-    const actual = this.#sourcePose(hold.thing);
+    const actual = this.sourcePose(hold.thing);
     if (!hold.moved && (actual === null || isNear(actual, hold.pose))) return;
     hold.moved = false;
-    this.#ports.place(hold.thing, hold.pose);
+    this.ports.place(hold.thing, hold.pose);
   }
 
   /** Where the knob of the ring is, in CSS px, or `null` while the ring is hidden. */
   knobPx(): Vec | null {
-    const robot = this.#ports.robot();
+    const robot = this.ports.robot();
     if (robot === null || !this.ringShows) return null;
     const pose = this.poseOf({ kind: 'robot' }, robot.pose);
-    const centre = toPx(this.#ports.view(), toVec(pose));
-    const radius = ringRadiusPx(this.#ports.view(), robot);
+    const centre = toPx(this.ports.view(), toVec(pose));
+    const radius = ringRadiusPx(this.ports.view(), robot);
     return {
       x: centre.x + radius * Math.cos(pose.headingRad),
       y: centre.y - radius * Math.sin(pose.headingRad),
     };
   }
 
-  #take(target: Exclude<Target, { kind: 'floor' }>, press: Press): void {
+  private take(target: Exclude<Target, { kind: 'floor' }>, press: Press): void {
     const thing: HeldThing = target.kind === 'block' ? target : { kind: 'robot' };
-    const source = this.#sourcePose(thing);
+    const source = this.sourcePose(thing);
     if (source === null) return;
     const pose = this.poseOf(thing, source);
-    const point = toMm(this.#ports.view(), press.at);
-    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point, this.#armMm(thing));
-    this.#hold = { thing, pointer: press.id, startPose: pose, grip, pose, twist: null, moved: false };
+    const point = toMm(this.ports.view(), press.at);
+    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point, this.armMm(thing));
+    this.hold = { thing, pointer: press.id, startPose: pose, grip, pose, twist: null, moved: false };
   }
 
-  #startTwist(hold: Hold, pointer: number): void {
-    const from = this.#twoFingers(hold, pointer);
+  private startTwist(hold: Hold, pointer: number): void {
+    const from = this.twoFingers(hold, pointer);
     if (from !== null) hold.twist = { pointer, from, headingRad: hold.pose.headingRad };
   }
 
-  #twoFingers(hold: Hold, second: number): readonly [Vec, Vec] | null {
-    const a = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
-    const b = this.#pointers.get(second);
+  private twoFingers(hold: Hold, second: number): readonly [Vec, Vec] | null {
+    const a = hold.pointer === null ? undefined : this.pointers.get(hold.pointer);
+    const b = this.pointers.get(second);
     if (a === undefined || b === undefined) return null;
-    return [toMm(this.#ports.view(), a), toMm(this.#ports.view(), b)];
+    return [toMm(this.ports.view(), a), toMm(this.ports.view(), b)];
   }
 
-  #follow(hold: Hold, id: number, keepsHeading: boolean): void {
-    const anchor = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
+  private follow(hold: Hold, id: number, keepsHeading: boolean): void {
+    const anchor = hold.pointer === null ? undefined : this.pointers.get(hold.pointer);
     if (anchor === undefined || (id !== hold.pointer && id !== hold.twist?.pointer)) return;
-    const point = toMm(this.#ports.view(), anchor);
+    const point = toMm(this.ports.view(), anchor);
     let pose = heldPose(hold.grip, hold.pose, point);
     if (hold.grip.kind === 'move' && hold.twist === null && !keepsHeading) {
       const pulled = pulledPose(hold.grip, hold.pose, point);
@@ -293,44 +289,33 @@ export class Hand {
       hold.grip = pulled.grip;
     } else if (hold.grip.kind === 'move') hold.grip = { ...hold.grip, pointMm: point };
     if (hold.twist !== null) {
-      const now = this.#twoFingers(hold, hold.twist.pointer);
+      const now = this.twoFingers(hold, hold.twist.pointer);
       if (now !== null) pose = { ...pose, headingRad: twistedHeading(hold.twist.headingRad, hold.twist.from, now) };
     }
-    hold.pose = this.#inside(hold.thing, pose);
+    hold.pose = this.inside(hold.thing, pose);
     hold.moved = true;
-    this.#ports.changed();
+    this.ports.changed();
   }
 
-  #movePicture(id: number, before: Vec, at: Vec): void {
-    const other = [...this.#pointers].find(([otherId]) => otherId !== id)?.[1];
-    if (other === undefined) {
-      this.#ports.pan({ x: at.x - before.x, y: at.y - before.y });
-      return;
+  private hoverAt(at: Vec): void {
+    const robot = this.ports.robot();
+    this.hover = this.targetAt(at, false);
+    let near = this.hover.kind === 'robot' || this.hover.kind === 'ring';
+    if (robot !== null && this.hoverRing) {
+      const centre = toPx(this.ports.view(), toVec(robot.pose));
+      near ||= Math.hypot(at.x - centre.x, at.y - centre.y) < ringRadiusPx(this.ports.view(), robot) + 24;
     }
-    const spread = (p: Vec): number => Math.max(10, Math.hypot(p.x - other.x, p.y - other.y));
-    this.#ports.pan({ x: (at.x - before.x) / 2, y: (at.y - before.y) / 2 });
-    this.#ports.zoom(spread(at) / spread(before), { x: (at.x + other.x) / 2, y: (at.y + other.y) / 2 });
+    if (near !== this.hoverRing) this.ports.changed();
+    this.hoverRing = near;
   }
 
-  #hoverAt(at: Vec): void {
-    const robot = this.#ports.robot();
-    this.#hover = this.#targetAt(at, false);
-    let near = this.#hover.kind === 'robot' || this.#hover.kind === 'ring';
-    if (robot !== null && this.#hoverRing) {
-      const centre = toPx(this.#ports.view(), toVec(robot.pose));
-      near ||= Math.hypot(at.x - centre.x, at.y - centre.y) < ringRadiusPx(this.#ports.view(), robot) + 24;
-    }
-    if (near !== this.#hoverRing) this.#ports.changed();
-    this.#hoverRing = near;
-  }
-
-  #targetAt(at: Vec, touch: boolean): Target {
-    const view = this.#ports.view();
-    const robot = this.#ports.robot();
+  private targetAt(at: Vec, touch: boolean): Target {
+    const view = this.ports.view();
+    const robot = this.ports.robot();
     const knob = this.knobPx();
     const reach = touch ? REACH_PX.touch : REACH_PX.mouse;
     const shown = robot === null ? null : { ...robot, pose: this.poseOf({ kind: 'robot' }, robot.pose) };
-    const blocks = this.#ports.blocks().map((block) => {
+    const blocks = this.ports.blocks().map((block) => {
       return { ...block, pose: this.poseOf({ kind: 'block', id: block.id }, block.pose) };
     });
     return targetAt(
@@ -340,53 +325,53 @@ export class Hand {
     );
   }
 
-  #putBack(): boolean {
-    if (this.#hold === null) return false;
-    this.#hold.pose = this.#hold.startPose;
-    this.#hold.moved = true;
-    this.#letGo();
+  private putBack(): boolean {
+    if (this.hold === null) return false;
+    this.hold.pose = this.hold.startPose;
+    this.hold.moved = true;
+    this.letGo();
     return true;
   }
 
-  #letGo(): void {
-    const hold = this.#hold;
+  private letGo(): void {
+    const hold = this.hold;
     if (hold === null) return;
     this.tick();
-    const before = this.#sourcePose(hold.thing);
-    this.#hold = null;
-    this.#putDown = { thing: hold.thing, pose: hold.pose, before, atMs: this.#ports.nowMs() };
-    this.#ports.changed();
+    const before = this.sourcePose(hold.thing);
+    this.hold = null;
+    this.putDown = { thing: hold.thing, pose: hold.pose, before, atMs: this.ports.nowMs() };
+    this.ports.changed();
   }
 
   /** After something else has moved what a pointer holds: the pointer keeps holding it where it is now. */
-  #regrip(hold: Hold, byBody = hold.grip.kind === 'move'): void {
-    const anchor = hold.pointer === null ? undefined : this.#pointers.get(hold.pointer);
+  private regrip(hold: Hold, byBody = hold.grip.kind === 'move'): void {
+    const anchor = hold.pointer === null ? undefined : this.pointers.get(hold.pointer);
     if (anchor === undefined || !byBody) return;
-    hold.grip = gripBody(hold.pose, toMm(this.#ports.view(), anchor), this.#armMm(hold.thing));
+    hold.grip = gripBody(hold.pose, toMm(this.ports.view(), anchor), this.armMm(hold.thing));
   }
 
   /** How far behind the pointer a thing trails at least, in mm: about half of it. */
-  #armMm(thing: HeldThing): number {
-    const robot = this.#ports.robot();
+  private armMm(thing: HeldThing): number {
+    const robot = this.ports.robot();
     if (thing.kind === 'robot') return robot === null ? 0 : 0.5 * robotRadiusMm(robot);
-    return 1.4 * this.#blockMargin(thing);
+    return 1.4 * this.blockMargin(thing);
   }
 
-  #inside(thing: HeldThing, pose: Pose): Pose {
-    const robot = this.#ports.robot();
+  private inside(thing: HeldThing, pose: Pose): Pose {
+    const robot = this.ports.robot();
     // Chosen: 0.6 of the radius is about the robot's narrow side, so it can stand along a wall.
-    const margin = thing.kind === 'robot' && robot !== null ? 0.6 * robotRadiusMm(robot) : this.#blockMargin(thing);
-    return keepInside(pose, this.#ports.arena(), margin);
+    const margin = thing.kind === 'robot' && robot !== null ? 0.6 * robotRadiusMm(robot) : this.blockMargin(thing);
+    return keepInside(pose, this.ports.arena(), margin);
   }
 
-  #blockMargin(thing: HeldThing): number {
-    const size = thing.kind === 'block' ? this.#ports.blocks().find(({ id }) => id === thing.id)?.sizeMm : undefined;
+  private blockMargin(thing: HeldThing): number {
+    const size = thing.kind === 'block' ? this.ports.blocks().find(({ id }) => id === thing.id)?.sizeMm : undefined;
     return size === undefined ? 0 : Math.min(size.x, size.y) / 2;
   }
 
-  #sourcePose(thing: HeldThing): Pose | null {
-    if (thing.kind === 'robot') return this.#ports.robot()?.pose ?? null;
-    return this.#ports.blocks().find(({ id }) => id === thing.id)?.pose ?? null;
+  private sourcePose(thing: HeldThing): Pose | null {
+    if (thing.kind === 'robot') return this.ports.robot()?.pose ?? null;
+    return this.ports.blocks().find(({ id }) => id === thing.id)?.pose ?? null;
   }
 }
 

@@ -2,10 +2,11 @@ import type { Vec } from '#core/geometry';
 import type { Drag, Mark, Selection, Tool, ToolContext } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene, StrokeColor } from '#scene/scene';
+import { movePicture, type PicturePorts } from '../view/pinch';
 import { toMm, type ArenaSize, type View } from '../view/view-transform';
 
 /** What the surface sees and does. */
-export interface SurfacePorts {
+export interface SurfacePorts extends PicturePorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
   /** The chosen tool, or `null` for none. */
@@ -15,8 +16,6 @@ export interface SurfacePorts {
   readonly isFree: () => boolean;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly select: (selection: Selection) => void;
-  readonly pan: (byPx: Vec) => void;
-  readonly zoom: (factor: number, aroundPx: Vec) => void;
   /** Something looks different now. */
   readonly changed: () => void;
 }
@@ -93,42 +92,40 @@ interface Gesture {
  * of them had begun. While a pen is down, touches are a resting hand.
  */
 export class ToolSurface {
-  readonly #ports: SurfacePorts;
-  readonly #pointers = new Map<number, { at: Vec; readonly kind: PointerKind }>();
-  #gesture: Gesture | null = null;
-  #panner: number | null = null;
+  private readonly pointers = new Map<number, { at: Vec; readonly kind: PointerKind }>();
+  private gesture: Gesture | null = null;
+  private panner: number | null = null;
   /** Two fingers were down: none of them draws until all are up. */
-  #pinched = false;
-  #penUntilMs = -Infinity;
-  #kind: PointerKind;
-  #hover: Vec | null = null;
-  #crosshair: Vec | null = null;
-  #kept: readonly Mark[] = [];
+  private pinched = false;
+  private penUntilMs = -Infinity;
+  private hover: Vec | null = null;
+  private keyAt: Vec | null = null;
+  private kept: readonly Mark[] = [];
 
   /** @param kind what will point, most likely */
-  constructor(ports: SurfacePorts, kind: PointerKind = 'mouse') {
-    this.#ports = ports;
-    this.#kind = kind;
-  }
+  constructor(
+    private readonly ports: SurfacePorts,
+    private kind: PointerKind = 'mouse',
+  ) {}
 
   /** How near counts as on a thing for what pointed last, in mm. */
   get reachMm(): number {
-    return REACH_PX[this.#kind] / this.#ports.view().pxPerMm;
+    return REACH_PX[this.kind] / this.ports.view().pxPerMm;
   }
 
   /** Whether a gesture is under way. */
   get isBusy(): boolean {
-    return this.#gesture !== null;
+    return this.gesture !== null;
   }
 
   /** Whether the pointer moves the picture. */
   get isPanning(): boolean {
-    return this.#panner !== null || this.#pinched;
+    return this.panner !== null || this.pinched;
   }
 
   /** Where the crosshair of the keyboard is, world mm, or `null` while it is hidden. */
   get crosshair(): Vec | null {
-    return this.#crosshair;
+    return this.keyAt;
   }
 
   /**
@@ -138,125 +135,126 @@ export class ToolSurface {
    */
   pointerDown(press: SurfacePress, nowMs: number): void {
     const { id, at, kind } = press;
-    if (kind === 'touch' && (this.#hasPen() || nowMs < this.#penUntilMs)) return;
-    if (kind === 'pen') this.#forgetTouches();
-    this.#kind = kind;
-    this.#pointers.set(id, { at, kind });
-    this.#hideCrosshair();
-    this.#kept = [];
-    if (this.#pointers.size > 1 || this.#pinched) {
+    if (kind === 'touch' && (this.hasPen() || nowMs < this.penUntilMs)) return;
+    if (kind === 'pen') this.forgetTouches();
+    this.kind = kind;
+    this.pointers.set(id, { at, kind });
+    this.hideCrosshair();
+    this.kept = [];
+    if (this.pointers.size > 1 || this.pinched) {
       this.cancel();
-      this.#pinched = kind === 'touch';
-    } else if (press.pans) this.#panner = id;
-    else this.#begin(id, toMm(this.#ports.view(), at), press);
-    this.#ports.changed();
+      this.pinched = kind === 'touch';
+    } else if (press.pans) this.panner = id;
+    else this.begin(id, toMm(this.ports.view(), at), press);
+    this.ports.changed();
   }
 
   /** A pointer moves, pressed or not, over these places (CSS px, oldest first). */
   pointerMove(id: number, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
     const last = places[places.length - 1];
-    const pointer = this.#pointers.get(id);
+    const pointer = this.pointers.get(id);
     if (last === undefined) return;
     if (pointer === undefined) {
-      if (this.#pointers.size > 0) return; // a palm beside the pen
-      this.#hideCrosshair();
-      this.#hover = toMm(this.#ports.view(), last);
-    } else if (this.#gesture?.pointer === id) this.#extend(this.#gesture, places, keys);
-    else if (this.#panner === id || this.#pinched) this.#movePicture(id, pointer.at, last);
+      if (this.pointers.size > 0) return; // a palm beside the pen
+      this.hideCrosshair();
+      this.hover = toMm(this.ports.view(), last);
+    } else if (this.gesture?.pointer === id) this.extend(this.gesture, places, keys);
+    else if (this.panner === id || this.pinched)
+      movePicture(this.ports, pointer.at, last, [...this.pointers].find(([other]) => other !== id)?.[1].at);
     if (pointer !== undefined) pointer.at = last;
-    this.#ports.changed();
+    this.ports.changed();
   }
 
   /** A pointer goes up: what it drew is done. */
   pointerUp(id: number, nowMs: number): void {
-    const pointer = this.#pointers.get(id);
+    const pointer = this.pointers.get(id);
     if (pointer === undefined) return;
-    if (pointer.kind === 'pen') this.#penUntilMs = nowMs + PALM_MS;
-    this.#pointers.delete(id);
-    if (this.#panner === id) this.#panner = null;
-    if (this.#pointers.size === 0) this.#pinched = false;
-    if (this.#gesture?.pointer === id) {
-      this.#hover = pointer.kind === 'touch' ? null : toMm(this.#ports.view(), pointer.at);
-      this.#finish(this.#gesture);
+    if (pointer.kind === 'pen') this.penUntilMs = nowMs + PALM_MS;
+    this.pointers.delete(id);
+    if (this.panner === id) this.panner = null;
+    if (this.pointers.size === 0) this.pinched = false;
+    if (this.gesture?.pointer === id) {
+      this.hover = pointer.kind === 'touch' ? null : toMm(this.ports.view(), pointer.at);
+      this.finish(this.gesture);
     }
-    this.#ports.changed();
+    this.ports.changed();
   }
 
   /** The browser takes a pointer away: what it drew does not count. */
   pointerLost(id: number): void {
-    if (!this.#pointers.has(id)) return;
-    if (this.#gesture?.pointer === id) this.cancel();
+    if (!this.pointers.has(id)) return;
+    if (this.gesture?.pointer === id) this.cancel();
     this.pointerUp(id, -Infinity);
   }
 
   /** The pointer leaves the arena. */
   pointerLeave(): void {
-    this.#hover = null;
-    this.#ports.changed();
+    this.hover = null;
+    this.ports.changed();
   }
 
   /** Drops the gesture. Returns whether there was one. */
   cancel(): boolean {
-    if (this.#gesture === null) return false;
-    this.#gesture = null;
-    this.#ports.changed();
+    if (this.gesture === null) return false;
+    this.gesture = null;
+    this.ports.changed();
     return true;
   }
 
   /** Forgets everything: another tool is chosen, or another course is open. */
   reset(): void {
     this.cancel();
-    this.#kept = [];
-    this.#hover = null;
-    this.#ports.changed();
+    this.kept = [];
+    this.hover = null;
+    this.ports.changed();
   }
 
   /** Moves the crosshair of the keyboard by mm; the first time it shows, it shows where it is. Returns where it is now. */
   moveCrosshair(by: Vec, middle: Vec, fine: boolean): Vec {
-    const [width, height] = this.#ports.arena();
-    const from = this.#crosshair;
+    const [width, height] = this.ports.arena();
+    const from = this.keyAt;
     const step = (mm: number, side: number): number => Math.max(0, Math.min(side, mm));
     const to =
       from === null
         ? { x: step(tens(middle.x), width), y: step(tens(middle.y), height) }
         : { x: step(from.x + by.x, width), y: step(from.y + by.y, height) };
-    this.#crosshair = to;
-    this.#hover = null;
-    const gesture = this.#gesture;
+    this.keyAt = to;
+    this.hover = null;
+    const gesture = this.gesture;
     if (gesture?.pointer === null) {
       gesture.path.push(to);
       gesture.free ||= fine;
       gesture.isStale = true;
     }
-    this.#ports.changed();
+    this.ports.changed();
     return to;
   }
 
   /** Begins a gesture at the crosshair, or ends it. Returns whether it draws now. */
   pressKey(middle: Vec): boolean {
-    const at = this.#crosshair ?? this.moveCrosshair({ x: 0, y: 0 }, middle, false);
-    const gesture = this.#gesture;
+    const at = this.keyAt ?? this.moveCrosshair({ x: 0, y: 0 }, middle, false);
+    const gesture = this.gesture;
     if (gesture === null) {
-      this.#kept = [];
-      this.#begin(null, at, { kind: 'mouse', free: false, adds: false });
-    } else if (gesture.pointer === null) this.#finish(gesture);
-    this.#ports.changed();
-    return this.#gesture !== null;
+      this.kept = [];
+      this.begin(null, at, { kind: 'mouse', free: false, adds: false });
+    } else if (gesture.pointer === null) this.finish(gesture);
+    this.ports.changed();
+    return this.gesture !== null;
   }
 
   /** The crosshair shows only as long as the arena has the keyboard. */
   blur(): void {
-    if (this.#gesture?.pointer === null) this.cancel();
-    this.#hideCrosshair();
-    this.#ports.changed();
+    if (this.gesture?.pointer === null) this.cancel();
+    this.hideCrosshair();
+    this.ports.changed();
   }
 
   /** What is to be seen now. Asks the tool at most once per change of the path. */
   picture(): SurfacePicture {
-    const gesture = this.#gesture;
-    const crosshair = this.#crosshair && { at: this.#crosshair, isDown: gesture?.pointer === null };
-    if (gesture === null) return { ...NOTHING, marks: this.#hoverMarks(), crosshair, hover: this.#hover };
-    if (gesture.isStale && gesture.ink === null) this.#ask(gesture);
+    const gesture = this.gesture;
+    const crosshair = this.keyAt && { at: this.keyAt, isDown: gesture?.pointer === null };
+    if (gesture === null) return { ...NOTHING, marks: this.hoverMarks(), crosshair, hover: this.hover };
+    if (gesture.isStale && gesture.ink === null) this.ask(gesture);
     gesture.isStale = false;
     const drag = dragOf(gesture);
     return {
@@ -270,13 +268,13 @@ export class ToolSurface {
     };
   }
 
-  #begin(pointer: number | null, at: Vec, press: Pick<SurfacePress, 'kind' | 'free' | 'adds'>): void {
-    const tool = this.#ports.tool();
+  private begin(pointer: number | null, at: Vec, press: Pick<SurfacePress, 'kind' | 'free' | 'adds'>): void {
+    const tool = this.ports.tool();
     if (tool === null) return;
-    const context = this.#ports.context();
+    const context = this.ports.context();
     const { reachMm } = this;
-    this.#hover = null;
-    this.#gesture = {
+    this.hover = null;
+    this.gesture = {
       pointer,
       kind: press.kind,
       tool,
@@ -284,7 +282,7 @@ export class ToolSurface {
       path: [at],
       reachMm: pointer === null ? Math.min(reachMm, KEY_REACH_MM) : reachMm,
       ink: tool.ink?.(context) ?? veilOf(tool, context),
-      free: press.free || this.#ports.isFree(),
+      free: press.free || this.ports.isFree(),
       adds: press.adds,
       edit: null,
       after: null,
@@ -292,71 +290,60 @@ export class ToolSurface {
     };
   }
 
-  #extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
-    const view = this.#ports.view();
+  private extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
+    const view = this.ports.view();
     for (const place of places) {
       const at = toMm(view, place);
       const before = gesture.path[gesture.path.length - 1];
       if (before === undefined || before.x !== at.x || before.y !== at.y) gesture.path.push(at);
     }
-    gesture.free = keys.free || this.#ports.isFree();
+    gesture.free = keys.free || this.ports.isFree();
     gesture.adds = keys.adds;
     gesture.isStale = true;
   }
 
-  #ask(gesture: Gesture): void {
+  private ask(gesture: Gesture): void {
     gesture.edit = gesture.tool.edit(dragOf(gesture), gesture.context);
     gesture.after = gesture.edit && applyEdit(gesture.context.scene, gesture.edit);
   }
 
-  #finish(gesture: Gesture): void {
+  private finish(gesture: Gesture): void {
     const { tool, context } = gesture;
-    this.#ask(gesture);
-    this.#gesture = null;
+    this.ask(gesture);
+    this.gesture = null;
     const drag = dragOf(gesture);
     // What was measured stays in sight until the next gesture.
-    this.#kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
+    this.kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
     const selection = tool.select?.(drag, context, gesture.after ?? context.scene);
-    if (gesture.edit !== null) this.#ports.commit(gesture.edit, selection);
-    else if (selection !== undefined) this.#ports.select(selection);
+    if (gesture.edit !== null) this.ports.commit(gesture.edit, selection);
+    else if (selection !== undefined) this.ports.select(selection);
   }
 
-  #hoverMarks(): readonly Mark[] {
-    const at = this.#crosshair ?? this.#hover;
-    const tool = this.#ports.tool();
-    if (at === null) return [...this.#kept, ...(tool?.marksAtRest?.(this.#ports.context()) ?? [])];
-    if (tool?.marks === undefined || this.#pinched) return this.#kept;
-    const drag: Drag = { path: [at], free: this.#ports.isFree(), adds: false, reachMm: this.reachMm };
-    return [...this.#kept, ...tool.marks(drag, this.#ports.context(), false)];
+  private hoverMarks(): readonly Mark[] {
+    const at = this.keyAt ?? this.hover;
+    const tool = this.ports.tool();
+    if (at === null) return [...this.kept, ...(tool?.marksAtRest?.(this.ports.context()) ?? [])];
+    if (tool?.marks === undefined || this.pinched) return this.kept;
+    const drag: Drag = { path: [at], free: this.ports.isFree(), adds: false, reachMm: this.reachMm };
+    return [...this.kept, ...tool.marks(drag, this.ports.context(), false)];
   }
 
-  #movePicture(id: number, before: Vec, at: Vec): void {
-    const other = [...this.#pointers].find(([otherId]) => otherId !== id)?.[1].at;
-    if (other === undefined) {
-      this.#ports.pan({ x: at.x - before.x, y: at.y - before.y });
-      return;
-    }
-    const spread = (place: Vec): number => Math.max(10, Math.hypot(place.x - other.x, place.y - other.y));
-    this.#ports.pan({ x: (at.x - before.x) / 2, y: (at.y - before.y) / 2 });
-    this.#ports.zoom(spread(at) / spread(before), { x: (at.x + other.x) / 2, y: (at.y + other.y) / 2 });
+  private hasPen(): boolean {
+    return [...this.pointers.values()].some(({ kind }) => kind === 'pen');
   }
 
-  #hasPen(): boolean {
-    return [...this.#pointers.values()].some(({ kind }) => kind === 'pen');
-  }
-
-  #forgetTouches(): void {
-    for (const [id, { kind }] of this.#pointers) {
+  private forgetTouches(): void {
+    for (const [id, { kind }] of this.pointers) {
       if (kind !== 'touch') continue;
-      if (this.#gesture?.pointer === id) this.cancel();
-      this.#pointers.delete(id);
+      if (this.gesture?.pointer === id) this.cancel();
+      this.pointers.delete(id);
     }
-    this.#pinched = false;
+    this.pinched = false;
   }
 
-  #hideCrosshair(): void {
-    if (this.#gesture?.pointer === null) this.cancel();
-    this.#crosshair = null;
+  private hideCrosshair(): void {
+    if (this.gesture?.pointer === null) this.cancel();
+    this.keyAt = null;
   }
 }
 
