@@ -1,5 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { PlacedPose } from '../picture/arena-model';
+import type { PlacedPose } from '#simulation/input';
 import type { ArenaSize } from '../view/view-transform';
 
 /** How the hand holds a thing. */

@@ -1,5 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { ArenaCone, ArenaRobot, PlacedBlock } from '../picture/arena-model';
+import type { UltrasonicState } from '#robots/robot';
+import type { ArenaRobot, PlacedBlock } from '../picture/arena-model';
 import type { Arranged } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/kinds/block';
 import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
@@ -23,7 +24,7 @@ export interface MovingScene {
   readonly robot: { readonly now: ArenaRobot; readonly painting: RobotPainting; readonly scale: number } | null;
   readonly robotHeld: boolean;
   readonly display: ArrayLike<number>;
-  readonly cone: ArenaCone | null;
+  readonly cone: UltrasonicState | null;
   /** Overlays that are shown with the things themselves. */
   readonly overlay: OverlayPicture | null;
   /** Simulated time for the cone's arcs, or `null` to keep them still. */

@@ -1,7 +1,7 @@
 import { computed, type ComputedRef } from 'vue';
 import type { Pose } from '#core/geometry';
 import type { RobotStart, Scene } from '#scene/scene';
-import type { ArenaSnapshot } from '../picture/arena-model';
+import type { Snapshot } from '#simulation/snapshot';
 import { liveScene, type LiveScene } from '../picture/live-scene';
 
 /** What a course and a run of it are shown from. */
@@ -12,7 +12,7 @@ export interface LiveCourseSources {
   readonly course: () => Scene;
   /** The course that the run began with, or `null`. */
   readonly started: () => Scene | null;
-  readonly newest: () => ArenaSnapshot | null;
+  readonly newest: () => Snapshot | null;
 }
 
 /** What of the course is in the run; the same object as long as neither of them changes. */

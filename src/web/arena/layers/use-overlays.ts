@@ -1,5 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
-import type { ArenaOptions, ArenaSnapshot } from '../picture/arena-model';
+import type { Snapshot } from '#simulation/snapshot';
+import type { ArenaOptions } from '../picture/arena-model';
 import type { MovingScene } from './draw-moving';
 import type { OverlayParts, OverlayPicture, Overlays } from './overlays';
 import type { Trail } from '../../run/trail';
@@ -7,7 +8,7 @@ import type { Trail } from '../../run/trail';
 /** What the overlays are made of. */
 export interface OverlaySources {
   readonly options: () => ArenaOptions;
-  readonly newest: () => ArenaSnapshot | null;
+  readonly newest: () => Snapshot | null;
   readonly trail: () => Trail;
   /** There only while the trail is to be seen. */
   readonly trailCanvas: Readonly<ShallowRef<HTMLCanvasElement | null>>;

@@ -1,6 +1,9 @@
+import { radOf } from '#core/angle';
 import type { OptionValues } from '#core/option';
+import type { RobotState } from '#robots/robot';
 import type { Block, Scene } from '#scene/scene';
-import type { ArenaRobot, ArenaRobotState, ArenaSnapshot, PlacedBlock } from './arena-model';
+import type { Snapshot } from '#simulation/snapshot';
+import type { ArenaRobot, PlacedBlock } from './arena-model';
 import { placedBlock } from './kinds/block';
 
 /** The content of the arena at one moment. */
@@ -11,12 +14,12 @@ export interface Arranged {
 }
 
 /** What a robot may carry besides its own parts. */
-export type Carried = Pick<ArenaRobotState, 'attachments' | 'bumper'>;
+export type Carried = Pick<RobotState, 'attachments' | 'bumper'>;
 
-const NOTHING: Carried = { bumper: null };
+const NOTHING: Carried = { attachments: [], bumper: null };
 
 /** The bumper of a robot that is to carry one from the start: its option `bumper` is `always`. */
-export function bumperAtStart(options: OptionValues): ArenaRobotState['bumper'] {
+export function bumperAtStart(options: OptionValues): RobotState['bumper'] {
   return options['bumper'] === 'always' ? { left: false, right: false } : null;
 }
 
@@ -25,7 +28,11 @@ export function bumperAtStart(options: OptionValues): ArenaRobotState['bumper'] 
  *
  * @param carried what the robot carries before a run
  */
-export function arranged(scene: Scene, snapshot: ArenaSnapshot | null, carried: Carried = NOTHING): Arranged {
+export function arranged(
+  scene: Scene,
+  snapshot: Pick<Snapshot, 'robot' | 'blocks'> | null,
+  carried: Carried = NOTHING,
+): Arranged {
   const placed = blocksOf(scene.objects);
   const blocks =
     snapshot === null
@@ -73,15 +80,23 @@ export function liesStill(before: PlacedBlock, now: PlacedBlock): boolean {
   );
 }
 
+/** A robot with everything off. */
+const AT_REST = {
+  leds: { left: 0, right: 0 },
+  ...{ rgb: [], lineSensors: [], servos: {} },
+  duty: { left: 0, right: 0 },
+  ultrasonic: null,
+} as const;
+
 /** The robot of a course where it starts, with everything off. */
 export function robotAtStart(scene: Scene, carried: Carried = NOTHING): ArenaRobot {
   const { at, heading } = scene.robot;
   return {
-    pose: { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 },
+    pose: { xMm: at[0], yMm: at[1], headingRad: radOf(heading) },
     wheelTurnRad: [0, 0],
     pathMm: 0,
     turnedRad: 0,
-    state: { leds: { left: 0, right: 0 }, rgb: [], lineSensors: [], ultrasonic: null, ...carried },
+    state: { ...AT_REST, ...carried },
   };
 }
 

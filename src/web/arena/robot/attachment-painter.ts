@@ -5,9 +5,11 @@
  * else is drawn over the robot's front. The shadow shows height: it moves away from the lifted thing, which itself is
  * drawn a little larger.
  */
+import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
-import type { ArenaAttachment, ArenaRobot, ArenaRobotState, PlacedBlock } from '../picture/arena-model';
+import type { RobotState } from '#robots/robot';
+import type { ArenaRobot, PlacedBlock } from '../picture/arena-model';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
 import { drawMovableBlock } from '../picture/kinds/block';
 import type { Palette } from '../picture/palette';
@@ -80,7 +82,7 @@ function workshopOf(painting: RobotPainting): Workshop {
 
 /** The sprites of the robot's body: without the distance sensor where a servo turns it, which is drawn apart. */
 export function bodySprites({ state }: ArenaRobot, painting: RobotPainting): SpriteShelf {
-  const turned = attachmentsOf(state).some(({ type }) => turnsSonar(type, painting));
+  const turned = state.attachments.some(({ type }) => turnsSonar(type, painting));
   return (turned ? workshopOf(painting).sonar?.body : null) ?? painting.sprites;
 }
 
@@ -94,7 +96,7 @@ export function drawForks(
   palette: Palette,
 ): void {
   const canvas = { context, view, ratio };
-  const attachments = attachmentsOf(painted.robot.state);
+  const attachments = painted.robot.state.attachments;
   // What a claw beside a lift holds is on the lift as well.
   const isHolding = attachments.some((attachment) => attachment.isHolding);
   for (const { attachment, parts } of frontOf(painted)) {
@@ -118,7 +120,7 @@ export function drawFront(context: CanvasRenderingContext2D, view: View, ratio: 
   for (const { attachment, parts } of frontOf(painted)) {
     drawParts(canvas, painted, attachment, parts, attachment.heightMm > 0 ? ['body'] : SHADOW_AND_BODY);
   }
-  const turning = attachmentsOf(painted.robot.state).find(({ type }) => turnsSonar(type, painted.painting));
+  const turning = painted.robot.state.attachments.find(({ type }) => turnsSonar(type, painted.painting));
   const { sonar } = workshopOf(painted.painting);
   if (turning === undefined || sonar === null) return;
   drawParts(canvas, painted, { ...turning, atMm: { x: 0, y: 0 }, heightMm: 0 }, [sonar.head]);
@@ -130,8 +132,8 @@ export function drawFront(context: CanvasRenderingContext2D, view: View, ratio: 
  */
 function frontOf(
   painted: PaintedRobot,
-): readonly { readonly attachment: ArenaAttachment; readonly parts: readonly DrawnPart[] }[] {
-  const attachments = attachmentsOf(painted.robot.state);
+): readonly { readonly attachment: AttachmentState; readonly parts: readonly DrawnPart[] }[] {
+  const attachments = painted.robot.state.attachments;
   const topMm = Math.max(0, ...attachments.map(({ heightMm }) => heightMm));
   return attachments.map((attachment) => {
     const all = partsOfType(painted, attachment);
@@ -145,14 +147,12 @@ const SHADOW_AND_BODY: readonly Layer[] = ['shadow', 'body'];
 
 const SONAR = 'sonar';
 
-const attachmentsOf = (state: ArenaRobotState): readonly ArenaAttachment[] => state.attachments ?? [];
-
 function turnsSonar(type: string, painting: RobotPainting): boolean {
   return (workshopOf(painting).parts.get(type) ?? []).some(({ part }) => part.id === SONAR);
 }
 
 /** The parts of an attachment; the distance sensor is the robot's own where it has one. */
-function partsOfType({ painting }: PaintedRobot, { type }: ArenaAttachment): readonly DrawnPart[] {
+function partsOfType({ painting }: PaintedRobot, { type }: AttachmentState): readonly DrawnPart[] {
   const { parts, sonar } = workshopOf(painting);
   return (parts.get(type) ?? []).filter(({ part }) => part.id !== SONAR || sonar === null);
 }
@@ -161,7 +161,7 @@ function partsOfType({ painting }: PaintedRobot, { type }: ArenaAttachment): rea
 function drawParts(
   { context, view, ratio }: Canvas,
   painted: PaintedRobot,
-  { atMm, turnRad, heightMm }: ArenaAttachment,
+  { atMm, turnRad, heightMm }: AttachmentState,
   parts: readonly DrawnPart[],
   layers: readonly Layer[] = SHADOW_AND_BODY,
 ): void {
@@ -209,7 +209,7 @@ function shadowShift(pxPerMm: number, heightMm: number): Vec {
 function drawBlockShadow(
   { context, view }: Canvas,
   painted: PaintedRobot,
-  { heightMm }: ArenaAttachment,
+  { heightMm }: AttachmentState,
   { pose, sizeMm }: PlacedBlock,
 ): void {
   const at = toPx(view, { x: pose.xMm, y: pose.yMm });
@@ -238,7 +238,7 @@ const CARRIED: Area = { fromX: 0, toX: 62, aside: 36 };
 const NEAR: Area = { fromX: -20, toX: 120, aside: 80 };
 
 /** Whether the middle of a block lies in an area ahead of an attachment. */
-function isOver({ atMm }: ArenaAttachment, area: Area, { robot, scale }: PaintedRobot, { pose }: PlacedBlock): boolean {
+function isOver({ atMm }: AttachmentState, area: Area, { robot, scale }: PaintedRobot, { pose }: PlacedBlock): boolean {
   const { xMm, yMm, headingRad } = robot.pose;
   const dx = (pose.xMm - xMm) / scale;
   const dy = (pose.yMm - yMm) / scale;

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { attachmentDrawings } from '#attachments/drawings';
 import { completeOptions } from '#core/option';
 import { maqueenLite } from '#robots/maqueen-lite/type';
-import type { ArenaRobotState } from '../picture/arena-model';
+import type { RobotState } from '#robots/robot';
 import { attachmentFrontMm, attachmentReachMm, attachmentsAtStart, LENGTH_MM } from './draw-attachments';
 import { readRobotDrawing } from './robot-drawing';
 
@@ -23,7 +23,7 @@ describe('Attachments before a run', () => {
   });
 
   it('make the picture reach far enough for a block on a fork: 188 mm from the axle of a Maqueen Lite', () => {
-    const bare = { attachments: [] } as unknown as ArenaRobotState;
+    const bare = { attachments: [] } as unknown as RobotState;
     expect(attachmentReachMm(bare)).toBe(0);
     expect(attachmentReachMm({ ...bare, attachments: atStart({ S1: 'forklift' }) })).toBe(188);
   });

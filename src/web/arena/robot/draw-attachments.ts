@@ -1,8 +1,9 @@
+import type { AttachmentState } from '#attachments/attachment';
 import { attachmentTitles } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { OptionValues } from '#core/option';
+import type { RobotState } from '#robots/robot';
 import type * as attachmentPainterFile from './attachment-painter';
-import type { ArenaAttachment, ArenaRobotState } from '../picture/arena-model';
 import type { RobotPainting } from './robot-painting';
 
 /** What draws attachments; comes when the first one is shown, as most robots carry none. */
@@ -12,8 +13,8 @@ let painter: Painter | null = null;
 let coming: Promise<Painter> | null = null;
 
 /** The painter for this robot's attachments; `null` without any, or while it is loading. */
-export function attachmentPainter(state: ArenaRobotState, painting: RobotPainting): Painter | null {
-  if ((state.attachments ?? []).length === 0) return null;
+export function attachmentPainter(state: RobotState, painting: RobotPainting): Painter | null {
+  if (state.attachments.length === 0) return null;
   if (painter === null) {
     coming ??= import('./attachment-painter');
     coming.then(
@@ -31,20 +32,20 @@ export function attachmentPainter(state: ArenaRobotState, painting: RobotPaintin
 const REACH_MM = 130;
 
 /** How far from the robot's origin its attachments are painted, in mm of the real robot; 0 without any. */
-export function attachmentReachMm(state: ArenaRobotState): number {
-  return Math.max(0, ...(state.attachments ?? []).map(({ atMm }) => Math.hypot(atMm.x, atMm.y) + REACH_MM));
+export function attachmentReachMm(state: RobotState): number {
+  return Math.max(0, ...state.attachments.map(({ atMm }) => Math.hypot(atMm.x, atMm.y) + REACH_MM));
 }
 
 /** From the mount to the front end of each attachment, in mm of the real robot: the upper edge of its drawing. */
 export const LENGTH_MM: Readonly<Record<string, number>> = { claw: 64, forklift: 66, loader: 52, push: 22 };
 
 /** Extent of the attachments ahead of the axle, in mm of the real robot; 0 without any. */
-export function attachmentFrontMm(attachments: readonly ArenaAttachment[] = []): number {
+export function attachmentFrontMm(attachments: readonly AttachmentState[] = []): number {
   return Math.max(0, ...attachments.map(({ type, atMm }) => atMm.x + (LENGTH_MM[type] ?? 0)));
 }
 
 /** The attachments of a robot with these options before it runs. */
-export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly ArenaAttachment[] {
+export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly AttachmentState[] {
   if (mountMm === null) return [];
   return Object.values(options)
     .filter((value) => value !== 'none' && value in attachmentTitles)

@@ -1,4 +1,4 @@
-import type { ArenaRobotState } from '../picture/arena-model';
+import type { RobotState } from '#robots/robot';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf, type RobotSprite, type SpriteShelf } from './robot-sprite';
 
@@ -42,7 +42,7 @@ export interface BumperSprite {
 }
 
 /** The halves of the bumper that the robot carries now, at this many canvas pixels per mm; empty without a bumper. */
-export function bumperSprites(painting: RobotPainting, state: ArenaRobotState, pixelsPerMm: number): BumperSprite[] {
+export function bumperSprites(painting: RobotPainting, state: RobotState, pixelsPerMm: number): BumperSprite[] {
   const bumper = state.bumper === null ? null : bumperOf(painting);
   if (bumper === null) return [];
   return (['left', 'right'] as const).flatMap((side) => {

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import type { ArenaCone } from '../picture/arena-model';
+import type { UltrasonicState } from '#robots/robot';
 import { drawPill } from '../picture/draw-pill';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import type { Palette } from '../picture/palette';
@@ -30,7 +30,7 @@ export function labelPlace(hitPx: Vec, headingRad: number): Vec {
 }
 
 /** Where the fan is drawn, in CSS px. */
-export function coneBox(cone: ArenaCone, view: View): PxBox {
+export function coneBox(cone: UltrasonicState, view: View): PxBox {
   const from = toPx(view, cone.fromMm);
   const radius = fanMm(cone) * view.pxPerMm;
   const directions = [-0.5, -0.25, 0, 0.25, 0.5].map((share) => cone.headingRad + share * cone.openingRad);
@@ -40,7 +40,7 @@ export function coneBox(cone: ArenaCone, view: View): PxBox {
 }
 
 /** How far the fan is drawn, in mm. */
-function fanMm(cone: ArenaCone): number {
+function fanMm(cone: UltrasonicState): number {
   return cone.distanceMm === null ? OPEN_REACH_MM : cone.distanceMm + BEYOND_MM;
 }
 
@@ -52,7 +52,7 @@ function fanMm(cone: ArenaCone): number {
 export function drawCone(
   context: CanvasRenderingContext2D,
   view: View,
-  cone: ArenaCone,
+  cone: UltrasonicState,
   breathUs: number | null,
   palette: Palette,
 ): void {
@@ -84,7 +84,7 @@ export function drawCone(
 function drawArcs(
   context: CanvasRenderingContext2D,
   view: View,
-  cone: ArenaCone,
+  cone: UltrasonicState,
   reachMm: number,
   breathUs: number | null,
   palette: Palette,
@@ -116,7 +116,7 @@ function drawArcs(
 export function drawHit(
   context: CanvasRenderingContext2D,
   view: View,
-  cone: ArenaCone,
+  cone: UltrasonicState,
   canvas: CanvasSize,
   palette: Palette,
 ): void {

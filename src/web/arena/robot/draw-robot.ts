@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
-import type { ArenaRobot, ArenaRobotState, RobotLook } from '../picture/arena-model';
+import type { RobotState } from '#robots/robot';
+import type { ArenaRobot, RobotLook } from '../picture/arena-model';
 import { attachmentPainter } from './draw-attachments';
 import { bumperSprites } from './draw-bumper';
 import { drawGlow, floorLight } from '../../page/drawing/draw-glow';
@@ -93,7 +94,7 @@ function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, b
   context.drawImage(image, box.x, box.y + backMm, box.width, box.height);
 }
 
-function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[], state: ArenaRobotState): void {
+function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[], state: RobotState): void {
   spots.forEach((spot, i) => {
     const color = state.rgb[i];
     if (color === undefined) return;
