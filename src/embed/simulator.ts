@@ -8,15 +8,10 @@ import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
+import type { RunPhase, Speed } from '#simulation/pace';
 import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/verdict';
-
-/** State of a run, as on the page. `stopped` keeps the last picture; `ready` is everything at the start. */
-export type Phase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';
-
-/** Simulated seconds per wall second; `max`: as fast as the machine can. */
-export type HostSpeed = 0.25 | 0.5 | 1 | 2 | 4 | 8 | 'max';
 
 /** The parts of the page that a host can show. `tools`: the course editor's beside the arena. */
 export const PARTS = ['bar', 'code', 'board', 'arena', 'tools', 'console'] as const;
@@ -26,7 +21,7 @@ export type Part = (typeof PARTS)[number];
 export interface HostSettings extends Partial<ProjectSettings> {
   readonly language?: Language;
   readonly theme?: 'system' | 'light' | 'dark';
-  readonly speed?: HostSpeed;
+  readonly speed?: Speed;
   readonly muted?: boolean;
   readonly parts?: readonly Part[];
   /** Words of the host for parts of the page, by names of the micro:bit dialect: `button-a`, `start-simulator`, … */
@@ -35,7 +30,7 @@ export interface HostSettings extends Partial<ProjectSettings> {
 
 /** The app's events for a host. Everything is plain data. */
 export type SimulatorEvent =
-  | { readonly type: 'phase'; readonly phase: Phase }
+  | { readonly type: 'phase'; readonly phase: RunPhase }
   /** A run begins: its program is the present one of `project()`. */
   | { readonly type: 'started' }
   /** Output of the program and the REPL, as on the serial line of our board: lines may end in `\n` or `\r\n`. */
@@ -65,7 +60,7 @@ export type Refusal = string | null;
 
 /** The app, as a host sees it. Wrong values are refused, never thrown. */
 export interface EmbeddedSimulator {
-  phase(): Phase;
+  phase(): RunPhase;
   /** Simulated time of the run, in µs. */
   nowUs(): number;
   snapshot(): Snapshot | null;

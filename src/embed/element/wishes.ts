@@ -1,13 +1,13 @@
 import { LANGUAGES } from '#core/texts';
+import { SPEEDS } from '#simulation/pace';
 import type { Parcours } from '../client/types';
 import { limits } from '../parcours/limits';
-import { PARTS, type HostSpeed } from '../simulator';
+import { PARTS } from '../simulator';
 import { isOn } from './address';
 
 /** How an attribute's new value reaches a running page. `null`: the attribute was removed, back to the default. */
 type Wish = (parcours: Parcours, value: string | null) => Promise<void>;
 
-const SPEEDS: readonly HostSpeed[] = [0.25, 0.5, 1, 2, 4, 8, 'max'];
 const THEMES = ['system', 'light', 'dark'] as const;
 
 /** Attributes that change a running page. */

@@ -6,8 +6,9 @@ import { NO_ROBOT, robotMeant } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 
+import type { RunPhase } from '#simulation/pace';
 import type { Adapter, HostConnection } from '../adapter';
-import type { EmbeddedSimulator, HostSettings, Part, Phase, SimulatorEvent } from '../simulator';
+import type { EmbeddedSimulator, HostSettings, Part, SimulatorEvent } from '../simulator';
 import { filesOf } from './files';
 import { LogColumns } from './log-columns';
 import { LABEL_NAMES, microbitCommand, type MicrobitCommand, type MicrobitEvent, type MicrobitState } from './messages';
@@ -231,7 +232,7 @@ class MicrobitAdapter implements Adapter {
     }
   }
 
-  private hearPhase(phase: Phase): void {
+  private hearPhase(phase: RunPhase): void {
     const was = this.isActive;
     this.isActive = phase === 'stopping' ? was : isActive(phase);
     if (phase === 'stopping') this.isQuiet = true;
@@ -331,7 +332,7 @@ function commandOf(message: unknown): MicrobitCommand | null {
   }
 }
 
-const isActive = (phase: Phase): boolean => ['starting', 'running', 'paused', 'stopping'].includes(phase);
+const isActive = (phase: RunPhase): boolean => ['starting', 'running', 'paused', 'stopping'].includes(phase);
 
 const isPressable = (id: string): boolean => id.startsWith('button') || id.startsWith('pin');
 

@@ -5,6 +5,7 @@ import { parseEdit } from '#scene/check-edit';
 import { parseScene, parseSceneValue } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import type { InputAction } from '#simulation/input';
+import { SPEEDS } from '#simulation/pace';
 import { endedWord, msOf } from '#simulation/report';
 
 import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';
@@ -14,7 +15,6 @@ import { limits } from './limits';
 import { plainSnapshot } from './plain-snapshot';
 import type { Abilities, CommandName, Commands, PageSettings, ProjectFile, RobotChoice, SceneFile } from './protocol';
 import { PROTOCOL_VERSION, refusal, type CommandRefusal, type ReadCommand } from './read-command';
-import { HOST_SPEEDS } from './schema-parts';
 import type { EventSender } from './event-sender';
 
 /** The page's data for this dialect. */
@@ -206,7 +206,7 @@ function abilities({ devices, robots }: PageFacts): Abilities {
   return {
     commands: commandNames,
     events: eventNames,
-    ...{ devices, robots, languages: LANGUAGES, speeds: HOST_SPEEDS, parts: PARTS },
+    ...{ devices, robots, languages: LANGUAGES, speeds: SPEEDS, parts: PARTS },
     limits: { files: projectLimits.files, fileBytes: FILE_BYTES, ...own },
   };
 }

@@ -3,8 +3,9 @@ import * as v from 'valibot';
 
 import { LANGUAGES } from '#core/texts';
 
+import { SPEEDS } from '#simulation/pace';
 import { PARTS } from '../simulator';
-import { HOST_SPEEDS, flag, numberOf, poseFields, THEMES } from './schema-parts';
+import { flag, numberOf, poseFields, THEMES } from './schema-parts';
 import type { CommandName, EventName, Events } from './protocol';
 
 const { pipe, description } = v;
@@ -109,7 +110,7 @@ const pageSettings = {
   parts: v.array(v.picklist(PARTS)),
 };
 const runSettings = {
-  speed: v.picklist(HOST_SPEEDS),
+  speed: v.picklist(SPEEDS),
   seed: v.number(),
   reality: v.number(),
   arenaSenses: v.boolean(),
@@ -177,7 +178,7 @@ const welcome = v.strictObject({
     devices: texts('Ids of the microcomputers.'),
     robots: texts('Ids of the robots.'),
     languages: texts('Languages of the page.'),
-    speeds: v.array(v.picklist(HOST_SPEEDS)),
+    speeds: v.array(v.picklist(SPEEDS)),
     parts: texts('Parts of the page.'),
     limits: record(v.number(), 'Limits of this dialect.'),
   }),

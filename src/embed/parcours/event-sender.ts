@@ -1,11 +1,12 @@
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
+import type { RunPhase } from '#simulation/pace';
 import { displayText, endedWord, msOf, packetReport, type EndedWord } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/verdict';
 
 import type { HostConnection } from '../adapter';
-import type { EmbeddedSimulator, HostSettings, Phase, SimulatorEvent } from '../simulator';
+import type { EmbeddedSimulator, HostSettings, SimulatorEvent } from '../simulator';
 import { RateLimit } from './rate-limit';
 import { eventNames } from './event-schemas';
 import { plainLogEvent, plainRobot, plainSnapshot } from './plain-snapshot';
@@ -86,7 +87,7 @@ export class EventSender {
     }
   }
 
-  private phase(phase: Phase): void {
+  private phase(phase: RunPhase): void {
     const isOver = phase === 'stopped' || phase === 'killed' || phase === 'failed';
     if (phase !== 'running') this.tellOmitted();
     if (phase !== 'running' && phase !== 'starting') this.catchUp();

@@ -12,11 +12,12 @@ import type { ProjectSettings, SourceFile } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { PlacedPose } from '#simulation/input';
+import type { RunPhase, Speed } from '#simulation/pace';
 import type { EndedWord, PacketReport, RobotReport } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/verdict';
 
-import type { HostSpeed, Part, Phase } from '../simulator';
+import type { Part } from '../simulator';
 
 /** The version of this dialect. A new version is a change that an older host would not understand. */
 export type ProtocolVersion = 1;
@@ -79,7 +80,7 @@ export interface Abilities {
   readonly devices: readonly string[];
   readonly robots: readonly string[];
   readonly languages: readonly Language[];
-  readonly speeds: readonly HostSpeed[];
+  readonly speeds: readonly Speed[];
   readonly parts: readonly Part[];
   readonly limits: {
     readonly files: number;
@@ -104,7 +105,7 @@ export interface Welcome {
 
 /** The state of the run. */
 export interface State {
-  readonly phase: Phase;
+  readonly phase: RunPhase;
   /** Simulated ms of the run. */
   readonly atMs: number;
   /** Id of the board of the next run. */
@@ -114,7 +115,7 @@ export interface State {
   readonly snapshot: PlainSnapshot | null;
   /** Values of sensors that hold for every run, by the sensor's id. */
   readonly sensors: Readonly<Record<string, number>>;
-  readonly speed: HostSpeed;
+  readonly speed: Speed;
   readonly seed: number;
   readonly reality: number;
   readonly arenaSenses: boolean;
@@ -206,7 +207,7 @@ export interface Commands {
   pause: Command<Nothing, Nothing>;
   resume: Command<Nothing, Nothing>;
   step: Command<Nothing, Nothing>;
-  speed: Command<{ readonly speed: HostSpeed }, Nothing>;
+  speed: Command<{ readonly speed: Speed }, Nothing>;
   seed: Command<{ readonly seed: number }, Nothing>;
   reality: Command<{ readonly reality: number }, Nothing>;
   place: Command<FloorPose, Nothing>;
@@ -231,7 +232,7 @@ export type CommandMessage<N extends CommandName = CommandName> = {
 
 /** Every event with its fields. */
 export interface Events {
-  phase: { readonly phase: Phase };
+  phase: { readonly phase: RunPhase };
   started: Nothing;
   /** The program starts again within its run (Ctrl-D at the REPL). */
   'program-restarted': Nothing;

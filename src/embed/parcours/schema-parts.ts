@@ -1,13 +1,11 @@
 import * as v from 'valibot';
 
-import type { HostSpeed } from '../simulator';
+import { SPEEDS } from '#simulation/pace';
+
 import { limits } from './limits';
 
 /** The page's colours. */
 export const THEMES = ['system', 'light', 'dark'] as const;
-
-/** All speeds, slowest first. */
-export const HOST_SPEEDS = [0.25, 0.5, 1, 2, 4, 8, 'max'] as const satisfies readonly HostSpeed[];
 
 /** A text of at most this many characters. */
 export const textOf = (mostCharacters: number) => v.pipe(v.string(), v.maxLength(mostCharacters));
@@ -23,7 +21,7 @@ export const numberOf = (about: string) => v.pipe(v.number(), v.finite(), v.desc
 
 /** A speed. */
 export const speed = v.pipe(
-  v.picklist(HOST_SPEEDS),
+  v.picklist(SPEEDS),
   v.description('Simulated seconds per second; `max`: as fast as the machine can.'),
 );
 

@@ -7,19 +7,13 @@ import { defaultScene } from '#scene/scene';
 import { movableIds } from '#simulation/at-once';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
+import type { RunPhase } from '#simulation/pace';
 import { createInputCheck, type InputCheck } from '#simulation/run-problem';
 import type { Snapshot } from '#simulation/snapshot';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
 import { filesProblem } from '../files-problem';
-import {
-  PARTS,
-  type EmbeddedSimulator,
-  type HostSettings,
-  type Phase,
-  type Refusal,
-  type SimulatorEvent,
-} from '../simulator';
+import { PARTS, type EmbeddedSimulator, type HostSettings, type Refusal, type SimulatorEvent } from '../simulator';
 
 /** One action of an adapter on the simulator. Reading is not recorded. */
 export type RecordedCall =
@@ -36,7 +30,7 @@ export type RecordedCall =
 /** Its initial state; left out: as on a fresh page. */
 export interface RecordingStart {
   readonly project?: Project;
-  readonly phase?: Phase;
+  readonly phase?: RunPhase;
   readonly settings?: HostSettings;
   /** Its runs never get their VM: they start until they are stopped. */
   readonly hangs?: boolean;
@@ -60,7 +54,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   private ask: (() => void) | null = null;
   private work: Project;
   private held: ReturnType<EmbeddedSimulator['settings']>;
-  private now: Phase;
+  private now: RunPhase;
   private rehearsal: Board;
   private wishes: Readonly<Record<string, number>> = {};
   private readonly hangs: boolean;
@@ -91,7 +85,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return this.ask !== null;
   }
 
-  phase = (): Phase => this.now;
+  phase = (): RunPhase => this.now;
   nowUs = (): number => 0;
   ended = (): null => null;
   board = (): string => this.hardware().board.id;
@@ -225,7 +219,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return () => void this.listeners.delete(listener);
   }
 
-  private turn(call: 'pause' | 'resume', from: Phase, to: Phase): Refusal {
+  private turn(call: 'pause' | 'resume', from: RunPhase, to: RunPhase): Refusal {
     this.calls.push({ call });
     if (this.now !== from) return `This needs a run that is ${from}; it is "${this.now}".`;
     this.tell({ type: 'phase', phase: to });

@@ -7,23 +7,17 @@ import * as v from 'valibot';
 
 import { filesOfList, filesOfText } from '#project/webtigerpython/files-in-link';
 import { deviceCalled } from '#project/webtigerpython/device-names';
+import type { RunPhase } from '#simulation/pace';
 import type { Ended } from '#simulation/simulation';
 
 import type { Adapter, CreateAdapter, HostConnection } from '../adapter';
-import {
-  PARTS,
-  type EmbeddedSimulator,
-  type HostSettings,
-  type Part,
-  type Phase,
-  type SimulatorEvent,
-} from '../simulator';
+import { PARTS, type EmbeddedSimulator, type HostSettings, type Part, type SimulatorEvent } from '../simulator';
 import { hostMessage, type HostMessage, type PageMessage, type SettingsData } from './messages';
 import { HOLD_MS, Printing } from './printing';
 import { flagOf, languageOf, partsOfLayout, PICTURE } from './words';
 
 /** Phases without a running program. */
-const OVER: readonly Phase[] = ['ready', 'stopped', 'killed', 'failed'];
+const OVER: readonly RunPhase[] = ['ready', 'stopped', 'killed', 'failed'];
 
 /** Makes the adapter; the page is then ready, and says so. */
 export const createWebTigerPythonAdapter: CreateAdapter = (simulator, connection): Adapter => {

@@ -3,9 +3,9 @@ import { PARTS, type HostSettings, type Refusal } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
 import { NO_ROBOT } from '#simulation/hardware';
 
+import { SPEEDS } from '#simulation/pace';
 import { AUTO_DEVICE, AUTO_ROBOT, devices, isDevice, isRobotChoice } from '../work/settings/devices';
 import { isSeed, LAST_SEED, THEMES } from '../work/settings/settings';
-import { SPEEDS } from '../run/worker/protocol';
 
 /** What a host sets to something that the app does not have, in one sentence; `null`: all of it can be done. */
 export function settingsProblem(wish: HostSettings): Refusal {

@@ -1,6 +1,7 @@
+import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 
-import { STOP_ANSWER_MS, type FromWorker, type Speed, type ToWorker } from './worker/protocol';
+import { STOP_ANSWER_MS, type FromWorker, type ToWorker } from './worker/protocol';
 
 /** What is used of a `Worker`. */
 export interface WorkerPort {

@@ -1,19 +1,14 @@
 import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import type { InputAction } from '#simulation/input';
+import { SPEEDS, type RunPhase, type Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
 import { Trail } from './trail';
-import { SPEEDS, type FromWorker, type RunEvents, type Speed } from './worker/protocol';
+import type { FromWorker, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions } from './run-client';
-
-/**
- * State of the run. `ready`: everything at the start. `stopped`: the last picture stays. `killed`: the same, ended by
- * force. `failed`: failed inside or never started.
- */
-export type RunPhase = 'ready' | 'starting' | 'running' | 'paused' | 'stopping' | 'stopped' | 'killed' | 'failed';
 
 /** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
 const BUSY_AFTER_MS = 1000;

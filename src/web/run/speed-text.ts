@@ -1,6 +1,6 @@
+import type { Speed } from '#simulation/pace';
 import { shownLanguage, t } from '../page/i18n';
 import { numberText } from '../page/i18n/number-text';
-import type { Speed } from './worker/protocol';
 
 const FRACTIONS = new Map<Speed, string>([
   [0.25, '¼'],

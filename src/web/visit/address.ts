@@ -2,9 +2,9 @@ import { PARTS, type HostSettings, type Part } from '#embed/simulator';
 import { flagOf, languageOf, partsOfLayout, PICTURE } from '#embed/webtigerpython/words';
 import { deviceCalled } from '#project/webtigerpython/device-names';
 
+import { SPEEDS } from '#simulation/pace';
 import { isDevice, isRobotChoice } from '../work/settings/devices';
 import { isSeed, THEMES } from '../work/settings/settings';
-import { SPEEDS } from '../run/worker/protocol';
 import type { HostWish } from './host-view';
 
 type Address = Pick<Location, 'search' | 'hash'>;

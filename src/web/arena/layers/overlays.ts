@@ -3,6 +3,7 @@
  * lights on it. Loaded when the first of these is wanted.
  */
 import type { Pose, Vec } from '#core/geometry';
+import type { Rgb } from '#core/rgb';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
 import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../work/settings/light-wish';
@@ -48,7 +49,7 @@ export interface OverlayParts {
 /** A chain of lights on the robot. */
 export interface LightsOnRobot {
   readonly form: LightForm;
-  readonly colors: readonly (readonly [number, number, number])[];
+  readonly colors: readonly Rgb[];
 }
 
 /** What is drawn under and over the robot, in CSS px. */

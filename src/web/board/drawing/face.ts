@@ -1,9 +1,7 @@
+import type { Rgb } from '#core/rgb';
 import type { BoardLabels } from './board-labels';
 import type { BoardKey } from './presses';
 import type { PressHandlers } from './use-presses';
-
-/** Red, green, blue, 0 … 255 each. */
-export type Rgb = readonly [red: number, green: number, blue: number];
 
 /** Whether the board is awake, sleeps until something wakes it, or has switched itself off. */
 export type Power = 'on' | 'asleep' | 'off';

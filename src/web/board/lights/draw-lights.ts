@@ -1,4 +1,5 @@
-import { drawGlow, floorLight, type Rgb } from '../../page/drawing/draw-glow';
+import type { Rgb } from '#core/rgb';
+import { drawGlow, floorLight } from '../../page/drawing/draw-glow';
 import type { LightLayout } from './light-form';
 
 /** Distances that follow from the size of the parts; 1 is the distance between two lights. Look: WS2812B, 5 × 5 mm. */

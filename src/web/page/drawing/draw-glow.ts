@@ -1,5 +1,4 @@
-/** Red, green, blue, each 0 … 255. */
-export type Rgb = readonly [red: number, green: number, blue: number];
+import type { Rgb } from '#core/rgb';
 
 /** Light that falls off softly from a centre; nothing when `alpha` is 0. */
 export function drawGlow(

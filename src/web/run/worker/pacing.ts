@@ -1,4 +1,4 @@
-import type { Speed } from './protocol';
+import type { Speed } from '#simulation/pace';
 
 /** Where a run's simulated time was tied to the wall clock last. */
 export interface Anchor {

@@ -15,6 +15,7 @@
  *      │ ◄────────────────────────── stopped  │   or, after STOP_ANSWER_MS, the page ends the worker
  */
 import type { InputAction } from '#simulation/input';
+import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
@@ -22,12 +23,6 @@ import type { Snapshot } from '#simulation/snapshot';
 import type { RunEvents } from './event-box';
 
 export type { RunEvents } from './event-box';
-
-/** How fast simulated time runs against the wall clock; `max` is as fast as the machine can. */
-export type Speed = 0.25 | 0.5 | 1 | 2 | 4 | 8 | 'max';
-
-/** All speeds, slowest first. */
-export const SPEEDS: readonly Speed[] = [0.25, 0.5, 1, 2, 4, 8, 'max'];
 
 /** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
 export const STEP_PRESS_US = 20_000;

@@ -1,4 +1,5 @@
 import type { InputAction } from '#simulation/input';
+import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { RunOutlets } from '#simulation/outlets';
 import type { Ended } from '#simulation/simulation';
@@ -7,7 +8,7 @@ import type { Snapshot } from '#simulation/snapshot';
 import { createEventBox } from './event-box';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
-import { STEP_PRESS_US, type FromWorker, type Speed, type ToWorker } from './protocol';
+import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
 
 /** What the runner needs of a `Simulation`. */
 export interface Run {

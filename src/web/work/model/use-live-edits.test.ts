@@ -5,8 +5,8 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import type { InputAction } from '#simulation/input';
 
+import type { RunPhase } from '#simulation/pace';
 import { useLiveEdits } from './use-live-edits';
-import type { RunPhase } from '../../run/run-model';
 import { WorkModel } from './work-model';
 
 const block = (id: string): SceneObject => ({ type: 'block', id, at: [100, 100], size: [50, 50], turn: 0 });

@@ -2,9 +2,9 @@ import type { OptionValues } from '#core/option';
 import { isRecord } from '#core/record';
 import { robotTypes } from '#robots/index';
 
+import { SPEEDS, type Speed } from '#simulation/pace';
 import { LANGUAGES, type Language } from '../../page/i18n/texts';
 import { readLightWishes, type LightWishes } from './light-wish';
-import { SPEEDS, type Speed } from '../../run/worker/protocol';
 import { AUTO_DEVICE, AUTO_ROBOT, isDevice, isRobotChoice } from './devices';
 
 /** Light or dark; `system` follows the device. */
