@@ -1,6 +1,7 @@
+import type { Feature } from '#core/board-api';
 import type { Clock } from '#core/clock';
 import type { Rgb } from '#core/rgb';
-import type { BoardType, Feature, FirmwareType } from './boards/board-type';
+import type { BoardType, FirmwareType } from './boards/board-type';
 import { Button } from './sensors/button';
 import { Compass } from './sensors/compass';
 import { DataLog } from './data-log';

@@ -1,4 +1,4 @@
-import type { Feature } from './newer-names';
+import type { Feature } from '#core/board-api';
 import type { RuleId, Severity } from './rule-table';
 
 /** A place in a pupil's program that runs here and not on the device, or not in the same way. */

@@ -1,5 +1,4 @@
-/** Groups of names that came after firmware v2.1.2; the same words as the board's `Feature`. */
-export type Feature = 'rotate' | 'sound-level-db' | 'touch-counts' | 'clap' | 'recording';
+import type { Feature } from '#core/board-api';
 
 /** An attribute that only a newer firmware has: of an object of the board's module with this name. */
 export interface NewerName {

@@ -1,8 +1,9 @@
-import type { BoardId, Feature, ReferenceModule } from './types';
+import type { BoardApi, Feature } from '#core/board-api';
+import type { ReferenceModule } from './types';
 
 /** What a program is written for. */
 export interface ReferenceContext {
-  readonly board: BoardId;
+  readonly board: BoardApi;
   readonly features: readonly Feature[];
   /** Modules beside the board's own: a robot's libraries. */
   readonly modules: readonly ReferenceModule[];

@@ -1,4 +1,5 @@
-import type { EntryKind, Feature } from './types';
+import type { Feature } from '#core/board-api';
+import type { EntryKind } from './types';
 
 /** What the editor shows about a name. */
 export interface Item {

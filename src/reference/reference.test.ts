@@ -1,6 +1,7 @@
 import { describe as describeThing, expect, it } from 'vitest';
 
 import { boardTypes } from '#board/boards/index';
+import type { BoardApi } from '#core/board-api';
 import { callAt, parametersOf } from './arguments';
 import { complete } from './complete';
 import type { ReferenceContext } from './context';
@@ -13,7 +14,7 @@ import de from './words/de.json';
 import en from './words/en.json';
 import fr from './words/fr.json';
 import italian from './words/it.json';
-import type { BoardId, Entry, Names } from './types';
+import type { Entry, Names } from './types';
 
 const microbit: ReferenceContext = { board: 'microbit-v2', features: [], modules: [], files: {} };
 const calliope: ReferenceContext = { ...microbit, board: 'calliope-mini-3' };
@@ -99,7 +100,7 @@ describeThing('the tables of the reference', () => {
   });
 
   it('name boards and features as the boards do', () => {
-    const boards: BoardId[] = ['microbit-v2', 'calliope-mini-3'];
+    const boards: BoardApi[] = ['microbit-v2', 'calliope-mini-3'];
     expect(boardTypes.map(({ id }) => id)).toEqual(boards);
     const known = new Set(all.map(([, { feature }]) => feature).filter((feature) => feature !== undefined));
     const had = new Set(boardTypes.flatMap(({ firmwares }) => firmwares.flatMap(({ features }) => features)));

@@ -1,4 +1,5 @@
-import type { BoardId, Entry, Feature, Names, ReferenceModule } from './types';
+import type { BoardApi, Feature } from '#core/board-api';
+import type { Entry, Names, ReferenceModule } from './types';
 
 /** A function: how it is called, `(x: int) -> int`. */
 export const fn = (...calls: readonly string[]): Entry => entry({ kind: 'function', calls });
@@ -31,7 +32,7 @@ export const keyword = (): Entry => entry({ kind: 'keyword' });
 export const newer = (feature: Feature, it: Entry): Entry => ({ ...it, feature });
 
 /** Names of one board alone. */
-export const onlyOn = (board: BoardId, names: Names): Names =>
+export const onlyOn = (board: BoardApi, names: Names): Names =>
   Object.fromEntries(Object.entries(names).map(([name, it]) => [name, { ...it, boards: [board] }]));
 
 /** A name that type hints of other editors know and the firmware does not. */

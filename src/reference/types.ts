@@ -1,10 +1,5 @@
+import type { BoardApi, Feature } from '#core/board-api';
 import type { Language } from '#core/texts';
-
-/** The boards that a name can be limited to: the ids of `boardTypes`. */
-export type BoardId = 'microbit-v2' | 'calliope-mini-3';
-
-/** Parts of the API that only newer firmwares have: the features of `FirmwareType`. */
-export type Feature = 'rotate' | 'sound-level-db' | 'touch-counts' | 'clap' | 'recording';
 
 /** What a name stands for. An `object` has its own names and no class that programs could call (`display`, `i2c`). */
 export type EntryKind = 'function' | 'type' | 'exception' | 'value' | 'object' | 'module' | 'keyword';
@@ -21,7 +16,7 @@ export interface Entry {
   /** Types whose names it has too, found like `type`. */
   readonly bases: readonly string[];
   /** Boards that have it; all when left out. */
-  readonly boards?: readonly BoardId[];
+  readonly boards?: readonly BoardApi[];
   /** It is in firmwares with this feature only. */
   readonly feature?: Feature;
   /** Type hints of other editors name it, the firmware does not have it: it is never offered. */
@@ -38,7 +33,7 @@ export interface ReferenceModule {
   readonly name: string;
   /** Other names that import the same: `utime` for `time`. */
   readonly aliases: readonly string[];
-  readonly boards?: readonly BoardId[];
+  readonly boards?: readonly BoardApi[];
   readonly names: Names;
 }
 

@@ -1,3 +1,5 @@
+import type { BoardApi, Feature } from '#core/board-api';
+
 /** What a pin is being used for, in the words of the device's `get_mode()`. */
 export type PinMode =
   | 'unused'
@@ -60,12 +62,6 @@ export interface BoardCosts {
   readonly logByteUs: number;
 }
 
-/**
- * Names that came after micro:bit firmware v2.1.2: `display.rotate`, `microphone.sound_level_db`,
- * `pin.was_touched`/`get_touches`/`touch_calibrate`, `SoundEvent.CLAP`, and recording with the microphone.
- */
-export type Feature = 'rotate' | 'sound-level-db' | 'touch-counts' | 'clap' | 'recording';
-
 /** What `os.uname()` tells. */
 export interface Uname {
   readonly sysname: string;
@@ -105,6 +101,8 @@ export interface BoardType {
   readonly id: string;
   /** Its name for users. */
   readonly name: string;
+  /** The names that its Python offers: what help and completion show. */
+  readonly api: BoardApi;
   /** Python names of the board's module; all of them are the same module, which calls itself by the first. */
   readonly modules: readonly string[];
   /** The firmwares it can run, the default first. */

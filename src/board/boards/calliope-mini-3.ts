@@ -81,6 +81,7 @@ const firmware: FirmwareType = {
 export const calliopeMini3: BoardType = {
   id: 'calliope-mini-3',
   name: 'Calliope mini 3',
+  api: 'calliope-mini-3',
   modules: ['calliopemini', 'calliope_mini', 'microbit'],
   firmwares: [firmware],
   pins,

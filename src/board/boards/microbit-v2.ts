@@ -93,6 +93,7 @@ const firmwares: readonly [FirmwareType, FirmwareType] = [
 export const microbitV2: BoardType = {
   id: 'microbit-v2',
   name: 'micro:bit V2',
+  api: 'microbit-v2',
   modules: ['microbit'],
   firmwares,
   pins,
