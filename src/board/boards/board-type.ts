@@ -108,6 +108,8 @@ export interface BoardType {
   /** The firmwares it can run, the default first. */
   readonly firmwares: readonly [FirmwareType, ...FirmwareType[]];
   readonly pins: readonly PinType[];
+  /** It ends in the micro:bit's edge connector: five rings, and the contacts between them. */
+  readonly edgeConnector: boolean;
   /** Python names of the pins of the two buttons. */
   readonly buttons: { readonly a: string; readonly b: string };
   /** Python names of the pins that the display's columns share. */

@@ -85,6 +85,7 @@ export const calliopeMini3: BoardType = {
   modules: ['calliopemini', 'calliope_mini', 'microbit'],
   firmwares: [firmware],
   pins,
+  edgeConnector: false,
   buttons: { a: 'pin5', b: 'pin11' },
   displayPins: ['pin4', 'pin6', 'pin7', 'pin10', 'pin18'],
   i2c: { scl: 'pin_A0_SCL', sda: 'pin_A0_SDA', frequencyHz: 100_000 },

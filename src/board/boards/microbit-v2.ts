@@ -97,6 +97,7 @@ export const microbitV2: BoardType = {
   modules: ['microbit'],
   firmwares,
   pins,
+  edgeConnector: true,
   buttons: { a: 'pin5', b: 'pin11' },
   displayPins: ['pin3', 'pin4', 'pin6', 'pin7', 'pin10'],
   i2c: { scl: 'pin19', sda: 'pin20', frequencyHz: 100_000 },

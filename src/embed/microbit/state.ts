@@ -1,9 +1,8 @@
-import { GESTURES } from '#board/sensors/sensors';
+import { findBoard } from '#board/boards/index';
+import { microbitV2 } from '#board/boards/microbit-v2';
+import { GESTURES, padId } from '#board/sensors/sensors';
 
 import type { MicrobitState, StateEntry } from './messages';
-
-/** The board with a fourth touch pad. */
-const CALLIOPE = 'calliope-mini-3';
 
 /** Ids of things to press, by the page's names for them. */
 const PRESSED: Readonly<Record<string, string>> = { a: 'buttonA', b: 'buttonB' };
@@ -76,7 +75,9 @@ export class StateModel {
 
   /** Every entry of this board. */
   whole(board: string): MicrobitState {
-    const ids = ORDER.map(([id]) => id).filter((id) => id !== 'pin3' || board === CALLIOPE);
+    const { pins } = findBoard(board) ?? microbitV2;
+    const pads = pins.filter(({ touch }) => touch !== null).map(({ name }) => padId(name));
+    const ids = ORDER.map(([id]) => id).filter((id) => !id.startsWith('pin') || pads.includes(id));
     return Object.fromEntries(ids.map((id) => [id, this.entry(id)]));
   }
 

@@ -1,3 +1,4 @@
+import type { BoardType } from '#board/boards/board-type';
 import { byLanguage } from '#core/words';
 import { freeReference } from '#libraries/reference';
 import type { ReferenceContext } from '#reference/context';
@@ -27,19 +28,18 @@ export async function loadGuide(language: Language, robot: string | null): Promi
 const BOARD_MODULES = ['music', 'radio', 'log', 'neopixel', 'random', 'time'] as const;
 
 /** The modules whose commands the help lists: those of the robot in use first, then those of the board. */
-export function modulesFor(robot: string | null, board: ReferenceContext['board']): readonly string[] {
+export function modulesFor(robot: string | null, board: BoardType): readonly string[] {
   const own = robotReferences.find((it) => it.robot === robot)?.modules ?? [];
-  const ofBoard = board === 'calliope-mini-3' ? 'calliopemini' : 'microbit';
-  return [...own.map(({ name }) => name), ofBoard, ...BOARD_MODULES];
+  return [...own.map(({ name }) => name), ...board.modules.slice(0, 1), ...BOARD_MODULES];
 }
 
 /** What the reference needs to know to list their commands. */
 export const referenceFor = (
   robot: string | null,
-  board: ReferenceContext['board'],
+  { api }: BoardType,
   features: ReferenceContext['features'],
 ): ReferenceContext => ({
-  board,
+  board: api,
   features,
   modules: robotReferences.find((it) => it.robot === robot)?.modules ?? [],
   files: {},

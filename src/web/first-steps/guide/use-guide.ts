@@ -1,5 +1,6 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
+import { microbitV2 } from '#board/boards/microbit-v2';
 import type { Words } from '../../code/help/words';
 import { useHardware } from '../../work/hardware/use-hardware';
 import type { WorkParts } from '../../work/model/parts';
@@ -51,7 +52,7 @@ export function useGuide(app: WorkParts): GuideModel {
   const all = computed((): readonly ShownSection[] => {
     if (guide.value === null) return [];
     const { content } = guide.value;
-    const board = hardware.value?.board.id === 'calliope-mini-3' ? 'calliope-mini-3' : 'microbit-v2';
+    const board = hardware.value?.board ?? microbitV2;
     const context = referenceFor(robot.value, board, hardware.value?.firmware.features ?? []);
     const explained = guideSections.map(({ id, entries }): ShownSection => ({
       kind: 'entries',

@@ -1,3 +1,4 @@
+import { microbitV2 } from '#board/boards/microbit-v2';
 import { freeReference } from '#libraries/reference';
 import { filesByName, type SourceFile } from '#project/project';
 import type { ReferenceContext } from '#reference/context';
@@ -16,7 +17,7 @@ export interface Written {
 export function contextOf({ hardware, files, file }: Written): ReferenceContext {
   const { board, firmware, robot } = hardware ?? { board: null, firmware: null, robot: null };
   return {
-    board: board?.id === 'calliope-mini-3' ? 'calliope-mini-3' : 'microbit-v2',
+    board: (board ?? microbitV2).api,
     features: firmware?.features ?? [],
     modules: modulesFor(robot?.id ?? null),
     files: filesByName(files.filter(({ name }) => name !== file)),
