@@ -7,9 +7,9 @@
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * version 1.
  */
+import { packed, unpacked } from '#core/deflate';
 import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
-import { packed, unpacked } from './deflate';
 import { deflatedContent, modelledContent, type Content } from './link-content';
 import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './model-coder';
 import { LIKELY_WORDS } from './likely-text';

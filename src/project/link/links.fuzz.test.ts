@@ -1,12 +1,12 @@
 import LZString from 'lz-string';
 import { describe, expect, it } from 'vitest';
 
+import { packed, unpacked } from '#core/deflate';
 import { createRng, type Rng } from '#core/rng';
 import { mutatedText } from '#scene/testing/mutate';
 
 import { fromBase64Url } from './base64';
 import { ColumnWriter, type Bytes } from './columns';
-import { packed, unpacked } from './deflate';
 import { linkOf, linkOfBytes, projectOfLink } from './link';
 import { deflatedBytes } from './link-bytes';
 import { deflatedContent } from './link-content';

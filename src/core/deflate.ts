@@ -9,8 +9,8 @@ export function packed(bytes: Uint8Array, dictionary?: Uint8Array): Uint8Array {
   return deflateSync(bytes, dictionary === undefined ? { level: 9 } : { level: 9, dictionary });
 }
 
-/** Bytes fed in at a time. Deflate makes at most 1032 bytes of one, so the limit is exceeded by 130 kB at most. */
-const CHUNK_BYTES = 128;
+/** Bytes fed in at a time. Deflate makes at most 1032 bytes of one, so the limit is exceeded by 1 MB at most. */
+const CHUNK_BYTES = 1024;
 
 class TooLarge extends Error {}
 
