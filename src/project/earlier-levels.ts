@@ -15,6 +15,7 @@
  *
  * A file with anything else in its lists opens nothing.
  */
+import { degOf, radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import { parseSceneValue } from '#scene/parse';
 import { shown } from '#scene/problem';
@@ -134,7 +135,7 @@ function thingOf(entry: unknown, list: string): Thing | null {
 function angleOf(entry: Fields): number | null {
   const { angle, rotation } = entry;
   if (angle === undefined && rotation === undefined) return 0;
-  const degrees = typeof angle === 'number' ? angle : typeof rotation === 'number' ? (rotation * 180) / Math.PI : NaN;
+  const degrees = typeof angle === 'number' ? angle : typeof rotation === 'number' ? degOf(rotation) : NaN;
   return Number.isFinite(degrees) && Math.abs(degrees) < 1e6 ? degrees : null;
 }
 
@@ -257,7 +258,7 @@ function boxObject({ is, x, y, width, height, angleDeg }: Box, id: string, size:
     const turn = Math.round(headingOf(angleDeg) / 45) % 8;
     return { type: is, id, at, size: [clamped(width, blockMm), clamped(height, blockMm)], turn };
   }
-  const along = ((angleDeg + (width >= height ? 0 : 90)) * Math.PI) / 180;
+  const along = radOf(angleDeg + (width >= height ? 0 : 90));
   const half = Math.max(width, height) / 2;
   const [dx, dy] = [half * exactCos(along), half * exactSin(along)];
   const from = placeIn(size, { x: x - dx, y: y - dy });

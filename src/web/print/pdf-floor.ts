@@ -1,4 +1,5 @@
 import type { jsPDF } from 'jspdf';
+import { radOf } from '#core/angle';
 import { boundsOf, solidOutline } from '#scene/kinds/index';
 import { boundsMeet, type Bounds } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
@@ -53,7 +54,7 @@ function printOutlines(pdf: jsPDF, { objects, robot }: Scene, to: ToSheet, shown
     const outline = solidOutline(object);
     if (outline !== null && boundsMeet(boundsOf(object), shown)) polygon(pdf, outline, to);
   }
-  const heading = (robot.heading * Math.PI) / 180;
+  const heading = radOf(robot.heading);
   const ahead = (mm: number, aside: number): Point =>
     to([
       robot.at[0] + mm * Math.cos(heading) - aside * Math.sin(heading),

@@ -25,7 +25,6 @@ describe('a course on sheets', () => {
       [1189, 3000],
       [2500, 2500],
     ] as const) {
-      // prettier-ignore
       const { tiles, columns, rows } = plan(size, 'a4-tiles');
       for (const { column, row, upperLeft, size: shown } of tiles) {
         const right = tiles.find((tile) => tile.column === column + 1 && tile.row === row);

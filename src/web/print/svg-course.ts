@@ -1,3 +1,4 @@
+import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { Point, Scene } from '#scene/scene';
 
@@ -161,7 +162,7 @@ function pathSvg(pieces: PictureOptions['path'], to: ToPicture, unit: number): s
 function robotSvg({ pose, scale, drawing }: NonNullable<PictureOptions['robot']>, to: ToPicture): string {
   const { svg, viewBox } = readRobotDrawing(drawing);
   const [x, y] = to([pose.xMm, pose.yMm]);
-  const turn = 90 - (pose.headingRad * 180) / Math.PI;
+  const turn = 90 - degOf(pose.headingRad);
   const place = ['x', 'y', 'width', 'height'].map((name, i) => {
     const value = [viewBox.x, viewBox.y, viewBox.width, viewBox.height][i] ?? 0;
     return ` ${name}="${figure(value)}"`;

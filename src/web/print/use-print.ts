@@ -1,5 +1,6 @@
 import { computed, shallowRef } from 'vue';
 
+import { radOf } from '#core/angle';
 import type { Scene } from '#scene/scene';
 
 import { useHardware } from '../work/hardware/use-hardware';
@@ -31,7 +32,7 @@ export function usePrint() {
   function optionsFor(wish: PictureWish): PictureOptions {
     const { at, heading, scale } = scene.value.robot;
     const look = hardware.value?.robot ?? null;
-    const pose = { xMm: at[0], yMm: at[1], headingRad: (heading * Math.PI) / 180 };
+    const pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
     return {
       grid: wish.grid,
       rulers: wish.rulers,

@@ -1,4 +1,5 @@
 import { mdiRotateRight } from '@mdi/js';
+import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
@@ -73,7 +74,7 @@ export function drawHeldPose(
 
 /** A heading in whole degrees, −179 … 180. */
 export function headingLabel(headingRad: number): string {
-  const deg = Math.round((normalAngle(headingRad) * 180) / Math.PI);
+  const deg = Math.round(degOf(normalAngle(headingRad)));
   return `${String(deg === -180 ? 180 : deg).replace('-', '−')}°`;
 }
 

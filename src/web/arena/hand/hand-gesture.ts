@@ -1,3 +1,4 @@
+import { degOf } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { PlacedPose } from '#simulation/input';
 import type { ArenaSize } from '../view/view-transform';
@@ -140,7 +141,7 @@ export function keepInside(pose: Pose, arena: ArenaSize, marginMm: number): Pose
 /** The pose for messages: tenths of a mm and of a degree. */
 export function placedPose(pose: Pose): PlacedPose {
   const tenths = (value: number): number => Math.round(value * 10) / 10 + 0; // + 0 makes −0 a 0
-  const deg = tenths((normalAngle(pose.headingRad) * 180) / Math.PI);
+  const deg = tenths(degOf(normalAngle(pose.headingRad)));
   return { xMm: tenths(pose.xMm), yMm: tenths(pose.yMm), headingDeg: deg <= -180 ? 180 : deg };
 }
 

@@ -1,4 +1,5 @@
 import { computed, type ComputedRef } from 'vue';
+import { radOf } from '#core/angle';
 import type { Pose } from '#core/geometry';
 import type { RobotStart, Scene } from '#scene/scene';
 import type { Snapshot } from '#simulation/snapshot';
@@ -31,7 +32,7 @@ const NEAR = { mm: 4, rad: 0.05 };
 export function startElsewhere(start: RobotStart, now: Pose | null): RobotStart | null {
   if (now === null) return null;
   const apart = Math.hypot(now.xMm - start.at[0], now.yMm - start.at[1]);
-  const turn = (now.headingRad - (start.heading * Math.PI) / 180) / (2 * Math.PI);
+  const turn = (now.headingRad - radOf(start.heading)) / (2 * Math.PI);
   const turnedRad = Math.abs(turn - Math.round(turn)) * 2 * Math.PI;
   return apart > NEAR.mm || turnedRad > NEAR.rad ? start : null;
 }

@@ -1,3 +1,4 @@
+import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { RobotStart, SceneObject } from '#scene/scene';
 import { kindOf } from './kinds/index';
@@ -35,7 +36,7 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
 
 /** The parts of the robot's outline where it starts, in CSS px. */
 export function robotOutlinePx(view: View, start: RobotStart, parts: readonly (readonly Vec[])[]): Vec[][] {
-  const rad = (start.heading * Math.PI) / 180;
+  const rad = radOf(start.heading);
   const [cos, sin] = [Math.cos(rad) * start.scale, Math.sin(rad) * start.scale];
   return parts.map((part) =>
     part.map(({ x, y }) => toPx(view, { x: start.at[0] + x * cos - y * sin, y: start.at[1] + x * sin + y * cos })),

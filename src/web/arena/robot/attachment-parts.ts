@@ -1,3 +1,4 @@
+import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { readRobotDrawing, type Box, type RobotDrawing } from './robot-drawing';
 import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
@@ -26,7 +27,7 @@ export function partsOf(drawing: string): readonly AttachmentPart[] {
       svg: documentOf(drawing, root, group),
       viewBox,
       pivot: pairOf(group.attributes['data-pivot']) ?? { x: 0, y: 0 },
-      restRad: ((Number(group.attributes['data-rest'] ?? 0) || 0) * Math.PI) / 180,
+      restRad: radOf(Number(group.attributes['data-rest'] ?? 0) || 0),
     }));
 }
 

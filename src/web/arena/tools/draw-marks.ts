@@ -1,3 +1,4 @@
+import { degOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark } from '#editor/tools/tool';
 import type { SceneObject } from '#scene/scene';
@@ -61,7 +62,7 @@ export function measureLabel(from: Vec, to: Vec): string {
   const place = `x ${cm(to.x)} · y ${cm(to.y)} cm`;
   const length = Math.hypot(to.x - from.x, to.y - from.y);
   if (length < 0.5) return place;
-  const degrees = Math.round((Math.atan2(to.y - from.y, to.x - from.x) * 180) / Math.PI) + 0;
+  const degrees = Math.round(degOf(Math.atan2(to.y - from.y, to.x - from.x))) + 0;
   return `${cm(length)} cm · ${String(degrees === -180 ? 180 : degrees).replace('-', '−')}° · ${place}`;
 }
 
@@ -199,7 +200,6 @@ export function drawCrosshair(context: CanvasRenderingContext2D, frame: MarkFram
       [0, 1],
       [0, -1],
     ] as const) {
-      // prettier-ignore
       context.moveTo(at.x + x * inner, at.y + y * inner);
       context.lineTo(at.x + x * outer, at.y + y * outer);
     }

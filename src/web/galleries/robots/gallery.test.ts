@@ -36,7 +36,6 @@ describe('every robot in the gallery', () => {
   it.each(robotTypes.map((robot) => [robot.name, robot] as const))(
     '%s has a sheet with words, an example and a size',
     (_, robot) => {
-      // prettier-ignore
       const sheet = robotSheets.find((one) => one.robot === robot.id);
       expect(sheet?.about.de.length).toBeGreaterThan(20);
       expect(sheet?.examples.length).toBeGreaterThan(0);

@@ -1,3 +1,5 @@
+import { degOf } from '#core/angle';
+
 /** What an accelerometer at rest measures of gravity, in its own mg (codal-core Accelerometer.h). */
 const GRAVITY_MG = 1024;
 
@@ -28,6 +30,6 @@ export function anglesOf({ x, y }: Pick<Acceleration, 'x' | 'y'>): {
   readonly rightDeg: number;
   readonly downDeg: number;
 } {
-  const degrees = (mg: number): number => (Math.asin(Math.max(-1, Math.min(1, mg / GRAVITY_MG))) * 180) / Math.PI;
+  const degrees = (mg: number): number => degOf(Math.asin(Math.max(-1, Math.min(1, mg / GRAVITY_MG))));
   return { rightDeg: degrees(x), downDeg: degrees(y) };
 }

@@ -92,7 +92,6 @@ describe('the examples of the robots', () => {
         [900, 30],
         [1900, 90],
       ] as const) {
-        // prettier-ignore
         const simulation = await run(withExample(found, entry, 'de'), entry.robot.id, forMs);
         const [claw] = simulation.snapshot().robot!.state.attachments;
         expect(claw?.type, entry.robot.id).toBe('claw');

@@ -1,5 +1,6 @@
 import { computed, shallowRef, watch, type Ref } from 'vue';
 
+import { isSame } from '#core/same';
 import { preferredLanguage } from '../../page/i18n';
 import { defaultSettings, settingsFromText, type Settings } from './settings';
 
@@ -58,9 +59,6 @@ export function createSettings(held: Partial<Settings> = {}): SettingsModel {
     },
   };
 }
-
-/** Settings are plain data. */
-const isSame = (one: unknown, other: unknown): boolean => JSON.stringify(one) === JSON.stringify(other);
 
 /** The settings of an earlier visit; on a first one those that suit the browser's language. */
 export function storedSettings(): Settings {
