@@ -1,6 +1,7 @@
+import { wrappedDeg } from '#core/angle';
 import { boundsOf } from '#scene/kinds/index';
 import { sceneLimits, type Point, type RobotStart, type Scene, type SceneObject, type StrokeColor } from '#scene/scene';
-import { eighths, within, wrappedDeg } from './plane';
+import { eighths, within } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
 export type NumberName =
