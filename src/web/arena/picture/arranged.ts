@@ -14,9 +14,7 @@ export interface Arranged {
 }
 
 /** What a robot may carry besides its own parts. */
-export type Carried = Pick<RobotState, 'attachments' | 'bumper'>;
-
-const NOTHING: Carried = { attachments: [], bumper: null };
+export type Carried = Partial<Pick<RobotState, 'attachments' | 'bumper'>>;
 
 /** The bumper of a robot that is to carry one from the start: its option `bumper` is `always`. */
 export function bumperAtStart(options: OptionValues): RobotState['bumper'] {
@@ -31,7 +29,7 @@ export function bumperAtStart(options: OptionValues): RobotState['bumper'] {
 export function arranged(
   scene: Scene,
   snapshot: Pick<Snapshot, 'robot' | 'blocks'> | null,
-  carried: Carried = NOTHING,
+  carried: Carried = {},
 ): Arranged {
   const placed = blocksOf(scene.objects);
   const blocks =
@@ -85,11 +83,11 @@ const AT_REST = {
   leds: { left: 0, right: 0 },
   ...{ rgb: [], lineSensors: [], servos: {} },
   duty: { left: 0, right: 0 },
-  ultrasonic: null,
+  ...{ attachments: [], bumper: null, ultrasonic: null },
 } as const;
 
 /** The robot of a course where it starts, with everything off. */
-export function robotAtStart(scene: Scene, carried: Carried = NOTHING): ArenaRobot {
+export function robotAtStart(scene: Scene, carried: Carried = {}): ArenaRobot {
   const { at, heading } = scene.robot;
   return {
     pose: { xMm: at[0], yMm: at[1], headingRad: radOf(heading) },

@@ -8,7 +8,6 @@
 import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
-import type { RobotState } from '#robots/robot';
 import type { ArenaRobot, PlacedBlock } from '../picture/arena-model';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
 import { drawMovableBlock } from '../picture/kinds/block';

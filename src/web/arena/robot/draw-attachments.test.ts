@@ -13,7 +13,7 @@ describe('Attachments before a run', () => {
   it('show what was chosen for each servo port, at the front edge', () => {
     expect(atStart({})).toEqual([]);
     expect(atStart({ S1: 'claw', echo: 'long-pulse' })).toEqual([
-      { type: 'claw', atMm: { x: 58, y: 0 }, turnRad: {}, heightMm: 0, isHolding: false },
+      { type: 'claw', port: 'S1', atMm: { x: 58, y: 0 }, angleDeg: 0, turnRad: {}, heightMm: 0, isHolding: false },
     ]);
     expect(atStart({ S1: 'forklift', S2: 'claw' }).map(({ type }) => type)).toEqual(['forklift', 'claw']);
   });

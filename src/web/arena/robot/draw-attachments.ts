@@ -47,7 +47,7 @@ export function attachmentFrontMm(attachments: readonly AttachmentState[] = []):
 /** The attachments of a robot with these options before it runs. */
 export function attachmentsAtStart(mountMm: Vec | null, options: OptionValues): readonly AttachmentState[] {
   if (mountMm === null) return [];
-  return Object.values(options)
-    .filter((value) => value !== 'none' && value in attachmentTitles)
-    .map((type) => ({ type, atMm: mountMm, turnRad: {}, heightMm: 0, isHolding: false }));
+  return Object.entries(options)
+    .filter(([, value]) => value !== 'none' && value in attachmentTitles)
+    .map(([port, type]) => ({ type, port, atMm: mountMm, angleDeg: 0, turnRad: {}, heightMm: 0, isHolding: false }));
 }
