@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import { boundsOf } from './kinds/index';
 import { boundsMeet, boundsOfOutline, lengthOf, type Bounds } from './outline';
 import type { Point, Stroke } from './scene';
