@@ -45,7 +45,7 @@ export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
  * @returns {Promise<Entry[]>}
  */
 export async function allTexts() {
-  const files = await wantedFiles();
+  const files = await filesWithTexts();
   return [...partsIn(files), ...coursesIn(files)].flatMap(({ entries }) => entries);
 }
 
@@ -209,8 +209,8 @@ function membersOf(alias, text) {
   ];
 }
 
-/** Path → text of everything that holds texts or names them. */
-async function wantedFiles() {
+/** Path → text of everything that holds texts or names them. @returns {Promise<Map<string, string>>} */
+export async function filesWithTexts() {
   const inside = async (folder) =>
     (await readdir(join(root, folder), { recursive: true })).map((path) => `${folder}/${path}`.replaceAll('\\', '/'));
   const paths = (await Promise.all(['src', 'courses', 'scripts/robot-template'].map(inside))).flat();
@@ -224,7 +224,7 @@ async function wantedFiles() {
 }
 
 await main(import.meta.url, async () => {
-  const files = await wantedFiles();
+  const files = await filesWithTexts();
   const problems = problemsOf(files, sameWords);
   if (problems.length > 0) throw new Failure(`${problems.length} problems with texts:\n${problems.join('\n')}`);
   note(`Texts of ${partsIn(files).length} parts: complete in ${languagesOf(files.get(LIST)).join(', ')}, all used.`);

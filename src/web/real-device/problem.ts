@@ -1,4 +1,4 @@
-/** What can go wrong during the transfer to the device. Plain data; the words are in `real-device-texts.ts`. */
+/** What can go wrong during the transfer to the device. Plain data; the words are in `words`. */
 export type PutProblem =
   /** Nothing at all comes back. */
   | { readonly kind: 'silent' }
