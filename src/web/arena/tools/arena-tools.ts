@@ -21,7 +21,7 @@ import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';
 import { ToolSurface, type SurfacePicture } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
-import { arenaWords } from '../arena-words';
+import { arenaWords } from './arena-words';
 
 /** What the tools work on. */
 export interface ToolSources {

@@ -1,4 +1,3 @@
-import type { Texts } from '#core/texts';
 import { describeChange, type EditDescription } from '#editor/describe-edit';
 import type { Selection } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';

@@ -1,5 +1,4 @@
-import type { Texts } from '#core/texts';
-import type { RuleCode, RuleProblem } from '#scene/rules';
+import type { RuleProblem } from '#scene/rules';
 import type { Scene, SceneObject } from '#scene/scene';
 
 import { shownLanguage } from '../../page/i18n';

@@ -1,4 +1,3 @@
-import type { Texts } from '#core/texts';
 import type { Scene, SceneObject } from '#scene/scene';
 import { pendingChanges } from '#simulation/at-once';
 
