@@ -11,6 +11,7 @@ const pureRooms = Object.keys(layers)
 const tests = [
   'src/**/*.test.ts',
   'examples/dev/*.test.ts',
+  'build/**/*.test.ts',
   'src/**/testing/**/*.ts',
   'e2e/**/*.ts',
   'scripts/**/*.test.mjs',
@@ -96,7 +97,7 @@ export default tseslint.config(
 
   // TypeScript: the strict set, with type information.
   {
-    files: ['src/**/*.ts', 'e2e/**/*.ts', 'bench/**/*.ts', 'examples/dev/*.ts', '*.config.ts'],
+    files: ['src/**/*.ts', 'e2e/**/*.ts', 'bench/**/*.ts', 'examples/dev/*.ts', 'build/**/*.ts', '*.config.ts'],
     extends: [tseslint.configs.strictTypeChecked],
     languageOptions: { parserOptions: { projectService: true, tsconfigRootDir: import.meta.dirname } },
     rules: {

@@ -8,6 +8,7 @@ import vue from '@vitejs/plugin-vue';
 import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
 import vuetify from 'vite-plugin-vuetify';
 
+import { programs } from './build/programs.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { singleFile } from './scripts/single-file.mjs';
 
@@ -163,7 +164,13 @@ const common = {
 } satisfies UserConfig;
 
 /** The plugins of both builds, made anew for each. */
-const commonPlugins = (): PluginOption[] => [vue(), vuetify({ autoImport: true }), iconsApart(), vuetifyLighter()];
+const commonPlugins = (): PluginOption[] => [
+  programs(),
+  vue(),
+  vuetify({ autoImport: true }),
+  iconsApart(),
+  vuetifyLighter(),
+];
 
 /** The worker as one classic script. */
 async function workerCode(): Promise<string> {

@@ -2,14 +2,16 @@ import vue from '@vitejs/plugin-vue';
 import vuetify from 'vite-plugin-vuetify';
 import { defineConfig } from 'vitest/config';
 
+import { programs } from './build/programs.ts';
+
 /**
  * Unit tests and headless runs; the browsers are driven by playwright.config.ts. A test that mounts components begins with
  * `// @vitest-environment happy-dom`.
  */
 export default defineConfig({
-  plugins: [vue(), vuetify({ autoImport: true })],
+  plugins: [programs(), vue(), vuetify({ autoImport: true })],
   test: {
-    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'courses/**/*.test.ts', 'examples/dev/*.test.ts'],
+    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'build/**/*.test.ts', 'examples/dev/*.test.ts'],
     environment: 'node',
     server: { deps: { inline: ['vuetify'] } },
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time

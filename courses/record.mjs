@@ -22,7 +22,7 @@ writeFileSync(here('golden.json'), `${JSON.stringify(golden, null, 2)}\n`);
 
 function record(run) {
   const trace = join(scratch, 'trace.csv');
-  const files = [here(`${run.folder}/${run.program}`), '--scene', here(`${run.folder}/scene.json`)];
+  const files = [here(`${run.folder}/main.py`), '--scene', here(`${run.folder}/scene.json`)];
   const args = [
     'run',
     ...files,

@@ -27,14 +27,14 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
   await until(app, by(`course-${folder}`));
   await app.click(`${by(`course-${folder}`)} h3 a`);
   await until(app, '.gallery .sheet');
-  if (existsSync(fileOf(`${folder}/start.en.py`))) {
+  if (existsSync(fileOf(`${folder}/start.py`))) {
     await app.click(by('show-solution'));
     await app.click(by('open-solved'));
   } else {
     await app.click(by(`open-${folder}`));
   }
   await gone(app, '.gallery');
-  const top = read(`${folder}/main.en.py`).split('\n').slice(0, 8).join('\n'); // the editor has no lines that are out of sight
+  const top = read(`${folder}/main.py`).split('\n').slice(0, 8).join('\n'); // the editor has no lines that are out of sight
   await expect.poll(() => programIn(app)).toContain(top);
   await expect.poll(() => attribute(app, '.pane-arena .robot .name', 'title')).toBe(robot); // the name itself may be cut off
   expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);

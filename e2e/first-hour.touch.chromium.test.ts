@@ -55,10 +55,9 @@ for (const language of LANGUAGES)
       await takeTour(beginner);
       await writeFirstProgram(beginner);
       await driveFirst(beginner);
-      const texts = JSON.parse(
-        readFileSync(new URL('../courses/square/texts.json', import.meta.url), 'utf8'),
-      ) as Record<Language, { readonly name: string; readonly task: string }>;
-      await passFirstCourse(beginner, { task: texts[language].task, passed: passedIn(language) });
+      const words = new URL(`../courses/square/words/${language}.json`, import.meta.url);
+      const { name, task } = JSON.parse(readFileSync(words, 'utf8')) as Record<'name' | 'task', string>;
+      await passFirstCourse(beginner, { task, passed: passedIn(language) });
       const link = await shareIt(beginner);
       const program = await programIn(beginner.app);
 
@@ -67,7 +66,7 @@ for (const language of LANGUAGES)
       await friend.app.goto(link);
       await until(friend.app, '[data-testid=course]');
       await expect.poll(() => programIn(friend.app)).toBe(program);
-      expect(await friend.app.text('header')).toContain(texts[language].name);
+      expect(await friend.app.text('header')).toContain(name);
       await friend.look('link');
       await context.close();
     });

@@ -34,7 +34,7 @@ const setProgram = (app: App, source: string): Promise<void> =>
 test('a worksheet with the element from its package: own buttons, console and verdict', async ({ app }, info) => {
   test.setTimeout(180_000);
   await openHost(app, info.project.name);
-  await setProgram(app, `print('off we go')\n${await readFile('courses/push/main.en.py', 'utf8')}`);
+  await setProgram(app, `print('off we go')\n${await readFile('courses/push/main.py', 'utf8')}`);
   await app.evaluate(() => void (simulator.speed = 'max'));
   await app.click('#run');
   await expect.poll(() => app.text('#verdict'), { timeout: 60_000 }).toBe('Well done: the block is in the field.');

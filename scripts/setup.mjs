@@ -43,6 +43,7 @@ async function buildCli() {
 /** The ingredients of the app besides its sources. */
 const APP_BUILD = [
   'vite.config.ts',
+  'build',
   ...['frame-check', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
 ];
 

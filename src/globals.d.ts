@@ -6,3 +6,10 @@ declare module '*?raw' {
   const text: string;
   export default text;
 }
+
+/** A program that comes with the app, in every language (`build/programs.ts`). */
+declare module '*.py?languages' {
+  import type { Texts } from '#core/texts';
+  const program: { readonly file: string; readonly title: Texts; readonly source: Texts };
+  export default program;
+}

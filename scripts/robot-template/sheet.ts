@@ -1,24 +1,15 @@
 /** New Robot: what the gallery tells about it. */
 import { wordsOf } from '#core/words';
 import type { RobotSheet } from '../robot';
-import firstDriveDe from './examples/first_drive.de.py?raw';
-import firstDriveFr from './examples/first_drive.fr.py?raw';
-import firstDriveIt from './examples/first_drive.it.py?raw';
-import firstDriveEn from './examples/first_drive.en.py?raw';
 import type de from './words/sheet/de.json';
+import firstDrive from './examples/first_drive.py?languages';
 
 const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
 export const newRobotSheet: RobotSheet = {
   robot: 'new-robot',
   about: words.about,
-  examples: [
-    {
-      file: 'first_drive.py',
-      title: { de: 'Erste Fahrt', fr: 'Premier trajet', it: 'Primo viaggio', en: 'First drive' },
-      source: { de: firstDriveDe, fr: firstDriveFr, it: firstDriveIt, en: firstDriveEn },
-    },
-  ],
+  examples: [firstDrive],
   wiring: [
     { part: words.wiring.motors, at: 'I2C 0x10' },
     { ...words.wiring.redLight, at: 'P8' },

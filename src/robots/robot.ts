@@ -101,10 +101,10 @@ export interface RegisterTable {
 
 /** A program for pupils that comes with a robot. */
 export interface RobotExample {
-  /** Its file name, ending in .py. */
+  /** Name of its file in `examples/`, such as `line.py`. */
   readonly file: string;
   readonly title: Texts;
-  /** The same program in every language: only comments and texts in quotes differ. */
+  /** One program: only its comments and strings differ between languages (`build/programs.ts`). */
   readonly source: Texts;
   /** Id of the ready course that it is made for, e.g. `empty` for driving around; left out: any arena will do. */
   readonly course?: string;

@@ -1,7 +1,5 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { bareProgram } from '#core/testing/bare-program';
-import { LANGUAGES } from '#core/texts';
 import { parseScene } from '#scene/parse';
 import { Simulation } from './simulation';
 import type { RobotSnapshot, Snapshot } from './snapshot';
@@ -9,8 +7,6 @@ import type { RobotSnapshot, Snapshot } from './snapshot';
 /** The recorded runs: courses/golden.json, made by `npm run courses:record`. */
 interface Golden {
   readonly folder: string;
-  /** The program's file in it. */
-  readonly program: string;
   readonly forMs: number;
   readonly seed: number;
   readonly traceHash: string;
@@ -35,7 +31,10 @@ function replay(golden: Golden): Promise<Simulation> {
   return driven;
 }
 
-async function drive({ folder, program, forMs, seed }: Omit<Golden, 'traceHash' | 'passedMs'>): Promise<Simulation> {
+async function drive(
+  { folder, forMs, seed }: Pick<Golden, 'folder' | 'forMs' | 'seed'>,
+  program = 'main.py',
+): Promise<Simulation> {
   const parsed = parseScene(read(`${folder}/scene.json`));
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   const files = { 'main.py': read(`${folder}/${program}`) };
@@ -70,12 +69,12 @@ describe('a recorded run', () => {
 /** Courses without a task. */
 const WITHOUT_TASK = ['empty'];
 
-describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${folder}/texts.json`)))(
+describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${folder}/course.json`)))(
   'the course %s',
   { timeout: 60_000 },
   (folder) => {
     const golden = runs.find((run) => run.folder === folder);
-    const start = `${folder}/start.en.py`;
+    const start = `${folder}/start.py`;
 
     it('is driven as a golden test', () => {
       expect(golden?.folder).toBe(folder);
@@ -88,18 +87,10 @@ describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${fo
       expect(verdict?.atMs ?? null).toBe(golden.passedMs);
     });
 
-    it('has the same programs in all languages, but for comments and words', () => {
-      for (const name of existsSync(`courses/${start}`) ? ['main', 'start'] : ['main']) {
-        const program = bareProgram(read(`${folder}/${name}.en.py`));
-        for (const language of LANGUAGES)
-          expect(bareProgram(read(`${folder}/${name}.${language}.py`)), language).toBe(program);
-      }
-    });
-
     it.runIf(existsSync(`courses/${start}`))(
       'begins with a program that runs without an error and leaves the task to the pupil',
       async () => {
-        const simulation = await drive({ folder, program: 'start.en.py', forMs: 20_000, seed: 1 });
+        const simulation = await drive({ folder, forMs: 20_000, seed: 1 }, 'start.py');
         expect(simulation.ended?.exception ?? null).toBeNull();
         expect(simulation.trace.at(-1)).not.toEqual(simulation.trace[0]); // something happens at once
         expect(simulation.verdict?.state).not.toBe('passed');

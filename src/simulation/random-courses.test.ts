@@ -15,7 +15,7 @@ const words = { name: '', description: '' };
 
 /** The result of a random course when a ready course's solution drives in it, for at most this many simulated s. */
 async function drive(scene: Scene, course: string, seconds: number): Promise<Verdict | null> {
-  const files = { 'main.py': readFileSync(`courses/${course}/main.en.py`, 'utf8') };
+  const files = { 'main.py': readFileSync(`courses/${course}/main.py`, 'utf8') };
   const setup = { scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0, keepTrace: false };
   const simulation = await Simulation.create(setup, firmware);
   for (let second = 1; second <= seconds && simulation.verdict?.state === 'open'; second += 1)

@@ -24,7 +24,7 @@ interface Drive {
 async function passes({ folder, seed, forMs, line = '' }: Drive): Promise<boolean> {
   const parsed = parseScene(readFileSync(`courses/${folder}/scene.json`, 'utf8'));
   if (!('scene' in parsed)) throw new Error(parsed.problem);
-  const solution = readFileSync(`courses/${folder}/main.en.py`, 'utf8');
+  const solution = readFileSync(`courses/${folder}/main.py`, 'utf8');
   const files = { 'main.py': solution.replace('from mbrobot import *\n', `from mbrobot import *\n${line}\n`) };
   const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: REALITY };
   const simulation = await Simulation.create(setup, firmware);

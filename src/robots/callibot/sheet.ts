@@ -1,31 +1,13 @@
 /** Calli:bot: what the gallery tells about it. */
 import { wordsOf } from '#core/words';
 import type { RegisterTable, RobotSheet, WiringRow } from '../robot';
-import bumperDe from './examples/bumper.de.py?raw';
-import bumperFr from './examples/bumper.fr.py?raw';
-import bumperIt from './examples/bumper.it.py?raw';
-import bumperEn from './examples/bumper.en.py?raw';
-import encoderDe from './examples/encoder.de.py?raw';
-import encoderFr from './examples/encoder.fr.py?raw';
-import encoderIt from './examples/encoder.it.py?raw';
-import encoderEn from './examples/encoder.en.py?raw';
-import firstDriveDe from './examples/first_drive.de.py?raw';
-import firstDriveFr from './examples/first_drive.fr.py?raw';
-import firstDriveIt from './examples/first_drive.it.py?raw';
-import firstDriveEn from './examples/first_drive.en.py?raw';
-import lightsDe from './examples/lights.de.py?raw';
-import lightsFr from './examples/lights.fr.py?raw';
-import lightsIt from './examples/lights.it.py?raw';
-import lightsEn from './examples/lights.en.py?raw';
-import lineDe from './examples/line.de.py?raw';
-import lineFr from './examples/line.fr.py?raw';
-import lineIt from './examples/line.it.py?raw';
-import lineEn from './examples/line.en.py?raw';
-import servoDe from './examples/servo.de.py?raw';
-import servoFr from './examples/servo.fr.py?raw';
-import servoIt from './examples/servo.it.py?raw';
-import servoEn from './examples/servo.en.py?raw';
 import type de from './words/sheet/de.json';
+import bumper from './examples/bumper.py?languages';
+import encoder from './examples/encoder.py?languages';
+import firstDrive from './examples/first_drive.py?languages';
+import lights from './examples/lights.py?languages';
+import line from './examples/line.py?languages';
+import servo from './examples/servo.py?languages';
 
 const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
@@ -92,52 +74,12 @@ export const callibotSheet: RobotSheet = {
   robot: 'callibot',
   about: words.about,
   examples: [
-    {
-      file: 'first_drive.py',
-      title: { de: 'Erste Fahrt', fr: 'Premier trajet', it: 'Primo viaggio', en: 'First drive' },
-      source: { de: firstDriveDe, fr: firstDriveFr, it: firstDriveIt, en: firstDriveEn },
-      course: 'empty',
-    },
-    {
-      file: 'line.py',
-      title: { de: 'Einer Linie folgen', fr: 'Suivre une ligne', it: 'Seguire una linea', en: 'Follow a line' },
-      source: { de: lineDe, fr: lineFr, it: lineIt, en: lineEn },
-      course: 'closed-line',
-    },
-    {
-      file: 'bumper.py',
-      title: {
-        de: 'Anstossen und ausweichen',
-        fr: 'Toucher et éviter',
-        it: 'Urtare ed evitare',
-        en: 'Bump and turn away',
-      },
-      source: { de: bumperDe, fr: bumperFr, it: bumperIt, en: bumperEn },
-      course: 'empty',
-    },
-    {
-      file: 'lights.py',
-      title: { de: 'Lichter', fr: 'Lumières', it: 'Luci', en: 'Lights' },
-      source: { de: lightsDe, fr: lightsFr, it: lightsIt, en: lightsEn },
-    },
-    {
-      file: 'encoder.py',
-      title: {
-        de: 'Genau einen halben Meter',
-        fr: 'Exactement un demi-mètre',
-        it: 'Esattamente mezzo metro',
-        en: 'Exactly half a metre',
-      },
-      source: { de: encoderDe, fr: encoderFr, it: encoderIt, en: encoderEn },
-      course: 'empty',
-    },
-    {
-      file: 'servo.py',
-      title: { de: 'Ein Servo', fr: 'Un servo', it: 'Un servo', en: 'A servo' },
-      source: { de: servoDe, fr: servoFr, it: servoIt, en: servoEn },
-      course: 'empty',
-      options: { S1: 'claw' },
-    },
+    { ...firstDrive, course: 'empty' },
+    { ...line, course: 'closed-line' },
+    { ...bumper, course: 'empty' },
+    lights,
+    { ...encoder, course: 'empty' },
+    { ...servo, course: 'empty', options: { S1: 'claw' } },
   ],
   sizeNote: words.sizeNote,
   wiring,

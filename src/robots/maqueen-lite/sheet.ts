@@ -1,27 +1,12 @@
 /** Maqueen Lite: what the gallery tells about it. */
 import { wordsOf } from '#core/words';
 import type { RobotSheet } from '../robot';
-import firstDriveDe from './examples/first_drive.de.py?raw';
-import firstDriveFr from './examples/first_drive.fr.py?raw';
-import firstDriveIt from './examples/first_drive.it.py?raw';
-import firstDriveEn from './examples/first_drive.en.py?raw';
-import lightsDe from './examples/lights.de.py?raw';
-import lightsFr from './examples/lights.fr.py?raw';
-import lightsIt from './examples/lights.it.py?raw';
-import lightsEn from './examples/lights.en.py?raw';
-import ringDe from './examples/ring.de.py?raw';
-import ringFr from './examples/ring.fr.py?raw';
-import ringIt from './examples/ring.it.py?raw';
-import ringEn from './examples/ring.en.py?raw';
-import servoDe from './examples/servo.de.py?raw';
-import servoFr from './examples/servo.fr.py?raw';
-import servoIt from './examples/servo.it.py?raw';
-import servoEn from './examples/servo.en.py?raw';
-import squareDe from './examples/square.de.py?raw';
-import squareFr from './examples/square.fr.py?raw';
-import squareIt from './examples/square.it.py?raw';
-import squareEn from './examples/square.en.py?raw';
 import type de from './words/sheet/de.json';
+import firstDrive from './examples/first_drive.py?languages';
+import lights from './examples/lights.py?languages';
+import ring from './examples/ring.py?languages';
+import servo from './examples/servo.py?languages';
+import square from './examples/square.py?languages';
 
 const words = wordsOf(import.meta.glob<typeof de>('./words/sheet/*.json', { eager: true, import: 'default' }));
 
@@ -29,36 +14,11 @@ export const maqueenLiteSheet: RobotSheet = {
   robot: 'maqueen-lite',
   about: words.about,
   examples: [
-    {
-      file: 'first_drive.py',
-      title: { de: 'Erste Fahrt', fr: 'Premier trajet', it: 'Primo viaggio', en: 'First drive' },
-      source: { de: firstDriveDe, fr: firstDriveFr, it: firstDriveIt, en: firstDriveEn },
-      course: 'empty',
-    },
-    {
-      file: 'square.py',
-      title: { de: 'Ein Quadrat fahren', fr: 'Parcourir un carré', it: 'Percorrere un quadrato', en: 'Drive a square' },
-      source: { de: squareDe, fr: squareFr, it: squareIt, en: squareEn },
-      course: 'empty',
-    },
-    {
-      file: 'lights.py',
-      title: { de: 'Lichter', fr: 'Lumières', it: 'Luci', en: 'Lights' },
-      source: { de: lightsDe, fr: lightsFr, it: lightsIt, en: lightsEn },
-    },
-    {
-      file: 'ring.py',
-      title: { de: 'Lichterring', fr: 'Anneau lumineux', it: 'Anello di luci', en: 'Ring of lights' },
-      source: { de: ringDe, fr: ringFr, it: ringIt, en: ringEn },
-      course: 'empty',
-    },
-    {
-      file: 'servo.py',
-      title: { de: 'Ein Servo', fr: 'Un servo', it: 'Un servo', en: 'A servo' },
-      source: { de: servoDe, fr: servoFr, it: servoIt, en: servoEn },
-      course: 'empty',
-      options: { S1: 'claw' },
-    },
+    { ...firstDrive, course: 'empty' },
+    { ...square, course: 'empty' },
+    lights,
+    { ...ring, course: 'empty' },
+    { ...servo, course: 'empty', options: { S1: 'claw' } },
   ],
   wiring: [
     { ...words.wiring.motorsServos, at: 'I2C 0x10' },

@@ -1,8 +1,8 @@
+import type { Language, Texts } from '#core/texts';
+import { inEvery } from '#core/words';
 import { MAIN, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
-
-import { LANGUAGES, type Language } from '../../page/i18n/texts';
 
 /** A ready course: an arena with a task, and programs that drive in it. How its folder looks: see `courses.ts`. */
 export interface Course {
@@ -38,42 +38,42 @@ export interface CourseTexts {
   readonly task: string;
 }
 
-/**
- * The courses in these files, in the order of the list.
- *
- * @param files path → text; the last two parts of a path are the course's folder and the file
- */
-export function coursesOf(files: Readonly<Record<string, string>>): Course[] {
-  const folders = new Map<string, Map<string, string>>();
-  for (const [path, text] of Object.entries(files)) {
-    const [folder = '', file = ''] = path.split('/').slice(-2);
-    folders.set(folder, (folders.get(folder) ?? new Map<string, string>()).set(file, text));
-  }
-  return [...folders]
-    .flatMap(([id, own]) => readCourse(id, own))
+/** The files of some courses, by their paths. */
+export interface CourseFiles {
+  /** `scene.json` and `course.json`. */
+  readonly data: Readonly<Record<string, string>>;
+  /** `main.py`, with the texts about the course; where it says nothing, the scene's name and description stand in. */
+  readonly main: Readonly<Record<string, { readonly source: Texts } & Partial<Record<keyof CourseTexts, Texts>>>>;
+  /** `start.py`. */
+  readonly start: Readonly<Record<string, Texts>>;
+}
+
+/** The courses in these files, in the order of the list. */
+export function coursesOf(files: CourseFiles): Course[] {
+  return Object.keys(files.main)
+    .flatMap((path) => readCourse(path.replace('/main.py', ''), files))
     .sort((one, other) => (one.place ?? Infinity) - (other.place ?? Infinity) || one.id.localeCompare(other.id, 'en'));
 }
 
-function readCourse(id: string, files: ReadonlyMap<string, string>): Course[] {
-  const parsed = parseScene(files.get('scene.json') ?? '');
-  if (!('scene' in parsed)) return [];
+function readCourse(folder: string, { data, main, start }: CourseFiles): Course[] {
+  const parsed = parseScene(data[`${folder}/scene.json`] ?? '');
+  const words = main[`${folder}/main.py`];
+  if (!('scene' in parsed) || words === undefined) return [];
   const { scene } = parsed;
-  const words = JSON.parse(files.get('texts.json') ?? '{}') as FolderTexts;
-  const file = (stem: string, language: Language): string | undefined =>
-    files.get(`${stem}.${language}.py`) ?? files.get(`${stem}.py`) ?? files.get(`${stem}.en.py`);
-  const solution = inEach((language) => file('main', language) ?? '');
-  const program = inEach((language) => file('start', language) ?? solution[language]);
-  const spoken: CourseTexts = { name: scene.name, text: scene.description, task: scene.description };
-  const texts = inEach((language) => ({ ...spoken, ...words[language] }));
-  const { place = null, level = 1, kind = 'free' } = words;
-  return [{ id, place, level, kind, scene, program, solution, texts, isRandom: false }];
+  const {
+    place = null,
+    level = 1,
+    kind = 'free',
+  } = JSON.parse(data[`${folder}/course.json`] ?? '{}') as Partial<Course>;
+  const texts = inEvery<CourseTexts>((language) => ({
+    name: words.name?.[language] ?? scene.name,
+    text: words.text?.[language] ?? scene.description,
+    task: words.task?.[language] ?? scene.description,
+  }));
+  const program = start[`${folder}/start.py`] ?? words.source;
+  const id = folder.replace(/^.*\//, '');
+  return [{ id, place, level, kind, scene, program, solution: words.source, texts, isRandom: false }];
 }
-
-/** The content of `texts.json`. */
-type FolderTexts = Partial<Pick<Course, 'place' | 'level' | 'kind'> & Record<Language, CourseTexts>>;
-
-const inEach = <T>(make: (language: Language) => T): Readonly<Record<Language, T>> =>
-  Object.fromEntries(LANGUAGES.map((language) => [language, make(language)])) as Record<Language, T>;
 
 /** A course as something to work on. */
 export function projectOf(course: Course, language: Language): Project {

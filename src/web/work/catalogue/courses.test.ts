@@ -136,38 +136,33 @@ describe('the ready courses', () => {
 describe('the files of a course', () => {
   const scene = '{"format":"parcours-scene","version":1,"name":"A","description":"B.","size":[500,500]}';
 
-  it('may have one program for all languages or one for each', () => {
-    const [one] = coursesOf({ 'c/one/scene.json': scene, 'c/one/main.py': 'x' });
-    expect(one!.program).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
-    expect(one!.solution).toEqual({ de: 'x', fr: 'x', it: 'x', en: 'x' });
-    const own = Object.fromEntries(LANGUAGES.map((language) => [`c/two/main.${language}.py`, language]));
-    const [two] = coursesOf({ 'c/two/scene.json': scene, ...own });
-    expect(two!.program).toEqual({ de: 'de', fr: 'fr', it: 'it', en: 'en' });
-  });
+  const inAll = (text: string) => ({ de: `${text} de`, fr: `${text} fr`, it: `${text} it`, en: text });
+  const data = { 'c/a/scene.json': scene };
+  const main = { 'c/a/main.py': { source: inAll('main') } };
 
-  it('speak English in a language that nobody has written yet', () => {
-    const [course] = coursesOf({ 'c/x/scene.json': scene, 'c/x/main.de.py': 'd', 'c/x/main.en.py': 'e' });
-    expect(course!.program).toEqual({ de: 'd', fr: 'e', it: 'e', en: 'e' });
+  it('hold the solution, which a pupil finds where there is no beginning', () => {
+    const [course] = coursesOf({ data, main, start: {} });
+    expect(course!.solution).toEqual(inAll('main'));
+    expect(course!.program).toEqual(inAll('main'));
   });
 
   it('may hold a beginning besides the solution: then that is what a pupil finds', () => {
-    const files = { 'main.de.py': 'd', 'main.en.py': 'e', 'start.de.py': 's', 'start.en.py': 't', 'scene.json': scene };
-    const [course] = coursesOf(Object.fromEntries(Object.entries(files).map(([name, text]) => [`c/x/${name}`, text])));
-    expect(course!.program).toMatchObject({ de: 's', en: 't' });
-    expect(course!.solution).toMatchObject({ de: 'd', en: 'e' });
-    expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'e' }]);
+    const [course] = coursesOf({ data, main, start: { 'c/a/start.py': inAll('start') } });
+    expect(course!.program).toEqual(inAll('start'));
+    expect(course!.solution).toEqual(inAll('main'));
+    expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'main' }]);
   });
 
   it('speak as the scene does where there are no texts, and stand at the end then', () => {
+    const z = { source: inAll('main'), name: { ...inAll('A'), de: 'Z' }, text: inAll('Z.') };
     const all = coursesOf({
-      'c/a/scene.json': scene,
-      'c/z/scene.json': scene,
-      'c/z/texts.json': '{"place":9,"de":{"name":"Z","text":"Z."}}',
-      'c/broken/scene.json': '{',
+      data: { ...data, 'c/z/scene.json': scene, 'c/z/course.json': '{"place":9}', 'c/broken/scene.json': '{' },
+      main: { ...main, 'c/z/main.py': z, 'c/broken/main.py': z },
+      start: {},
     });
-    expect(all.map(({ id, texts }) => [id, texts.de.name, texts.en.name])).toEqual([
-      ['z', 'Z', 'A'],
-      ['a', 'A', 'A'],
+    expect(all.map(({ id, texts }) => [id, texts.de.name, texts.en.name, texts.en.task])).toEqual([
+      ['z', 'Z', 'A', 'B.'],
+      ['a', 'A', 'A', 'B.'],
     ]);
   });
 });

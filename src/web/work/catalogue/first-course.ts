@@ -2,15 +2,27 @@ import { MAIN, type Project } from '#project/project';
 import type { Scene } from '#scene/scene';
 
 import { shownLanguage, t } from '../../page/i18n';
-import { coursesOf, type Course } from './course';
+import { coursesOf, type Course, type CourseFiles } from './course';
 import { knownCourses } from './known-courses';
 
 // Only what a first visit shows comes with the page; the other courses lie in courses.ts, which is fetched late.
-const files = import.meta.glob<string>('../../../../courses/closed-line/{scene.json,texts.json,main*.py,start*.py}', {
-  query: '?raw',
-  import: 'default',
-  eager: true,
-});
+const files: CourseFiles = {
+  data: import.meta.glob('../../../../courses/closed-line/{scene,course}.json', {
+    query: '?raw',
+    import: 'default',
+    eager: true,
+  }),
+  main: import.meta.glob('../../../../courses/closed-line/main.py', {
+    query: '?languages',
+    import: 'default',
+    eager: true,
+  }),
+  start: import.meta.glob('../../../../courses/closed-line/start.py', {
+    query: '?languages',
+    import: 'source',
+    eager: true,
+  }),
+};
 
 /** What a first visit shows. */
 export const firstCourse: Course | undefined = coursesOf(files)[0];
