@@ -145,34 +145,4 @@ describe('mbrobot_plus in the world', () => {
       [0, 0, 255],
     ]);
   });
-
-  it('stops after half a metre with the example wheels.py', () => {
-    const source = readFileSync('src/robots/maqueen-plus-v1/examples/wheels.de.py', 'utf8');
-    const floor = putOnFloor(maqueenPlusV1Build);
-    expect(floor.run(firmware, source, 8000)).toMatchObject({ exception: null, hasEnded: true });
-    expect(Math.abs(floor.chassis.pathMm() - 500)).toBeLessThan(15);
-  });
-
-  it('follows a closed line for half a minute with the example line.py', () => {
-    const source = readFileSync('src/robots/maqueen-plus-v1/examples/line.de.py', 'utf8');
-    const corners = [
-      [1000, 1000],
-      [1900, 1000],
-      [2100, 1080],
-      [2180, 1280],
-      [2100, 1480],
-      [1900, 1560],
-      [1000, 1560],
-      [800, 1480],
-      [720, 1280],
-      [800, 1080],
-      [1000, 1000],
-    ];
-    const line = { pointsMm: corners.map(([x = 0, y = 0]) => ({ x, y })), widthMm: 20, reflectance: 0 };
-    const floor = putOnFloor(maqueenPlusV1Build, { prepare: (world) => world.addStroke(line) });
-    floor.run(firmware, source, 30_000);
-    const middle = floor.chassis.toWorld({ x: 58, y: 0 });
-    expect(floor.chassis.pathMm()).toBeGreaterThan(3500);
-    expect(floor.world.reflectanceAt(middle, 30)).toBeLessThan(0.9);
-  });
 });
