@@ -46,10 +46,17 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
 /** A minute of simulated time at full speed, on a busy machine. */
 export const PATIENCE = { timeout: 60_000 };
 
+/** What `courses/golden.json` says of a course. */
+interface Recorded {
+  readonly folder: string;
+  readonly endMm: { readonly x: number; readonly y: number };
+}
+
 /** The program has come to its end, without an error, and the robot is where it is in the course's recording. */
 export async function ends(app: App, folder: string): Promise<void> {
   await expect.poll(() => consoleIn(app), PATIENCE).toContain('The program has ended.');
-  const [, x = NaN, y = NaN] = (read(`${folder}/expected.csv`).trim().split('\n').at(-1) ?? '').split(',').map(Number);
+  const { runs } = JSON.parse(read('golden.json')) as { readonly runs: readonly Recorded[] };
+  const { x, y } = runs.find((run) => run.folder === folder)?.endMm ?? { x: NaN, y: NaN };
   await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeLessThan(12);
 }
 
