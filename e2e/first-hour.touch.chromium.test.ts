@@ -9,7 +9,7 @@ import { until } from './parts';
 import { tablet, withFingers } from './touch';
 import { wordsOfOthers } from './words-in-sight';
 
-/** What is shown in docs/first-hour.md. */
+/** The steps of docs/first-hour.md. */
 const SHOWN: readonly string[] = ['tour', 'board', 'drive', 'course', 'share'];
 
 /** `npm run screenshots` keeps pictures, in this folder; `PARCOURS_PICTURES_OF=all` those of every look. */
