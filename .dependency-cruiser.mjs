@@ -104,10 +104,10 @@ export default {
       'Vue, Vuetify and the code editor only in web.',
     ),
     onlyIn(
-      'parser-in-device-check',
+      'parser-in-python',
       ['@lezer/python', '@lezer/common'],
-      '^src/(web|device-check)/',
-      "The editor's Python parser (plain JavaScript) only in web and in the room that checks programs.",
+      '^src/(web|python)/',
+      "The editor's Python parser (plain JavaScript) only in web and in the room that reads programs.",
     ),
     {
       name: 'not-found',

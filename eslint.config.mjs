@@ -70,7 +70,7 @@ const drawing = {
   group: ['vue', 'vuetify', 'vuetify/*', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
   message: 'Vue and the code editor only in src/web.',
 };
-/** What the room that checks programs may use of the editor. */
+/** What the room that reads programs may use of the editor. */
 const parser = ['!@lezer/python', '!@lezer/common'];
 const node = { group: ['node:*'], message: 'Node only in cli, tests and build code.' };
 
@@ -140,7 +140,7 @@ export default tseslint.config(
   { files: ['src/web/**/*.{ts,vue}'], rules: foreign(planck, node) },
   // The editor's own Python parser reads the program here too: plain JavaScript that knows no page.
   {
-    files: ['src/device-check/**/*.ts'],
+    files: ['src/python/**/*.ts'],
     rules: foreign(planck, { ...drawing, group: [...drawing.group, ...parser] }, node),
   },
 

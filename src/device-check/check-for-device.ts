@@ -1,9 +1,10 @@
+import { namesOf, type ProgramNames } from '#python/scopes';
+import { readPython, type PythonText } from '#python/tree';
 import type { Context, Mark, Visitor, Visitors } from './context';
 import type { Device, Finding } from './finding';
 import { Kinds } from './kinds';
-import { namesOf, type FileNames } from './names';
+import { endOnLine, placeOf } from './lines';
 import { ruleOf } from './rule-table';
-import { endOnLine, parseFile, placeOf, type SourceFile } from './source-file';
 import { attributeVisitors } from './visitors/attributes';
 import { builtinVisitors } from './visitors/builtins';
 import { classVisitors } from './visitors/classes';
@@ -21,8 +22,10 @@ const visitors = gather([
   numberVisitors,
 ]);
 
-interface Read extends FileNames {
-  readonly file: SourceFile;
+interface Program {
+  readonly name: string;
+  readonly file: PythonText;
+  readonly names: ProgramNames;
 }
 
 /**
@@ -35,15 +38,14 @@ interface Read extends FileNames {
  */
 export function checkForDevice(files: Readonly<Record<string, string>>, device: Device): readonly Finding[] {
   const programs = Object.entries(files).filter(([name]) => name.endsWith('.py'));
-  const read = programs.map(([name, text]): Read => {
-    const file = parseFile(name, text);
-    const { bindings, imports, attributes } = namesOf(file);
-    return { file, bindings, imports, attributes };
+  const read = programs.map(([name, text]): Program => {
+    const file = readPython(text);
+    return { name, file, names: namesOf(file) };
   });
   return read.flatMap((one) => checkFile(one, read, device));
 }
 
-function checkFile(one: Read, all: readonly Read[], device: Device): readonly Finding[] {
+function checkFile(one: Program, all: readonly Program[], device: Device): readonly Finding[] {
   const marks: Mark[] = [];
   const context = contextOf(one, all, device, marks);
   one.file.tree.iterate({
@@ -53,21 +55,21 @@ function checkFile(one: Read, all: readonly Read[], device: Device): readonly Fi
   });
   return marks
     .filter(({ rule }) => isLacking(rule, device))
-    .map((mark) => findingOf(mark, one.file))
+    .map((mark) => findingOf(mark, one))
     .sort((a, b) => a.from - b.from);
 }
 
-function contextOf(one: Read, all: readonly Read[], device: Device, marks: Mark[]): Context {
-  const kinds = new Kinds(one.file, one);
-  const modules = new Set(all.map(({ file }) => file.name.slice(0, -'.py'.length)));
-  const starred = one.imports.filter(({ symbol, module }) => symbol === '*' && modules.has(module));
-  const isBound = (file: Read, name: string): boolean => file.bindings.has(name);
+function contextOf(one: Program, all: readonly Program[], device: Device, marks: Mark[]): Context {
+  const kinds = new Kinds(one.file, one.names);
+  const modules = new Set(all.map(({ name }) => name.slice(0, -'.py'.length)));
+  const starred = one.names.imports.filter(({ symbol, module }) => symbol === '*' && modules.has(module));
+  const isBound = ({ names }: Program, name: string): boolean => names.bindings.has(name);
   return {
     file: one.file,
-    names: one,
+    names: one.names,
     device,
     kindOf: (node) => kinds.of(node),
-    isOwnAttribute: (name) => all.some(({ attributes }) => attributes.has(name)),
+    isOwnAttribute: (name) => all.some(({ names }) => names.attributes.has(name)),
     isOwnName: (name) =>
       isBound(one, name) || (starred.length > 0 && all.some((file) => file !== one && isBound(file, name))),
     isOwnModule: (name) => modules.has(name),
@@ -81,7 +83,10 @@ function isLacking(rule: Mark['rule'], { micropython: [major, minor] }: Device):
   return since === undefined || major < since[0] || (major === since[0] && minor < since[1]);
 }
 
-function findingOf({ node, rule, name = '', instead = '', severity }: Mark, { name: file, text }: SourceFile): Finding {
+function findingOf(
+  { node, rule, name = '', instead = '', severity }: Mark,
+  { name: file, file: { text } }: Program,
+): Finding {
   const { line, column } = placeOf(text, node.from);
   const to = endOnLine(text, node.from, node.to);
   return { file, line, column, from: node.from, to, rule, name, instead, severity: severity ?? ruleOf(rule).severity };

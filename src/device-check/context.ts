@@ -1,9 +1,8 @@
-import type { SyntaxNode } from '@lezer/common';
+import type { ProgramNames } from '#python/scopes';
+import type { PythonText, SyntaxNode } from '#python/tree';
 
 import type { Kind } from './kinds';
-import type { FileNames } from './names';
 import type { RuleId, Severity } from './rule-table';
-import type { SourceFile } from './source-file';
 import type { Device } from './finding';
 
 /** What a rule found; what is left out is empty, and as severe as the rule. */
@@ -17,8 +16,8 @@ export interface Mark {
 
 /** What a rule knows about the program it looks at. */
 export interface Context {
-  readonly file: SourceFile;
-  readonly names: FileNames;
+  readonly file: PythonText;
+  readonly names: ProgramNames;
   readonly device: Device;
   kindOf(node: SyntaxNode): Kind;
   /** Whether a name after a dot is given a meaning anywhere in the pupil's files. */

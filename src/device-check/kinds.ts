@@ -1,7 +1,6 @@
-import type { SyntaxNode } from '@lezer/common';
-
-import type { Binding, FileNames } from './names';
-import { argumentsOf, attributeOf, childrenOf, isSlice, textOf, type SourceFile } from './source-file';
+import { argumentsOf, attributeOf, isSlice } from '#python/expressions';
+import type { Binding, ProgramNames } from '#python/scopes';
+import { childrenOf, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 /**
  * What sort of value an expression gives, as far as it can be told from the text; `unknown` in any doubt. `same` is
@@ -39,8 +38,8 @@ export class Kinds {
   private readonly known = new Map<string, Kind>();
 
   constructor(
-    private readonly file: SourceFile,
-    private readonly names: FileNames,
+    private readonly file: PythonText,
+    private readonly names: ProgramNames,
   ) {}
 
   of(node: SyntaxNode | null | undefined, depth = 0): Kind {
@@ -88,8 +87,9 @@ export class Kinds {
     let kind: Kind = 'same';
     for (const binding of bindings) {
       let next: Kind = 'unknown';
-      if (binding.type === 'value') next = this.of(binding.value, depth);
-      else if (binding.type === 'loop') next = this.of(binding.over, depth) === 'texts' ? 'text' : 'unknown';
+      if (binding.kind === 'value' && binding.of === 'itself') next = this.of(binding.node, depth);
+      else if (binding.kind === 'value' && binding.of === 'element' && this.of(binding.node, depth) === 'texts')
+        next = 'text';
       if (next === 'unknown') return 'unknown';
       if (kind !== 'same' && next !== 'same' && next !== kind) return 'unknown';
       if (next !== 'same') kind = next;
@@ -136,7 +136,7 @@ export class Kinds {
 
   private isOwn(name: string): boolean {
     return (
-      this.names.attributes.has(name) || (this.names.bindings.get(name) ?? []).some(({ type }) => type !== 'import')
+      this.names.attributes.has(name) || (this.names.bindings.get(name) ?? []).some(({ kind }) => kind !== 'import')
     );
   }
 }

@@ -1,16 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { Reader } from '#reference/python/reader';
+import { namesOf } from '#python/scopes';
+import { readPython } from '#python/tree';
 import { mistakesIn } from '#reference/testing/catalogues';
 import { textKeysOf } from '#reference/text-keys';
 import { freeLibraries } from './index';
 import { freeReference } from './reference';
 
-const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
-
 /** A library's own functions, classes and variables. */
 function publicNames(source: string): string[] {
-  const { root } = new Reader(source, nothing);
-  const own = root.names.filter(({ binding }) => binding.kind !== 'import' && binding.kind !== 'from');
+  const { root } = namesOf(readPython(source));
+  const own = root.names.filter(({ binding }) => binding.kind !== 'import');
   return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
 }
 

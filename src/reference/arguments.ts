@@ -1,8 +1,8 @@
+import { childrenOf, splitBy, textOf, type SyntaxNode } from '#python/tree';
 import type { ReferenceContext } from './context';
 import type { Item } from './item';
-import { openCall, type OpenCall } from './python/chain';
-import type { Reader } from './python/reader';
-import { placeAt } from './place';
+import { bracketsAround, placeAt, type Place } from './place';
+import type { Reader } from './reader';
 
 /** One parameter of a call, as it is written: `delay: int = 400`. */
 export interface Parameter {
@@ -68,24 +68,47 @@ function partsOf(call: string): string[] {
   return [...parts, text].map((part) => part.trim()).filter((part) => part !== '');
 }
 
+/** A call in whose brackets something is being written. */
+export interface OpenCall {
+  /** The brackets with what is in them. */
+  readonly list: SyntaxNode;
+  /** Which argument is being written, from 0. */
+  readonly argument: number;
+  /** Where the name before `=` of that argument stands; `null` for an argument without one. */
+  readonly keyword: SyntaxNode | null;
+}
+
+/** The innermost call whose brackets are open at a place; `null` for none. The brackets of `class A(` call nothing. */
+export function openCall({ before, from }: Place): OpenCall | null {
+  const list = before && bracketsAround(before).find((it) => it.name === 'ArgList' && it.parent?.name !== 'ClassDefinition'); // prettier-ignore
+  if (!list) return null;
+  const written = childrenOf(list).filter((it) => it.to <= from && it.name !== '(');
+  const parts = splitBy(written, ',');
+  const [keyword, equals] = parts.at(-1) ?? [];
+  return { list, argument: parts.length - 1, keyword: (equals?.name === 'AssignOp' && keyword) || null };
+}
+
+/** What is called with these arguments. */
+export function calleeOf(reader: Reader, list: SyntaxNode): Item | null {
+  const callee = list.prevSibling;
+  return callee && (reader.evaluate(callee, reader.scopeAt(list.from))?.item ?? null);
+}
+
 /** The call around a place, with the parameter that is being written; `null` outside of calls that are known. */
 export function callAt(source: string, offset: number, context: ReferenceContext): CallHint | null {
-  const { reader, before, inside } = placeAt(source, offset, context);
-  if (inside?.kind === 'comment') return null;
-  const call = openCall(before);
-  const item = call === null ? null : calleeOf(reader, call);
+  const place = placeAt(source, offset, context);
+  const { reader } = place;
+  const call = place.inside.name === 'Comment' ? null : openCall(place);
+  const item = call && calleeOf(reader, call.list);
   if (call === null || item === null || item.calls.length === 0) return null;
-  const fitting = item.calls.findIndex((it) => activeParameter(it, call) >= 0);
+  const keyword = call.keyword && textOf(reader.source, call.keyword);
+  const fitting = item.calls.findIndex((it) => activeParameter(it, call.argument, keyword) >= 0);
   const chosen = Math.max(0, fitting);
-  return { item, from: call.bracket.from, call: chosen, parameter: activeParameter(item.calls[chosen] ?? '', call) };
+  const parameter = activeParameter(item.calls[chosen] ?? '', call.argument, keyword);
+  return { item, from: call.list.from, call: chosen, parameter };
 }
 
-/** What an open call calls. */
-export function calleeOf(reader: Reader, { callee, bracket }: OpenCall): Item | null {
-  return reader.evaluate(callee, reader.scopeAt(bracket.from))?.item ?? null;
-}
-
-function activeParameter(call: string, { argument, keyword }: OpenCall): number {
+function activeParameter(call: string, argument: number, keyword: string | null): number {
   const parameters = parametersOf(call);
   if (keyword !== null) {
     const named = parameters.findIndex((it) => it.name === keyword);

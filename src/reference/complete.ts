@@ -1,13 +1,12 @@
-import { calleeOf, parametersOf } from './arguments';
+import { childrenOf, parentsOf, textOf, type SyntaxNode } from '#python/tree';
+import { calleeOf, openCall, parametersOf } from './arguments';
 import { textChoices } from './choices';
 import type { ReferenceContext } from './context';
 import { itemOf, type Item } from './item';
 import type { Meaning, MeaningNames } from './meaning';
 import { keywords } from './modules/keywords';
 import { placeAt, type Place } from './place';
-import { chainEndingAt, openCall, WORDS_BEFORE_VALUES } from './python/chain';
-import type { Reader } from './python/reader';
-import type { Token } from './python/tokens';
+import type { Reader } from './reader';
 
 /** What could stand at a place. */
 export interface Completions {
@@ -26,56 +25,70 @@ export interface Offer {
 /** What could be written at a place of a program; `null` where nothing can be offered. */
 export function complete(source: string, offset: number, context: ReferenceContext): Completions | null {
   const place = placeAt(source, offset, context);
-  const { inside } = place;
-  if (inside?.kind === 'comment' || inside?.kind === 'number') return null;
-  if (inside?.kind === 'string') return choicesIn(place, inside);
-  const from = inside?.from ?? offset;
-  const items = offers(place, from).filter(({ item }) => item.missing === null && isPublic(item, inside));
+  const { inside, typed, from } = place;
+  if (inside.name === 'Comment' || /^\d/.test(typed)) return null;
+  if (inside.name === 'String' || inside.name === 'FormatString') return choicesIn(place);
+  const items = offers(place).filter(({ item }) => item.missing === null && isPublic(item, typed));
   return items.length === 0 ? null : { from, items };
 }
 
 /** Names with an underscore in front are offered only when the pupil begins with it. */
-const isPublic = ({ label }: Item, inside: Token | null): boolean =>
-  !label.startsWith('_') || inside?.text.startsWith('_') === true;
+const isPublic = ({ label }: Item, typed: string): boolean => !label.startsWith('_') || typed.startsWith('_');
 
-function offers(place: Place, from: number): Offer[] {
-  const { reader, before } = place;
-  const [first] = before;
-  const last = before.at(-1);
-  if (first?.text === 'import' || first?.text === 'from') return importOffers(place);
-  if (last === undefined || last.text === ':') return [...visible(reader, from), ...offersOfWords(...ALL_WORDS)];
-  if (last.text === '.') {
-    const chain = chainEndingAt(before, before.length - 2);
-    const meaning = reader.evaluate(chain, reader.scopeAt(from));
+function offers(place: Place): Offer[] {
+  const { reader, before, from } = place;
+  const imported = before && nearest(before, 'ImportStatement');
+  if (imported) return importOffers(place, imported);
+  if (before === null || before.name === ':') return [...visible(reader, from), ...offersOfWords(...ALL_WORDS)];
+  if (before.name === '.') {
+    const owner = before.prevSibling;
+    const meaning = owner && owner.name !== 'Number' ? reader.evaluate(owner, reader.scopeAt(from)) : null;
     return meaning === null ? [] : offersOf(meaning.names(), 2);
   }
-  if (isNewName(first, last)) return [];
-  if (endsValue(last)) return offersOfWords(...AFTER_VALUES);
-  return [...argumentNames(reader, before), ...visible(reader, from), ...offersOfWords(...IN_EXPRESSIONS)];
+  if (isNewName(before)) return [];
+  if (VALUE_ENDS.has(before.name)) return offersOfWords(...AFTER_VALUES);
+  return [...argumentNames(place, before), ...visible(reader, from), ...offersOfWords(...IN_EXPRESSIONS)];
 }
 
-function isNewName(first: Token | undefined, last: Token): boolean {
-  return ['def', 'class', 'as', 'for', 'lambda'].includes(last.text) || first?.text === 'def';
+/** The nearest node of these names that a node is in; `null` for none. */
+function nearest(node: SyntaxNode, ...names: readonly string[]): SyntaxNode | null {
+  for (const parent of parentsOf(node)) if (names.includes(parent.name)) return parent;
+  return null;
 }
 
-/** Whether a value ends here, so that only a word like `and` can follow. */
-function endsValue({ kind, text }: Token): boolean {
-  if (kind === 'operator') return text === ')' || text === ']' || text === '}';
-  if (kind === 'name') return !WORDS_BEFORE_VALUES.has(text) && !(text in keywords);
-  return kind === 'string' || kind === 'number';
+/** Whether the pupil thinks of a name here: behind `def`, `for` and the like, and in the whole line of a `def`. */
+function isNewName(before: SyntaxNode): boolean {
+  if (['def', 'class', 'as', 'for', 'lambda'].includes(before.name)) return true;
+  return nearest(before, 'Body', 'FunctionDefinition')?.name === 'FunctionDefinition';
 }
 
-function importOffers({ reader, before }: Place): Offer[] {
-  const place = before.findIndex((token) => token.text === 'import');
-  const last = before.at(-1);
-  const asksForModule =
-    before[0]?.text === 'import' ? last?.text === 'import' || last?.text === ',' : before.length === 1;
-  if (asksForModule) return offersOf(modules(reader), 2);
-  if (before[0]?.text === 'import') return last?.text === 'as' ? [] : offersOfWords('as');
-  if (place < 0) return last?.text === '.' ? [] : offersOfWords('import');
-  if (last?.text !== 'import' && last?.text !== ',' && last?.text !== '(')
-    return last?.text === 'as' || last?.text === '*' ? [] : offersOfWords('as'); // a star takes no other name
-  const module = before.slice(1, place).map((token) => token.text);
+/** Pieces that a value ends with, so that only a word like `and` can follow. */
+const VALUE_ENDS = new Set([
+  'VariableName',
+  'PropertyName',
+  'String',
+  'FormatString',
+  'Number',
+  'Boolean',
+  'None',
+  ')',
+  ']',
+  '}',
+]);
+
+function importOffers({ reader, before, from }: Place, statement: SyntaxNode): Offer[] {
+  const words = childrenOf(statement).filter(({ to, type }) => to <= from && !type.isError);
+  const last = before?.name ?? '';
+  const asksForName = last === 'import' || last === ',' || last === '(';
+  if (words[0]?.name === 'import') {
+    if (asksForName) return offersOf(modules(reader), 2);
+    return last === 'as' ? [] : offersOfWords('as');
+  }
+  const split = words.findIndex(({ name }) => name === 'import');
+  if (words.length === 1) return offersOf(modules(reader), 2);
+  if (split < 0) return last === '.' ? [] : offersOfWords('import');
+  if (!asksForName) return last === 'as' || last === '*' ? [] : offersOfWords('as'); // a star takes no other name
+  const module = words.slice(1, split).map((it) => textOf(reader.source, it));
   const names = reader.module(module.join(''))?.names();
   return names === undefined ? [] : offersOf(names, 2);
 }
@@ -100,11 +113,12 @@ function visible(reader: Reader, from: number): Offer[] {
 }
 
 /** `wait=` and the like, inside the brackets of a call. */
-function argumentNames(reader: Reader, before: readonly Token[]): Offer[] {
-  const call = openCall(before);
-  const last = before.at(-1);
-  if (call === null || (last !== call.bracket && last?.text !== ',')) return [];
-  const item = calleeOf(reader, call);
+function argumentNames(place: Place, before: SyntaxNode): Offer[] {
+  const call = openCall(place);
+  // Not in a list or an expression in the brackets of the call.
+  if (call === null || before.parent?.from !== call.list.from || (before.name !== '(' && before.name !== ','))
+    return [];
+  const item = calleeOf(place.reader, call.list);
   // Functions of MicroPython itself take by name only what cannot be given otherwise.
   const isBuiltin = item?.text?.startsWith('builtins.') === true;
   const parameters = (item?.calls.flatMap(parametersOf) ?? []).filter(
@@ -114,11 +128,12 @@ function argumentNames(reader: Reader, before: readonly Token[]): Offer[] {
   return [...names].map((name) => ({ item: itemOf({ label: `${name}=`, kind: 'parameter' }), weight: 4 }));
 }
 
-function choicesIn({ reader, before }: Place, string: Token): Completions | null {
-  const call = openCall(before);
-  const item = call === null ? null : calleeOf(reader, call);
+function choicesIn(place: Place): Completions | null {
+  const { reader, inside } = place;
+  const call = openCall(place);
+  const item = call && calleeOf(reader, call.list);
   const texts = call === null ? undefined : textChoices[item?.text ?? '']?.[call.argument];
-  const from = string.from + (/^\w*(?:'''|"""|['"])/.exec(string.text)?.[0].length ?? 1);
+  const from = inside.from + (/^\w*(?:'''|"""|['"])/.exec(textOf(reader.source, inside))?.[0].length ?? 1);
   if (texts === undefined || texts.length === 0) return null;
   return { from, items: texts.map((label) => ({ item: itemOf({ label, kind: 'value', type: 'str' }), weight: 2 })) };
 }

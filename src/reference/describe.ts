@@ -1,10 +1,10 @@
+import { attributeOf } from '#python/expressions';
+import { childrenOf, readPython, textOf, type SyntaxNode } from '#python/tree';
 import { calleeOf } from './arguments';
 import type { ReferenceContext } from './context';
 import { itemOf, type Item } from './item';
 import { keywords } from './modules/keywords';
-import { placeAt, type Place } from './place';
-import { chainEndingAt, openCall } from './python/chain';
-import type { Token } from './python/tokens';
+import { Reader } from './reader';
 
 /** What stands at a place of a program. */
 export interface Description {
@@ -16,48 +16,51 @@ export interface Description {
 }
 
 /** What the name at a place stands for; `null` where there is none, or nothing is known about it. */
-export function describe(source: string, offset: number, context: ReferenceContext): Description | null {
+export function describe(text: string, offset: number, context: ReferenceContext): Description | null {
+  const source = readPython(text);
   // A place before the first letter belongs to the word as well.
-  for (const at of [offset + 1, offset]) {
-    const place = placeAt(source, at, context);
-    const { inside } = place;
-    if (inside?.kind !== 'name' || inside.from > offset) continue;
-    const found = itemAt(place, inside);
-    return found === null ? null : { from: inside.from, to: inside.to, argument: null, ...found };
+  for (const side of [1, -1] as const) {
+    const node = source.tree.resolveInner(offset, side);
+    const name = textOf(source, node);
+    if (!isName(node, name)) continue;
+    const found = itemAt(new Reader(source, context), node, name);
+    return found === null ? null : { from: node.from, to: node.to, argument: null, ...found };
   }
   return null;
 }
 
-function itemAt(place: Place, name: Token): Pick<Description, 'item'> | null {
-  const { reader, before, next } = place;
-  const { text, from } = name;
-  if (text in keywords) return { item: itemOf({ label: text, kind: 'keyword', text: `keyword.${text}` }) };
-  const imported = importedItem(place, name);
-  if (imported !== undefined) return imported === null ? null : { item: imported };
-  const call = next?.text === '=' ? openCall(before) : null;
-  const last = before.at(-1);
-  if (call !== null && (last === call.bracket || last?.text === ',')) {
-    const item = calleeOf(reader, call);
-    return item === null ? null : { item, ...{ argument: text } };
+/** A word, also one that the parser makes nothing of, as behind a bracket left open. */
+const isName = ({ firstChild }: SyntaxNode, text: string): boolean =>
+  firstChild === null && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(text);
+
+function itemAt(
+  reader: Reader,
+  node: SyntaxNode,
+  name: string,
+): (Partial<Description> & Pick<Description, 'item'>) | null {
+  if (Object.hasOwn(keywords, name)) return { item: itemOf({ label: name, kind: 'keyword', text: `keyword.${name}` }) };
+  const { parent, nextSibling: next } = node;
+  if (parent?.name === 'ImportStatement' && node.prevSibling?.name !== 'as') {
+    const item = importedItem(reader, name, node, parent);
+    return item && { item };
   }
-  const scope = reader.scopeAt(from);
-  const chain = last?.text === '.' ? [...chainEndingAt(before, before.length - 2), last, name] : [name];
-  if (chain.length === 2) return null;
+  if (parent?.name === 'ArgList' && next?.name === 'AssignOp') {
+    const item = calleeOf(reader, parent);
+    return item && { item, argument: name };
+  }
+  const scope = reader.scopeAt(node.from);
+  const isProperty = parent !== null && attributeOf(parent)?.property.from === node.from;
   // What the name means after its own statement: an assignment shows what it makes.
-  const meaning = chain.length === 1 ? reader.lookup(text, scope, name.to) : reader.evaluate(chain, scope);
+  const meaning = isProperty ? reader.evaluate(parent, scope) : reader.lookup(name, scope, node.to);
   if (meaning === null) return null;
-  return { item: meaning.item.label === text ? meaning.item : { ...meaning.item, label: text } };
+  return { item: meaning.item.label === name ? meaning.item : { ...meaning.item, label: name } };
 }
 
-/** A name in an import; `undefined` elsewhere. */
-function importedItem({ reader, before }: Place, { text }: Token): Item | null | undefined {
-  const [first] = before;
-  const last = before.at(-1);
-  if (last?.text === 'as') return undefined;
-  if (first?.text === 'import') return reader.module(text)?.item ?? null;
-  if (first?.text !== 'from') return undefined;
-  const place = before.findIndex((token) => token.text === 'import');
-  if (place < 0) return reader.module(text)?.item ?? null;
-  const module = before.slice(1, place).map((token) => token.text);
-  return reader.module(module.join(''))?.names().get(text)?.().item ?? null;
+/** A name in an import. */
+function importedItem(reader: Reader, name: string, { from }: SyntaxNode, statement: SyntaxNode): Item | null {
+  const before = childrenOf(statement).filter((it) => it.from < from);
+  const split = before.findIndex((it) => it.name === 'import');
+  if (split <= 0) return reader.module(name)?.item ?? null;
+  const module = before.slice(1, split).map((it) => textOf(reader.source, it));
+  return reader.module(module.join(''))?.names().get(name)?.().item ?? null;
 }

@@ -1,41 +1,52 @@
+import { childrenOf, parentsOf, readPython, readUpTo, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 import type { ReferenceContext } from './context';
-import { Reader } from './python/reader';
-import { tokenize, type Token } from './python/tokens';
+import { Reader } from './reader';
 
-/** A place in a program: what stands around it. */
+/** A place in a program where something is being written. */
 export interface Place {
   readonly reader: Reader;
-  /** The piece that the place is in or at the end of: a name, string, number or comment. */
-  readonly inside: Token | null;
-  /** The pieces of its statement before `inside`. */
-  readonly before: readonly Token[];
-  /** The piece after `inside`. */
-  readonly next: Token | null;
+  /** The letters and digits that stand before the place, and where they begin. */
+  readonly typed: string;
+  readonly from: number;
+  /** The piece of the program in which the word begins: the word itself, or a comment or string around it. */
+  readonly inside: SyntaxNode;
+  /** The piece before it in its statement; `null` where a statement begins. */
+  readonly before: SyntaxNode | null;
 }
 
-/** Reads a program up to a place in it. Never fails, whatever the program looks like. */
-export function placeAt(source: string, offset: number, context: ReferenceContext): Place {
-  const tokens = tokenize(source);
-  const index = tokens.findIndex((token) => isInside(token, offset));
-  const inside = tokens[index] ?? null;
-  const until = inside === null ? tokens.findIndex((token) => token.from >= offset) : index;
-  const earlier = until < 0 ? tokens : tokens.slice(0, until);
-  const lineEnd = earlier.findLastIndex((token) => token.kind === 'newline' || token.text === ';');
-  const before = earlier.slice(lineEnd + 1).filter((token) => token.kind !== 'comment');
-  const next = (inside === null ? tokens[until] : tokens[index + 1]) ?? null;
-  return { reader: new Reader(source, context), inside, before, next };
+/** Reads a program up to a place in it: half a line is easier to understand without what follows. */
+export function placeAt(text: string, offset: number, context: ReferenceContext): Place {
+  const source = readPython(text);
+  const typed = /[\p{L}\p{N}_]*$/u.exec(text.slice(text.lastIndexOf('\n', offset - 1) + 1, offset))?.[0] ?? '';
+  const from = offset - typed.length;
+  const start = readUpTo(source, from);
+  const innermost = start.tree.resolveInner(from, 1);
+  const inside = stringAround(innermost) ?? innermost;
+  return { reader: new Reader(source, context), typed, from, inside, before: pieceBefore(start, inside) };
 }
 
-function isInside({ kind, from, to, open }: Token, offset: number): boolean {
-  switch (kind) {
-    case 'name':
-    case 'number':
-    case 'comment':
-      return from < offset && offset <= to;
-    case 'string':
-      return from < offset && (offset < to || (open === true && offset === to));
-    case 'operator':
-    case 'newline':
-      return false;
-  }
+/** The string that a node is in; `null` for none. What stands in the braces of an f-string is in none. */
+function stringAround(node: SyntaxNode): SyntaxNode | null {
+  if (node.name === 'String' || node.name === 'FormatString') return node;
+  return node.name === 'FormatReplacement' || node.parent === null ? null : stringAround(node.parent);
 }
+
+function pieceBefore(source: PythonText, node: SyntaxNode): SyntaxNode | null {
+  const cursor = node.cursor();
+  if (!cursor.prev(false)) return null;
+  while (!isPiece(source, cursor.node)) if (!cursor.prev()) return null;
+  const piece = cursor.node;
+  const isNewLine = /(?<!\\)\n/.test(source.text.slice(piece.to, node.from));
+  return piece.name === ';' || (isNewLine && bracketsAround(piece).length === 0) ? null : piece;
+}
+
+/** The nodes whose brackets are still open behind a piece, the innermost first. */
+export const bracketsAround = (piece: SyntaxNode): readonly SyntaxNode[] =>
+  Array.from(parentsOf(piece)).filter((node) => {
+    const bracket = childrenOf(node).findLast(({ name }) => /^[()[\]{}]$/.test(name))?.name ?? ')';
+    return '([{'.includes(bracket);
+  });
+
+/** A word, sign, number or string, and no comment; strings have parts of their own. */
+const isPiece = (source: PythonText, node: SyntaxNode): boolean =>
+  node.name === 'String' || (node.firstChild === null && node.name !== 'Comment' && textOf(source, node).trim() !== '');

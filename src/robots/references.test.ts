@@ -1,16 +1,15 @@
 import { describe, expect, it } from 'vitest';
-import { Reader } from '#reference/python/reader';
+import { namesOf } from '#python/scopes';
+import { readPython } from '#python/tree';
 import { mistakesIn } from '#reference/testing/catalogues';
 import { textKeysOf } from '#reference/text-keys';
 import { robotBuilds } from './builds';
 import { robotReferences } from './references';
 
-const nothing = { board: 'microbit-v2', features: [], modules: [], files: {} } as const;
-
 /** The public names of a library: its own functions, classes and variables, without its imports. */
 function publicNames(source: string): string[] {
-  const { root } = new Reader(source, nothing);
-  const own = root.names.filter(({ binding }) => binding.kind !== 'import' && binding.kind !== 'from');
+  const { root } = namesOf(readPython(source));
+  const own = root.names.filter(({ binding }) => binding.kind !== 'import');
   return [...new Set(own.map(({ name }) => name))].filter((name) => !name.startsWith('_')).sort();
 }
 

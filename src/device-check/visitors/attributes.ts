@@ -1,8 +1,8 @@
-import type { SyntaxNode } from '@lezer/common';
+import { argumentsOf, attributeOf, type Argument } from '#python/expressions';
+import { textOf, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitors } from '../context';
 import { newerNames } from '../newer-names';
-import { argumentsOf, attributeOf, textOf, type Argument } from '../source-file';
 
 /** Methods of texts and bytes that the device does not have, and names that only a newer firmware has. */
 export const attributeVisitors: Visitors = {
@@ -85,7 +85,7 @@ function isImported(node: SyntaxNode, context: Context): boolean {
   if (node.name === 'CallExpression') return false;
   if (node.name !== 'VariableName') return false;
   return (context.names.bindings.get(textOf(context.file, node)) ?? []).some(
-    (binding) => binding.type === 'import' || (binding.type === 'value' && makesImported(binding.value, context)),
+    (it) => it.kind === 'import' || (it.kind === 'value' && it.of === 'itself' && makesImported(it.node, context)),
   );
 }
 
@@ -95,12 +95,12 @@ function makesImported(value: SyntaxNode, context: Context): boolean {
   if (called === null) return false;
   const root = textOf(context.file, called).split('.', 1)[0] ?? '';
   const bound = context.names.bindings.get(root) ?? [];
-  return bound.some(({ type }) => type === 'import') && /(^|\.)[A-Z]\w*$/.test(textOf(context.file, called));
+  return bound.some(({ kind }) => kind === 'import') && /(^|\.)[A-Z]\w*$/.test(textOf(context.file, called));
 }
 
 /** Whether a name is not the pupil's own: it comes from an import. */
 function isFromOutside(name: string, context: Context): boolean {
   const bound = context.names.bindings.get(name);
-  if (bound !== undefined) return bound.every(({ type }) => type === 'import');
+  if (bound !== undefined) return bound.every(({ kind }) => kind === 'import');
   return context.names.imports.some(({ symbol }) => symbol === '*');
 }

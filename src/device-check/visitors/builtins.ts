@@ -1,7 +1,7 @@
-import type { SyntaxNode } from '@lezer/common';
+import { argumentsOf, attributeOf, type Argument } from '#python/expressions';
+import { textOf, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitor, Visitors } from '../context';
-import { argumentsOf, attributeOf, textOf, type Argument } from '../source-file';
 
 /** Calls of built-in functions with what the device's do not take, and names that it does not have. */
 export const builtinVisitors: Visitors = {

@@ -1,7 +1,7 @@
-import type { SyntaxNode } from '@lezer/common';
+import { attributeOf } from '#python/expressions';
+import { childrenOf, parentsOf, textOf, type SyntaxNode } from '#python/tree';
 
 import type { Visitors } from '../context';
-import { attributeOf, childrenOf, parentsOf, textOf } from '../source-file';
 
 /** Operators of a class's own that the device does not ask for, each with a name for an ordinary method. */
 const SPECIAL = new Map(Object.entries({

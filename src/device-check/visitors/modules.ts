@@ -1,8 +1,8 @@
-import type { SyntaxNode } from '@lezer/common';
+import { attributeOf } from '#python/expressions';
+import { parentsOf, textOf, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitors } from '../context';
 import { absentModules, moduleNames, typeHintModules } from '../module-table';
-import { attributeOf, parentsOf, textOf } from '../source-file';
 
 /** Modules that the device does not have, and names that its modules do not have. */
 export const moduleVisitors: Visitors = {
@@ -23,7 +23,7 @@ export const moduleVisitors: Visitors = {
     if (attribute?.owner.name !== 'VariableName') return;
     const bound = context.names.bindings.get(textOf(context.file, attribute.owner)) ?? [];
     const [first] = bound;
-    if (first?.type !== 'import' || first.symbol !== null || bound.some(({ type }) => type !== 'import')) return;
+    if (first?.kind !== 'import' || first.symbol !== null || bound.some(({ kind }) => kind !== 'import')) return;
     reportName(attribute.property, first.module, textOf(context.file, attribute.property), context);
   },
   VariableName(node, context) {

@@ -1,5 +1,5 @@
+import { textOf } from '#python/tree';
 import type { Visitors } from '../context';
-import { textOf } from '../source-file';
 
 /** Digits that a single float keeps: 24 bits are 7.2 decimal digits (IEEE 754). */
 const DIGITS = 7;

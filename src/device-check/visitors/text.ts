@@ -1,7 +1,6 @@
-import type { SyntaxNode } from '@lezer/common';
+import { childrenOf, parentsOf, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitors } from '../context';
-import { childrenOf, parentsOf, textOf, type SourceFile } from '../source-file';
 
 /** Longer code is no help in a sentence. */
 const SHOWN_CHARACTERS = 60;
@@ -36,7 +35,7 @@ function withFormat(node: SyntaxNode, { file }: Context): string {
 }
 
 /** One pair of braces: what stays in the text, and the values that move behind it in their order. */
-function fieldOf(file: SourceFile, field: SyntaxNode): { text: string; values: readonly string[] } | null {
+function fieldOf(file: PythonText, field: SyntaxNode): { text: string; values: readonly string[] } | null {
   const children = childrenOf(field);
   const value = children[1];
   if (value === undefined || children.some(({ type, name }) => type.isError || name === 'FormatSelfDoc')) return null;
