@@ -1,7 +1,8 @@
 import { closeSync, existsSync, openSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
-import { chooseHardware, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
+import { foreignModules, modulesImportedBy } from '#python/imports';
+import { chooseHardware, hardwareIds, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { reasonOf, readRunFiles, type RunFiles } from './read-files';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
@@ -19,9 +20,9 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const chosen = chooseHardware({ ...options, ...read });
-  const hardware = 'problem' in chosen ? null : chosen; // a problem that the run itself will report
-  const unfit = options.strict && hardware ? await strictFailure(read, hardware, options, terminal) : null;
+  const chosen = chooseHardware({ ...options, ...read, imports: modulesImportedBy(read.files) });
+  if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
+  const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, ''));
     return exitCodeOf(unfit.ended);
@@ -30,11 +31,11 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
-  const { robot, board, firmware, seed, reality, robotOptions } = options;
-  if (hardware) tellUnfit(hardware, read, terminal);
+  const { seed, reality, robotOptions } = options;
+  tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
-      setup: { ...read, robot, board, firmware, seed, reality, robotOptions, keepTrace: trace !== null },
+      setup: { ...read, ...hardwareIds(chosen), seed, reality, robotOptions, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
@@ -87,7 +88,7 @@ async function strictFailure(
  */
 function tellUnfit(hardware: Hardware, { files }: RunFiles, terminal: Terminal): void {
   const { board, robot } = hardware;
-  const meant = robotMeant(files, robot);
+  const meant = robotMeant(foreignModules(files), robot);
   if (meant !== null) {
     const here = robot === null ? 'there is no robot here' : `the robot here is the ${robot.name}`;
     terminal.message(`parcours: the program is for the ${meant.name}, but ${here}. Choose --robot ${meant.id}.`);

@@ -1,12 +1,13 @@
 import { describe, expect, it } from 'vitest';
 
+import { modulesImportedBy } from '#python/imports';
 import { defaultScene } from '#scene/scene';
 import { AUTO, chooseHardware } from './hardware';
 
 /** The robot for a program that imports a driver by others, when no robot was chosen. */
 function robotFor(module: string): string | null {
   const files = { 'main.py': `from microbit import *\nimport ${module}`, [`${module}.py`]: '' };
-  const hardware = chooseHardware({ scene: defaultScene(), files, robot: AUTO, board: AUTO });
+  const hardware = chooseHardware({ scene: defaultScene(), imports: modulesImportedBy(files), robot: AUTO, board: AUTO });
   return 'problem' in hardware ? hardware.problem : (hardware.robot?.id ?? null);
 }
 

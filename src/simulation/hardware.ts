@@ -8,7 +8,7 @@ import type { Scene } from '#scene/scene';
 /** Stands for the bare board in places where a robot can be named. */
 export const NO_ROBOT = 'none';
 
-/** The scene chooses, otherwise the program's imports. */
+/** The scene chooses, otherwise the modules that the program imports. */
 export const AUTO = 'auto';
 
 /** The hardware of a run. */
@@ -21,10 +21,18 @@ export interface Hardware {
   readonly options: OptionValues;
 }
 
+/** The ids of what was chosen, for the set-up of a run. */
+export const hardwareIds = ({ board, firmware, robot }: Hardware) => ({
+  board: board.id,
+  firmware: firmware.id,
+  robot: robot?.id ?? NO_ROBOT,
+});
+
 /** The requested hardware of a run. */
 export interface HardwareWish {
   readonly scene: Scene;
-  readonly files: Readonly<Record<string, string>>;
+  /** Names of the modules that the program imports: a guess for what is left to `auto`. */
+  readonly imports: ReadonlySet<string>;
   readonly robot: string;
   readonly board: string;
   /** Empty or left out: the board's first. */
@@ -40,12 +48,11 @@ export interface HardwareWish {
  * @returns for an unknown id, a problem that names it and the known ones
  */
 export function chooseHardware(wish: HardwareWish): Hardware | { readonly problem: string } {
-  const imported = new Set(Object.values(wish.files).flatMap(importedModules));
   const boardId = wish.board === AUTO ? (wish.scene.board ?? AUTO) : wish.board;
-  const named = boardId === AUTO ? boardByImports(imported) : findBoard(boardId);
+  const named = boardId === AUTO ? boardByImports(wish.imports) : findBoard(boardId);
   if (named === undefined) return placed(wish.board === AUTO, 'board', unknown('board', boardId, boardTypes));
   const robotId = wish.robot === AUTO ? (wish.scene.robot.type ?? AUTO) : wish.robot;
-  const robot = robotId === AUTO ? robotByImports(imported, named) : findRobot(robotId);
+  const robot = robotId === AUTO ? robotByImports(wish.imports, named) : findRobot(robotId);
   if (robot === null && robotId !== NO_ROBOT && robotId !== AUTO)
     return placed(wish.robot === AUTO, 'robot.type', unknown('robot', robotId, [...robotTypes, { id: NO_ROBOT }]));
   const board = named ?? findBoard(robot?.board ?? '') ?? boardTypes[0];
@@ -67,11 +74,9 @@ export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>
  * The other robot for which a program is written: the program imports a module of that robot and none of this one. It
  * is a guess for a notice; the run does not depend on it. `null`: the program fits, or it is unclear.
  *
- * @param files of the program; a module that is one of them is the pupil's own
+ * @param imported names of the modules that the program imports, without its own files
  */
-export function robotMeant(files: Readonly<Record<string, string>>, robot: RobotType | null): RobotType | null {
-  const names = Object.values(files).flatMap(importedModules);
-  const imported = new Set(names.filter((name) => !(`${name}.py` in files)));
+export function robotMeant(imported: ReadonlySet<string>, robot: RobotType | null): RobotType | null {
   return robot !== null && isFor(robot, imported) ? null : (robotTypes.find((type) => isFor(type, imported)) ?? null);
 }
 
@@ -129,14 +134,4 @@ function robotByImports(imported: ReadonlySet<string>, board: BoardType | null):
     goesBy((driver) => imported.has(driver)) ??
     goesBy((driver) => plain.has(driver));
   return byImport ?? robotTypes.find((type) => board === null || type.board === board.id) ?? null;
-}
-
-/** Names of the modules that a Python source imports at the beginning of a line. Only a guess for a default. */
-export function importedModules(source: string): string[] {
-  const names: string[] = [];
-  for (const [, from, list] of source.matchAll(/^[ \t]*(?:from[ \t]+(\w+)|import[ \t]+([^#\n;]+))/gm)) {
-    if (from !== undefined) names.push(from);
-    for (const part of list?.split(',') ?? []) names.push(part.trim().split(/[\s.]/)[0] ?? '');
-  }
-  return names;
 }

@@ -1,11 +1,12 @@
 import { describe, expect, it } from 'vitest';
 
+import { foreignModules } from '#python/imports';
 import { findRobot } from '#robots/index';
 import { robotMeant } from './hardware';
 
 const named = (id: string | null) => (id === null ? null : findRobot(id));
 const meant = (program: string, chosen: string | null, more: Readonly<Record<string, string>> = {}) =>
-  robotMeant({ 'main.py': program, ...more }, named(chosen))?.id ?? null;
+  robotMeant(foreignModules({ 'main.py': program, ...more }), named(chosen))?.id ?? null;
 
 describe('the robot that a program is for', () => {
   it('is told where another one is chosen, on another board or on the same', () => {

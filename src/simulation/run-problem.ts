@@ -17,7 +17,7 @@ import type { RunSetup } from './run-setup';
  * @returns one or several lines that name place and value, or the hardware of the run
  */
 export function checkRun(setup: RunSetup): Hardware | { readonly problem: string } {
-  const hardware = chooseHardware(setup);
+  const hardware = chooseHardware({ ...setup, imports: new Set() });
   if ('problem' in hardware) return hardware;
   const problem = firstProblem(setup, hardware);
   return problem === null ? hardware : { problem };

@@ -7,9 +7,12 @@ export interface RunSetup {
   readonly scene: Scene;
   /** The files on the board by name; `main.py` is the program. */
   readonly files: Readonly<Record<string, string>>;
-  /** Id of a robot type, `none` for the bare board, or `auto`: the scene's, otherwise by the program's imports. */
+  /**
+   * Id of a robot type, `none` for the bare board, or `auto`: the scene's, else the first that fits the board. A guess by
+   * the program's imports (`chooseHardware`) is made before there is a set-up: a run does not depend on a source.
+   */
   readonly robot: string;
-  /** Id of a board type, or `auto`: the scene's, otherwise by the program's imports. */
+  /** Id of a board type, or `auto`: the scene's, else the robot's. */
   readonly board: string;
   /** Id of a firmware of the board; left out: the board's first. */
   readonly firmware?: string;

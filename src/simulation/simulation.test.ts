@@ -1,9 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import type { SoundEvent } from '#board/sound/sound-event';
+import { importedModules } from '#python/imports';
 import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
-import { chooseHardware, importedModules, type Hardware, type HardwareWish } from './hardware';
+import { chooseHardware, type Hardware, type HardwareWish } from './hardware';
 import type { RadioPacket, TimedLogEvent } from './outlets';
 import type { RunSetup } from './run-setup';
 import { Simulation } from './simulation';
@@ -424,14 +425,15 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
     ['from callibot2 import Callibot2', 'callibot', 'calliope-mini-3'],
     ['from microbit import *', 'maqueen-lite', 'microbit-v2'],
   ])('is chosen by "%s": a %s on a %s', (program, robot, board) => {
-    const hardware = chosen({ scene: defaultScene(), files: { 'main.py': program }, robot: 'auto', board: 'auto' });
+    const imports = new Set(importedModules(program));
+    const hardware = chosen({ scene: defaultScene(), imports, robot: 'auto', board: 'auto' });
     expect([hardware.robot?.id, hardware.board.id]).toEqual([robot, board]);
   });
 
   it('takes the options of the course, and those wished for before them', () => {
     const wish = {
       scene: sceneWithOptions('maqueen-lite', { echo: 'long-pulse' }),
-      files: {},
+      imports: new Set<string>(),
       robot: 'auto',
       board: 'auto',
     };
@@ -440,7 +442,8 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
   });
 
   it('refuses a course that names an option its robot does not have, and overlooks it for another robot', () => {
-    const wish = { scene: sceneWithOptions('maqueen-lite', { model: '2E' }), files: {}, robot: 'auto', board: 'auto' };
+    const scene = sceneWithOptions('maqueen-lite', { model: '2E' });
+    const wish = { scene, imports: new Set<string>(), robot: 'auto', board: 'auto' };
     expect(chooseHardware(wish)).toEqual({
       problem: expect.stringMatching(/^robot\.options: there is no option "model"/),
     });
@@ -452,11 +455,6 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
     await expect(start('', { scene })).rejects.toThrow(
       /robot.at: at \[300, 450\] the robot stands inside the wall "w"/,
     );
-  });
-
-  it('guesses by the imports, whatever their form', () => {
-    const source = lines('import a, b as c', 'from d import *', '  import e.f', '# import g', 'print("import h")');
-    expect(importedModules(source)).toEqual(['a', 'b', 'd', 'e']);
   });
 });
 

@@ -2,6 +2,7 @@ import * as v from 'valibot';
 
 import { LANGUAGES, type Language } from '#core/texts';
 import { filesByName, MAIN, type SourceFile } from '#project/project';
+import { foreignModules } from '#python/imports';
 import { NO_ROBOT, robotMeant } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
@@ -151,7 +152,7 @@ class MicrobitAdapter implements Adapter {
   }
 
   private surroundings(files: readonly SourceFile[]): { readonly robot: string; readonly parts: readonly Part[] } {
-    const meant = robotMeant(filesByName(files), null);
+    const meant = robotMeant(foreignModules(filesByName(files)), null);
     const robot = this.wish.robot ?? (meant === null ? NO_ROBOT : 'auto');
     const asked = this.wish.parts ?? BOARD_ALONE;
     const isPlain = asked.join() === BOARD_ALONE.join();

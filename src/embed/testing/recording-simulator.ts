@@ -1,6 +1,7 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
 import { defaultProjectSettings, filesByName, MAIN, type Project, type SourceFile } from '#project/project';
+import { modulesImportedBy } from '#python/imports';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit } from '#scene/edit';
 import { defaultScene } from '#scene/scene';
@@ -237,7 +238,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
   private hardware(): Pick<Hardware, 'board' | 'firmware' | 'robot'> {
     const chosen = chooseHardware(wishOf(this.work, this.held));
     if (!('problem' in chosen)) return chosen;
-    const plain = chooseHardware({ scene: defaultScene(), files: {}, robot: 'none', board: 'auto' });
+    const plain = chooseHardware({ scene: defaultScene(), imports: new Set(), robot: 'none', board: 'auto' });
     if ('problem' in plain) throw new Error(plain.problem);
     return plain;
   }
@@ -266,7 +267,8 @@ export class RecordingSimulator implements EmbeddedSimulator {
 function wishOf({ scene, files }: Project, settings: ReturnType<EmbeddedSimulator['settings']>) {
   const { robot, device, robotOptions } = settings;
   const board = device === 'calliope-mini-2' ? 'calliope-mini-3' : device; // as the app: its programs run on the mini 3
-  return { scene, files: filesByName(files), robot, board, robotOptions: robotOptions[robot] ?? {} };
+  const imports = modulesImportedBy(filesByName(files));
+  return { scene, imports, robot, board, robotOptions: robotOptions[robot] ?? {} };
 }
 
 function projectSettings(settings: ReturnType<EmbeddedSimulator['settings']>) {

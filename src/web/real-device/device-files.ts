@@ -1,6 +1,6 @@
 import { MAIN, type SourceFile } from '#project/project';
 import { boardTypes } from '#board/boards/index';
-import { importedModules } from '#simulation/hardware';
+import { importedModules } from '#python/imports';
 import { freeLibraries } from '#libraries/index';
 
 import { allLibraries, robotOwnLibraries } from './libraries';

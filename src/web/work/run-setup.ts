@@ -1,4 +1,5 @@
 import { filesByName } from '#project/project';
+import { hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 
@@ -23,9 +24,7 @@ export function runSetup(parts: WorkParts & Pick<RunParts, 'hand'>, sensed: read
   return {
     scene: work.scene.value,
     files: filesByName(work.files.value),
-    robot,
-    board: boardWish(device),
-    firmware: hardware?.firmware.id ?? '',
+    ...(hardware === null ? { robot, board: boardWish(device) } : hardwareIds(hardware)),
     repl: 'at-once',
     seed: seedOf(settings.current.value),
     robotOptions: hardware?.options ?? {},

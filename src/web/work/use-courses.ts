@@ -1,4 +1,5 @@
 import { filesByName, MAIN, type Project } from '#project/project';
+import { modulesImportedBy } from '#python/imports';
 import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
 import type { Language } from '../page/i18n/texts';
 import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
@@ -73,7 +74,7 @@ export function useCourses(app: Workplace) {
 
 /** The robot that a course and its program are made for. */
 function robotOf({ scene, files }: Project) {
-  const hardware = chooseHardware({ scene, files: filesByName(files), robot: AUTO, board: AUTO });
+  const hardware = chooseHardware({ scene, imports: modulesImportedBy(filesByName(files)), robot: AUTO, board: AUTO });
   return 'problem' in hardware ? null : hardware.robot;
 }
 

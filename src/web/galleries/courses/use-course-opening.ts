@@ -1,5 +1,6 @@
 import { computed } from 'vue';
 
+import { importedModules } from '#python/imports';
 import { AUTO, chooseHardware } from '#simulation/hardware';
 import { usePage } from '../../page/parts';
 import { useRun } from '../../run/parts';
@@ -10,7 +11,8 @@ import { solved, type Course } from '../../work/catalogue/course';
 
 /** Name of the robot that a course and its program are made for. */
 export function robotName({ scene, solution }: Course): string {
-  const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: AUTO, board: AUTO });
+  const imports = new Set(importedModules(solution.en));
+  const hardware = chooseHardware({ scene, imports, robot: AUTO, board: AUTO });
   return 'problem' in hardware ? '' : (hardware.robot?.name ?? '');
 }
 

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 
 import { boardTypes, findBoard } from '#board/boards/index';
 import { checkForDevice } from '#device-check/check-for-device';
+import { importedModules } from '#python/imports';
 import { chooseHardware } from '#simulation/hardware';
 import { setLanguage } from '../../page/i18n';
 import { LANGUAGES } from '../../page/i18n/texts';
@@ -11,7 +12,10 @@ import { courses, courseText } from './courses';
 import { examples, isUntouched } from './examples';
 import { courseName, firstCourse, isAsFound } from './first-course';
 import { findProblems } from '#scene/rules';
-import { defaultScene } from '#scene/scene';
+import { defaultScene, type Scene } from '#scene/scene';
+
+const guessed = (scene: Scene, text: string, robot = 'auto') =>
+  chooseHardware({ scene, imports: new Set(importedModules(text)), robot, board: 'auto' });
 
 describe('the programs that come with the app', () => {
   it('have nothing that the device check would mark on their board, so a first visit need not load it', () => {
@@ -23,7 +27,7 @@ describe('the programs that come with the app', () => {
     for (const { text, ...where } of [...ofCourses, ...ofRobots]) {
       const scene = 'scene' in where ? where.scene : defaultScene();
       const robot = 'robot' in where ? where.robot.id : 'auto';
-      const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot, board: 'auto' });
+      const hardware = guessed(scene, text, robot);
       const firmware = 'problem' in hardware ? boardTypes[0]!.firmwares[0] : hardware.firmware;
       expect(checkForDevice({ 'main.py': text }, firmware), text).toEqual([]);
     }
@@ -32,7 +36,7 @@ describe('the programs that come with the app', () => {
   it('each choose a robot on its own board when everything is left to the program and the course', () => {
     for (const { id, scene, program, solution } of courses)
       for (const text of [...Object.values(program), ...Object.values(solution)]) {
-        const hardware = chooseHardware({ scene, files: { 'main.py': text }, robot: 'auto', board: 'auto' });
+        const hardware = guessed(scene, text);
         if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
         expect(hardware.robot, id).not.toBeNull();
         expect(hardware.board, id).toBe(findBoard(hardware.robot!.board));
@@ -90,7 +94,7 @@ describe('the ready courses', () => {
     const lines = courses.filter(({ kind }) => kind === 'line');
     expect(new Set(lines.map(({ level }) => level))).toEqual(new Set([1, 2, 3])); // line tracks of three difficulties
     const robots = courses.map(({ scene, solution }) => {
-      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      const hardware = guessed(scene, solution.en);
       return 'problem' in hardware ? '' : hardware.robot?.id;
     });
     expect(new Set(robots)).toEqual(new Set(['maqueen-lite', 'maqueen-plus-v2', 'callibot']));
@@ -98,7 +102,7 @@ describe('the ready courses', () => {
 
   it('have nothing that the editor would find fault with', () => {
     for (const { id, scene, solution } of courses) {
-      const hardware = chooseHardware({ scene, files: { 'main.py': solution.en }, robot: 'auto', board: 'auto' });
+      const hardware = guessed(scene, solution.en);
       if ('problem' in hardware) throw new Error(`${id}: ${hardware.problem}`);
       expect(findProblems(scene, hardware.robot?.body.outlineMm ?? []), id).toEqual([]);
     }

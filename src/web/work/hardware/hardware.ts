@@ -1,5 +1,6 @@
 import { completeOptions, type OptionValues } from '#core/option';
 import { filesByName, type SourceFile } from '#project/project';
+import { modulesImportedBy } from '#python/imports';
 import type { RobotType } from '#robots/robot';
 import type { Scene } from '#scene/scene';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
@@ -27,8 +28,8 @@ export type HardwareSettings = Pick<Settings, 'device' | 'firmware' | 'robot' | 
 
 /** The robot with its options, the board and its firmware that a run would have; `null` where the course names unknown ones. */
 export function hardwareOf({ scene, files }: Surroundings, settings: HardwareSettings): Hardware | null {
-  const wish = { scene, files: filesByName(files), robot: settings.robot, board: boardWish(settings.device) };
-  const chosen = chooseHardware(wish);
+  const imports = modulesImportedBy(filesByName(files));
+  const chosen = chooseHardware({ scene, imports, robot: settings.robot, board: boardWish(settings.device) });
   if ('problem' in chosen) return null;
   const { board, robot } = chosen;
   const changed = settings.robotOptions[robot?.id ?? ''];

@@ -1,5 +1,6 @@
 import { findBoard } from '#board/boards/index';
 import { filesByName, type Project } from '#project/project';
+import { foreignModules } from '#python/imports';
 import { isMisplugged, robotMeant } from '#simulation/hardware';
 
 import type { TextKey, TextValues } from '../../page/i18n/texts';
@@ -44,7 +45,7 @@ export function tableOf(project: Project, now: Settings): OnTable {
   const robot = hardwareOf(project, now)?.robot ?? null;
   if (fault !== null)
     return { robot: robot?.name ?? null, fault: { key: `error.${fault.kind}`, values: fault.values } };
-  const needsOne = robot === null && robotMeant(filesByName(project.files), null) !== null;
+  const needsOne = robot === null && robotMeant(foreignModules(filesByName(project.files)), null) !== null;
   return { robot: robot?.name ?? null, fault: needsOne ? { key: 'error.noRobot', values: {} } : null };
 }
 
@@ -53,7 +54,7 @@ function faultOf(project: Project, now: Settings) {
   const hardware = hardwareOf(project, now);
   const robot = hardware?.robot ?? null;
   if (hardware === null || robot === null) return null;
-  const meant = robotMeant(filesByName(project.files), robot);
+  const meant = robotMeant(foreignModules(filesByName(project.files)), robot);
   if (meant !== null)
     return { kind: 'otherRobot' as const, robot: meant, values: { meant: meant.name, robot: robot.name } };
   if (!isMisplugged(hardware)) return null;
