@@ -24,7 +24,7 @@ export function describe(text: string, offset: number, context: ReferenceContext
     const name = textOf(source, node);
     if (!isName(node, name)) continue;
     const found = itemAt(new Reader(source, context), node, name);
-    return found === null ? null : { from: node.from, to: node.to, argument: null, ...found };
+    return found && { from: node.from, to: node.to, ...found };
   }
   return null;
 }
@@ -33,16 +33,14 @@ export function describe(text: string, offset: number, context: ReferenceContext
 const isName = ({ firstChild }: SyntaxNode, text: string): boolean =>
   firstChild === null && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(text);
 
-function itemAt(
-  reader: Reader,
-  node: SyntaxNode,
-  name: string,
-): (Partial<Description> & Pick<Description, 'item'>) | null {
-  if (Object.hasOwn(keywords, name)) return { item: itemOf({ label: name, kind: 'keyword', text: `keyword.${name}` }) };
+function itemAt(reader: Reader, node: SyntaxNode, name: string): Pick<Description, 'item' | 'argument'> | null {
+  const argument = null;
+  if (Object.hasOwn(keywords, name))
+    return { item: itemOf({ label: name, kind: 'keyword', text: `keyword.${name}` }), argument };
   const { parent, nextSibling: next } = node;
   if (parent?.name === 'ImportStatement' && node.prevSibling?.name !== 'as') {
     const item = importedItem(reader, name, node, parent);
-    return item && { item };
+    return item && { item, argument };
   }
   if (parent?.name === 'ArgList' && next?.name === 'AssignOp') {
     const item = calleeOf(reader, parent);
@@ -53,7 +51,7 @@ function itemAt(
   // What the name means after its own statement: an assignment shows what it makes.
   const meaning = isProperty ? reader.evaluate(parent, scope) : reader.lookup(name, scope, node.to);
   if (meaning === null) return null;
-  return { item: meaning.item.label === name ? meaning.item : { ...meaning.item, label: name } };
+  return { item: meaning.item.label === name ? meaning.item : { ...meaning.item, label: name }, argument };
 }
 
 /** A name in an import. */
