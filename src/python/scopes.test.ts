@@ -73,7 +73,6 @@ describe('the scope at a place', () => {
       'with open("a") as',
       'try:',
       'return a +',
-      'lambda',
       'a[',
       '@',
       'import',

@@ -4,7 +4,7 @@ import type { SoundEvent } from '#board/sound/sound-event';
 import { importedModules } from '#python/imports';
 import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
-import { chooseHardware, type Hardware, type HardwareWish } from './hardware';
+import { chooseHardware, hardwareIds, type Hardware, type HardwareWish } from './hardware';
 import type { RadioPacket, TimedLogEvent } from './outlets';
 import type { RunSetup } from './run-setup';
 import { Simulation } from './simulation';
@@ -54,6 +54,9 @@ function chosen(wish: HardwareWish): Hardware {
   if ('problem' in hardware) throw new Error(hardware.problem);
   return hardware;
 }
+
+const guessed = (program: string): Hardware =>
+  chosen({ scene: defaultScene(), imports: new Set(importedModules(program)), robot: 'auto', board: 'auto' });
 
 const drive = lines('from mbrobot import *', 'forward()', 'delay(1000)', 'leftArc(0.2)', 'delay(1000)', 'stop()');
 
@@ -389,7 +392,8 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
   });
 
   it('is a Calliope mini 3 on a Calli:bot when the program imports its module', async () => {
-    const simulation = await runFor(lines('from calliopemini import *', 'display.show("7")'), 50);
+    const program = lines('from calliopemini import *', 'display.show("7")');
+    const simulation = await runFor(program, 50, hardwareIds(guessed(program)));
     const { board, robot, rgb, motors } = simulation.snapshot();
     expect({ board, robot: robot?.type, lights: rgb.length, motors }).toEqual({
       board: 'calliope-mini-3',
@@ -425,8 +429,7 @@ describe('what a run is made of', { timeout: 30_000 }, () => {
     ['from callibot2 import Callibot2', 'callibot', 'calliope-mini-3'],
     ['from microbit import *', 'maqueen-lite', 'microbit-v2'],
   ])('is chosen by "%s": a %s on a %s', (program, robot, board) => {
-    const imports = new Set(importedModules(program));
-    const hardware = chosen({ scene: defaultScene(), imports, robot: 'auto', board: 'auto' });
+    const hardware = guessed(program);
     expect([hardware.robot?.id, hardware.board.id]).toEqual([robot, board]);
   });
 
