@@ -1,6 +1,8 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { modulesImportedBy } from '#python/imports';
 import { defaultScene } from '#scene/scene';
+import { chooseHardware, hardwareIds } from './hardware';
 import { Simulation } from './simulation';
 
 let firmware: WebAssembly.Module;
@@ -10,8 +12,10 @@ beforeAll(async () => {
 
 async function start(...lines: string[]): Promise<Simulation> {
   const files = { 'main.py': lines.join('\n') };
-  const setup = { scene: defaultScene(), files, robot: 'auto', board: 'auto', seed: 1, reality: 0 };
-  return Simulation.create(setup, firmware);
+  const scene = defaultScene();
+  const hardware = chooseHardware({ scene, imports: modulesImportedBy(files), robot: 'auto', board: 'auto' });
+  if ('problem' in hardware) throw new Error(hardware.problem);
+  return Simulation.create({ scene, files, ...hardwareIds(hardware), seed: 1, reality: 0 }, firmware);
 }
 
 describe('chains of lights in a run', { timeout: 30_000 }, () => {

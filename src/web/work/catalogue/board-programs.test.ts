@@ -1,7 +1,9 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 
+import { modulesImportedBy } from '#python/imports';
 import { defaultScene } from '#scene/scene';
+import { chooseHardware, hardwareIds } from '#simulation/hardware';
 import type { InputAction, InputEvent } from '#simulation/input';
 import { Simulation } from '#simulation/simulation';
 import { LANGUAGES } from '../../page/i18n/texts';
@@ -32,7 +34,10 @@ const HANDS: readonly InputEvent[] = [
 
 async function play(source: string, inputs: readonly InputEvent[] = HANDS): Promise<Simulation> {
   const files = { 'main.py': source };
-  const setup = { scene: defaultScene(), files, robot: 'none', board: 'auto', seed: 1, reality: 0, inputs };
+  const scene = defaultScene();
+  const hardware = chooseHardware({ scene, imports: modulesImportedBy(files), robot: 'none', board: 'auto' });
+  if ('problem' in hardware) throw new Error(hardware.problem);
+  const setup = { scene, files, ...hardwareIds(hardware), seed: 1, reality: 0, inputs };
   const simulation = await Simulation.create(setup, firmware);
   simulation.advanceTo(10_000_000);
   return simulation;
