@@ -82,6 +82,14 @@ describe('a folder of programs', () => {
     expect(await problems()).toBe(`${join(folder, 'words/it.json')} is missing`);
   });
 
+  it('speaks a new language as soon as there is a file for it', async () => {
+    await putWords('eo');
+    const languages = [...LANGUAGES, 'eo'] as typeof LANGUAGES;
+    const { source, texts } = await readProgram(join(folder, 'line.py'), languages);
+    expect(source).toMatchObject({ eo: '# eo line\nprint("eo hello", "ok")\n' });
+    expect(texts['title']).toMatchObject({ eo: 'eo title', de: 'de title' });
+  });
+
   it('is told which comment or string has no translation, and in which file', async () => {
     await putWords('fr', { Line: 'Ligne' });
     expect(await problems()).toBe(`${join(folder, 'words/fr.json')}: no translation of “Hello”`);

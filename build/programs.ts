@@ -67,12 +67,12 @@ export async function wordsFor(path: string, language: Language): Promise<Words>
 }
 
 /** Reads a program and the words beside it. What a language lacks is in English. */
-export async function readProgram(path: string): Promise<ReadyProgram> {
+export async function readProgram(path: string, languages = LANGUAGES): Promise<ReadyProgram> {
   const english = await readFile(path, 'utf8');
   const words = new Map<Language, Words>();
-  for (const language of LANGUAGES) words.set(language, await wordsFor(path, language));
+  for (const language of languages) words.set(language, await wordsFor(path, language));
   const inEvery = (make: (words: Words | undefined) => string): Texts =>
-    Object.fromEntries(LANGUAGES.map((language) => [language, make(words.get(language))])) as Texts;
+    Object.fromEntries(languages.map((language) => [language, make(words.get(language))])) as Texts;
   const about = Object.entries(words.get('en') ?? {}).flatMap(([name, text]) =>
     typeof text === 'string' ? [[name, inEvery((own) => stringOf(own?.[name]) ?? text)] as const] : [],
   );
