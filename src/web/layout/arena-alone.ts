@@ -24,7 +24,8 @@ export class ArenaAlone {
 
   readonly leave = (): void => {
     this.alone.value = false;
-    if (document.fullscreenElement !== null) document.exitFullscreen().catch(() => undefined);
+    // An iPhone knows neither of the two.
+    if (document.fullscreenElement instanceof Element) document.exitFullscreen().catch(() => undefined);
   };
 
   /** Counts a control that can lead back. When the last of them goes, the page comes back. */

@@ -1,5 +1,5 @@
 import { enableAutoUnmount, mount, type VueWrapper } from '@vue/test-utils';
-import { afterEach, beforeAll, beforeEach } from 'vitest';
+import { afterEach, beforeAll, beforeEach, vi } from 'vitest';
 import { defineComponent, h, type Component } from 'vue';
 
 import { loadTexts, showLanguage } from '../../page/i18n';
@@ -8,11 +8,15 @@ import { provideParts } from '../provide-parts';
 import type { TestPage } from './page';
 
 /*
- * Whoever imports this file gets the German page before its tests, an empty document with a place for menus before each
- * of them, and everything unmounted after it.
+ * Whoever imports this file gets the German page before its tests, an empty document with a place for menus and no
+ * stored settings before each of them, and everything unmounted after it.
  */
-beforeAll(() => loadTexts('de'));
+beforeAll(() => {
+  vi.stubGlobal('visualViewport', Object.assign(new EventTarget(), { width: 1024, height: 768 })); // menus measure it
+  return loadTexts('de');
+});
 beforeEach(() => {
+  localStorage.clear();
   showLanguage('de');
   document.body.innerHTML = '<section id="menus"></section>';
   setWindow(1024, 768);
@@ -49,9 +53,12 @@ export function setWindow(width: number, height = 768): void {
   (globalThis as Resizable).happyDOM.setViewport({ width, height });
 }
 
-/** The text of an element as a reader sees it: without line breaks and doubled spaces of the template. */
-export const textOf = (element: Element | null | undefined): string =>
-  (element?.textContent ?? '').replace(/\s+/g, ' ').trim();
+/** The text of an element as a reader sees it: without the spaces of the template, a space for a new line. */
+export function textOf(element: Element | null | undefined): string {
+  const copy = element?.cloneNode(true) as Element | undefined;
+  for (const line of copy?.querySelectorAll('br') ?? []) line.replaceWith(' ');
+  return (copy?.textContent ?? '').replace(/\s+/g, ' ').trim();
+}
 
 /**
  * The control or region with this name: the label for screen readers, the text of a button, or a field's `label`.

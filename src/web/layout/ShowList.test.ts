@@ -1,0 +1,68 @@
+// @vitest-environment happy-dom
+import { afterEach, describe, expect, it } from 'vitest';
+import { nextTick } from 'vue';
+
+import { mountOn, named, setWindow } from '../app/testing/mount-on';
+import { createPage } from '../app/testing/page';
+import ShowList from './ShowList.vue';
+
+const SWITCHES = ['cone', 'spots', 'centre', 'trace', 'follow', 'celebrate'] as const;
+
+/** The menu of what the arena shows, for a robot or the bare board. */
+function menu(robot = 'maqueen-lite') {
+  const page = createPage();
+  page.settings.change({ robot, device: 'microbit-v2', ...Object.fromEntries(SWITCHES.map((id) => [id, false])) });
+  let done = 0;
+  const mounted = mountOn(page, ShowList, { onDone: () => (done += 1) });
+  const item = (id: string) => mounted.get<HTMLElement>(`[data-testid="show-${id}"]`);
+  return { page, mounted, item, done: () => done };
+}
+
+describe('what the arena shows', () => {
+  afterEach(() => document.documentElement.classList.remove('arena-alone'));
+
+  it('is a menu of switches with a name and a few words each', () => {
+    const { mounted } = menu();
+    named('Zeigen, was der Roboter spürt', '[role="menu"]');
+    expect(mounted.findAll('[role="menuitemcheckbox"] .v-list-item-title').map((it) => it.text())).toEqual([
+      'Messkegel',
+      'Liniensensoren',
+      'Drehpunkt',
+      'Spur',
+      'Dem Roboter folgen',
+      'Konfetti',
+    ]);
+    expect(mounted.get('[data-testid="show-trace"]').text()).toContain('Wo er seit dem Start durchgefahren ist');
+  });
+
+  it.each(SWITCHES)('%s is switched on and off again, and nothing else', async (id) => {
+    const { page, item, done } = menu();
+    expect(item(id).attributes('aria-checked')).toBe('false');
+    item(id).element.click();
+    await nextTick();
+    expect(item(id).attributes('aria-checked')).toBe('true');
+    expect(SWITCHES.filter((other) => page.settings.current.value[other])).toEqual([id]);
+    item(id).element.click();
+    expect(SWITCHES.filter((other) => page.settings.current.value[other])).toEqual([]);
+    expect(done()).toBe(0); // the menu stays open
+  });
+
+  it('cannot be switched without a robot', () => {
+    const { mounted } = menu('none');
+    expect(mounted.findAll('[role="menuitemcheckbox"].v-list-item--disabled')).toHaveLength(SWITCHES.length);
+  });
+
+  it('can be the arena alone on a phone: the menu closes', async () => {
+    setWindow(390, 800);
+    const { page, item, mounted, done } = menu();
+    item('fullscreen').element.click();
+    expect(page.alone.isAlone.value).toBe(true);
+    expect(done()).toBe(1);
+    await nextTick();
+    expect(mounted.find('[data-testid="show-fullscreen"]').exists()).toBe(false);
+  });
+
+  it('has no such point on a larger screen, where it is a button of its own', () => {
+    expect(menu().mounted.find('[data-testid="show-fullscreen"]').exists()).toBe(false);
+  });
+});

@@ -1,0 +1,52 @@
+// @vitest-environment happy-dom
+import { flushPromises, mount } from '@vue/test-utils';
+import { describe, expect, it } from 'vitest';
+import { h, type Component } from 'vue';
+
+import { lateList } from './late-list';
+
+const Names = { render: () => h('ul', [h('li', 'Slalom')]) };
+
+/** Opens the menu: its list is to be shown. */
+const open = (List: Component) => mount({ render: () => h('div', [h(List)]) });
+
+describe('the list of a menu', () => {
+  it('is not fetched with the page', () => {
+    let fetched = 0;
+    lateList(() => Promise.resolve({ default: Names }).finally(() => (fetched += 1)));
+    expect(fetched).toBe(0);
+  });
+
+  it('is on its way once its button is pointed at or has the focus', () => {
+    let fetched = 0;
+    const { soon } = lateList(() => {
+      fetched += 1;
+      return Promise.resolve({ default: Names });
+    });
+    soon.pointerenter();
+    expect(fetched).toBe(1);
+    soon.focus();
+    expect(fetched).toBe(2);
+  });
+
+  it('stands in the menu when it is there', async () => {
+    const { List } = lateList(() => Promise.resolve({ default: Names }));
+    const menu = open(List);
+    expect(menu.text()).toBe('');
+    await flushPromises();
+    expect(menu.text()).toBe('Slalom');
+  });
+
+  it('without a connection is asked for again by the open menu; pointing at its button does no harm', async () => {
+    let asked = 0;
+    const { List, soon } = lateList(() => {
+      asked += 1;
+      return asked === 1 ? Promise.reject(new Error('offline')) : Promise.resolve({ default: Names });
+    });
+    soon.pointerenter();
+    await flushPromises();
+    const menu = open(List);
+    await flushPromises();
+    expect(menu.text()).toBe('Slalom');
+  });
+});
