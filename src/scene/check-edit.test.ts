@@ -14,6 +14,7 @@ const scene: Scene = { ...defaultScene(), objects: [block('a'), stroke('s', 20_0
 describe('an edit from outside', () => {
   const good: readonly SceneEdit[] = [
     { type: 'add', objects: [wall, stroke('t', 2)] },
+    { type: 'add', objects: [wall, stroke('t', 2)], at: [2, 0] },
     { type: 'remove', ids: ['a', 'b'] },
     { type: 'replace', changes: [{ id: 'a', by: [] }] },
     { type: 'robot', robot: { heading: 45, type: null } },
@@ -59,6 +60,9 @@ describe('an edit from outside', () => {
       'wall-without-length',
       'objects[0].to',
     ],
+    ['a place too few', { type: 'add', objects: [wall, stroke('t', 2)], at: [0] }, 'out-of-range', 'at'],
+    ['half a place', { type: 'add', objects: [wall], at: [0.5] }, 'not-whole', 'at[0]'],
+    ['a place below all', { type: 'add', objects: [wall], at: [-1] }, 'out-of-range', 'at[0]'],
     ['an id that is a number', { type: 'remove', ids: [3] }, 'wrong-type', 'ids[0]'],
     ['a replacement of text', { type: 'replace', changes: ['a'] }, 'wrong-type', 'changes[0]'],
     ['a replacement by nothing said', { type: 'replace', changes: [{ id: 'a' }] }, 'missing', 'changes[0].by'],

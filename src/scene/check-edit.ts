@@ -65,8 +65,12 @@ function readEdit(value: unknown, path: string, room: Room, depth: number, reade
   }
   const fields = reader.fields(value, path, known);
   switch (type) {
-    case 'add':
-      return { type, objects: readObjects(fields.objects, `${place}objects`, room, reader) };
+    case 'add': {
+      const objects = readObjects(fields.objects, `${place}objects`, room, reader);
+      return fields.at === undefined
+        ? { type, objects }
+        : { type, objects, at: readPlaces(fields.at, `${place}at`, objects.length, reader) };
+    }
     case 'remove':
       return { type, ids: readIds(fields.ids, `${place}ids`, room, reader) };
     case 'replace':
@@ -88,7 +92,7 @@ function readEdit(value: unknown, path: string, room: Room, depth: number, reade
 
 /** The fields of each edit besides its type. */
 const partsOf: Readonly<Record<SceneEdit['type'], readonly string[]>> = {
-  add: ['objects'],
+  add: ['objects', 'at'],
   remove: ['ids'],
   replace: ['changes'],
   robot: ['robot'],
@@ -116,6 +120,13 @@ function readObjects(value: unknown, path: string, room: Room, reader: Reader): 
     return object;
   });
   return objects.filter((object) => object !== null);
+}
+
+/** Places in the order of painting, one for each of so many objects. */
+function readPlaces(value: unknown, path: string, count: number, reader: Reader): readonly number[] {
+  const places = { min: 0, max: sceneLimits.objects - 1 };
+  const entries = reader.list(value, path, { min: count, max: count });
+  return whileRoom(entries, reader, (entry, index) => reader.whole(entry, `${path}[${index}]`, places));
 }
 
 function readIds(value: unknown, path: string, room: Room, reader: Reader): readonly string[] {

@@ -18,6 +18,11 @@ describe('an edit', () => {
     expect(idsAfter({ type: 'add', objects: [block('c'), block('d')] })).toEqual(['a', 's', 'b', 'c', 'd']);
   });
 
+  it('adds among the others, each where it says, one after the other', () => {
+    const objects = [block('c'), block('d'), block('e')];
+    expect(idsAfter({ type: 'add', objects, at: [0, 2, 99] })).toEqual(['c', 'a', 'd', 's', 'b', 'e']);
+  });
+
   it('removes by id', () => {
     expect(idsAfter({ type: 'remove', ids: ['a', 'b'] })).toEqual(['s']);
   });

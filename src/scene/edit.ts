@@ -3,8 +3,11 @@ import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
 export type SceneEdit =
-  /** Puts objects on top of the others; their ids must be free. */
-  | { readonly type: 'add'; readonly objects: readonly SceneObject[] }
+  /**
+   * Puts objects on top of the others; their ids must be free. `at`: puts them, one after the other, at these places of the
+   * order of painting instead; 0 lies below all others.
+   */
+  | { readonly type: 'add'; readonly objects: readonly SceneObject[]; readonly at?: readonly number[] }
   | { readonly type: 'remove'; readonly ids: readonly string[] }
   /** Replaces objects and keeps the order of painting: by changed objects, or by the pieces of a stroke. */
   | { readonly type: 'replace'; readonly changes: readonly Replacement[] }
@@ -38,7 +41,7 @@ export interface CourseChanges {
 export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
   switch (edit.type) {
     case 'add':
-      return edit.objects.length === 0 ? scene : { ...scene, objects: [...scene.objects, ...edit.objects] };
+      return edit.objects.length === 0 ? scene : { ...scene, objects: withAdded(scene.objects, edit.objects, edit.at) };
     case 'remove': {
       const gone = new Set(edit.ids);
       return withObjects(
@@ -67,6 +70,16 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
 
 const courseParts = ['name', 'description', 'size', 'task', 'background'] as const;
 
+function withAdded(
+  objects: readonly SceneObject[],
+  added: readonly SceneObject[],
+  at: readonly number[] = [],
+): readonly SceneObject[] {
+  const all = [...objects];
+  for (const [index, object] of added.entries()) all.splice(at[index] ?? all.length, 0, object);
+  return all;
+}
+
 function replaced(objects: readonly SceneObject[], changes: readonly Replacement[]): readonly SceneObject[] {
   const by = new Map(changes.map((change) => [change.id, change.by]));
   return objects.flatMap((object) => {
@@ -79,6 +92,16 @@ const withObjects = (scene: Scene, objects: readonly SceneObject[]): Scene =>
   objects.length === scene.objects.length && objects.every((object, index) => object === scene.objects[index])
     ? scene
     : { ...scene, objects };
+
+/** The single edits of one, in their order. */
+export const singleEdits = (edit: SceneEdit): readonly SceneEdit[] =>
+  edit.type === 'all' ? edit.edits.flatMap(singleEdits) : [edit];
+
+/** The objects that a single edit puts into the course: new ones, and changed ones as they are then. */
+export function objectsPut(edit: SceneEdit): readonly SceneObject[] {
+  if (edit.type === 'add') return edit.objects;
+  return edit.type === 'replace' ? edit.changes.flatMap(({ by }) => by) : [];
+}
 
 /** An id that no object has: `wall-1`, `wall-2`, … The same scene always gives the same. `taken`: further ids to avoid. */
 export function freeId(scene: Scene, prefix: string, taken: readonly string[] = []): string {

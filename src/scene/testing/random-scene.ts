@@ -44,7 +44,7 @@ export function randomEdit(rng: Rng, scene: Scene, depth = 0): SceneEdit {
   switch (rng.u32() % (depth < 2 ? 8 : 7)) {
     case 0:
     case 1:
-      return { type: 'add', objects: newObjects(rng, scene, wholeFrom(rng, 0, 3)) };
+      return randomAdding(rng, scene);
     case 2:
       return { type: 'remove', ids: some };
     case 3:
@@ -57,6 +57,13 @@ export function randomEdit(rng: Rng, scene: Scene, depth = 0): SceneEdit {
     default:
       return { type: 'all', edits: [randomRobotEdit(rng), randomEdit(rng, scene, depth + 1), randomCourseEdit(rng)] };
   }
+}
+
+/** On top of the others, or somewhere among them. */
+function randomAdding(rng: Rng, scene: Scene): SceneEdit {
+  const objects = newObjects(rng, scene, wholeFrom(rng, 0, 3));
+  const at = objects.map(() => wholeFrom(rng, 0, scene.objects.length + 2));
+  return inPercent(rng, 70) ? { type: 'add', objects } : { type: 'add', objects, at };
 }
 
 function newObjects(rng: Rng, scene: Scene, count: number, taken: string[] = []): readonly SceneObject[] {
