@@ -1,7 +1,7 @@
 import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
-import { applyEdit, type SceneEdit } from '#scene/edit';
+import { applyEdit, singleEdits, type SceneEdit } from '#scene/edit';
 import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
 import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
 import { strokeLengthMm } from './kinds/stroke';
@@ -46,11 +46,8 @@ export type EditDescription =
   | { readonly type: 'several' };
 
 /** The effect of an edit on a course. */
-export const describeEdit = (scene: Scene, edit: SceneEdit): EditDescription =>
-  describeChange(scene, applyEdit(scene, edit), edit);
-
-/** The difference between two states of a course; `edit`: the edit between them, or `null` if unknown. */
-export function describeChange(before: Scene, after: Scene, edit: SceneEdit | null = null): EditDescription {
+export function describeEdit(before: Scene, edit: SceneEdit): EditDescription {
+  const after = applyEdit(before, edit);
   const parts = [objectsChange(before, after, edit), robotChange(before, after), courseChange(before, after)].filter(
     (part) => part.type !== 'nothing',
   );
@@ -84,18 +81,15 @@ interface Changes {
   readonly changed: readonly (readonly [SceneObject, SceneObject])[];
 }
 
-/** Only clearing is said to clear; without knowing, several that are gone with nothing left were cleared. */
-function isClearing(edit: SceneEdit | null, count: number): boolean {
-  if (edit === null) return count > 1;
-  return edit.type === 'clear' || (edit.type === 'all' && edit.edits.some((part) => isClearing(part, count)));
-}
+/** Only clearing is said to clear. */
+const isClearing = (edit: SceneEdit): boolean => singleEdits(edit).some(({ type }) => type === 'clear');
 
-function objectsChange(before: Scene, after: Scene, edit: SceneEdit | null): EditDescription {
+function objectsChange(before: Scene, after: Scene, edit: SceneEdit): EditDescription {
   if (before.objects === after.objects) return { type: 'nothing' };
   const changes = changesBetween(before, after);
   const { added, removed, changed } = changes;
   if (added.length + removed.length + changed.length === 0) return { type: 'nothing' };
-  if (removed.length > 0 && after.objects.length === 0 && isClearing(edit, removed.length))
+  if (removed.length > 0 && after.objects.length === 0 && isClearing(edit))
     return { type: 'cleared', count: removed.length };
   if (changed.length === 0 && removed.length === 0) return addedChange(added);
   if (changed.length === 0 && added.length === 0)

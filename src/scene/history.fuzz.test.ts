@@ -3,8 +3,8 @@ import type { Rng } from '#core/rng';
 import { describe, it } from 'vitest';
 import { editProblem } from './check-edit';
 import { applyEdit, type SceneEdit } from './edit';
-import { editBetween } from './edit-between';
 import { advanced, HISTORY_STEPS, historyOf, redone, undone } from './history';
+import { inverse } from './inverse';
 import { parseScene } from './parse';
 import { defaultScene, type Scene } from './scene';
 import { serializeScene } from './serialize';
@@ -66,19 +66,22 @@ function play(rng: Rng, steps: number): void {
       if (problem) throw new Error(problem.message);
       const after = applyEdit(history.present, edit);
       expectUntouchedSame(history.present, edit, after);
-      history = advanced(history, after);
-      if (after !== scenes[present]) scenes = [...scenes.slice(0, ++present), after];
+      const before = history;
+      history = advanced(history, edit);
+      if (history !== before) scenes = [...scenes.slice(0, ++present), after];
       if (present > HISTORY_STEPS) scenes.shift();
       present = Math.min(present, HISTORY_STEPS);
     }
-    if (history.present !== scenes[present]) throw new Error(`after step ${step} it is another scene`);
+    if (!isDeepStrictEqual(history.present, scenes[present])) throw new Error(`after step ${step} it is another scene`);
   }
   if (!isDeepStrictEqual(parseScene(serializeScene(history.present)), { scene: history.present }))
     throw new Error('the last scene is another one after saving');
   for (let step = scenes.length; step > 0; step--) history = undone(history);
-  if (history.present !== scenes[0]) throw new Error('undoing everything does not lead to the beginning');
+  if (!isDeepStrictEqual(history.present, scenes[0]))
+    throw new Error('undoing everything does not lead to the beginning');
   for (let step = scenes.length; step > 0; step--) history = redone(history);
-  if (history.present !== scenes.at(-1)) throw new Error('redoing everything does not lead to the end');
+  if (!isDeepStrictEqual(history.present, scenes.at(-1)))
+    throw new Error('redoing everything does not lead to the end');
 }
 
 describe('editing, undoing and redoing in any order', () => {
@@ -89,18 +92,31 @@ describe('editing, undoing and redoing in any order', () => {
   it('also beyond the steps that are kept', () => {
     forManySeeds(3, (rng) => play(rng, 4 * HISTORY_STEPS));
   });
+});
 
-  it(`can be told a run as one edit that leads from one course to the other: ${fuzzRuns} pairs`, () => {
+describe('the inverse of an edit', () => {
+  it(`suits the course after it and leads back to the same one: ${fuzzRuns} edits`, () => {
     forManySeeds(fuzzRuns, (rng) => {
       const before = randomScene(rng);
-      let after = before;
-      for (let count = wholeFrom(rng, 1, 4); count > 0; count--) after = applyEdit(after, randomEdit(rng, after));
-      for (const [from, to] of [[before, after] as const, [after, before] as const]) {
-        const edit = editBetween(from, to);
-        const problem = edit && editProblem(from, edit);
-        if (problem) throw new Error(problem.message);
-        if (!isDeepStrictEqual(edit ? applyEdit(from, edit) : from, to)) throw new Error(JSON.stringify(edit));
-      }
+      const edit = editsInARow(rng, before);
+      const back = inverse(before, edit);
+      const after = applyEdit(before, edit);
+      const problem = editProblem(after, back);
+      if (problem) throw new Error(problem.message);
+      if (!isDeepStrictEqual(applyEdit(after, back), before)) throw new Error(JSON.stringify(back));
+      if (!isDeepStrictEqual(applyEdit(before, inverse(after, back)), after)) throw new Error('the inverse of it');
     });
   });
 });
+
+/** One edit, or several in one. */
+function editsInARow(rng: Rng, scene: Scene): SceneEdit {
+  const edits: SceneEdit[] = [];
+  let now = scene;
+  for (let count = wholeFrom(rng, 1, 4); count > 0; count--) {
+    const edit = randomEdit(rng, now, 2);
+    edits.push(edit);
+    now = applyEdit(now, edit);
+  }
+  return edits.length === 1 ? randomEdit(rng, scene) : { type: 'all', edits };
+}

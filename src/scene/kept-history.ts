@@ -3,8 +3,7 @@ import { isRecord } from '#core/record';
 
 import { editProblem, parseEdit } from './check-edit';
 import { applyEdit, type SceneEdit } from './edit';
-import { editBetween } from './edit-between';
-import { historyOf, type History } from './history';
+import { historyOf, stepOf, type History, type Step } from './history';
 import type { Scene } from './scene';
 import { serializeScene } from './serialize';
 
@@ -15,36 +14,32 @@ const VERSION = 1;
 const KEPT_STEPS = 100;
 
 /**
- * The way of a course as text: the edits that lead back from it, and those that lead forth again. The course itself is not
- * in it, only what tells it from others.
+ * The history of a course as text: the edits that lead back from it, and those that lead forth again. The course itself is
+ * not in it, only what tells it from others.
  *
  * @param maxCharacters the furthest steps are left out where there are more
  */
 export function historyToText({ past, present, future }: History, maxCharacters: number): string {
   const half = Math.floor(maxCharacters / 2);
-  const back = edits(present, [...past].reverse(), half);
-  const forth = edits(present, future, half);
+  const back = texts(past.slice(-KEPT_STEPS).reverse(), ({ inverse }) => inverse, half);
+  const forth = texts(future.slice(0, KEPT_STEPS), ({ edit }) => edit, half);
   return `{"version":${String(VERSION)},"of":${JSON.stringify(markOf(present))},"back":[${back.join(',')}],"forth":[${forth.join(',')}]}`;
 }
 
-function edits(from: Scene, to: readonly Scene[], maxCharacters: number): readonly string[] {
-  const texts: string[] = [];
-  let before = from;
+function texts(steps: readonly Step[], editOf: (step: Step) => SceneEdit, maxCharacters: number): readonly string[] {
+  const found: string[] = [];
   let characters = 0;
-  for (const after of to.slice(0, KEPT_STEPS)) {
-    const text = JSON.stringify(editBetween(before, after) ?? NOTHING);
+  for (const step of steps) {
+    const text = JSON.stringify(editOf(step));
     characters += text.length;
     if (characters > maxCharacters) break;
-    texts.push(text);
-    before = after;
+    found.push(text);
   }
-  return texts;
+  return found;
 }
 
-const NOTHING: SceneEdit = { type: 'all', edits: [] };
-
 /**
- * The way of a course as `historyToText` wrote it. Never throws: of a text that is damaged, or belongs to another course,
+ * The history of a course as `historyToText` wrote it. Never throws: of a text that is damaged, or belongs to another course,
  * comes what can be used, or nothing.
  */
 export function historyFromText(text: string, present: Scene): History {
@@ -56,17 +51,20 @@ export function historyFromText(text: string, present: Scene): History {
     return none;
   }
   if (!isRecord(value) || value['version'] !== VERSION || value['of'] !== markOf(present)) return none;
-  return { past: [...scenes(present, value['back'])].reverse(), present, future: scenes(present, value['forth']) };
+  const back = steps(present, value['back']);
+  const past = back.map((step): Step => ({ ...step, edit: step.inverse, inverse: step.edit })).reverse();
+  return { past, present, future: steps(present, value['forth']) };
 }
 
-function scenes(from: Scene, list: unknown): readonly Scene[] {
-  const found: Scene[] = [];
+/** The edits of a list as steps, each from where the one before leads. */
+function steps(from: Scene, list: unknown): readonly Step[] {
+  const found: Step[] = [];
   let scene = from;
   for (const value of Array.isArray(list) ? list.slice(0, KEPT_STEPS) : []) {
     const parsed = parseEdit(value);
     if (!('edit' in parsed) || editProblem(scene, parsed.edit) !== null) break;
+    found.push(stepOf(scene, parsed.edit));
     scene = applyEdit(scene, parsed.edit);
-    found.push(scene);
   }
   return found;
 }

@@ -1,6 +1,13 @@
 import { isSame } from '#core/same';
+import { touchedBy, type Step } from '#scene/history';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
+
+/** Whether a step changes anything solid, the robot's start or the arena: what a picture of an earlier run shows wrongly then. */
+export function movesBodies(step: Step): boolean {
+  const { objects, robot, size } = touchedBy(step);
+  return robot || size || objects.some((object) => isMovable(object) || isLasting(object));
+}
 
 /**
  * Ids of the movable blocks that a run has after its course was changed. A block that was added to the course is there

@@ -2,6 +2,8 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { packLevels } from '#scene/background';
 import { applyEdit, type SceneEdit } from '#scene/edit';
+import { advanced, historyOf, redone, undone } from '#scene/history';
+import { inverse } from '#scene/inverse';
 import {
   defaultScene,
   type Background,
@@ -226,6 +228,43 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
     expect(simulation.snapshot().verdict?.state).toBe('open');
     simulation.advanceTo(6_000_000);
     expect(simulation.snapshot().verdict?.state).toBe('passed');
+  });
+});
+
+describe('an undo while the robot drives', { timeout: 30_000 }, () => {
+  it('takes out of the world what was drawn, a redo brings it back, and the log repeats the run', async () => {
+    const scene = sceneOf(block('a', [900, 800]));
+    const simulation = await start(scene, LOOK);
+    const drawn = advanced(historyOf(scene), add(line('s', 450), block('b', [700, 300]), wall('w', 800)));
+    const [step] = drawn.past;
+    if (step === undefined) throw new Error('nothing was drawn');
+    const present = [drawn, undone(drawn), redone(undone(drawn))].map((history) => history.present);
+    for (const [index, change] of [step.edit, step.inverse, step.edit].entries()) {
+      simulation.advanceTo((index + 1) * 1_000_000);
+      edit(simulation, change);
+      simulation.advanceTo((index + 1) * 1_000_000 + 4_000);
+      const isThere = change === step.edit;
+      expect(Object.keys(simulation.snapshot().blocks)).toEqual(isThere ? ['a', 'b'] : ['a']);
+      expect(pendingChanges(scene, present[index] ?? scene).coming).toHaveLength(isThere ? 1 : 0);
+    }
+    simulation.advanceTo(4_000_000);
+    expect(simulation.takeConsole()).toMatch(/^1{8,12}0{8,12}1{8,12}0{8,12}$/);
+    const again = await start(scene, LOOK, { inputs: structuredClone(simulation.inputLog) });
+    again.advanceTo(4_000_000);
+    expect(again.traceHash).toBe(simulation.traceHash);
+    expect(again.snapshot()).toEqual(simulation.snapshot());
+  });
+
+  it('leaves the run as if nothing had been put in the robot’s way', async () => {
+    const held = await start(sceneOf(), DRIVE);
+    const wide = add(block('b', [600, 450], [40, 400]));
+    edit(held, wide);
+    held.advanceTo(4_000_000);
+    const [free, anew] = [await start(sceneOf(), DRIVE), await start(sceneOf(), DRIVE)];
+    for (const change of [wide, inverse(sceneOf(), wide)]) edit(free, change);
+    for (const simulation of [free, anew]) simulation.advanceTo(4_000_000);
+    expect(xOf(held)).not.toBe(xOf(anew));
+    expect(free.traceHash).toBe(anew.traceHash);
   });
 });
 

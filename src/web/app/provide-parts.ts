@@ -9,7 +9,6 @@ import { provideConsole } from '../console/parts';
 import { provideCourseEditor } from '../course-editor/state/parts';
 import { createCourseEditor, type CourseEditorModel } from '../course-editor/state/course-editor-model';
 import { createEditorPanels } from '../course-editor/state/editor-panels';
-import { movesBodies } from '../course-editor/state/waiting';
 import { createGuide } from '../first-steps/guide-model';
 import { provideFirstSteps } from '../first-steps/parts';
 import { createTour } from '../first-steps/tour-model';
@@ -121,20 +120,8 @@ function createEditor(
     },
     { flush: 'sync' },
   );
-  useLiveEdits(run, work, runStart);
-  return createCourseEditor({
-    work,
-    settings,
-    kind: layout.kind,
-    runStart,
-    isActive: run.isActive,
-    onEdit: (before, after) => {
-      hand.letGo(before, after);
-      // The last picture of a stopped run would hide what was changed.
-      const isOver = !run.isActive.value && run.snapshot.value !== null;
-      if (isOver && movesBodies(before, after)) void run.reset();
-    },
-  });
+  useLiveEdits(run, work, hand, runStart);
+  return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive });
 }
 
 function firstWork(language: Language): Work {

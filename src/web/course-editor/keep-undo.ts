@@ -20,7 +20,7 @@ export function keepUndo(app: Pick<WorkParts, 'work'> & VisitParts & Pick<Course
       .catch(() => undefined);
   };
   if (hasKept()) begin();
-  else watch(() => app.work.way, begin, { once: true });
+  else watch(app.work.history, begin, { once: true });
 }
 
 function hasKept(): boolean {

@@ -27,8 +27,9 @@ export function storeUndo(
   });
   const save = (): void =>
     quietly(() => {
-      if (work.way.past.length + work.way.future.length === 0) sessionStorage.removeItem(key);
-      else sessionStorage.setItem(key, historyToText(work.way, MOST_CHARACTERS));
+      const { past, future } = work.history.value;
+      if (past.length + future.length === 0) sessionStorage.removeItem(key);
+      else sessionStorage.setItem(key, historyToText(work.history.value, MOST_CHARACTERS));
     });
   const hidden = (): void => {
     if (document.visibilityState === 'hidden') save();

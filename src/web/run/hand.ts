@@ -1,6 +1,6 @@
 import { shallowRef } from 'vue';
 
-import type { Scene } from '#scene/scene';
+import { touchedBy, type Step } from '#scene/history';
 import type { PlacedPose } from '#simulation/input';
 
 /** Where the hand put robot and blocks before a run; a reset puts them back. */
@@ -19,15 +19,14 @@ export function createHand() {
       blocks.value = {};
     },
     /** What was changed in the course is where the course says. */
-    letGo: (before: Scene, after: Scene): void => {
-      if (before.robot !== after.robot) pose.value = null;
-      const ids = Object.keys(blocks.value);
-      if (ids.length === 0) return;
-      const objectIn = (scene: Scene, id: string) => scene.objects.find((object) => object.id === id);
-      const kept = ids.filter((id) => objectIn(before, id) === objectIn(after, id));
-      if (kept.length < ids.length) {
-        blocks.value = Object.fromEntries(Object.entries(blocks.value).filter(([id]) => kept.includes(id)));
-      }
+    letGo: (step: Step): void => {
+      const { objects, robot } = touchedBy(step);
+      if (robot) pose.value = null;
+      const held = Object.entries(blocks.value);
+      if (held.length === 0) return;
+      const touched = new Set(objects.map(({ id }) => id));
+      const kept = held.filter(([id]) => !touched.has(id));
+      if (kept.length < held.length) blocks.value = Object.fromEntries(kept);
     },
   };
 }

@@ -7,7 +7,7 @@ import { defaultSettings } from '../../work/settings/settings';
 import { createCourseEditor, type Happened } from './course-editor-model';
 import type { LayoutKind } from '../../layout/layout-model';
 import type { SettingsModel } from '../../work/settings/settings-model';
-import { WorkModel } from '../../work/model/work-model';
+import { WorkModel, type CourseStep } from '../../work/model/work-model';
 
 const wall = (id: string): SceneObject => ({ type: 'wall', id, from: [0, 0], to: [100, 0], thickness: 10 });
 
@@ -17,7 +17,8 @@ function editing(kind: LayoutKind = 'wide') {
   const current = shallowRef(defaultSettings('de'));
   const change: SettingsModel['change'] = (part) => void (current.value = { ...current.value, ...part });
   const settings: SettingsModel = { current, own: current, change, hold: change };
-  const edits: [Scene, Scene][] = [];
+  const edits: CourseStep[] = [];
+  work.onStep((step) => edits.push(step));
   const scope = effectScope();
   const editor = scope.run(() =>
     createCourseEditor({
@@ -26,7 +27,6 @@ function editing(kind: LayoutKind = 'wide') {
       kind: shallowRef(kind),
       runStart: shallowRef<Scene | null>(null),
       isActive: shallowRef(false),
-      onEdit: (before, after) => edits.push([before, after]),
     }),
   )!;
   return { work, editor, edits };

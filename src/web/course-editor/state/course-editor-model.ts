@@ -1,4 +1,4 @@
-import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { Vec } from '#core/geometry';
 import { usualToolOptions } from '#editor/tools/tool-options';
@@ -25,12 +25,8 @@ export interface EditorParts {
 
 /** Something that is said to screen readers. */
 export type Happened =
-  | {
-      readonly type: 'edit' | 'undo' | 'redo';
-      readonly before: Scene;
-      readonly after: Scene;
-      readonly edit: SceneEdit | null;
-    }
+  /** `scene`: the course without the edit. */
+  | { readonly type: 'edit' | 'undo' | 'redo'; readonly scene: Scene; readonly edit: SceneEdit }
   | { readonly type: 'problem'; readonly problem: SceneProblem }
   | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
   | { readonly type: 'tool'; readonly tool: ArenaTool };
@@ -77,8 +73,6 @@ export interface EditorSurroundings {
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
   /** A run is under way. */
   readonly isActive: Readonly<ShallowRef<boolean>>;
-  /** After an edit was done, taken back or done again. */
-  readonly onEdit: (before: Scene, after: Scene) => void;
 }
 
 /** Makes the course editor's state; it lives as long as the app. */
@@ -87,6 +81,9 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
   // What is gone cannot be selected.
   watch(around.work.scene, (scene) => editor.forgetGone(scene), { flush: 'sync' });
   watch(around.work.openings, () => editor.reset());
+  onScopeDispose(
+    around.work.onStep(({ type, step, without }) => editor.tell({ type, scene: without, edit: step.edit })),
+  );
   watch(editor.isOpen, (open) => {
     if (!open) editor.choose('hand');
   });
@@ -144,14 +141,21 @@ class CourseEditor implements CourseEditorModel {
       this.tell({ type: 'problem', problem: this.problem.value });
       return false;
     }
-    const done = this.step('edit', () => work.edit(edit), edit);
+    this.drag.value = null;
+    const done = work.edit(edit);
     if (select !== undefined) this.selection.value = select;
     return done;
   };
 
-  readonly undo = (): void => void this.step('undo', () => this.around.work.undo(), null);
+  readonly undo = (): void => {
+    this.drag.value = null;
+    this.around.work.undo();
+  };
 
-  readonly redo = (): void => void this.step('redo', () => this.around.work.redo(), null);
+  readonly redo = (): void => {
+    this.drag.value = null;
+    this.around.work.redo();
+  };
 
   readonly setOpen = (open: boolean): void => this.around.settings.change({ showTools: open });
 
@@ -179,18 +183,8 @@ class CourseEditor implements CourseEditorModel {
     this.problem.value = null;
   }
 
-  private step(type: 'edit' | 'undo' | 'redo', act: () => boolean, edit: SceneEdit | null): boolean {
-    const { work, onEdit } = this.around;
-    const before = work.scene.value;
-    this.drag.value = null;
-    if (!act()) return false;
-    const after = work.scene.value;
-    onEdit(before, after);
-    this.tell({ type, before, after, edit });
-    return true;
-  }
-
-  private tell(happened: Happened): void {
+  /** Says what happened. */
+  tell(happened: Happened): void {
     const words = this.parts?.wordsFor(happened) ?? '';
     // The same words again are only heard if something of them differs.
     this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { defaultScene, type SceneObject } from '#scene/scene';
 
-import { movesBodies, waitsForStart } from './waiting';
+import { waitsForStart } from './waiting';
 
 const start = defaultScene();
 const wall: SceneObject = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 };
@@ -25,11 +25,4 @@ describe('what of a change waits for the next start', () => {
   });
   it('is nothing once the wall has gone again', () =>
     expect(waitsForStart(start, after(add(stroke, wall), { type: 'remove', ids: ['w'] }))).toBe(false));
-});
-
-describe('what makes the picture of a stopped run wrong', () => {
-  it('is a block that was put somewhere, not a line', () => {
-    expect(movesBodies(start, after(add(block)))).toBe(true);
-    expect(movesBodies(start, after(add(stroke)))).toBe(false);
-  });
 });

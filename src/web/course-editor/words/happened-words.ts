@@ -1,4 +1,4 @@
-import { describeChange, type EditDescription } from '#editor/describe-edit';
+import { describeEdit, type EditDescription } from '#editor/describe-edit';
 import type { Selection } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
@@ -15,12 +15,12 @@ const texts = editingWords.happened;
 export function wordsFor(happened: Happened): string {
   switch (happened.type) {
     case 'edit':
-      return changeWords(happened.before, happened.after, happened.edit);
+      return editWords(happened);
     // What was taken back is what had been done, not its reverse.
     case 'undo':
-      return say(texts.undone, { what: changeWords(happened.after, happened.before) });
+      return say(texts.undone, { what: editWords(happened) });
     case 'redo':
-      return say(texts.redone, { what: changeWords(happened.before, happened.after) });
+      return say(texts.redone, { what: editWords(happened) });
     case 'problem':
       return say(editorWords.panels.tooMuch);
     case 'selected':
@@ -32,8 +32,8 @@ export function wordsFor(happened: Happened): string {
   }
 }
 
-const changeWords = (before: Scene, after: Scene, edit: SceneEdit | null = null): string =>
-  descriptionWords(describeChange(before, after, edit));
+const editWords = ({ scene, edit }: { readonly scene: Scene; readonly edit: SceneEdit }): string =>
+  descriptionWords(describeEdit(scene, edit));
 
 function descriptionWords(it: EditDescription): string {
   switch (it.type) {

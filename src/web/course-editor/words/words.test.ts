@@ -1,6 +1,6 @@
 import { beforeAll, describe, expect, it } from 'vitest';
 
-import { applyEdit, type SceneEdit } from '#scene/edit';
+import type { SceneEdit } from '#scene/edit';
 import { findProblems } from '#scene/rules';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 
@@ -27,12 +27,7 @@ const checkpoint = (number: number): SceneObject => ({
   blocks: 0,
 });
 const scene: Scene = { ...defaultScene(), objects: [wall('a'), checkpoint(2), wall('b')] };
-const said = (edit: SceneEdit, type: 'edit' | 'undo' = 'edit'): string => {
-  const after = applyEdit(scene, edit);
-  return type === 'edit'
-    ? wordsFor({ type, before: scene, after, edit })
-    : wordsFor({ type, before: after, after: scene, edit: null });
-};
+const said = (edit: SceneEdit, type: 'edit' | 'undo' = 'edit'): string => wordsFor({ type, scene, edit });
 
 describe('objects in words', () => {
   it('are counted by their kind, a checkpoint by its own number', () =>

@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import type { SceneEdit } from '#scene/edit';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 
-import { WorkModel } from './work-model';
+import { WorkModel, type CourseStep } from './work-model';
 
 const wall = (id: string): SceneObject => ({ type: 'wall', id, from: [0, 0], to: [100, 0], thickness: 10 });
 const adding = (id: string): SceneEdit => ({ type: 'add', objects: [wall(id)] });
@@ -32,15 +32,33 @@ describe('the history of a course', () => {
     expect([model.canRedo.value, idsOf(model)]).toEqual([false, ['b']]);
   });
 
-  it('takes up a way that was kept, but only where nothing has been done since', () => {
+  it('takes up a history that was kept, but only where nothing has been done since', () => {
     const earlier = work();
     earlier.edit(adding('a'));
     const later = work();
     later.setScene(earlier.scene.value, null);
-    later.takeUp({ ...earlier.way, present: later.scene.value });
+    later.takeUp({ ...earlier.history.value, present: later.scene.value });
     expect([later.undo(), idsOf(later)]).toEqual([true, []]);
     later.takeUp({ past: [], present: later.scene.value, future: [] });
     expect(later.canRedo.value).toBe(true);
+  });
+
+  it('tells of each step the edit itself, with its inverse and the course without it', () => {
+    const model = work();
+    const steps: CourseStep[] = [];
+    const stop = model.onStep((step) => steps.push(step));
+    model.edit(adding('a'));
+    model.edit(adding('b'));
+    model.undo();
+    model.redo();
+    model.undo();
+    stop();
+    model.redo();
+    expect(steps.map(({ type }) => type)).toEqual(['edit', 'edit', 'undo', 'redo', 'undo']);
+    for (const { step, without } of steps.slice(1)) {
+      expect(step).toMatchObject({ edit: adding('b'), inverse: { type: 'remove', ids: ['b'] } });
+      expect(without.objects).toEqual([wall('a')]);
+    }
   });
 
   it('does not count what changes nothing', () => {

@@ -1,11 +1,20 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { freeName, MAIN, type Project, type SourceFile } from '#project/project';
-import { applyEdit, type SceneEdit } from '#scene/edit';
-import { advanced, historyOf, redone, undone, type History } from '#scene/history';
+import type { Stop } from '#core/stop';
+import type { SceneEdit } from '#scene/edit';
+import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
 import { putAside, type Previous, type Work } from '../storage/history';
+
+/** A step of the course that was just done, taken back, or done again. */
+export interface CourseStep {
+  readonly type: 'edit' | 'undo' | 'redo';
+  readonly step: Step;
+  /** The course without the step: before it was done, after it was taken back. */
+  readonly without: Scene;
+}
 
 /**
  * The pupil's work: files, the shown file, the course with its undo history, and the work that was put aside. All
@@ -22,7 +31,9 @@ export class WorkModel {
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
-  private readonly history: ShallowRef<History>;
+  /** The course with its undo history. */
+  readonly history: ShallowRef<History>;
+  private readonly listeners = new Set<(step: CourseStep) => void>();
   /** The opened course. If its name or its task changes, it is no longer a ready course. */
   private origin: Project;
 
@@ -92,28 +103,32 @@ export class WorkModel {
 
   /** Changes the course; one step that can be taken back. Returns whether anything changed. */
   edit(edit: SceneEdit): boolean {
-    return this.step(advanced(this.history.value, applyEdit(this.scene.value, edit)));
+    const history = advanced(this.history.value, edit);
+    return this.go('edit', history, history.past.at(-1));
   }
 
   /** Takes the last change of the course back. Returns whether there was one. */
   undo(): boolean {
-    return this.step(undone(this.history.value));
+    const history = undone(this.history.value);
+    return this.go('undo', history, history.future[0]);
   }
 
   /** Does again what was taken back last. Returns whether there was something. */
   redo(): boolean {
-    return this.step(redone(this.history.value));
+    const history = redone(this.history.value);
+    return this.go('redo', history, history.past.at(-1));
   }
 
-  /** The course with its undo history, for storage. */
-  get way(): History {
-    return this.history.value;
+  /** Calls the listener after each step. Opening another course is not a step. */
+  onStep(listener: (step: CourseStep) => void): Stop {
+    this.listeners.add(listener);
+    return () => void this.listeners.delete(listener);
   }
 
   /** Restores a stored undo history, unless the course has changed since. */
-  takeUp(way: History): void {
+  takeUp(kept: History): void {
     const { past, present, future } = this.history.value;
-    if (past.length + future.length === 0 && present === way.present) this.history.value = way;
+    if (past.length + future.length === 0 && present === kept.present) this.history.value = kept;
   }
 
   /** Opens another course; the files stay. The work so far is put aside if `nameOfOld` is given. */
@@ -145,14 +160,17 @@ export class WorkModel {
     this.work.value = { ...this.work.value, project, open };
   }
 
-  private step(history: History): boolean {
+  private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
+    const before = this.history.value;
+    if (history === before || step === undefined) return false;
     const { present } = history;
-    if (present === this.scene.value) return false;
     this.history.value = history;
     const { course, scene } = this.origin;
     const isCalledSo = present.name === scene.name && present.description === scene.description;
     const project = { ...this.work.value.project, scene: present, course: isCalledSo ? course : null };
     this.work.value = { ...this.work.value, project };
+    const without = type === 'undo' ? present : before.present;
+    for (const listener of this.listeners) listener({ type, step, without });
     return true;
   }
 
