@@ -76,6 +76,7 @@ describe('a fifth language', () => {
 
   it('is spoken by robots, attachments and their sheets', async () => {
     const lists = await Promise.all(['robots/index.ts', 'robots/sheets.ts', 'attachments/types.ts'].map(inPlace));
+    // Programs have a test of their own.
     const withoutPrograms = ({ robotSheets, ...list }) => [
       list,
       robotSheets?.map((sheet) => ({ ...sheet, examples: [] })),

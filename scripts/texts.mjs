@@ -9,8 +9,6 @@ const LIST = 'src/core/texts.ts';
 const languagesOf = (list) => Array.from(list.matchAll(/^ {2}(\w+): \{ name: /gm), ([, language]) => language);
 /** The words of a part: a file per language, such as `src/attachments/words/fr.json` or, of a piece that comes late, `words/about/fr.json`. */
 const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;
-/** Where the titles of programs stand beside the programs. */
-const TITLES_OF_PROGRAMS = /\/(sheet|board-programs)\.ts$/;
 /** Words of programs: their member `program` stands under the English texts, and a test of its own looks after it. */
 const OF_PROGRAMS = /^courses\/|\/examples\/words\/$/;
 /** Parts whose texts are told by `t` under their names: folder → what stands before the names. */
@@ -31,7 +29,7 @@ const KEYED = { 'src/web/page/words/': '', 'src/web/page/words/error/': 'error.'
 export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
   const languages = languagesOf(files.get(LIST) ?? '');
   const parts = partsIn(files);
-  const entries = [...parts, ...coursesIn(files)].flatMap((part) => part.entries);
+  const entries = parts.flatMap((part) => part.entries);
   return [
     ...entries.flatMap((entry) => wrongIn(entry, languages, same)),
     ...parts.flatMap((part) => (part.folder in KEYED ? unusedKeys(part, files) : unusedTexts(part, files))),
@@ -44,10 +42,7 @@ export function problemsOf(files, same = { fr: new Set(), it: new Set() }) {
  *
  * @returns {Promise<Entry[]>}
  */
-export async function allTexts() {
-  const files = await filesWithTexts();
-  return [...partsIn(files), ...coursesIn(files)].flatMap(({ entries }) => entries);
-}
+export const allTexts = async () => partsIn(await filesWithTexts()).flatMap(({ entries }) => entries);
 
 /**
  * The parts of the app that have words.
@@ -79,21 +74,6 @@ function textsOf(value, without, path = '') {
   return Object.entries(value)
     .filter(([name]) => !without.includes(name))
     .flatMap(([name, inner]) => textsOf(inner, without, path === '' ? name : `${path}.${name}`));
-}
-
-/** What the courses say about themselves, in their `texts.json`. */
-function coursesIn(files) {
-  return [...files].flatMap(([path, text]) => {
-    if (!path.endsWith('texts.json')) return [];
-    const all = JSON.parse(text);
-    const inAll = (part) =>
-      Object.entries(all).flatMap(([it, own]) => (own[part] === undefined ? [] : [[it, own[part]]]));
-    const entries = ['name', 'text', 'task'].map((part) => ({
-      where: `${path} ${part}`,
-      texts: Object.fromEntries(inAll(part)),
-    }));
-    return [{ entries }];
-  });
 }
 
 /** Places for values: `{name}`. Python in a text has none, as its braces hold more than a word. */
@@ -128,7 +108,7 @@ function wrongIn({ where, texts }, languages, same) {
 /** Texts that stand in a source instead of a file of words. */
 function textsInSources(files) {
   return [...files].flatMap(([path, text]) => {
-    if (path.endsWith('.json') || TITLES_OF_PROGRAMS.test(path)) return [];
+    if (path.endsWith('.json')) return [];
     const found = Array.from(text.matchAll(/\bde: *["'`]/g), ({ index }) => text.slice(0, index).split('\n').length);
     return found.map((line) => `${path}:${line}: texts stand in words/<language>.json`);
   });
@@ -218,8 +198,7 @@ export async function filesWithTexts() {
   /** @type {Map<string, string>} */
   const files = new Map();
   for (const path of paths)
-    if (isSource(path) || WORDS.test(path) || path.endsWith('texts.json'))
-      files.set(path, await readFile(join(root, path), 'utf8'));
+    if (isSource(path) || WORDS.test(path)) files.set(path, await readFile(join(root, path), 'utf8'));
   return files;
 }
 
