@@ -19,7 +19,7 @@ import { isLasting, runKinds, type RunKind } from '#simulation/kinds';
 
 import { drawObject, pictureKinds } from '../arena/picture/kinds/index';
 import type { PictureKind } from '../arena/picture/kinds/kind';
-import { lightPalette } from '../arena/picture/palette';
+import { lightPalette } from '../arena/model/palette';
 import { fitView } from '../arena/view/view-transform';
 import { editorWords } from '../course-editor/words/editor-words';
 import { kindWords, namesOf, whereText } from '../course-editor/words/object-words';

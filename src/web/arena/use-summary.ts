@@ -1,5 +1,5 @@
 import { onBeforeUnmount, onMounted, shallowRef, watch, type ShallowRef } from 'vue';
-import type { ArenaRobot } from './picture/arena-model';
+import type { ArenaRobot } from './model/arena-model';
 import { summaryOf, type ArenaSummary } from './picture/arranged';
 
 /** How often the text about the robot changes at most, in ms: a screen reader must be able to finish a sentence. */

@@ -3,7 +3,7 @@ import { unpackLevels } from '#scene/background';
 import type { Background, Point, Scene } from '#scene/scene';
 
 import { pixelsOf } from '../arena/picture/background-grid';
-import { lightPalette } from '../arena/picture/palette';
+import { lightPalette } from '../arena/model/palette';
 import { withPixelSize } from '../arena/robot/robot-drawing';
 import type { Trail } from '../run/trail';
 import { courseSvg, type PictureOptions } from './svg-course';

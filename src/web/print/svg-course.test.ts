@@ -1,9 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
-import { lightPalette } from '../arena/picture/palette';
+import { lightPalette } from '../arena/model/palette';
 import { courseSvg, type PictureOptions } from './svg-course';
 import { diagonals } from './kinds/svg-parts';
-import { element, escapeXml } from './svg-write';
+import { element, escapeXml } from './kinds/svg-write';
 
 const plain: PictureOptions = { grid: false, rulers: false, robot: null, path: [], background: null, floor: true };
 const course = (objects: readonly SceneObject[], part: Partial<Scene> = {}): Scene => ({

@@ -4,13 +4,13 @@ import type { Point, Scene } from '#scene/scene';
 
 import { gridSteps } from '../arena/picture/draw-floor';
 import { rulerLabels, rulerTicks } from '../arena/picture/draw-rulers';
-import { lightPalette as colors } from '../arena/picture/palette';
+import { lightPalette as colors } from '../arena/model/palette';
 import { readRobotDrawing } from '../arena/robot/robot-drawing';
 import { kindOf } from './kinds/index';
 import type { ToPicture } from './kinds/kind';
 import { SVG_FONT } from './kinds/svg-parts';
 import { jointsSvg } from './kinds/wall';
-import { element, escapeXml, figure, pathThrough } from './svg-write';
+import { element, escapeXml, figure, pathThrough } from './kinds/svg-write';
 
 /** Additions to the course in its picture. */
 export interface PictureOptions {

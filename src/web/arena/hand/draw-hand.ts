@@ -5,7 +5,7 @@ import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { drawPill } from '../picture/draw-pill';
 import { normalAngle } from './hand-gesture';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 
 /** The ring around the robot, by which it is turned. */

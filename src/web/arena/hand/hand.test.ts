@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Pose, Vec } from '#core/geometry';
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 import { Hand, ringRadiusPx, type HandPorts } from './hand';
 
 /** A view of 1 px per mm: the arena of 1000 × 800 mm fills the canvas, y goes down on it. */

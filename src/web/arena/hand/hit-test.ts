@@ -1,5 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 
 /** What lies under a pointer. */
 export type Target =

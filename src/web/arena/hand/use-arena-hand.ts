@@ -1,6 +1,6 @@
 import { onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 import type { Pose, Vec } from '#core/geometry';
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 import { Hand } from './hand';
 import type { HeldThing } from './held-thing';
 import type { RobotShape } from './hit-test';

@@ -1,11 +1,11 @@
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 import { liesStill } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/kinds/block';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo } from './draw-moving';
 import { moverSprite } from './mover-sprite';
 import { boxAround, type PxBox } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
 /** Where blocks are shown, and how. */

@@ -1,6 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { UltrasonicState } from '#robots/robot';
-import type { ArenaRobot, PlacedBlock } from '../picture/arena-model';
+import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import type { Arranged } from '../picture/arranged';
 import { drawMovableBlock } from '../picture/kinds/block';
 import { attachmentFrontMm, attachmentPainter, attachmentReachMm } from '../robot/draw-attachments';
@@ -11,7 +11,7 @@ import { drawRobot, paintedRadiusMm } from '../robot/draw-robot';
 import { ringRadiusPx, type Hand } from '../hand/hand';
 import type { OverlayPicture } from './overlays';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import type { RobotPainting } from '../robot/robot-painting';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 import { createRestless } from './use-blocks-layer';
 
 const block = (id: string, xMm = 0): PlacedBlock => ({

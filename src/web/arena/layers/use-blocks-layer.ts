@@ -1,12 +1,12 @@
 import type { ShallowRef } from 'vue';
-import type { PlacedBlock } from '../picture/arena-model';
+import type { PlacedBlock } from '../model/arena-model';
 import { lieStill, liesStill } from '../picture/arranged';
 import { createBlockSprites } from './block-sprites';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo, drawBlocks, type MovingScene } from './draw-moving';
 import { useViewRest } from '../picture/kept-picture';
 import { wholeCanvas } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { createStillCache } from '../picture/still-cache';
 import type { ArenaView } from '../view/use-arena-view';
 import { useLayer } from '../view/use-layer';

@@ -1,6 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 import type { Snapshot } from '#simulation/snapshot';
-import type { ArenaOptions } from '../picture/arena-model';
+import type { ArenaOptions } from '../model/arena-model';
 import type { MovingScene } from './draw-moving';
 import type { OverlayParts, OverlayPicture, Overlays } from './overlays';
 import type { Trail } from '../../run/trail';

@@ -1,5 +1,5 @@
 import { onBeforeUnmount, onMounted, watch } from 'vue';
-import type { ArenaRobot } from '../picture/arena-model';
+import type { ArenaRobot } from '../model/arena-model';
 import { degreesOf } from '../picture/arranged';
 
 /** Shortest interval between changes of the marks, in ms: short enough for observers, too long to cost a frame. */

@@ -6,7 +6,7 @@ import { drawScene, type PaintObjects } from '../picture/draw-scene';
 import type { LiveScene } from '../picture/live-scene';
 import { useViewRest } from '../picture/kept-picture';
 import { wholeCanvas } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import type { SceneKinds } from '../picture/scene-kinds';
 import { areMany, createStillCache, type StillFrame } from '../picture/still-cache';
 import { useLayer } from '../view/use-layer';

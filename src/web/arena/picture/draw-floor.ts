@@ -1,5 +1,5 @@
 import type { PxBox } from '../view/moving-window';
-import type { Palette } from './palette';
+import type { Palette } from '../model/palette';
 import { marginsPx, toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
 /** Where the floor lies on the canvas. */

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { canvasFont, type Palette } from './palette';
+import { canvasFont, type Palette } from '../model/palette';
 import type { CanvasSize } from '../view/view-transform';
 
 const HEIGHT = 24;

@@ -1,5 +1,5 @@
 import { floorPx, sightPx } from './draw-floor';
-import { canvasFont, type Palette } from './palette';
+import { canvasFont, type Palette } from '../model/palette';
 import type { ArenaSize, CanvasSize, View } from '../view/view-transform';
 
 /** One mark of a ruler. */

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
 import { drawScene } from './draw-scene';
-import { lightPalette } from './palette';
+import { lightPalette } from '../model/palette';
 import type { SceneKinds } from './scene-kinds';
 import { fitView } from '../view/view-transform';
 

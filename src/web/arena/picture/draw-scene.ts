@@ -5,7 +5,7 @@ import { drawFloor, drawFloorGrid, drawRim, floorPx } from './draw-floor';
 import { drawRulers } from './draw-rulers';
 import { drawStroke } from './kinds/stroke';
 import { drawWalls } from './kinds/wall';
-import type { Palette } from './palette';
+import type { Palette } from '../model/palette';
 import type { SceneKinds } from './scene-kinds';
 import type { PaintList } from './still-cache';
 import type { CanvasSize, View } from '../view/view-transform';

@@ -4,7 +4,7 @@ import { floorPx } from './draw-floor';
 import { drawObject } from './kinds/index';
 import { drawRobotOutline, outlinePath, robotOutlinePx } from './draw-outline';
 import type { LiveScene } from './live-scene';
-import type { Palette } from './palette';
+import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 
 /** What of a course a run does not know yet, and where the robot starts. */

@@ -9,7 +9,7 @@ import { createBackgroundShelf, drawBackground } from './draw-background';
 import { kindOf } from './kinds/index';
 import { drawMover } from './kinds/mover';
 import { drawWaiting, type Waiting } from './draw-waiting';
-import type { Palette } from './palette';
+import type { Palette } from '../model/palette';
 import type { View } from '../view/view-transform';
 
 /** Draws the kinds that come late, in CSS px. */

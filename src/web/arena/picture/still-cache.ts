@@ -1,5 +1,5 @@
 import type { SceneObject } from '#scene/scene';
-import type { Palette } from './palette';
+import type { Palette } from '../model/palette';
 import type { PxBox } from '../view/moving-window';
 import type { CanvasSize, View } from '../view/view-transform';
 

@@ -8,10 +8,10 @@
 import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
-import type { ArenaRobot, PlacedBlock } from '../picture/arena-model';
+import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
 import { drawMovableBlock } from '../picture/kinds/block';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import { createSpriteShelf, type SpriteShelf } from './robot-sprite';
 import { toPx, type View } from '../view/view-transform';

@@ -3,7 +3,7 @@ import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { drawPill } from '../picture/draw-pill';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import type { RotationCentre } from './rotation-centre';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 

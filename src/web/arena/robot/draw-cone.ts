@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { UltrasonicState } from '#robots/robot';
 import { drawPill } from '../picture/draw-pill';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 
 /** How far the fan is drawn when nothing is in range, in mm; it fades out there. */

@@ -1,11 +1,11 @@
 import type { Vec } from '#core/geometry';
 import type { RobotState } from '#robots/robot';
-import type { ArenaRobot, RobotLook } from '../picture/arena-model';
+import type { ArenaRobot, RobotLook } from '../model/arena-model';
 import { attachmentPainter } from './draw-attachments';
 import { bumperSprites } from './draw-bumper';
 import { drawGlow, floorLight } from '../../page/drawing/draw-glow';
 import { ledOpacity } from '../../board/drawing/led-brightness';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import type { Box, RobotDrawing, Spot } from './robot-drawing';
 import { HELD_SIZE, type RobotPainting } from './robot-painting';
 import type { RobotSprite } from './robot-sprite';

@@ -1,5 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
-import { canvasFont, type Palette } from '../picture/palette';
+import { canvasFont, type Palette } from '../model/palette';
 import { boxAround, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 

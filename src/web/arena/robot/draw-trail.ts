@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import type { Trail } from '../../run/trail';
 import { sightPx } from '../picture/draw-floor';
 import { toPx, type ArenaSize, type View } from '../view/view-transform';

@@ -1,4 +1,4 @@
-import type { RobotLook } from '../picture/arena-model';
+import type { RobotLook } from '../model/arena-model';
 import type { RobotDrawing } from './robot-drawing';
 import type { SpriteShelf } from './robot-sprite';
 

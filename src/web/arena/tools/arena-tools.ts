@@ -15,7 +15,7 @@ import { floorPx } from '../picture/draw-floor';
 import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
 import { createInkLayer } from './ink-layer';
 import { movingWindow, type PxBox } from '../view/moving-window';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { toolCursor } from './tool-cursors';
 import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';

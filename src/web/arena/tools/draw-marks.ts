@@ -7,7 +7,7 @@ import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { drawPill } from '../picture/draw-pill';
 import { outlinePath } from '../picture/draw-outline';
-import type { Palette } from '../picture/palette';
+import type { Palette } from '../model/palette';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
 /** What the marks are drawn on. */

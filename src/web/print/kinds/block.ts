@@ -1,8 +1,8 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block, Point } from '#scene/scene';
 
-import { lightPalette as colors } from '../../arena/picture/palette';
-import { element } from '../svg-write';
+import { lightPalette as colors } from '../../arena/model/palette';
+import { element } from './svg-write';
 import type { PrintKind } from './kind';
 import { boxFrame, diagonals, icon, rect } from './svg-parts';
 

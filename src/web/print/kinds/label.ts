@@ -2,9 +2,9 @@ import type { jsPDF } from 'jspdf';
 import type { Label } from '#scene/scene';
 
 import { CAPITAL } from '../../arena/picture/kinds/label';
-import { lightPalette as colors } from '../../arena/picture/palette';
+import { lightPalette as colors } from '../../arena/model/palette';
 import { write } from './pdf-parts';
-import { element, escapeXml } from '../svg-write';
+import { element, escapeXml } from './svg-write';
 import type { PrintKind, ToPicture, ToSheet } from './kind';
 import { SVG_FONT, turned } from './svg-parts';
 

@@ -1,8 +1,8 @@
 import { mdiArrowLeftRightBold } from '@mdi/js';
 import type { Mover, Point } from '#scene/scene';
 
-import { lightPalette as colors } from '../../arena/picture/palette';
-import { element, pathThrough } from '../svg-write';
+import { lightPalette as colors } from '../../arena/model/palette';
+import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture } from './kind';
 import { toothed } from './spikes';
 import { boxFrame, degrees, icon, rect } from './svg-parts';

@@ -2,8 +2,8 @@ import { mdiAlert } from '@mdi/js';
 import type { Point, Spikes } from '#scene/scene';
 
 import { teeth } from '../../arena/picture/kinds/spikes';
-import { lightPalette as colors } from '../../arena/picture/palette';
-import { element, pathThrough } from '../svg-write';
+import { lightPalette as colors } from '../../arena/model/palette';
+import { element, pathThrough } from './svg-write';
 import type { PrintKind } from './kind';
 import { boxFrame, icon } from './svg-parts';
 

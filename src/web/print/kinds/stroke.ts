@@ -3,8 +3,8 @@ import { boundsMeet, type Bounds } from '#scene/outline';
 import type { Point, Stroke } from '#scene/scene';
 
 import { needsRim } from '../../arena/picture/kinds/stroke';
-import { lightPalette as colors } from '../../arena/picture/palette';
-import { element, pathThrough } from '../svg-write';
+import { lightPalette as colors } from '../../arena/model/palette';
+import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture, ToSheet } from './kind';
 
 /** Painted lines. */

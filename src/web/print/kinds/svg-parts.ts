@@ -1,6 +1,6 @@
 import type { Point } from '#scene/scene';
 
-import { element, escapeXml, pathThrough } from '../svg-write';
+import { element, escapeXml, pathThrough } from './svg-write';
 import type { ToPicture } from './kind';
 
 /** Fonts of the texts in a picture; every viewer has one of them. */

@@ -1,8 +1,8 @@
 import type { SceneObject, Wall } from '#scene/scene';
 
 import { wallJoints } from '../../arena/picture/kinds/wall';
-import { lightPalette as colors } from '../../arena/picture/palette';
-import { element, pathThrough } from '../svg-write';
+import { lightPalette as colors } from '../../arena/model/palette';
+import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture } from './kind';
 import { degrees, turned } from './svg-parts';
 

@@ -4,9 +4,9 @@ import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boxOutline, type Bounds } from '#scene/outline';
 import type { Point, Zone } from '#scene/scene';
 
-import { lightPalette as colors } from '../../arena/picture/palette';
+import { lightPalette as colors } from '../../arena/model/palette';
 import { ellipse, polygon, write } from './pdf-parts';
-import { element, pathThrough } from '../svg-write';
+import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture, ToSheet } from './kind';
 import { boxFrame, diagonals, icon, rect, turned, written } from './svg-parts';
 

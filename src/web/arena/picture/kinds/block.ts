@@ -1,7 +1,7 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
 import type { Block } from '#scene/scene';
-import type { PlacedBlock } from '../arena-model';
-import type { Palette } from '../palette';
+import type { PlacedBlock } from '../../model/arena-model';
+import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 
 /** A block of the scene as it lies at the start. */

@@ -1,6 +1,6 @@
 import type { Block, Label, Mover, SceneObject, Wall, Zone } from '#scene/scene';
 import type { View } from '../../view/view-transform';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 import { drawFixedBlock, drawMovableBlock, placedBlock } from './block';
 import { boxFrame, type Frame, type PictureKind } from './kind';
 import { drawLabel, labelSize } from './label';

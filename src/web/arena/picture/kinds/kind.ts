@@ -3,7 +3,7 @@ import type { AnyObject } from '#scene/kinds/kind';
 import type { SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
 import type { View } from '../../view/view-transform';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 
 /** Draws an object as it is at the start, in CSS px. */
 type Draw<O> = (context: CanvasRenderingContext2D, view: View, object: O, palette: Palette) => void;

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Label } from '#scene/scene';
-import { canvasFont, type Palette } from '../palette';
+import { canvasFont, type Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 
 /** Height of a capital in parts of the size of its font, for the sans-serif fonts of `canvasFont`. */

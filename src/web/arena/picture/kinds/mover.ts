@@ -1,7 +1,7 @@
 import { mdiArrowLeftRightBold } from '@mdi/js';
 import type { Pose } from '#core/geometry';
 import type { Mover } from '#scene/scene';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 import { drawIcon, inFrameOf, roundRect } from './block';
 import { drawTeeth, placedBox, teethPath, toothMm } from './spikes';

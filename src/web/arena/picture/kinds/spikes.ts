@@ -1,9 +1,9 @@
 import { mdiAlert } from '@mdi/js';
 import type { Pose, Vec } from '#core/geometry';
 import type { Mover, Spikes } from '#scene/scene';
-import type { PlacedBlock } from '../arena-model';
+import type { PlacedBlock } from '../../model/arena-model';
 import { drawIcon, inFrameOf } from './block';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 import type { View } from '../../view/view-transform';
 
 /** A box of the course in its place at the start. */

@@ -1,5 +1,5 @@
 import type { Stroke } from '#scene/scene';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 import type { View } from '../../view/view-transform';
 
 /** Points nearer to each other than this, in px, are drawn as one. */

@@ -1,5 +1,5 @@
 import type { Point, Wall } from '#scene/scene';
-import type { Palette } from '../palette';
+import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 
 /** How high a course of bricks is at least, in mm; walls of 10 mm have two of them. */

@@ -1,7 +1,7 @@
 import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
 import type { SceneObject, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
-import { canvasFont, type Palette } from '../palette';
+import { canvasFont, type Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 
 /** How far a zone has been dealt with in this run. */
