@@ -27,14 +27,6 @@ describe('how the panes lie', () => {
     expect(pageIn(width, height).layout.kind.value).toBe(kind);
   });
 
-  it('follows the window', () => {
-    const page = pageIn(1280, 800);
-    setWindow(500, 800);
-    expect(page.layout.kind.value).toBe('phone');
-    setWindow(1280, 800);
-    expect(page.layout.kind.value).toBe('wide');
-  });
-
   it('of board and arena alone in a host’s small frame is side by side, above each other, or behind tabs', () => {
     const wish = { settings: { parts: ['board', 'arena'] } } as const;
     const arrangement = (width: number, height: number) => pageIn(width, height, wish).layout.arrangement.value;
@@ -108,7 +100,7 @@ describe('the sizes of the panes', () => {
 
   it('are those that the pupil has dragged', () => {
     const page = pageIn(1280, 800);
-    page.settings.change({ codePx: 333, consolePx: 99 });
+    page.settings.change({ showArena: true, codePx: 333, consolePx: 99 });
     expect(page.layout.sizes.value).toEqual({ code: 333, board: 256, console: 99, top: 0 });
     page.settings.change({ codePx: null });
     expect(page.layout.sizes.value.code).toBe(420);

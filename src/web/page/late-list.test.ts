@@ -5,7 +5,8 @@ import { h, type Component } from 'vue';
 
 import { lateList } from './late-list';
 
-const Names = { render: () => h('ul', [h('li', 'Slalom')]) };
+/** A module with a list of one course, as `import()` gives it. */
+const names = { __esModule: true, default: { render: () => h('ul', [h('li', 'Slalom')]) } };
 
 /** Opens the menu: its list is to be shown. */
 const open = (List: Component) => mount({ render: () => h('div', [h(List)]) });
@@ -13,7 +14,7 @@ const open = (List: Component) => mount({ render: () => h('div', [h(List)]) });
 describe('the list of a menu', () => {
   it('is not fetched with the page', () => {
     let fetched = 0;
-    lateList(() => Promise.resolve({ default: Names }).finally(() => (fetched += 1)));
+    lateList(() => Promise.resolve(names).finally(() => (fetched += 1)));
     expect(fetched).toBe(0);
   });
 
@@ -21,7 +22,7 @@ describe('the list of a menu', () => {
     let fetched = 0;
     const { soon } = lateList(() => {
       fetched += 1;
-      return Promise.resolve({ default: Names });
+      return Promise.resolve(names);
     });
     soon.pointerenter();
     expect(fetched).toBe(1);
@@ -30,7 +31,7 @@ describe('the list of a menu', () => {
   });
 
   it('stands in the menu when it is there', async () => {
-    const { List } = lateList(() => Promise.resolve({ default: Names }));
+    const { List } = lateList(() => Promise.resolve(names));
     const menu = open(List);
     expect(menu.text()).toBe('');
     await flushPromises();
@@ -41,7 +42,7 @@ describe('the list of a menu', () => {
     let asked = 0;
     const { List, soon } = lateList(() => {
       asked += 1;
-      return asked === 1 ? Promise.reject(new Error('offline')) : Promise.resolve({ default: Names });
+      return asked === 1 ? Promise.reject(new Error('offline')) : Promise.resolve(names);
     });
     soon.pointerenter();
     await flushPromises();
