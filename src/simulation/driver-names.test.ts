@@ -7,7 +7,12 @@ import { AUTO, chooseHardware } from './hardware';
 /** The robot for a program that imports a driver by others, when no robot was chosen. */
 function robotFor(module: string): string | null {
   const files = { 'main.py': `from microbit import *\nimport ${module}`, [`${module}.py`]: '' };
-  const hardware = chooseHardware({ scene: defaultScene(), imports: modulesImportedBy(files), robot: AUTO, board: AUTO });
+  const hardware = chooseHardware({
+    scene: defaultScene(),
+    imports: modulesImportedBy(files),
+    robot: AUTO,
+    board: AUTO,
+  });
   return 'problem' in hardware ? hardware.problem : (hardware.robot?.id ?? null);
 }
 

@@ -194,7 +194,7 @@ describe('how real the robot is', () => {
     },
   );
 
-  it('takes the next robot with one press, after the last the first', async () => {
+  it('takes the next robot with one press, after the last the first', () => {
     const { page, mounted } = panel({ ...robot, reality: 1, seed: 3 });
     named('Anderer Roboter').click();
     expect(page.settings.current.value.seed).toBe(4);

@@ -13,7 +13,7 @@ function panel(robot = 'none', device = 'microbit-v2') {
   page.settings.change({ robot, device });
   const mounted = mountOn(page, SensorPanel);
   const slider = (name: string) => {
-    const found = [...mounted.element.querySelectorAll<HTMLElement>('label.slider')].find(
+    const found = [...(mounted.element as HTMLElement).querySelectorAll<HTMLElement>('label.slider')].find(
       (it) => it.querySelector('.name')?.textContent === name,
     );
     if (found === undefined) throw new Error(`No slider ${name}.`);

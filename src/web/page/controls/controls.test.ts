@@ -222,8 +222,8 @@ describe('a compass to turn', () => {
 });
 
 describe('a little board to tilt', () => {
-  const padAt = (x: number, y: number, isMicrobit = true) => {
-    const props = { x, y, isMicrobit, label: 'Neigung', help: 'Zieh die Platine.', text: 'flach' };
+  const padAt = (x: number, y: number, hasEdge = true) => {
+    const props = { x, y, hasEdge, label: 'Neigung', help: 'Zieh die Platine.', text: 'flach' };
     const pad = mount(TiltPad, { props, attachTo: document.body });
     square(pad.get('[role="slider"]').element);
     return { pad, slider: pad.get('[role="slider"]') };
