@@ -1,3 +1,5 @@
+import { availableParallelism } from 'node:os';
+
 import vue from '@vitejs/plugin-vue';
 import vuetify from 'vite-plugin-vuetify';
 import { defineConfig } from 'vitest/config';
@@ -14,6 +16,7 @@ export default defineConfig({
     include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'build/**/*.test.ts', 'examples/dev/*.test.ts'],
     environment: 'node',
     server: { deps: { inline: ['vuetify'] } },
+    maxWorkers: availableParallelism(), // else one processor waits, which on two is half of the time
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time
   },
 });

@@ -148,10 +148,13 @@ describe('the catalogues', () => {
 
 describe('the texts of a course', () => {
   it('are its name, what it is about and its task, in four languages', () => {
-    const own = { name: 'A', text: 'B', task: 'C' };
-    const texts = { place: 1, de: own, fr: own, it: own, en: { name: 'A', text: 'B' } };
-    expect(problems({ 'courses/a/texts.json': JSON.stringify(texts) })).toEqual([
-      'courses/a/texts.json task: no text in en',
-    ]);
+    const words = (language, texts) => ({ [`courses/a/words/${language}.json`]: JSON.stringify(texts) });
+    const files = [
+      words('de', { name: 'Tor', text: 'Ein Tor.', task: 'Fahr durch das Tor.' }),
+      words('fr', { name: 'Porte', text: 'Une porte.', task: 'Passe la porte.' }),
+      words('it', { name: 'Porta', text: 'Una porta.', task: 'Attraversa la porta.' }),
+      words('en', { name: 'Gate', text: 'A gate.' }),
+    ];
+    expect(problems(Object.assign({}, ...files))).toEqual(['courses/a/words/*.json task: no text in en']);
   });
 });

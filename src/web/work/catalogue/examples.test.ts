@@ -221,7 +221,10 @@ describe('the examples of the robots', () => {
       const line: SceneObject = { id: 'line', type: 'stroke', points, width: 20, color: 'black' };
       const robot = { ...defaultScene().robot, at: [1000, 1000] as const };
       const scene: Scene = { ...defaultScene(), size: [2000, 2000], robot, objects: [line] };
-      const run = await begin({ ...withExample(found, entryOf('maqueen-plus-v2', 'line.py'), 'en'), scene }, 'auto');
+      const run = await begin(
+        { ...withExample(found, entryOf('maqueen-plus-v2', 'line.py'), 'en'), scene },
+        'maqueen-plus-v2',
+      );
       run.advanceTo(60_000_000);
       const { turnedRad, pose } = robotOf(run);
       expect(turnedRad).toBeGreaterThan(2 * Math.PI);
