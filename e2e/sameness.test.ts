@@ -8,7 +8,6 @@ import { runInNode } from './in-node';
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
 interface GoldenRun {
   readonly folder: string;
-  readonly program: string;
   readonly forMs: number;
   readonly seed: number;
   readonly traceHash: string;
@@ -20,11 +19,11 @@ const PROBE = process.env['PARCOURS_PROBE'] ?? '';
 
 test.describe.configure({ retries: 0 }); // what differs once is not the same run everywhere
 
-for (const { folder, program, forMs, seed, traceHash } of runs) {
+for (const { folder, forMs, seed, traceHash } of runs) {
   test(`${folder} is driven bit for bit as in Node`, async ({ app }) => {
     const parsed = parseScene(read(`${folder}/scene.json`));
     if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
-    const files = { 'main.py': read(`${folder}/${program}`) };
+    const files = { 'main.py': read(`${folder}/main.py`) };
     const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0 };
     await app.goto(PROBE);
     const result = await app.evaluate(({ run, untilMs }) => window.probe(run, untilMs), { run: setup, untilMs: forMs });
