@@ -6,6 +6,9 @@ import { defineConfig } from 'vitest/config';
 
 import { programs } from './build/programs.ts';
 
+/** The page's tests share a document and a language, so each file has its own. */
+const PAGE = 'src/web/**/*.test.ts';
+
 /**
  * Unit tests and headless runs; the browsers are driven by playwright.config.ts. A test that mounts components begins with
  * `// @vitest-environment happy-dom`.
@@ -13,9 +16,21 @@ import { programs } from './build/programs.ts';
 export default defineConfig({
   plugins: [programs(), vue(), vuetify({ autoImport: true })],
   test: {
-    include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'build/**/*.test.ts', 'examples/dev/*.test.ts'],
+    projects: [
+      {
+        extends: true,
+        test: {
+          name: 'rooms',
+          include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'build/**/*.test.ts', 'examples/dev/*.test.ts'],
+          exclude: [PAGE],
+          isolate: false, // they leave nothing behind, and loading each module once saves a third of the time
+        },
+      },
+      { extends: true, test: { name: 'page', include: [PAGE] } },
+    ],
     environment: 'node',
     server: { deps: { inline: ['vuetify'] } },
+    pool: 'threads',
     maxWorkers: availableParallelism(), // else one processor waits, which on two is half of the time
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time
   },
