@@ -1,4 +1,5 @@
-import { IN_ONE_ENGINE, violationsOn } from './axe';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import { middleOf, paintOf, robotAt, seenFrom } from './arena';
 import { expect, test, type App } from './app';
 import { distance, drive, ends, sceneOf } from './course';
@@ -84,116 +85,122 @@ const RING = [
   'ring.show()',
 ].join('\n');
 
-test('a LED ring shows itself when the program lights it; by keyboard it becomes a strip and goes onto the robot', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en', robot: 'maqueen-lite', device: 'microbit-v2' });
-  expect(await isThere(app, by('lights'))).toBe(false);
-  await pasteProgram(app, RING);
-  await app.click(on('run'));
-  const label = (): Promise<string | null> => attribute(app, `${by('lights')} canvas`, 'aria-label');
-  await expect.poll(label).toBe('LED ring on pin 0: 24 lights, 2 lit');
-  const litPixels = (): Promise<number> =>
-    app.evaluate(
-      (css) => {
-        const canvas = document.querySelector<HTMLCanvasElement>(css);
-        const context = canvas?.getContext('2d') ?? null;
-        if (canvas === null || context === null || canvas.width === 0) return 0;
-        const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
-        return data.filter((red, i) => i % 4 === 0 && red > 200 && (data[i + 1] ?? 0) < 120).length;
-      },
-      `${by('lights')} canvas`,
+test(
+  'a LED ring shows itself when the program lights it; by keyboard it becomes a strip and goes onto the robot',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en', robot: 'maqueen-lite', device: 'microbit-v2' });
+    expect(await isThere(app, by('lights'))).toBe(false);
+    await pasteProgram(app, RING);
+    await app.click(on('run'));
+    const label = (): Promise<string | null> => attribute(app, `${by('lights')} canvas`, 'aria-label');
+    await expect.poll(label).toBe('LED ring on pin 0: 24 lights, 2 lit');
+    const litPixels = (): Promise<number> =>
+      app.evaluate(
+        (css) => {
+          const canvas = document.querySelector<HTMLCanvasElement>(css);
+          const context = canvas?.getContext('2d') ?? null;
+          if (canvas === null || context === null || canvas.width === 0) return 0;
+          const { data } = context.getImageData(0, 0, canvas.width, canvas.height);
+          return data.filter((red, i) => i % 4 === 0 && red > 200 && (data[i + 1] ?? 0) < 120).length;
+        },
+        `${by('lights')} canvas`,
+      );
+    await expect.poll(litPixels).toBeGreaterThan(10);
+
+    const change = `${by('lights')} [aria-label="Change form and place"]`;
+    await enter(app, change);
+    await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+    await take(app, 'Strip');
+    await expect.poll(label).toBe('LED strip on pin 0: 24 lights, 2 lit');
+    await gone(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+
+    await enter(app, change);
+    await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+    await take(app, 'On the robot');
+    await gone(app, `${by('lights')} canvas`);
+    expect(await app.text(by('lights'))).toContain('on the robot');
+
+    await app.reload();
+    await until(app, on('editor'));
+    await app.click(on('run'));
+    await until(app, by('lights'));
+    expect(await app.text(by('lights'))).toContain('on the robot');
+    await enter(app, change);
+    await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
+    await take(app, 'Beside the microcomputer');
+    await expect.poll(label).toBe('LED strip on pin 0: 24 lights, 2 lit');
+  },
+);
+
+test(
+  'what the arena shows is switched by keyboard and kept: path, line sensors, centre of rotation',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const isOn = (id: string): Promise<string | null> => attribute(app, by(`show-${id}`), 'aria-checked');
+    await openApp(app, { language: 'en', robot: 'maqueen-lite', speed: 'max' });
+    await enter(app, by('show'));
+    await until(app, by('show-trace'));
+    for (const [id, name] of [
+      ['spots', 'Line sensors'],
+      ['centre', 'Centre of rotation'],
+      ['trace', 'Path'],
+    ] as const) {
+      expect(await isOn(id), name).toBe('false');
+      await take(app, name);
+      await expect.poll(() => isOn(id)).toBe('true'); // the menu stays open
+    }
+    await app.press('Escape');
+    await gone(app, by('show-trace'));
+
+    await app.reload();
+    await until(app, on('editor'));
+    await enter(app, by('show'));
+    await until(app, by('show-trace'));
+    for (const id of ['cone', 'spots', 'centre', 'trace']) expect(await isOn(id), id).toBe('true');
+    await app.press('Escape');
+    await gone(app, by('show-trace'));
+
+    // The path goes from where the robot started to where it is.
+    const { size } = defaultScene();
+    const start = await robotAt(app);
+    await pasteProgram(app, 'from mbrobot import *\nforward()\ndelay(1500)\nleftArc(0.2)\ndelay(1000)\nstop()');
+    await app.click(on('run'));
+    await expect.poll(() => consoleIn(app)).toContain('The program has ended.');
+    await expect
+      .poll(async () => {
+        const path = await paintOf(app, 'trail', size);
+        return [
+          path.some(({ x, y }) => Math.abs(x - start.xMm - 20) < 10 && Math.abs(y - start.yMm) < 10),
+          path.some(({ x, y }) => x > start.xMm + 150 && y > start.yMm + 20),
+        ];
+      })
+      .toEqual([true, true]);
+    await enter(app, by('show'));
+    await until(app, by('show-trace'));
+    await take(app, 'Path');
+    await expect.poll(() => isOn('trace')).toBe('false');
+    await expect.poll(() => app.evaluate(() => document.querySelectorAll('[data-testid=arena] canvas').length)).toBe(3);
+  },
+);
+
+test(
+  'a Maqueen on a Calliope mini: the arena says in a sentence what is plugged where, a button mends it',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'de', device: 'calliope-mini-3' });
+    await pasteProgram(app, 'from mbrobot_plusV2 import *\nforward()');
+    await until(app, `.pane-arena ${by('misplugged')}`);
+    expect(await app.text(`.pane-arena ${by('misplugged')} p`)).toBe(
+      'Der Maqueen Plus V2 gehört auf einen micro:bit V2. Hier steckt ein Calliope mini 3: Der Roboter hört nichts.',
     );
-  await expect.poll(litPixels).toBeGreaterThan(10);
-
-  const change = `${by('lights')} [aria-label="Change form and place"]`;
-  await enter(app, change);
-  await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-  await take(app, 'Strip');
-  await expect.poll(label).toBe('LED strip on pin 0: 24 lights, 2 lit');
-  await gone(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-
-  await enter(app, change);
-  await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-  await take(app, 'On the robot');
-  await gone(app, `${by('lights')} canvas`);
-  expect(await app.text(by('lights'))).toContain('on the robot');
-
-  await app.reload();
-  await until(app, on('editor'));
-  await app.click(on('run'));
-  await until(app, by('lights'));
-  expect(await app.text(by('lights'))).toContain('on the robot');
-  await enter(app, change);
-  await until(app, '[role=menu][aria-label="Lights on pin 0"] [role=menuitemradio]');
-  await take(app, 'Beside the microcomputer');
-  await expect.poll(label).toBe('LED strip on pin 0: 24 lights, 2 lit');
-});
-
-test('what the arena shows is switched by keyboard and kept: path, line sensors, centre of rotation', async ({
-  app,
-}) => {
-  const isOn = (id: string): Promise<string | null> => attribute(app, by(`show-${id}`), 'aria-checked');
-  await openApp(app, { language: 'en', robot: 'maqueen-lite', speed: 'max' });
-  await enter(app, by('show'));
-  await until(app, by('show-trace'));
-  for (const [id, name] of [
-    ['spots', 'Line sensors'],
-    ['centre', 'Centre of rotation'],
-    ['trace', 'Path'],
-  ] as const) {
-    expect(await isOn(id), name).toBe('false');
-    await take(app, name);
-    await expect.poll(() => isOn(id)).toBe('true'); // the menu stays open
-  }
-  await app.press('Escape');
-  await gone(app, by('show-trace'));
-
-  await app.reload();
-  await until(app, on('editor'));
-  await enter(app, by('show'));
-  await until(app, by('show-trace'));
-  for (const id of ['cone', 'spots', 'centre', 'trace']) expect(await isOn(id), id).toBe('true');
-  await app.press('Escape');
-  await gone(app, by('show-trace'));
-
-  // The path goes from where the robot started to where it is.
-  const { size } = defaultScene();
-  const start = await robotAt(app);
-  await pasteProgram(app, 'from mbrobot import *\nforward()\ndelay(1500)\nleftArc(0.2)\ndelay(1000)\nstop()');
-  await app.click(on('run'));
-  await expect.poll(() => consoleIn(app)).toContain('The program has ended.');
-  await expect
-    .poll(async () => {
-      const path = await paintOf(app, 'trail', size);
-      return [
-        path.some(({ x, y }) => Math.abs(x - start.xMm - 20) < 10 && Math.abs(y - start.yMm) < 10),
-        path.some(({ x, y }) => x > start.xMm + 150 && y > start.yMm + 20),
-      ];
-    })
-    .toEqual([true, true]);
-  await enter(app, by('show'));
-  await until(app, by('show-trace'));
-  await take(app, 'Path');
-  await expect.poll(() => isOn('trace')).toBe('false');
-  await expect.poll(() => app.evaluate(() => document.querySelectorAll('[data-testid=arena] canvas').length)).toBe(3);
-});
-
-test('a Maqueen on a Calliope mini: the arena says in a sentence what is plugged where, a button mends it', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'de', device: 'calliope-mini-3' });
-  await pasteProgram(app, 'from mbrobot_plusV2 import *\nforward()');
-  await until(app, `.pane-arena ${by('misplugged')}`);
-  expect(await app.text(`.pane-arena ${by('misplugged')} p`)).toBe(
-    'Der Maqueen Plus V2 gehört auf einen micro:bit V2. Hier steckt ein Calliope mini 3: Der Roboter hört nichts.',
-  );
-  await enter(app, `.pane-arena ${by('plug-in')}`);
-  await gone(app, by('misplugged'));
-  const start = await robotAt(app);
-  await app.click(on('run'));
-  await expect.poll(async () => (await robotAt(app)).xMm).toBeGreaterThan(start.xMm + 20);
-});
+    await enter(app, `.pane-arena ${by('plug-in')}`);
+    await gone(app, by('misplugged'));
+    const start = await robotAt(app);
+    await app.click(on('run'));
+    await expect.poll(async () => (await robotAt(app)).xMm).toBeGreaterThan(start.xMm + 20);
+  },
+);
 
 for (const theme of ['light', 'dark'] as const) {
   test(

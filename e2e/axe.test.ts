@@ -1,5 +1,6 @@
 import { expect, test, type App } from './app';
-import { IN_ONE_ENGINE, violationsIn, violationsOn } from './axe';
+import { violationsIn, violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import { appAddress, hostPage, isInFrame, type HostPage } from './hosts';
 import { consoleIn, on, openApp, pasteProgram } from './page';
 import { by, until } from './parts';

@@ -6,12 +6,6 @@ const { source } = createRequire(createRequire(import.meta.url).resolve('@axe-co
   readonly source: string;
 };
 
-/**
- * For what axe looks at beyond the page, its menus and its boards, which it judges in every engine: names, roles and
- * colours are the same in all three, and each look takes seconds of a processor.
- */
-export const IN_ONE_ENGINE = { tag: '@chromium' } as const;
-
 interface Violation {
   readonly id: string;
   readonly nodes: readonly { readonly target: readonly string[] }[];

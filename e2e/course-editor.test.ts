@@ -1,6 +1,7 @@
 import { robotAt } from './arena';
 import { expect, test, type App } from './app';
-import { IN_ONE_ENGINE, violationsOn } from './axe';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import {
   buildMaze,
   buildMazeAndMeetWall,
@@ -97,7 +98,7 @@ test('Escape drops what a tool has begun', async ({ app }) => {
   expect(await canUndo(app)).toBe(true);
 });
 
-test('a damaged link gives a message and changes nothing', async ({ app }) => {
+test('a damaged link gives a message and changes nothing', IN_ONE_ENGINE, async ({ app }) => {
   await buildMaze(withMouse(app), 3);
   await pasteProgram(app, 'print("mine")');
   const rows = await listOf(app);
@@ -109,7 +110,7 @@ test('a damaged link gives a message and changes nothing', async ({ app }) => {
   await expect.poll(() => app.evaluate(() => location.hash)).toBe('');
 });
 
-test('a link that is opened keeps the work so far, one click away', async ({ app }) => {
+test('a link that is opened keeps the work so far, one click away', IN_ONE_ENGINE, async ({ app }) => {
   const pupil = withMouse(app);
   await buildMaze(pupil, 3);
   await pasteProgram(app, 'print("of the link")');
@@ -130,56 +131,60 @@ test('a link that is opened keeps the work so far, one click away', async ({ app
   expect(await listOf(app)).toEqual(mine);
 });
 
-test('a task of one’s own is passed; with a wall in the way and nothing to be touched it is failed', async ({
-  app,
-}) => {
-  const pupil = withMouse(app);
-  await openEditor(app);
-  await clearAll(app);
-  await pupil.chooseTool('zone');
-  await pupil.draw([[700, 130]]);
-  await until(app, by('verdict'));
-  expect(await attribute(app, by('verdict'), 'data-state')).toBe('open');
-  await pasteProgram(app, STRAIGHT_ON);
-  await app.click(on('run'));
-  await expect.poll(() => app.text(by('verdict'))).toContain('Well done!');
+test(
+  'a task of one’s own is passed; with a wall in the way and nothing to be touched it is failed',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const pupil = withMouse(app);
+    await openEditor(app);
+    await clearAll(app);
+    await pupil.chooseTool('zone');
+    await pupil.draw([[700, 130]]);
+    await until(app, by('verdict'));
+    expect(await attribute(app, by('verdict'), 'data-state')).toBe('open');
+    await pasteProgram(app, STRAIGHT_ON);
+    await app.click(on('run'));
+    await expect.poll(() => app.text(by('verdict'))).toContain('Well done!');
 
-  await app.click(by('verdict-again'));
-  await expect.poll(() => attribute(app, by('verdict'), 'data-state')).toBe('open');
-  await pupil.chooseTool('wall');
-  await pupil.draw([[550, 20], [550, 150], [550, 250]]); // prettier-ignore
-  await courseMenu(app, 'course');
-  await until(app, by('no-touch'));
-  await app.click(by('no-touch'));
-  await app.click(`${by('panel-course')} .title button`);
-  await gone(app, by('panel-course'));
-  await app.click(on('run'));
-  await expect.poll(() => app.text(by('verdict'))).toContain('The robot touched a wall.');
-  expect(await attribute(app, by('verdict'), 'data-state')).toBe('failed');
-});
+    await app.click(by('verdict-again'));
+    await expect.poll(() => attribute(app, by('verdict'), 'data-state')).toBe('open');
+    await pupil.chooseTool('wall');
+    await pupil.draw([[550, 20], [550, 150], [550, 250]]); // prettier-ignore
+    await courseMenu(app, 'course');
+    await until(app, by('no-touch'));
+    await app.click(by('no-touch'));
+    await app.click(`${by('panel-course')} .title button`);
+    await gone(app, by('panel-course'));
+    await app.click(on('run'));
+    await expect.poll(() => app.text(by('verdict'))).toContain('The robot touched a wall.');
+    expect(await attribute(app, by('verdict'), 'data-state')).toBe('failed');
+  },
+);
 
-test('in the list of objects a block is added, moved by numbers and deleted, and all of it taken back', async ({
-  app,
-}) => {
-  await openEditor(app);
-  await clearAll(app);
-  await courseMenu(app, 'list');
-  await until(app, by('add-object'));
-  await fromMenu(app, by('add-object'), by('add-block'), () => isThere(app, '.detail .field input'));
-  expect(await rowsIn(app)).toHaveLength(2);
-  await app.fill('.detail .field input', '71.5');
-  await app.press('Enter');
-  await expect.poll(async () => (await rowsIn(app))[1]).toMatch(/^Block 1.* at 71\.5 \| /);
-  await app.press('ArrowUp');
-  await expect.poll(async () => (await rowsIn(app))[1]).toMatch(/ at 72\.5 \| /);
-  await app.click('.detail .remove');
-  await expect.poll(() => rowsIn(app)).toHaveLength(1);
-  await app.click(`${by('panel-list')} .title button`);
-  await gone(app, by('panel-list'));
-  await app.click(by('undo'));
-  await app.click(by('undo'));
-  await expect.poll(async () => (await listOf(app))[1]).toMatch(/ at 71\.5 \| /);
-});
+test(
+  'in the list of objects a block is added, moved by numbers and deleted, and all of it taken back',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openEditor(app);
+    await clearAll(app);
+    await courseMenu(app, 'list');
+    await until(app, by('add-object'));
+    await fromMenu(app, by('add-object'), by('add-block'), () => isThere(app, '.detail .field input'));
+    expect(await rowsIn(app)).toHaveLength(2);
+    await app.fill('.detail .field input', '71.5');
+    await app.press('Enter');
+    await expect.poll(async () => (await rowsIn(app))[1]).toMatch(/^Block 1.* at 71\.5 \| /);
+    await app.press('ArrowUp');
+    await expect.poll(async () => (await rowsIn(app))[1]).toMatch(/ at 72\.5 \| /);
+    await app.click('.detail .remove');
+    await expect.poll(() => rowsIn(app)).toHaveLength(1);
+    await app.click(`${by('panel-list')} .title button`);
+    await gone(app, by('panel-list'));
+    await app.click(by('undo'));
+    await app.click(by('undo'));
+    await expect.poll(async () => (await listOf(app))[1]).toMatch(/ at 71\.5 \| /);
+  },
+);
 
 /** Opens a window of the editor, looks at it and closes it. */
 async function lookAt(app: App, panel: string): Promise<readonly string[]> {

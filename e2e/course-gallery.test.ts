@@ -1,5 +1,6 @@
 import { expect, test, type App } from './app';
-import { IN_ONE_ENGINE, violationsOn } from './axe';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import { attribute, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until } from './parts';
 
@@ -55,7 +56,7 @@ test('the gallery by keyboard: a filter, a course’s page, its beginning in the
   await expect.poll(() => programIn(app)).toBe('print("mine")');
 });
 
-test('the solution shows on demand, and passes', async ({ app }) => {
+test('the solution shows on demand, and passes', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en', speed: 'max' });
   await app.goto('./#courses/push');
   await until(app, by('show-solution'));

@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { openApp, typeProgram } from './page';
 import { fromMenu } from './pupil';
 
@@ -29,20 +30,24 @@ test('what does not run on the device is marked, explained in its line, and no l
   await expect.poll(() => has(PANEL)).toBe(false);
 });
 
-test('the marks and the help speak the language of the page, also when another one is chosen', async ({ app }) => {
-  await openApp(app, { language: 'fr' });
-  await typeProgram(app, 'from microbit import *\nprint(f"{temperature()}")');
-  await expect.poll(() => app.text(PANEL), { timeout: 10_000 }).toContain('Écris plutôt "{}".format(temperature())');
-  await app.press('Home');
-  await app.press('Control', 'Shift', 'Space');
-  await expect.poll(() => textOf(app, CARD)).toContain('Écrit des valeurs dans la console');
-  await app.press('Escape');
+test(
+  'the marks and the help speak the language of the page, also when another one is chosen',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'fr' });
+    await typeProgram(app, 'from microbit import *\nprint(f"{temperature()}")');
+    await expect.poll(() => app.text(PANEL), { timeout: 10_000 }).toContain('Écris plutôt "{}".format(temperature())');
+    await app.press('Home');
+    await app.press('Control', 'Shift', 'Space');
+    await expect.poll(() => textOf(app, CARD)).toContain('Écrit des valeurs dans la console');
+    await app.press('Escape');
 
-  const isItalian = (): Promise<boolean> => app.evaluate(() => document.documentElement.lang === 'it-CH');
-  await fromMenu(app, 'header [aria-label="Menu"]', '[role=menuitemradio][lang=it]', isItalian);
-  await expect.poll(() => textOf(app, PANEL)).toContain('Scrivi invece "{}".format(temperature())');
-  await app.click('.code-editor .cm-line:last-child');
-  await app.press('Home');
-  await app.press('Control', 'Shift', 'Space');
-  await expect.poll(() => textOf(app, CARD)).toContain('Scrive valori nella console');
-});
+    const isItalian = (): Promise<boolean> => app.evaluate(() => document.documentElement.lang === 'it-CH');
+    await fromMenu(app, 'header [aria-label="Menu"]', '[role=menuitemradio][lang=it]', isItalian);
+    await expect.poll(() => textOf(app, PANEL)).toContain('Scrivi invece "{}".format(temperature())');
+    await app.click('.code-editor .cm-line:last-child');
+    await app.press('Home');
+    await app.press('Control', 'Shift', 'Space');
+    await expect.poll(() => textOf(app, CARD)).toContain('Scrive valori nella console');
+  },
+);

@@ -1,5 +1,6 @@
 import { expect, test, type App } from './app';
-import { IN_ONE_ENGINE, violationsOn } from './axe';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
 import { attribute, consoleIn, isEnabled, isThere, on, openApp, pasteProgram, programIn } from './page';
 import { by, gone, until as there } from './parts';
@@ -50,7 +51,7 @@ test('the tour begins in the greeting, waits for real presses, and is gone on wi
   await expect.poll(() => isAt(app, by('menu')), 'the keyboard is where it was before').toBe(true);
 });
 
-test('the tour leads on to the help by keyboard, and is over then', async ({ app }) => {
+test('the tour leads on to the help by keyboard, and is over then', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en', tourStep: 'arena' });
   await fromMenu(app, 'menu-tour');
   await stepIs(app, 'arena');
@@ -64,13 +65,13 @@ test('the tour leads on to the help by keyboard, and is over then', async ({ app
   await expect.poll(() => isAt(app, by('menu')), 'the keyboard is where it was before').toBe(true);
 });
 
-for (const { language, query, entry, folded } of [
-  { language: 'de', query: 'ZURUCK start', entry: 'reset', folded: 'zeitlupe' },
-  { language: 'fr', query: 'arrete les moteurs', entry: 'stop', folded: 'ralenti' },
-  { language: 'it', query: 'velocita', entry: 'speed', folded: 'rallentatore' },
-  { language: 'en', query: 'back to start', entry: 'reset', folded: 'slow motion' },
+for (const { language, query, entry, folded, engines } of [
+  { language: 'de', query: 'ZURUCK start', entry: 'reset', folded: 'zeitlupe', engines: {} },
+  { language: 'fr', query: 'arrete les moteurs', entry: 'stop', folded: 'ralenti', engines: IN_ONE_ENGINE },
+  { language: 'it', query: 'velocita', entry: 'speed', folded: 'rallentatore', engines: IN_ONE_ENGINE },
+  { language: 'en', query: 'back to start', entry: 'reset', folded: 'slow motion', engines: IN_ONE_ENGINE },
 ] as const) {
-  test(`the help finds buttons and writes a command into the program, ${language}`, async ({ app }) => {
+  test(`the help finds buttons and writes a command into the program, ${language}`, engines, async ({ app }) => {
     await openApp(app, { language });
     await there(app, by('menu'));
     await expect(async () => {
@@ -108,24 +109,28 @@ async function choose(app: App, stage: 'board' | 'robot' | 'all'): Promise<void>
   await gone(app, by(`stage-${stage}`));
 }
 
-test('the microcomputer alone, the robot, the tools: each brings a program that fits', async ({ app }) => {
-  await openApp(app, { language: 'en' });
-  await there(app, by('palette'));
-  await choose(app, 'board');
-  await gone(app, on('arena'));
-  await expect.poll(() => programIn(app)).toContain('from microbit import *');
-  await app.click(on('run'));
-  await expect.poll(() => isEnabled(app, 'stop')).toBe(true);
+test(
+  'the microcomputer alone, the robot, the tools: each brings a program that fits',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en' });
+    await there(app, by('palette'));
+    await choose(app, 'board');
+    await gone(app, on('arena'));
+    await expect.poll(() => programIn(app)).toContain('from microbit import *');
+    await app.click(on('run'));
+    await expect.poll(() => isEnabled(app, 'stop')).toBe(true);
 
-  await choose(app, 'robot');
-  await there(app, on('arena'));
-  await gone(app, by('palette'));
-  await expect.poll(() => programIn(app)).toContain('from mbrobot import *');
-  await choose(app, 'all');
-  await there(app, by('palette'));
-});
+    await choose(app, 'robot');
+    await there(app, on('arena'));
+    await gone(app, by('palette'));
+    await expect.poll(() => programIn(app)).toContain('from mbrobot import *');
+    await choose(app, 'all');
+    await there(app, by('palette'));
+  },
+);
 
-test('whatever is in sight, a pupil’s own program stays', async ({ app }) => {
+test('whatever is in sight, a pupil’s own program stays', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en' });
   await pasteProgram(app, 'print("mine")');
   await choose(app, 'board');

@@ -3,6 +3,7 @@ import { readFile } from 'node:fs/promises';
 import LZString from 'lz-string';
 
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { appAddress, consoleInFrame, hostPage, isInFrame, pressInFrame, type HostPage } from './hosts';
 import { buildSampleHost, serveHost } from './hosts/webtigerpython/sample-host';
 import { consoleIn, isThere, on, programIn } from './page';
@@ -162,7 +163,7 @@ const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
   ['?lang=en&task=slalom', () => document.querySelector('header')?.textContent?.includes('Slalom') ?? false],
 ];
 
-test('each parameter of the address shows', async ({ app }) => {
+test('each parameter of the address shows', IN_ONE_ENGINE, async ({ app }) => {
   for (const [address, isSo] of EFFECTS) {
     await app.goto('about:blank');
     await app.goto(`./${encodeURI(decodeURI(address))}`);

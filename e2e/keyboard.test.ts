@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
 import { consoleIn, isEnabled, isThere, keepDown, on, openApp, pasteProgram } from './page';
 
@@ -35,11 +36,11 @@ async function hold(app: App, css: string, key: string, name: string): Promise<v
   await says(app, `${name} up`);
 }
 
-for (const [module, drawing, pins] of [
-  ['microbit', 'svg.microbit', ['pin0', 'pin1', 'pin2']],
-  ['calliopemini', 'svg.calliope', ['pin0', 'pin1', 'pin2', 'pin3']],
+for (const [module, drawing, pins, engines] of [
+  ['microbit', 'svg.microbit', ['pin0', 'pin1', 'pin2'], {}],
+  ['calliopemini', 'svg.calliope', ['pin0', 'pin1', 'pin2', 'pin3'], IN_ONE_ENGINE],
 ] as const) {
-  test(`the board of ${module} is used by keyboard alone, from the editor to the REPL`, async ({ app }) => {
+  test(`the board of ${module} is used by keyboard alone, from the editor to the REPL`, engines, async ({ app }) => {
     await openApp(app, { language: 'en', robot: 'none' }); // a robot has its sensors on some of the pins
     await pasteProgram(app, program(module, pins));
     expect(await isAt(app, on('editor'))).toBe(true);

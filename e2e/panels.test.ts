@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { consoleIn, isThere, on, openApp, pasteProgram, typeProgram } from './page';
 
 const open = (app: App, panel: 'sensors' | 'radio' | 'log'): Promise<void> => app.click(`[data-testid=panel-${panel}]`);
@@ -37,7 +38,7 @@ test('after the program’s end its names can be asked for, line by line and wit
   await expect.poll(() => consoleIn(app)).toMatch(/>>> print\(n \* 2\)\s+44\s+>>>/);
 });
 
-test('messages go over the air both ways', async ({ app }) => {
+test('messages go over the air both ways', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   const program =
     'import radio\nradio.on()\nradio.send("ready")\nwhile True:\n    m = radio.receive()\n    if m: print("got", m)';

@@ -1,5 +1,6 @@
 import { expect, test, type App } from './app';
-import { IN_ONE_ENGINE, violationsOn } from './axe';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, choose, gone, until } from './parts';
 
@@ -48,87 +49,93 @@ test('the gallery opens by keyboard, a page tells of its robot, Escape leads bac
   expect(await app.evaluate(() => location.hash)).toBe('');
 });
 
-test('a link leads to a robot’s page; its example opens with the robot and its board, and drives; nothing is lost', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en', robot: 'maqueen-lite', device: 'microbit-v2' });
-  await pasteProgram(app, 'print("mine")');
-  await app.goto('./#robots/callibot');
-  await until(app, by('open-first_drive.py'));
-  await app.click(by('open-first_drive.py'));
-  await gone(app, '.gallery');
-  await expect.poll(() => programIn(app)).toContain('from callibot import');
-  expect(await programIn(app)).toContain('# First drive'); // in the language of the page
-  await expect.poll(() => robotName(app)).toBe('Calli:bot');
-  await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
-  expect(await isThere(app, by('misplugged'))).toBe(false);
-  await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
+test(
+  'a link leads to a robot’s page; its example opens with the robot and its board, and drives; nothing is lost',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en', robot: 'maqueen-lite', device: 'microbit-v2' });
+    await pasteProgram(app, 'print("mine")');
+    await app.goto('./#robots/callibot');
+    await until(app, by('open-first_drive.py'));
+    await app.click(by('open-first_drive.py'));
+    await gone(app, '.gallery');
+    await expect.poll(() => programIn(app)).toContain('from callibot import');
+    expect(await programIn(app)).toContain('# First drive'); // in the language of the page
+    await expect.poll(() => robotName(app)).toBe('Calli:bot');
+    await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
+    expect(await isThere(app, by('misplugged'))).toBe(false);
+    await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
 
-  const start = (await robotIn(app)).xMm;
-  await app.click(on('run'));
-  await expect.poll(async () => (await robotIn(app)).xMm, { timeout: 30_000 }).not.toBe(start);
-  await app.click(on('reset'));
-  await app.click('header .course');
-  await until(app, by('previous'));
-  await app.click(by('previous'));
-  await expect.poll(() => programIn(app)).toBe('print("mine")');
-});
+    const start = (await robotIn(app)).xMm;
+    await app.click(on('run'));
+    await expect.poll(async () => (await robotIn(app)).xMm, { timeout: 30_000 }).not.toBe(start);
+    await app.click(on('reset'));
+    await app.click('header .course');
+    await until(app, by('previous'));
+    await app.click(by('previous'));
+    await expect.poll(() => programIn(app)).toBe('print("mine")');
+  },
+);
 
-test('a robot and its attachment are chosen by hand; a change ends the run and says so; a reload keeps both', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en' });
-  await openDevice(app);
-  await app.click(by('robot-maqueen-plus-v2'));
-  await until(app, by('option-P1'));
-  await expect.poll(() => robotName(app)).toBe('Maqueen Plus V2');
-  await app.press('Escape');
-  await gone(app, by('option-P1'));
+test(
+  'a robot and its attachment are chosen by hand; a change ends the run and says so; a reload keeps both',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en' });
+    await openDevice(app);
+    await app.click(by('robot-maqueen-plus-v2'));
+    await until(app, by('option-P1'));
+    await expect.poll(() => robotName(app)).toBe('Maqueen Plus V2');
+    await app.press('Escape');
+    await gone(app, by('option-P1'));
 
-  await pasteProgram(app, 'from mbrobot_plusV2 import *\nforward()\nprint("drives")\nwhile True:\n    delay(100)');
-  await app.click(on('run'));
-  await expect.poll(() => consoleIn(app)).toContain('drives');
-  await openDevice(app);
-  await choose(app, 'P1', 'claw');
-  await expect.poll(() => app.text('.notice')).toBe('Stopped, because you changed something about the robot.');
-  await expect.poll(() => app.text('.pane-console .pane-head')).toContain('ready');
+    await pasteProgram(app, 'from mbrobot_plusV2 import *\nforward()\nprint("drives")\nwhile True:\n    delay(100)');
+    await app.click(on('run'));
+    await expect.poll(() => consoleIn(app)).toContain('drives');
+    await openDevice(app);
+    await choose(app, 'P1', 'claw');
+    await expect.poll(() => app.text('.notice')).toBe('Stopped, because you changed something about the robot.');
+    await expect.poll(() => app.text('.pane-console .pane-head')).toContain('ready');
 
-  await app.reload();
-  await until(app, by('device'));
-  await openDevice(app);
-  expect(await chosen(app, 'P1')).toBe('claw');
-  await app.click(by('options-reset'));
-  expect(await chosen(app, 'P1')).toBe('none');
-  await gone(app, by('options-reset'));
-});
+    await app.reload();
+    await until(app, by('device'));
+    await openDevice(app);
+    expect(await chosen(app, 'P1')).toBe('claw');
+    await app.click(by('options-reset'));
+    expect(await chosen(app, 'P1')).toBe('none');
+    await gone(app, by('options-reset'));
+  },
+);
 
-test('on the wrong board the robot hears nothing: one sentence says what is plugged where, a button mends it', async ({
-  app,
-}) => {
-  await openApp(app, { language: 'en', robot: 'callibot', device: 'microbit-v2' });
-  await pasteProgram(app, 'from microbit import *\ni2c.init()\ni2c.write(0x20, bytes([0, 0, 100]))');
-  await until(app, `.pane-arena ${by('misplugged')}`);
-  expect(await app.text(`.pane-arena ${by('misplugged')} p`)).toBe(
-    'The Calli:bot belongs on a Calliope mini 3. A micro:bit V2 is plugged in here: the robot hears nothing.',
-  );
-  await app.click(on('run'));
-  await expect.poll(() => consoleIn(app)).toContain('[Errno 19] ENODEV');
-  await app.click(`.pane-arena ${by('plug-in')}`);
-  await gone(app, by('misplugged'));
-  await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
-  await expect.poll(() => robotName(app)).toBe('Calli:bot');
+test(
+  'on the wrong board the robot hears nothing: one sentence says what is plugged where, a button mends it',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app, { language: 'en', robot: 'callibot', device: 'microbit-v2' });
+    await pasteProgram(app, 'from microbit import *\ni2c.init()\ni2c.write(0x20, bytes([0, 0, 100]))');
+    await until(app, `.pane-arena ${by('misplugged')}`);
+    expect(await app.text(`.pane-arena ${by('misplugged')} p`)).toBe(
+      'The Calli:bot belongs on a Calliope mini 3. A micro:bit V2 is plugged in here: the robot hears nothing.',
+    );
+    await app.click(on('run'));
+    await expect.poll(() => consoleIn(app)).toContain('[Errno 19] ENODEV');
+    await app.click(`.pane-arena ${by('plug-in')}`);
+    await gone(app, by('misplugged'));
+    await expect.poll(() => attribute(app, by('device'), 'aria-label')).toContain('Calliope mini 3');
+    await expect.poll(() => robotName(app)).toBe('Calli:bot');
 
-  // Where the arena is out of sight, the page says it when the program starts.
-  await app.evaluate(
-    (text) => localStorage.setItem('parcours.settings', text),
-    JSON.stringify({ language: 'en', robot: 'callibot', device: 'microbit-v2', showArena: false }),
-  );
-  await app.evaluate(() => sessionStorage.removeItem('parcours.settings'));
-  await app.reload();
-  await until(app, on('editor'));
-  await app.click(on('run'));
-  await expect.poll(() => app.text('.notice')).toContain('The Calli:bot belongs on a Calliope mini 3.');
-});
+    // Where the arena is out of sight, the page says it when the program starts.
+    await app.evaluate(
+      (text) => localStorage.setItem('parcours.settings', text),
+      JSON.stringify({ language: 'en', robot: 'callibot', device: 'microbit-v2', showArena: false }),
+    );
+    await app.evaluate(() => sessionStorage.removeItem('parcours.settings'));
+    await app.reload();
+    await until(app, on('editor'));
+    await app.click(on('run'));
+    await expect.poll(() => app.text('.notice')).toContain('The Calli:bot belongs on a Calliope mini 3.');
+  },
+);
 
 test('the reality slider: forward() goes straight with an ideal robot and drifts with a used one', async ({ app }) => {
   const DRIVE = 'from mbrobot import *\nsetSpeed(50)\nforward()\ndelay(1500)\nstop()\ndelay(300)\nprint("there")';
