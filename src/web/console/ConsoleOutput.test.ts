@@ -28,6 +28,10 @@ function output() {
   return { page, log, print, box: named('Ausgabe des Programms') };
 }
 
+/** Everything that the page keeps within an element: elements, texts and marks. */
+const nodesIn = (node: Node): number =>
+  [...node.childNodes].reduce((sum, child) => sum + 1 + nodesIn(child), 0);
+
 /** Gives the box sizes: happy-dom has no layout. */
 function sized(box: HTMLElement, content: number, visible: number): void {
   Object.defineProperty(box, 'scrollHeight', { configurable: true, value: content });
@@ -49,6 +53,22 @@ describe('the console’s output', () => {
     await print('  c\n');
     expect(log.get('pre').element.textContent).toBe('a  b\n  c\n');
     expect(log.find('.empty').exists()).toBe(false);
+  });
+
+  it('has as many nodes on the page after 1,000 runs as after 500', async () => {
+    const { page, print, box } = output();
+    const nodesAfter = async (from: number, to: number): Promise<number> => {
+      for (let number = from; number <= to; number += 1) {
+        page.console.startRun(number);
+        page.console.write('eins\n');
+        page.console.addNote('console.stopped');
+      }
+      await print('zwei\n');
+      return nodesIn(box);
+    };
+    const before = await nodesAfter(1, 500);
+    expect(before).toBeGreaterThan(200);
+    expect(await nodesAfter(501, 1000)).toBe(before);
   });
 
   it('puts a heading with its number over each run', async () => {

@@ -41,6 +41,21 @@ describe('the console log', () => {
     ).toBe(2000);
   });
 
+  it('keeps at most 200 entries, the newest ones, however many runs print, fail and are stopped', () => {
+    const log = new ConsoleLog();
+    const report = { failure: { type: 'ValueError', message: 'no', traceback: '' }, source: null, table: null };
+    for (let number = 1; number <= 1000; number += 1) {
+      log.add({ kind: 'run', number });
+      log.write('1\n');
+      log.add({ kind: 'error', place: null, report });
+      log.add({ kind: 'note', key: 'console.stopped' });
+    }
+    expect(log.entries).toHaveLength(CONSOLE_LIMITS.entries);
+    expect(log.entries[0]).toMatchObject({ kind: 'run', number: 951 });
+    expect(log.entries.at(-1)?.kind).toBe('note');
+    expect(log.isCut).toBe(true);
+  });
+
   it('touches only the last entry when output comes in', () => {
     const log = new ConsoleLog();
     for (let i = 0; i < 250; i += 1) log.write(`${i}\n`);

@@ -26,7 +26,14 @@ export interface ErrorPlace {
 }
 
 /** What the console keeps at most: enough to scroll back, little enough for a school tablet. */
-export const CONSOLE_LIMITS = { lines: 5000, lineCharacters: 2000, entryLines: 100, entryCharacters: 8000 } as const;
+export const CONSOLE_LIMITS = {
+  lines: 5000,
+  lineCharacters: 2000,
+  /** Chosen: the last 50 runs or so. Every entry is some nodes on the page, however short it is. */
+  entries: 200,
+  entryLines: 100,
+  entryCharacters: 8000,
+} as const;
 
 const TRACEBACK = 'Traceback (most recent call last):';
 /** Stands in the traceback of what was typed at the REPL. */
@@ -240,7 +247,9 @@ export class ConsoleLog {
 
   private drop(entries: ConsoleEntry[]): void {
     let dropped = 0;
-    while (this.lines > CONSOLE_LIMITS.lines && dropped < entries.length - 1) {
+    const isTooMuch = (): boolean =>
+      this.lines > CONSOLE_LIMITS.lines || entries.length - dropped > CONSOLE_LIMITS.entries;
+    while (isTooMuch() && dropped < entries.length - 1) {
       const entry = entries[dropped];
       this.lines -= entry?.kind === 'text' ? entry.lines : 1;
       dropped += 1;
