@@ -29,8 +29,7 @@ function output() {
 }
 
 /** Everything that the page keeps within an element: elements, texts and marks. */
-const nodesIn = (node: Node): number =>
-  [...node.childNodes].reduce((sum, child) => sum + 1 + nodesIn(child), 0);
+const nodesIn = (node: Node): number => [...node.childNodes].reduce((sum, child) => sum + 1 + nodesIn(child), 0);
 
 /** Gives the box sizes: happy-dom has no layout. */
 function sized(box: HTMLElement, content: number, visible: number): void {
