@@ -14,6 +14,7 @@ describe('the sandbox', () => {
     scope['indexedDB'] = {};
     sealSandbox(scope);
     for (const name of [
+      ...['Worker', 'SharedWorker', 'BroadcastChannel', 'FontFace', 'fonts', 'WebSocketStream', 'cookieStore'],
       'fetch',
       'XMLHttpRequest',
       'WebSocket',
@@ -26,5 +27,19 @@ describe('the sandbox', () => {
       expect(() => Object.assign(scope, { [name]: 1 }), name).toThrow(TypeError);
     }
     expect('fetch' in Scope.prototype).toBe(false);
+  });
+
+  it('takes storage away that hangs on the navigator', () => {
+    class Navigator {
+      readonly hardwareConcurrency = 2;
+      get storage(): object {
+        return {};
+      }
+    }
+    const navigator = new Navigator();
+    const scope = { navigator };
+    sealSandbox(scope);
+    expect('storage' in navigator && navigator.storage).toBeUndefined();
+    expect(scope.navigator.hardwareConcurrency).toBe(2);
   });
 });

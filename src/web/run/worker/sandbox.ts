@@ -1,24 +1,28 @@
-/** Globals that reach the network or storage; a run needs none of them. */
+/** Globals that reach the network, storage or another page, or make a worker that has them again. A run needs none of them. */
 const FORBIDDEN_GLOBALS = [
-  'fetch',
-  'XMLHttpRequest',
-  'WebSocket',
-  'EventSource',
-  'WebTransport',
-  'importScripts',
-  'indexedDB',
-  'caches',
+  ...['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'EventSource', 'WebTransport', 'importScripts'],
+  ...['FontFace', 'fonts'], // a font is fetched
+  ...['Worker', 'SharedWorker', 'BroadcastChannel'],
+  ...['indexedDB', 'caches', 'cookieStore'],
 ] as const;
+
+/** Likewise on the worker's navigator. */
+const FORBIDDEN_ON_NAVIGATOR = ['storage', 'storageBuckets', 'serviceWorker', 'locks'] as const;
 
 /**
  * Removes from a worker's global everything that could reach the network or the disk, before the VM is loaded.
  * A program cannot reach JavaScript anyway (it sees numbers and short texts only); this is the second line of defence.
+ * `import()` is no global and stays: only the header of the worker's file closes it (docs/hosting.md).
  */
-export function sealSandbox(scope: object): void {
-  for (const name of FORBIDDEN_GLOBALS) {
-    for (let owner: object | null = scope; owner !== null; owner = Object.getPrototypeOf(owner) as object | null) {
-      if (Object.hasOwn(owner, name)) Reflect.deleteProperty(owner, name);
-    }
-    Object.defineProperty(scope, name, { value: undefined, writable: false, configurable: false });
+export function sealSandbox(scope: { readonly navigator?: object }): void {
+  for (const name of FORBIDDEN_GLOBALS) takeAway(scope, name);
+  if (scope.navigator !== undefined) for (const name of FORBIDDEN_ON_NAVIGATOR) takeAway(scope.navigator, name);
+}
+
+/** Takes a property away for good, wherever it comes from. */
+function takeAway(scope: object, name: string): void {
+  for (let owner: object | null = scope; owner !== null; owner = Object.getPrototypeOf(owner) as object | null) {
+    if (Object.hasOwn(owner, name)) Reflect.deleteProperty(owner, name);
   }
+  Object.defineProperty(scope, name, { value: undefined, writable: false, configurable: false });
 }
