@@ -10,6 +10,7 @@ import vuetify from 'vite-plugin-vuetify';
 
 import { programs } from './build/programs.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
+import { licencesOfApp } from './scripts/licences.mjs';
 import { singleFile } from './scripts/single-file.mjs';
 
 /**
@@ -142,6 +143,15 @@ function installable(): Plugin {
   };
 }
 
+/** Puts the licences of everything that the app is made of beside it: whoever passes it on passes them on, too. */
+const licences = (): Plugin => ({
+  name: 'licences',
+  apply: 'build',
+  async generateBundle() {
+    this.emitFile({ type: 'asset', fileName: 'LICENSES.txt', source: await licencesOfApp() });
+  },
+});
+
 /** What both builds of the web app have in common: the folder of files, and the single file (`--mode single`). */
 const common = {
   root: 'src/web',
@@ -219,9 +229,9 @@ function onePage(): Plugin {
         else this.error(`${name} would lie beside the single file.`);
         Reflect.deleteProperty(bundle, name);
       }
-      const icon = await read('src/web/logo.svg');
+      const [icon, licences] = await Promise.all([read('src/web/logo.svg'), licencesOfApp()]);
       for (const page of pages()) {
-        const source = singleFile(await read(`src/web/${page}`), { script, css, icon });
+        const source = singleFile(await read(`src/web/${page}`), { script, css, icon, licences });
         this.emitFile({ type: 'asset', fileName: singleOf(page), source });
       }
     },
@@ -231,7 +241,7 @@ function onePage(): Plugin {
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
-  plugins: [...commonPlugins(), frameCheck(), installable()],
+  plugins: [...commonPlugins(), frameCheck(), installable(), licences()],
   worker: { format: 'es' },
   server: { fs: { allow: ['../..'] } },
   build: {

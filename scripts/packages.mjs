@@ -4,7 +4,6 @@ import { join, resolve } from 'node:path';
 import { build } from 'vite';
 import { bundleTypes } from './bundle-types.mjs';
 import { exists } from './fingerprint.mjs';
-import { licencesOfApp } from './licences.mjs';
 import { Failure, main, mustRun, root, step } from './progress.mjs';
 import { buildApp, setUp } from './setup.mjs';
 
@@ -68,11 +67,11 @@ async function buildModule(entry, folder) {
   });
 }
 
-/** The app with the licences of all its parts. */
+/** The app; the licences of all its parts are in it. */
 async function copyApp(app, folder) {
-  if (!(await exists(join(app, 'parcours.single.html')))) throw new Failure(`There is no built app in ${app}.`);
+  for (const file of ['parcours.single.html', 'LICENSES.txt'])
+    if (!(await exists(join(app, file)))) throw new Failure(`There is no built app in ${app}: ${file} is missing.`);
   await cp(app, folder, { recursive: true });
-  await writeFile(join(folder, 'LICENSES.txt'), await licencesOfApp());
 }
 
 const readJson = async (path) => JSON.parse(await readFile(path, 'utf8'));

@@ -28,7 +28,7 @@ export async function setUp() {
 /** The bundle behind `npx parcours`. */
 async function buildCli() {
   const inputs = {
-    sources: ['src', 'courses', 'vite.cli.config.ts', 'package-lock.json', '.cache/vm'],
+    sources: ['src', 'courses', 'vite.cli.config.ts', 'package.json', 'package-lock.json', '.cache/vm'],
     product: 'dist/cli/main.mjs',
     counts: (path) => !isTest(path) && !path.startsWith('src/web/'),
   };
@@ -40,17 +40,18 @@ async function buildCli() {
   if (!built) note('Command line: up to date.');
 }
 
-/** The ingredients of the app besides its sources. */
-const APP_BUILD = [
-  'vite.config.ts',
-  'build',
-  ...['frame-check', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
+/** Everything that the app is made of: its sources, and what `vite.config.ts` reads (`setup.test.mjs` holds it to that). */
+export const APP_SOURCES = [
+  ...['src', 'courses', 'build', '.cache/vm'],
+  ...['vite.config.ts', 'package.json', 'package-lock.json', 'LICENSE'],
+  ...['frame-check', 'licences', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
+  ...['fingerprint', 'progress'].map((name) => `scripts/${name}.mjs`),
 ];
 
 /** The page and its single-file form, in dist/app. */
 export async function buildApp() {
   const inputs = {
-    sources: ['src', 'courses', ...APP_BUILD, 'package-lock.json', '.cache/vm'],
+    sources: APP_SOURCES,
     product: 'dist/app/sw.js',
     counts: (path) => !isTest(path) && !path.startsWith('src/cli/'),
   };

@@ -23,14 +23,18 @@ export const inlineScript = (code) => code.replace(/<(?=\/script)/gi, '\\x3C').r
 /** CSS in a form that may stand inside a style element. */
 export const inlineStyle = (css) => css.replace(/<\/(?=style)/gi, '<\\/');
 
+/** A text in a form that may stand inside a comment: nothing in it ends the comment. */
+export const inlineComment = (text) => text.replace(/--(?=!?>)/g, '- -');
+
 /**
  * The page with everything inside.
  *
  * @param {string} html the ordinary page
- * @param {{ script: string, css: string, icon: string }} parts classic script, all styles, the icon as SVG
+ * @param {{ script: string, css: string, icon: string, licences: string }} parts classic script, all styles, the icon as
+ *   SVG, the licences of all of it
  * @throws Error where the page does not look as expected
  */
-export function singleFile(html, { script, css, icon }) {
+export function singleFile(html, { script, css, icon, licences }) {
   const code = `\n${inlineScript(script).replace(/\r\n?/g, '\n').trim()}\n`;
   let page = html;
   const put = (pattern, replacement) => {
@@ -47,5 +51,5 @@ export function singleFile(html, { script, css, icon }) {
   );
   put(/[ \t]*<script type="module"[^>]*><\/script>\n/, `    <style>${inlineStyle(css)}</style>\n`);
   put(/[ \t]*<\/body>/, `    <script>${code}</script>\n  </body>`);
-  return page;
+  return `${page.trimEnd()}\n<!--\n${inlineComment(licences).trim()}\n-->\n`;
 }

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { frameCheckParts, scriptHash, withFrameCheck } from './frame-check.mjs';
-import { inlineScript, inlineStyle, singleFile } from './single-file.mjs';
+import { inlineComment, inlineScript, inlineStyle, singleFile } from './single-file.mjs';
 
 const PAGE = `<!doctype html>
 <html lang="de">
@@ -15,7 +15,7 @@ const PAGE = `<!doctype html>
   </body>
 </html>
 `;
-const single = (script) => singleFile(PAGE, { script, css: 'p{}', icon: '<svg/>' });
+const single = (script) => singleFile(PAGE, { script, css: 'p{}', icon: '<svg/>', licences: 'MIT' });
 
 describe('code inside a page', () => {
   it('cannot end its element, nor hide its end', () => {
@@ -30,7 +30,19 @@ describe('code inside a page', () => {
   });
 });
 
+describe('a text in a comment', () => {
+  it('cannot end it', () => {
+    const inside = inlineComment(`one --> two --!> three ${'-'.repeat(80)}`);
+    expect(inside).not.toMatch(/--!?>/);
+    expect(inside).toContain('-'.repeat(80));
+  });
+});
+
 describe('the single file', () => {
+  it('carries the licences of its parts, behind the page', () => {
+    expect(single('run()')).toMatch(/<\/html>\n<!--\nMIT\n-->\n$/);
+  });
+
   it('asks for no other file', () => {
     expect(single('run()')).not.toMatch(/(src|href)="(?!data:)/);
   });
@@ -49,7 +61,7 @@ describe('the single file', () => {
   });
 
   it('is not made of a page that looks otherwise', () => {
-    expect(() => singleFile('<p>', { script: '', css: '', icon: '' })).toThrow(/nothing like/);
+    expect(() => singleFile('<p>', { script: '', css: '', icon: '', licences: '' })).toThrow(/nothing like/);
   });
 });
 
