@@ -196,13 +196,62 @@ test('an element loads when it comes into view, with its project, and has the wo
   expect(seen.ratio).toBeCloseTo(1.6, 1);
 });
 
+test('an element says which of its attributes make no sense, at the start and later, and goes on without them', async ({
+  app,
+}, info) => {
+  test.setTimeout(180_000);
+  await openHost(app, info.project.name);
+  const told = await app.evaluate(async (src) => {
+    const element = document.createElement('parcours-simulator');
+    const heard: string[] = [];
+    element.addEventListener('parcours-error', ({ detail }) => {
+      const { code, path } = detail as { readonly code: string; readonly path: string };
+      heard.push(`${code} ${path}`);
+    });
+    const wrong = {
+      ...{ speed: '3', theme: 'pink', lang: 'xx', show: 'zzz', 'snapshot-hz': '9999', loading: 'soon', seed: '0' },
+      ...{ task: 'nope', world: 'nope', robot: 'cat', board: 'dog', reality: '2' },
+    };
+    const set = (): void => {
+      for (const [name, value] of Object.entries(wrong)) element.setAttribute(name, value);
+    };
+    set();
+    element.setAttribute('src', 'javascript:0');
+    document.body.append(element);
+    element.whenReady().catch(() => undefined);
+    const ofAddress = heard.splice(0);
+    element.src = src;
+    await element.whenReady();
+    const atStart = heard.splice(0).sort();
+    for (const name of Object.keys(wrong)) element.removeAttribute(name);
+    await element.whenReady();
+    const right = { speed: '4', theme: 'dark', lang: 'it', show: 'board', seed: '7', robot: 'none', task: 'push' };
+    for (const [name, value] of Object.entries(right)) element.setAttribute(name, value);
+    await element.whenReady();
+    await element.getState();
+    const ofRight = heard.splice(0);
+    element.setAttribute('speed', '3');
+    element.setAttribute('robot', 'cat');
+    const { speed } = await element.getState();
+    const { robot } = await element.getRobot();
+    element.remove();
+    return { ofAddress, atStart, ofRight, later: heard, speed, robot, wrong: Object.keys(wrong).sort() };
+  }, appAddress());
+  expect(told.ofAddress).toEqual(['wrong-attribute src']);
+  expect(told.atStart).toEqual(told.wrong.map((name) => `wrong-attribute ${name}`));
+  expect(told.ofRight).toEqual([]);
+  expect(told.later.sort()).toEqual(['wrong-attribute robot', 'wrong-attribute speed']);
+  expect(told).toMatchObject({ speed: 1, robot: 'auto' });
+});
+
 test('the packages bring the app, its licences and types that hold without the repository', async ({ app }, info) => {
   test.skip(app.engine !== 'chromium', 'nothing of it is the browser’s');
   test.setTimeout(180_000);
   const { folder, site } = await hostOf(info.project.name);
-  for (const file of ['index.html', 'simulator.html', 'parcours.single.html', 'sw.js'])
+  for (const file of ['index.html', 'simulator.html', 'parcours.single.html', 'sw.js', 'LICENSES.txt'])
     expect((await readFile(join(site, 'parcours', file))).equals(await readFile(join('dist/app', file)))).toBe(true);
   expect(await readFile(join(site, 'parcours/LICENSES.txt'), 'utf8')).toContain('Damien P. George');
+  expect(await readFile(join(site, 'parcours/parcours.single.html'), 'utf8')).toContain('Damien P. George');
   await copyFile('e2e/hosts/plain/consumer.ts.txt', join(folder, 'consumer.ts'));
   const wishes = {
     target: 'ES2022',

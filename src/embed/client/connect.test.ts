@@ -25,7 +25,7 @@ function pageBehindPort({ isThere = true } = {}) {
     loads += 1;
     simulator = new RecordingSimulator();
     const connection = { post: (message: object) => port2.postMessage(message), nowMs: () => 0 };
-    const facts = { app: '0.1.0', page: `page ${String(loads)}`, devices: [], robots: [] };
+    const facts = { app: '0.1.0', page: `page ${String(loads)}`, devices: [], robots: [], courses: [] };
     adapter = createParcoursAdapter(simulator, connection, facts);
   };
   port2.onmessage = ({ data }) => adapter?.receive(data);
@@ -69,6 +69,15 @@ describe('the client for host pages', () => {
     await expect(parcours.pause()).rejects.toMatchObject({ name: 'ParcoursError', code: 'refused' });
     await expect(parcours.setSeed(-1)).rejects.toMatchObject({ code: 'wrong-message', path: 'seed' });
     await expect(parcours.setSeed(-1)).rejects.toBeInstanceOf(ParcoursError);
+  });
+
+  it('has one kind of error, whichever package brings its class', () => {
+    class ParcoursErrorOfThePackage extends Error {
+      override readonly name = 'ParcoursError';
+    }
+    expect(new ParcoursErrorOfThePackage('no') instanceof ParcoursError).toBe(true);
+    expect(new TypeError('no') instanceof ParcoursError).toBe(false);
+    expect({ name: 'ParcoursError' } instanceof ParcoursError).toBe(false);
   });
 
   it('tells events until nobody listens any more', async () => {

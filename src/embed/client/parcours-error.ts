@@ -1,6 +1,8 @@
 import type { ErrorCode } from './types';
 
-/** Why a command was not carried out. */
+/**
+ * Why a command was not carried out. Every package brings this class along; `instanceof` takes an error of any of them.
+ */
 export class ParcoursError extends Error {
   override readonly name = 'ParcoursError';
 
@@ -11,5 +13,9 @@ export class ParcoursError extends Error {
     readonly path = '',
   ) {
     super(message);
+  }
+
+  static override [Symbol.hasInstance](value: unknown): boolean {
+    return value instanceof Error && value.name === 'ParcoursError';
   }
 }

@@ -109,7 +109,9 @@ export type ErrorCode =
   /** The host has closed the connection. */
   | 'closed'
   /** The message cannot be sent because it is not plain data. */
-  | 'not-plain';
+  | 'not-plain'
+  /** An attribute of the element has a value that makes no sense; `path` names it. */
+  | 'wrong-attribute';
 
 /** How to connect. */
 export interface ConnectOptions {

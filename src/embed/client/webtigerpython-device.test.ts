@@ -16,7 +16,7 @@ afterEach(() => {
 function bench(options: Partial<ParcoursDeviceOptions> = {}) {
   const simulator = new RecordingSimulator();
   const { port1, port2 } = new MessageChannel();
-  const facts = { app: '1', page: 'p', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
+  const facts = { app: '1', page: 'p', devices: ['microbit-v2'], robots: ['maqueen-lite'], courses: [] };
   const connection = { post: (message: object) => port2.postMessage(message), nowMs: () => performance.now() };
   const adapter = createParcoursAdapter(simulator, connection, facts);
   port2.onmessage = (event) => adapter.receive(event.data);

@@ -31,6 +31,14 @@ describe('the properties of an element', () => {
     expect(element.list.size).toBe(3);
   });
 
+  it('of which few values make sense are null for any other, as for one that is left out', () => {
+    const element = new Element();
+    for (const name of ['speed', 'theme', 'loading']) element.setAttribute(name, 'nonsense');
+    expect([element.speed, element.theme, element.loading]).toEqual([null, null, null]);
+    Object.assign(element, { speed: 0.25, theme: 'dark', loading: 'eager' });
+    expect([element.speed, element.theme, element.loading]).toEqual(['0.25', 'dark', 'eager']);
+  });
+
   it('count as well when a framework has set them before the code came', () => {
     const element = new Element();
     for (const [name, value] of Object.entries({ seed: 7, title: 'mine' }))

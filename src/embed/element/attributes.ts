@@ -1,8 +1,15 @@
+import { SPEEDS, type Speed } from '#simulation/pace';
 import { isOn } from './address';
+import { LOADINGS, THEMES } from './attribute-problem';
 import { ParcoursMethods } from './methods';
 
 /** What a script can set an attribute to; `null` removes it. */
 export type Wished = string | number | null;
+
+/** A speed as an attribute has it. */
+export type SpeedText = `${Speed}`;
+type Theme = (typeof THEMES)[number];
+type Loading = (typeof LOADINGS)[number];
 
 /** The attributes of the element as properties, because frameworks may set either. */
 export abstract class ParcoursAttributes extends ParcoursMethods {
@@ -21,17 +28,17 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
     this.write('show', value);
   }
   /** `system`, `light` or `dark`. */
-  get theme(): string | null {
-    return this.getAttribute('theme');
+  get theme(): Theme | null {
+    return this.oneOf('theme', THEMES);
   }
-  set theme(value: string | null) {
+  set theme(value: Theme | null) {
     this.write('theme', value);
   }
-  /** Simulated seconds per second, 0.25 … 8, or `max`. */
-  get speed(): string | null {
-    return this.getAttribute('speed');
+  /** Simulated seconds per second: 0.25, 0.5, 1, 2, 4, 8, or `max`. */
+  get speed(): SpeedText | null {
+    return this.oneOf('speed', SPEEDS.map(textOf));
   }
-  set speed(value: Wished) {
+  set speed(value: Speed | SpeedText | null) {
     this.write('speed', value);
   }
   /** Id of a robot, `none`, or `auto`. */
@@ -84,10 +91,10 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
     this.write('allow', value);
   }
   /** `lazy` (default): loads when it comes into view or receives a command; `eager`: at once. */
-  get loading(): string | null {
-    return this.getAttribute('loading');
+  get loading(): Loading | null {
+    return this.oneOf('loading', LOADINGS);
   }
-  set loading(value: string | null) {
+  set loading(value: Loading | null) {
     this.write('loading', value);
   }
   /** Number of `snapshot` events a second, 0 … 60; 0 if left out. */
@@ -112,7 +119,13 @@ export abstract class ParcoursAttributes extends ParcoursMethods {
     this.write('sandboxed', value ? '' : null);
   }
 
-  private write(name: string, value: Wished | undefined): void {
+  /** An attribute of which few values make sense; `null` also for another one. */
+  private oneOf<T extends string>(name: string, known: readonly T[]): T | null {
+    const value = this.getAttribute(name);
+    return known.find((one) => one === value) ?? null;
+  }
+
+  private write(name: string, value: string | number | null | undefined): void {
     if (value === null || value === undefined) this.removeAttribute(name);
     else this.setAttribute(name, String(value));
   }
@@ -133,6 +146,8 @@ export function takeEarlyProperties(element: HTMLElement): void {
     }
   }
 }
+
+const textOf = (speed: Speed): SpeedText => `${speed}`;
 
 const isSettable = (property: PropertyDescriptor): boolean => 'set' in property && property.set !== undefined;
 

@@ -1,7 +1,9 @@
 import type { SourceFile } from '#project/project';
 
+import type { ParcoursError } from '../client/parcours-error';
 import type { ClientEvents, Parcours, ProjectFile, SceneFile, Welcome } from '../client/types';
 import { pageAddress } from './address';
+import { attributeProblem, CHECKED, wrongAttribute } from './attribute-problem';
 import { ParcoursAttributes, takeEarlyProperties } from './attributes';
 import { PageFrame } from './page-frame';
 import { ABOVE_PROJECT, snapshotHzOf, wishes } from './wishes';
@@ -69,6 +71,8 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
   private isAnewPlanned = false;
   /** The reason for which the frame was loaded. */
   private shown = '';
+  /** An address that could not be one, once it has been told. */
+  private wrongAddress: string | null = null;
   /** Attributes that have changed since the frame got its address. */
   private readonly changed = new Set<string>();
 
@@ -160,7 +164,7 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     if (before === after) return;
     if (LOADED_ANEW.includes(name)) this.planAnew();
     else if (name === 'project') this.project = after;
-    else if (name === 'loading') this.openWhenSeen();
+    else if (name === 'loading') this.changeLoading();
     else if (this.page !== null && name === 'allow') this.page.frame.allow = after ?? ALLOW;
     else if (this.page !== null && !(name in wishes)) this.page.frame.title = this.frameTitle();
     else if (this.page !== null) {
@@ -171,8 +175,9 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
 
   /** Loads the page if necessary, as soon as the element is in a page and has an address. */
   private open(): void {
+    if (this.page !== null || !this.isConnected) return;
     const address = pageAddress((name) => this.pageAttribute(name), document.baseURI);
-    if (this.page !== null || !this.isConnected || address === null) return;
+    if (address === null) return this.complainOfAddress();
     this.stopWatching();
     const page = new PageFrame({
       address,
@@ -210,7 +215,11 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     const complain = (error: unknown): void => this.tell('parcours-error', error);
     const isProject = await this.work.bring(parcours, { ...this.given, project: this.project }).catch(complain);
     const said = ABOVE_PROJECT.filter((name) => isProject === true && this.hasAttribute(name));
-    for (const name of new Set([...said, ...this.changed])) await this.wish(parcours, name).catch(complain);
+    const wished = new Set([...said, ...this.changed]);
+    for (const name of wished) await this.wish(parcours, name).catch(complain);
+    // The others are in the address, whose wrong values the page takes as left out.
+    for (const problem of CHECKED.filter((name) => !wished.has(name)).map((name) => this.problemOf(parcours, name)))
+      if (problem !== null) complain(problem);
   }
 
   private async hear(event: string, detail: unknown): Promise<void> {
@@ -274,8 +283,30 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
     if (this.client !== null) act(this.client).catch((error: unknown) => this.tell('parcours-error', error));
   }
 
+  /** @throws ParcoursError (as a rejection) for a value that makes no sense: it counts as left out */
   private async wish(parcours: Parcours, name: string): Promise<void> {
-    await wishes[name]?.(parcours, this.pageAttribute(name));
+    const problem = this.problemOf(parcours, name);
+    const isRefused = problem !== null && ABOVE_PROJECT.includes(name);
+    await wishes[name]?.(parcours, isRefused ? null : this.pageAttribute(name));
+    if (problem !== null) throw problem;
+  }
+
+  /** What is wrong with the element's own attribute: that of the surrounding text is none of its business. */
+  private problemOf(parcours: Parcours, name: string): ParcoursError | null {
+    return attributeProblem(name, this.getAttribute(name), parcours.welcome.abilities);
+  }
+
+  private changeLoading(): void {
+    this.openWhenSeen();
+    this.bring((it) => this.wish(it, 'loading'));
+  }
+
+  /** Without an address there is nothing to show yet; one that is none is told once. */
+  private complainOfAddress(): void {
+    const { src } = this;
+    if (src === null || src === '' || src === this.wrongAddress) return;
+    this.wrongAddress = src;
+    this.tell('parcours-error', wrongAttribute('src', `${JSON.stringify(src)} is not the address of a page.`));
   }
 
   /** The effective value of an attribute: the language defaults to that of the surrounding text. */

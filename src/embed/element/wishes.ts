@@ -4,11 +4,10 @@ import type { Parcours } from '../client/types';
 import { limits } from '../parcours/limits';
 import { PARTS } from '../simulator';
 import { isOn } from './address';
+import { THEMES } from './attribute-problem';
 
 /** How an attribute's new value reaches a running page. `null`: the attribute was removed, back to the default. */
 type Wish = (parcours: Parcours, value: string | null) => Promise<void>;
-
-const THEMES = ['system', 'light', 'dark'] as const;
 
 /** Attributes that change a running page. */
 export const wishes: Readonly<Record<string, Wish>> = {
@@ -39,4 +38,4 @@ export function snapshotHzOf(value: string | null): number {
 }
 
 /** Those that a project brings, too: an attribute that is set wins. */
-export const ABOVE_PROJECT = ['robot', 'board', 'seed', 'reality'] as const;
+export const ABOVE_PROJECT: readonly string[] = ['robot', 'board', 'seed', 'reality'];

@@ -26,6 +26,8 @@ export interface PageFacts {
   /** Ids of the microcomputers and robots that can be chosen. */
   readonly devices: readonly string[];
   readonly robots: readonly string[];
+  /** Ids of the ready courses. */
+  readonly courses: readonly string[];
 }
 
 /** The result of a command: the fields of its answer, or why it was not carried out. */
@@ -200,13 +202,13 @@ function pageOf(simulator: EmbeddedSimulator): PageSettings {
   return { language, theme, muted, parts };
 }
 
-function abilities({ devices, robots }: PageFacts): Abilities {
+function abilities({ devices, robots, courses }: PageFacts): Abilities {
   const { serialCharacters, waitingCommands, snapshotHz, outputCharactersPerSecond } = limits;
   const own = { serialCharacters, waitingCommands, snapshotHz, outputCharactersPerSecond };
   return {
     commands: commandNames,
     events: eventNames,
-    ...{ devices, robots, languages: LANGUAGES, speeds: SPEEDS, parts: PARTS },
+    ...{ devices, robots, courses, languages: LANGUAGES, speeds: SPEEDS, parts: PARTS },
     limits: { files: projectLimits.files, fileBytes: FILE_BYTES, ...own },
   };
 }

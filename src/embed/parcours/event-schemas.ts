@@ -177,6 +177,7 @@ const welcome = v.strictObject({
     events: texts('All events.'),
     devices: texts('Ids of the microcomputers.'),
     robots: texts('Ids of the robots.'),
+    courses: texts('Ids of the ready courses.'),
     languages: texts('Languages of the page.'),
     speeds: v.array(v.picklist(SPEEDS)),
     parts: texts('Parts of the page.'),

@@ -114,7 +114,13 @@ describe('randomly changed messages of our own dialect', () => {
         const simulator = new RecordingSimulator();
         const said: object[] = [];
         const connection = { post: (message: object) => void said.push(message), nowMs: () => seed };
-        const adapter = createParcoursAdapter(simulator, connection, { app: '', page: '', devices: [], robots: [] });
+        const adapter = createParcoursAdapter(simulator, connection, {
+          app: '',
+          page: '',
+          devices: [],
+          robots: [],
+          courses: [],
+        });
         adapter.receive({ parcours: 1, type: 'hello' });
         for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
           const message = messageOf(createRng(seed), idOf(seed));

@@ -79,6 +79,8 @@ export interface Abilities {
   readonly events: readonly string[];
   readonly devices: readonly string[];
   readonly robots: readonly string[];
+  /** Missing in pages up to 0.1.0. */
+  readonly courses?: readonly string[];
   readonly languages: readonly Language[];
   readonly speeds: readonly Speed[];
   readonly parts: readonly Part[];

@@ -3,7 +3,7 @@ import type { EventName } from '../parcours/protocol';
 import { RecordingSimulator } from './recording-simulator';
 
 /** The page's data about itself. */
-const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'] };
+const facts = { app: '0.1.0', page: 'p1', devices: ['microbit-v2'], robots: ['maqueen-lite'], courses: ['push'] };
 
 /** A message of the page. */
 export type Message = Readonly<Record<string, unknown>>;

@@ -4,6 +4,7 @@ import type { EmbeddedSimulator } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
 
 import type { VisitParts } from '../visit/parts';
+import { courseIds } from '../work/catalogue/course-ids';
 import { devices } from '../work/settings/devices';
 import { appSimulator } from './app-simulator';
 import { appVersion } from './app-version';
@@ -42,6 +43,7 @@ async function openOurs(simulator: EmbeddedSimulator, connection: HostConnection
     page: PAGE_ID,
     devices: devices.map(({ id }) => id),
     robots: robotTypes.map(({ id }) => id),
+    courses: courseIds,
   });
 }
 
