@@ -1,3 +1,5 @@
+import { readFile } from 'node:fs/promises';
+
 import { afterEach, describe, expect, it, vi } from 'vitest';
 
 import { projectToText } from '#project/file';
@@ -69,6 +71,17 @@ describe('the client for host pages', () => {
     await expect(parcours.pause()).rejects.toMatchObject({ name: 'ParcoursError', code: 'refused' });
     await expect(parcours.setSeed(-1)).rejects.toMatchObject({ code: 'wrong-message', path: 'seed' });
     await expect(parcours.setSeed(-1)).rejects.toBeInstanceOf(ParcoursError);
+  });
+
+  it('has each of its methods with its arguments in the README of its package', async () => {
+    const { parcours } = await connected();
+    const readme = await readFile('packages/client/README.md', 'utf8');
+    const told = [...readme.matchAll(/^\| `(\w+)\(([^`]*)\)`/gm)].map(([, name]) => name ?? '');
+    const methods = Object.entries(Object.getOwnPropertyDescriptors(parcours))
+      .filter(([, { value }]) => typeof value === 'function')
+      .map(([name]) => name);
+    expect(methods.length).toBeGreaterThan(30);
+    expect(told.sort()).toEqual([...methods, 'connect'].sort());
   });
 
   it('has one kind of error, whichever package brings its class', () => {

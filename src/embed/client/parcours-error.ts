@@ -14,8 +14,9 @@ export class ParcoursError extends Error {
   ) {
     super(message);
   }
-
-  static override [Symbol.hasInstance](value: unknown): boolean {
-    return value instanceof Error && value.name === 'ParcoursError';
-  }
 }
+
+// Not in the class: TypeScript would declare it twice in the types of the packages.
+Object.defineProperty(ParcoursError, Symbol.hasInstance, {
+  value: (it: unknown) => it instanceof Error && it.name === 'ParcoursError',
+});

@@ -280,7 +280,12 @@ export class ParcoursSimulatorElement extends ParcoursAttributes {
 
   /** Does something to the page if it is ready; otherwise the page gets it later with everything else. */
   private bring(act: (parcours: Parcours) => Promise<void>): void {
-    if (this.client !== null) act(this.client).catch((error: unknown) => this.tell('parcours-error', error));
+    const { client } = this;
+    if (client === null) return;
+    act(client).catch((error: unknown) => {
+      // A page that was closed meanwhile has nothing to say: the next one gets it with everything else.
+      if (this.client === client) this.tell('parcours-error', error);
+    });
   }
 
   /** @throws ParcoursError (as a rejection) for a value that makes no sense: it counts as left out */
