@@ -305,7 +305,7 @@ test('language, words and sound are the editor’s', async ({ app }) => {
   await say('fr', { 'button-a': 'Bouton A', 'start-simulator': 'Démarrer' });
   await expect.poll(() => label('#ButtonA')).toBe('Bouton A');
   expect(await label('.play-button')).toBe('Démarrer');
-  expect(await app.inFrame('iframe', () => document.documentElement.lang)).toMatch(/^fr/);
+  await expect.poll(() => app.inFrame('iframe', () => document.documentElement.lang)).toMatch(/^fr/); // its texts come late
   await send(app, { kind: 'mute' });
   await flash(app, 'import music\nmusic.play("c4:1")\nprint("muted")\n');
   await expect.poll(() => serial(app)).toContain('muted');

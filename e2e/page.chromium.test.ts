@@ -24,3 +24,47 @@ test('a visit with a run asks nobody but the own host, and the page has nothing 
   expect(complaints).toEqual([]);
   expect(strangers).toEqual([]);
 });
+
+test('the worker of a run has nothing left that reaches out, whether or not its header is sent', async ({ page }) => {
+  // Chromium's service worker would answer with what it has kept, and the route would not be asked.
+  await page.addInitScript(() => Reflect.deleteProperty(Navigator.prototype, 'serviceWorker'));
+  let isBare = false;
+  await page.route(/\/assets\/worker-[^/]*\.js$/, async (route) => {
+    const answer = await route.fetch();
+    const { 'content-security-policy': policy, ...headers } = answer.headers();
+    expect(policy).toContain("connect-src 'none'");
+    await route.fulfill({ response: answer, headers: isBare ? headers : answer.headers() });
+  });
+  const left = async (): Promise<string[]> => {
+    const made = page.waitForEvent('worker', (worker) => worker.url().includes('/assets/worker-'));
+    await page.goto('./');
+    await page.click(on('run'));
+    const worker = await made;
+    await expect(page.locator(on('stop'))).toBeEnabled();
+    return worker.evaluate(() => {
+      const outwards = [
+        ...['fetch', 'XMLHttpRequest', 'WebSocket', 'WebSocketStream', 'WebTransport', 'EventSource', 'importScripts'],
+        ...['Worker', 'SharedWorker', 'BroadcastChannel', 'FontFace', 'fonts', 'indexedDB', 'caches', 'cookieStore'],
+      ];
+      const onNavigator = ['storage', 'storageBuckets', 'serviceWorker', 'locks'];
+      return [
+        ...outwards.filter((name) => Reflect.get(globalThis, name) !== undefined),
+        ...onNavigator.filter((name) => Reflect.get(navigator, name) !== undefined),
+      ];
+    });
+  };
+  expect(await left()).toEqual([]);
+  isBare = true;
+  expect(await left()).toEqual([]);
+});
+
+test('the help leads to the licences of everything in the app', async ({ page }) => {
+  await page.goto('./');
+  await page.click('[data-testid=help]');
+  await page.locator('[data-testid=guide-licences]').scrollIntoViewIfNeeded();
+  const opened = page.waitForEvent('popup');
+  await page.click('[data-testid=guide-licences]');
+  const licences = await opened;
+  await expect(licences.locator('body')).toContainText('Damien P. George');
+  expect(licences.url()).toMatch(/\/LICENSES\.txt$/);
+});
