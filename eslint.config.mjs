@@ -2,6 +2,7 @@ import prettier from 'eslint-config-prettier/flat';
 import vue from 'eslint-plugin-vue';
 import tseslint from 'typescript-eslint';
 import { layers } from './layers.mjs';
+import { classLines } from './scripts/class-lines.mjs';
 
 /** The rooms where the same run must come out everywhere: all but those that meet the outside. */
 const outside = ['cli', 'web', 'embed'];
@@ -77,12 +78,14 @@ const node = { group: ['node:*'], message: 'Node only in cli, tests and build co
 const sizes = {
   'max-lines': ['error', 400],
   'max-lines-per-function': ['error', 60],
+  'parcours/class-lines': ['error', 250],
 };
 
 export default tseslint.config(
   { ignores: ['dist/', '.cache/', 'coverage/', 'test-results/', 'playwright-report/', 'examples/hosts/*/public/'] },
   { linterOptions: { reportUnusedDisableDirectives: 'error' } },
   {
+    plugins: { parcours: { rules: { 'class-lines': classLines } } },
     rules: {
       ...sizes,
       eqeqeq: 'error',

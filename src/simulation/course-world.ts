@@ -11,6 +11,7 @@ import { isLasting, isMovable, runKinds, type Body } from './kinds';
 export class CourseWorld {
   readonly world: World;
   private readonly began: Scene;
+  private now: Scene;
   private readonly blocks = new Map<string, BlockHandle>();
   private readonly movers = new Map<string, MoverHandle>();
   /** What follows the course, by id: the body, and the object that it shows. */
@@ -20,9 +21,15 @@ export class CourseWorld {
   /** Builds everything in the course, object by object in its order. */
   constructor(course: Scene) {
     this.began = course;
+    this.now = course;
     this.world = createWorld({ widthMm: course.size[0], heightMm: course.size[1] });
     for (const object of course.objects) this.add(object);
     this.showBackground(course.background);
+  }
+
+  /** The course as it is now. */
+  get course(): Scene {
+    return this.now;
   }
 
   /** A movable block of the run. */
@@ -50,6 +57,7 @@ export class CourseWorld {
    * it is.
    */
   take(course: Scene): void {
+    this.now = course;
     const movable = movableIds(this.movableIds(), this.began, course);
     const kept = new Set(movable);
     for (const [layer, object] of course.objects.entries()) {

@@ -1,5 +1,7 @@
+import type { Board } from '#board/board';
 import type { LogEvent } from '#board/data-log';
 import type { SoundEvent } from '#board/sound/sound-event';
+import type { Clock } from '#core/clock';
 import type { WayPoint } from './way';
 
 /** A packet that the program sent by radio. */
@@ -27,4 +29,12 @@ export interface RunOutlets {
   readonly log?: (event: TimedLogEvent) => void;
   /** The robot's path, a point every few mm. */
   readonly way?: (point: WayPoint) => void;
+}
+
+/** Passes on the board's events to those who listen. */
+export function tellEvents(board: Board, clock: Clock, { sound, radio, log }: RunOutlets): void {
+  if (sound) board.sound.onEvent(sound);
+  if (radio)
+    board.radio.onSend((packet) => radio({ timeUs: clock.nowUs, group: board.radio.group, bytes: Array.from(packet) }));
+  if (log) board.dataLog.onEvent((event) => log({ ...event, timeUs: clock.nowUs }));
 }

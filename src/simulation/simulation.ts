@@ -9,21 +9,21 @@ import { watchLedChains, type LedChains } from '#devices/led-chains';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
-import { movableIds } from './at-once';
 import { CourseWorld } from './course-world';
 import type { Hardware } from './hardware';
 import type { InputAction, InputEvent, PlacedPose } from './input';
-import { InputQueue } from './input-queue';
 import { Judge } from './judge';
 import { mountRobot, type Mounted } from './mount-robot';
-import type { RunOutlets } from './outlets';
+import { tellEvents, type RunOutlets } from './outlets';
 import { robotLibraries } from './robot-libraries';
-import { checkRun, createInputCheck, type InputCheck } from './run-problem';
+import { RunInputs } from './run-inputs';
+import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { scaledBody } from './scaled-body';
-import type { RobotSnapshot, Snapshot } from './snapshot';
-import { boardSnapshot } from './take-snapshot';
-import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
+import type { Snapshot } from './snapshot';
+import { boardSnapshot, robotSnapshot } from './take-snapshot';
+import type { TraceRow } from './trace';
+import { TraceRecorder } from './trace-recorder';
 import { spikedIds } from './task-brief';
 import type { Verdict } from './verdict';
 import { createWayTeller } from './way';
@@ -48,13 +48,8 @@ export class Simulation {
   private readonly lights: LedChains;
   private readonly tellWay: () => void;
   private readonly vm: Vm;
-  private readonly hash = createTraceHash();
-  private readonly rows: TraceRow[] = [];
-  private readonly log: InputEvent[] = [];
-  private readonly waiting: InputQueue;
-  private readonly check: InputCheck;
-  /** The course as it is now. */
-  private course: Scene;
+  private readonly recorder: TraceRecorder;
+  private readonly inputs: RunInputs;
   private output: string[] = [];
   private end: Ended | null = null;
   private isFresh = true;
@@ -80,14 +75,13 @@ export class Simulation {
     hardware: Hardware,
     outlets: RunOutlets,
   ) {
-    this.course = setup.scene;
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
     // The step is registered before everything with a rhythm of its own (the robot's sensors): then the world moves
     // first.
     this.clock.every(STEP_US, () => this.step());
     this.board = new Board(hardware.board, this.clock, hardware.firmware);
-    this.tell(outlets);
+    tellEvents(this.board, this.clock, outlets);
     this.mounted = mountRobot(hardware, {
       clock: this.clock,
       board: this.board,
@@ -96,10 +90,10 @@ export class Simulation {
       seed: setup.seed,
       reality: setup.reality,
     });
+    this.recorder = new TraceRecorder(this.mounted, setup.keepTrace === true);
     this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);
     this.tellWay = this.mounted && outlets.way ? createWayTeller(this.mounted.chassis, outlets.way) : () => undefined;
     this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
-    this.waiting = new InputQueue(setup.inputs ?? []);
     this.vm = createVm({
       firmware,
       board: this.board,
@@ -110,7 +104,8 @@ export class Simulation {
       repl: setup.repl ?? 'when-typed',
       write: outlets.print ?? ((text) => this.output.push(text)),
     });
-    this.check = createInputCheck(hardware.board, setup.scene, hardware.robot !== null);
+    const check = createInputCheck(hardware.board, setup.scene, hardware.robot !== null);
+    this.inputs = new RunInputs(setup.inputs ?? [], check, setup.scene, this.courseWorld, this.clock);
   }
 
   /** Simulated time since the start. */
@@ -135,17 +130,17 @@ export class Simulation {
    * Every action so far with the time at which it took effect: as `inputs` of an equal set-up, they repeat this run.
    */
   get inputLog(): readonly InputEvent[] {
-    return this.log;
+    return this.inputs.log;
   }
 
   /** One row per 20 ms, if the set-up asks to keep them; without a robot none. */
   get trace(): readonly TraceRow[] {
-    return this.rows;
+    return this.recorder.rows;
   }
 
   /** Fingerprint of the trajectory so far, 64 hexadecimal digits; see `createTraceHash`. */
   get traceHash(): string {
-    return this.hash.hex();
+    return this.recorder.fingerprint();
   }
 
   /** The course with which this run began. */
@@ -185,9 +180,7 @@ export class Simulation {
    * @throws RangeError for an unknown sensor, pad, block or object, and for a value out of range; then nothing is done
    */
   input(action: InputAction): void {
-    const problem = this.problemOf(action);
-    if (problem !== null) throw new RangeError(problem);
-    this.waiting.add(action, this.nowUs);
+    this.inputs.add(action);
   }
 
   /** KeyboardInterrupt in the program, at the next step of the world. */
@@ -208,7 +201,7 @@ export class Simulation {
       timeUs: this.nowUs,
       running: this.end === null ? 'program' : 'world',
       repl: this.vm.isInRepl,
-      robot: this.robotSnapshot(),
+      robot: this.mounted && robotSnapshot(this.mounted, this.scene.robot.scale),
       blocks: this.courseWorld.blockPoses(),
       movers: this.courseWorld.moverPoses(),
       verdict: this.verdict,
@@ -229,17 +222,6 @@ export class Simulation {
     this.mounted?.robot.detach();
   }
 
-  /** Passes on the board's events. */
-  private tell({ sound, radio, log }: RunOutlets): void {
-    const { board } = this;
-    if (sound) board.sound.onEvent(sound);
-    if (radio)
-      board.radio.onSend((packet) =>
-        radio({ timeUs: this.nowUs, group: board.radio.group, bytes: Array.from(packet) }),
-      );
-    if (log) board.dataLog.onEvent((event) => log({ ...event, timeUs: this.nowUs }));
-  }
-
   /** Lets the VM go on until `us`, until its program ends, or until its program starts again. */
   private resume(us: number): void {
     this.vm.resume(us);
@@ -253,7 +235,7 @@ export class Simulation {
     this.isFresh = false;
     this.takeInputs();
     this.judge?.step(this.nowUs);
-    this.addTraceRow();
+    this.recorder.step(this.nowUs);
     this.tellWay();
   }
 
@@ -263,39 +245,17 @@ export class Simulation {
     this.mounted?.step();
     this.judge?.step(this.nowUs);
     this.tellWay();
-    if (this.nowUs % TRACE_PERIOD_US === 0) this.addTraceRow();
+    this.recorder.step(this.nowUs);
   }
 
   private takeInputs(): void {
-    for (let action = this.waiting.takeDue(this.nowUs); action; action = this.waiting.takeDue(this.nowUs)) {
-      // An edit made while a log is replayed may have removed what a later entry of the log refers to.
-      if (this.isMoot(action)) continue;
-      this.log.push({ timeUs: this.nowUs, action });
-      this.act(action);
-    }
-  }
-
-  /** Checks an action that will take effect after those that wait for the same step. */
-  private problemOf(action: InputAction): string | null {
-    let course = this.course;
-    let movable = this.courseWorld.movableIds();
-    for (const before of this.waiting.until(this.nowUs)) {
-      if (before.action.type !== 'edit') continue;
-      course = applyEdit(course, before.action.edit);
-      movable = movableIds(movable, this.scene, course);
-    }
-    return this.check(action, course, movable);
-  }
-
-  private isMoot(action: InputAction): boolean {
-    if (action.type !== 'edit' && action.type !== 'place-block') return false;
-    return this.check(action, this.course, this.courseWorld.movableIds()) !== null;
+    for (let action = this.inputs.takeDue(); action; action = this.inputs.takeDue()) this.act(action);
   }
 
   private edit(edit: SceneEdit): void {
-    this.course = applyEdit(this.course, edit);
-    this.courseWorld.take(this.course);
-    this.judge?.take(this.course);
+    const course = applyEdit(this.courseWorld.course, edit);
+    this.courseWorld.take(course);
+    this.judge?.take(course);
   }
 
   private act(action: InputAction): void {
@@ -324,43 +284,6 @@ export class Simulation {
       default:
         action satisfies never;
     }
-  }
-
-  private addTraceRow(): void {
-    if (!this.mounted) return;
-    const { chassis, robot } = this.mounted;
-    const { xMm, yMm, headingRad } = chassis.pose();
-    this.hash.add(this.nowUs, xMm, yMm, headingRad);
-    if (this.setup.keepTrace !== true) return;
-    const state = robot.state();
-    this.rows.push({
-      timeUs: this.nowUs,
-      xMm,
-      yMm,
-      headingRad,
-      leftMmPerS: chassis.wheelSpeedMmPerS(0),
-      rightMmPerS: chassis.wheelSpeedMmPerS(1),
-      leftDuty: state.duty.left,
-      rightDuty: state.duty.right,
-      lineSensors: state.lineSensors.map(({ name, bright }) => ({ name, bright })),
-      distanceMm: state.ultrasonic?.distanceMm ?? null,
-      collisions: chassis.collisions(),
-    });
-  }
-
-  private robotSnapshot(): RobotSnapshot | null {
-    if (!this.mounted) return null;
-    const { type, chassis, robot } = this.mounted;
-    return {
-      type: type.id,
-      scale: this.setup.scene.robot.scale,
-      pose: chassis.pose(),
-      wheelTurnRad: [chassis.wheelTurnRad(0), chassis.wheelTurnRad(1)],
-      state: robot.state(),
-      collisions: chassis.collisions(),
-      pathMm: chassis.pathMm(),
-      turnedRad: chassis.turnedRad(),
-    };
   }
 }
 

@@ -1,6 +1,7 @@
 import type { Board } from '#board/board';
 import { padId } from '#board/sensors/sensors';
-import type { BoardSnapshot } from './snapshot';
+import type { Mounted } from './mount-robot';
+import type { BoardSnapshot, RobotSnapshot } from './snapshot';
 
 /** The visible state of the board now. */
 export function boardSnapshot(board: Board): BoardSnapshot {
@@ -21,5 +22,19 @@ export function boardSnapshot(board: Board): BoardSnapshot {
     logFull: board.dataLog.isFull,
     sound: hz === null ? null : { hz },
     isSounding: hz !== null || board.sound.isSounding,
+  };
+}
+
+/** The robot now. */
+export function robotSnapshot({ type, chassis, robot }: Mounted, scale: number): RobotSnapshot {
+  return {
+    type: type.id,
+    scale,
+    pose: chassis.pose(),
+    wheelTurnRad: [chassis.wheelTurnRad(0), chassis.wheelTurnRad(1)],
+    state: robot.state(),
+    collisions: chassis.collisions(),
+    pathMm: chassis.pathMm(),
+    turnedRad: chassis.turnedRad(),
   };
 }

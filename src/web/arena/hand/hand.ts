@@ -1,33 +1,25 @@
 import type { Pose, Vec } from '#core/geometry';
-import type { PlacedBlock } from '../model/arena-model';
 import { movePicture, type PicturePorts } from '../view/pinch';
 import {
   gripBody,
   gripRing,
   heldPose,
-  keepInside,
   nudgedPose,
   pulledPose,
   twistedHeading,
   wheelTurnedHeading,
   type Grip,
 } from './hand-gesture';
+import { ArenaThings, type ThingPorts } from './arena-things';
 import { isNear, isSameThing, toVec, type HeldThing } from './held-thing';
-import { robotRadiusMm, targetAt, type RobotShape, type Target } from './hit-test';
-import { toMm, toPx, type ArenaSize, type View } from '../view/view-transform';
+import { robotRadiusMm, type RobotShape, type Target } from './hit-test';
+import { toMm, toPx, type View } from '../view/view-transform';
 
 /** What the hand sees and does. */
-export interface HandPorts extends PicturePorts {
-  readonly view: () => View;
-  readonly arena: () => ArenaSize;
-  /** As the run or the course says, not as the hand holds it. A newer snapshot brings a new `pose` object. */
-  readonly robot: () => RobotShape | null;
-  readonly blocks: () => readonly PlacedBlock[];
+export interface HandPorts extends PicturePorts, ThingPorts {
   readonly place: (thing: HeldThing, pose: Pose) => void;
   /** Something looks different now. */
   readonly changed: () => void;
-  /** Wall time in ms. */
-  readonly nowMs: () => number;
 }
 
 /** A pointer going down. */
@@ -53,20 +45,6 @@ interface Hold {
   moved: boolean;
 }
 
-/** What was put down, until the run has taken note of it. */
-interface PutDown {
-  readonly thing: HeldThing;
-  readonly pose: Pose;
-  readonly before: Pose | null;
-  readonly atMs: number;
-}
-
-/** Snapshots in transit when the hand let go may still show the old place: for this long they are ignored. */
-const SETTLE_MS = 250;
-
-/** How near counts, in CSS px: a finger's target is 44 px wide. */
-const REACH_PX = { touch: { slop: 10, touch: 22 }, mouse: { slop: 2, touch: 12 } };
-
 /**
  * The hand over the arena: picks up the robot and blocks, turns the robot by its ring, moves and zooms the picture.
  * Gets pointer and key events as plain data, so it can be tested without a browser.
@@ -74,13 +52,15 @@ const REACH_PX = { touch: { slop: 10, touch: 22 }, mouse: { slop: 2, touch: 12 }
 export class Hand {
   private readonly pointers = new Map<number, Vec>();
   private hold: Hold | null = null;
-  private putDown: PutDown | null = null;
+  private readonly things: ArenaThings;
   private hover: Target = { kind: 'floor' };
   private hoverRing = false;
   private selected = false;
   private focused = false;
 
-  constructor(private readonly ports: HandPorts) {}
+  constructor(private readonly ports: HandPorts) {
+    this.things = new ArenaThings(ports);
+  }
 
   /** What is held, and by what. */
   get held(): { readonly thing: HeldThing; readonly turning: boolean } | null {
@@ -103,12 +83,7 @@ export class Hand {
   /** Where to show the thing: in the hand, where it was just put down, or else where the run says. */
   poseOf(thing: HeldThing, pose: Pose): Pose {
     if (this.hold !== null && isSameThing(this.hold.thing, thing)) return this.hold.pose;
-    const put = this.putDown;
-    if (put === null || !isSameThing(put.thing, thing)) return pose;
-    const settling = this.ports.nowMs() - put.atMs < SETTLE_MS && put.before !== null && isNear(put.before, pose);
-    if (pose === put.before || settling) return put.pose;
-    this.putDown = null;
-    return pose;
+    return this.things.settledPose(thing, pose);
   }
 
   /** A finger or button goes down. */
@@ -207,7 +182,7 @@ export class Hand {
       twist: null,
       moved: true,
     };
-    this.hold.pose = this.inside(this.hold.thing, pose);
+    this.hold.pose = this.things.inside(this.hold.thing, pose);
     this.hold.moved = true;
     this.regrip(this.hold);
     this.tick();
@@ -237,7 +212,7 @@ export class Hand {
   tick(): void {
     const hold = this.hold;
     if (hold === null) return;
-    const actual = this.sourcePose(hold.thing);
+    const actual = this.things.sourcePose(hold.thing);
     if (!hold.moved && (actual === null || isNear(actual, hold.pose))) return;
     hold.moved = false;
     this.ports.place(hold.thing, hold.pose);
@@ -258,11 +233,11 @@ export class Hand {
 
   private take(target: Exclude<Target, { kind: 'floor' }>, press: Press): void {
     const thing: HeldThing = target.kind === 'block' ? target : { kind: 'robot' };
-    const source = this.sourcePose(thing);
+    const source = this.things.sourcePose(thing);
     if (source === null) return;
     const pose = this.poseOf(thing, source);
     const point = toMm(this.ports.view(), press.at);
-    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point, this.armMm(thing));
+    const grip = target.kind === 'ring' ? gripRing(pose, point) : gripBody(pose, point, this.things.armMm(thing));
     this.hold = { thing, pointer: press.id, startPose: pose, grip, pose, twist: null, moved: false };
   }
 
@@ -292,7 +267,7 @@ export class Hand {
       const now = this.twoFingers(hold, hold.twist.pointer);
       if (now !== null) pose = { ...pose, headingRad: twistedHeading(hold.twist.headingRad, hold.twist.from, now) };
     }
-    hold.pose = this.inside(hold.thing, pose);
+    hold.pose = this.things.inside(hold.thing, pose);
     hold.moved = true;
     this.ports.changed();
   }
@@ -310,19 +285,10 @@ export class Hand {
   }
 
   private targetAt(at: Vec, touch: boolean): Target {
-    const view = this.ports.view();
-    const robot = this.ports.robot();
-    const knob = this.knobPx();
-    const reach = touch ? REACH_PX.touch : REACH_PX.mouse;
-    const shown = robot === null ? null : { ...robot, pose: this.poseOf({ kind: 'robot' }, robot.pose) };
-    const blocks = this.ports.blocks().map((block) => {
-      return { ...block, pose: this.poseOf({ kind: 'block', id: block.id }, block.pose) };
+    return this.things.targetAt(at, touch, {
+      poseOf: (thing, pose) => this.poseOf(thing, pose),
+      knobPx: this.knobPx(),
     });
-    return targetAt(
-      toMm(view, at),
-      { robot: shown, knobMm: knob === null ? null : toMm(view, knob), blocks },
-      { slopMm: reach.slop / view.pxPerMm, touchMm: reach.touch / view.pxPerMm },
-    );
   }
 
   private putBack(): boolean {
@@ -337,9 +303,8 @@ export class Hand {
     const hold = this.hold;
     if (hold === null) return;
     this.tick();
-    const before = this.sourcePose(hold.thing);
     this.hold = null;
-    this.putDown = { thing: hold.thing, pose: hold.pose, before, atMs: this.ports.nowMs() };
+    this.things.putDown(hold.thing, hold.pose);
     this.ports.changed();
   }
 
@@ -347,31 +312,7 @@ export class Hand {
   private regrip(hold: Hold, byBody = hold.grip.kind === 'move'): void {
     const anchor = hold.pointer === null ? undefined : this.pointers.get(hold.pointer);
     if (anchor === undefined || !byBody) return;
-    hold.grip = gripBody(hold.pose, toMm(this.ports.view(), anchor), this.armMm(hold.thing));
-  }
-
-  /** How far behind the pointer a thing trails at least, in mm: about half of it. */
-  private armMm(thing: HeldThing): number {
-    const robot = this.ports.robot();
-    if (thing.kind === 'robot') return robot === null ? 0 : 0.5 * robotRadiusMm(robot);
-    return 1.4 * this.blockMargin(thing);
-  }
-
-  private inside(thing: HeldThing, pose: Pose): Pose {
-    const robot = this.ports.robot();
-    // Chosen: 0.6 of the radius is about the robot's narrow side, so it can stand along a wall.
-    const margin = thing.kind === 'robot' && robot !== null ? 0.6 * robotRadiusMm(robot) : this.blockMargin(thing);
-    return keepInside(pose, this.ports.arena(), margin);
-  }
-
-  private blockMargin(thing: HeldThing): number {
-    const size = thing.kind === 'block' ? this.ports.blocks().find(({ id }) => id === thing.id)?.sizeMm : undefined;
-    return size === undefined ? 0 : Math.min(size.x, size.y) / 2;
-  }
-
-  private sourcePose(thing: HeldThing): Pose | null {
-    if (thing.kind === 'robot') return this.ports.robot()?.pose ?? null;
-    return this.ports.blocks().find(({ id }) => id === thing.id)?.pose ?? null;
+    hold.grip = gripBody(hold.pose, toMm(this.ports.view(), anchor), this.things.armMm(hold.thing));
   }
 }
 

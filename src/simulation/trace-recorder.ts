@@ -1,0 +1,46 @@
+import type { Mounted } from './mount-robot';
+import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
+
+/** Writes down where the robot is, every 20 ms: into the fingerprint always, as a row only if rows are kept. */
+export class TraceRecorder {
+  /** One per 20 ms, if they are kept. */
+  readonly rows: TraceRow[] = [];
+  private readonly hash = createTraceHash();
+
+  /** @param mounted without a robot nothing is written */
+  constructor(
+    private readonly mounted: Mounted | null,
+    private readonly keepsRows: boolean,
+  ) {}
+
+  /** Fingerprint of the trajectory so far, 64 hexadecimal digits. */
+  fingerprint(): string {
+    return this.hash.hex();
+  }
+
+  /** Call it after each step of the world. */
+  step(timeUs: number): void {
+    if (this.mounted === null || timeUs % TRACE_PERIOD_US !== 0) return;
+    const { xMm, yMm, headingRad } = this.mounted.chassis.pose();
+    this.hash.add(timeUs, xMm, yMm, headingRad);
+    if (this.keepsRows) this.rows.push(rowOf(this.mounted, timeUs));
+  }
+}
+
+function rowOf({ chassis, robot }: Mounted, timeUs: number): TraceRow {
+  const { xMm, yMm, headingRad } = chassis.pose();
+  const state = robot.state();
+  return {
+    timeUs,
+    xMm,
+    yMm,
+    headingRad,
+    leftMmPerS: chassis.wheelSpeedMmPerS(0),
+    rightMmPerS: chassis.wheelSpeedMmPerS(1),
+    leftDuty: state.duty.left,
+    rightDuty: state.duty.right,
+    lineSensors: state.lineSensors.map(({ name, bright }) => ({ name, bright })),
+    distanceMm: state.ultrasonic?.distanceMm ?? null,
+    collisions: chassis.collisions(),
+  };
+}
