@@ -1,3 +1,4 @@
+import { isolateHistory } from '@codemirror/commands';
 import { EditorState, type Extension } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
 
@@ -58,6 +59,26 @@ export class FileStates {
     const { view } = this;
     const { from } = view.state.doc.line(Math.min(Math.max(1, line), view.state.doc.lines));
     view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
+    view.focus();
+  }
+
+  /** Changes one text into another where they differ, as one step to undo; nothing if the text has changed since. */
+  rewrite(before: string, after: string): void {
+    const { view } = this;
+    if (view.state.doc.toString() !== before) return;
+    const shorter = Math.min(before.length, after.length);
+    let from = 0;
+    while (from < shorter && before[from] === after[from]) from += 1;
+    let same = 0;
+    while (same < shorter - from && before.at(-1 - same) === after.at(-1 - same)) same += 1;
+    const insert = after.slice(from, after.length - same);
+    view.dispatch({
+      changes: { from, to: before.length - same, insert },
+      selection: { anchor: from + insert.length },
+      effects: EditorView.scrollIntoView(from, { y: 'center' }),
+      annotations: isolateHistory.of('full'),
+      userEvent: 'input',
+    });
     view.focus();
   }
 

@@ -1,16 +1,9 @@
-import { wordsOf } from '#core/words';
 import { complete } from '#reference/complete';
 
 import { contextOf, type Written } from '../../work/hardware/written-for';
-import type de from '../words/de.json';
 import type { Failure } from './error-advice';
 import { nearName } from './near-name';
 import type { Source } from './syntax-advice';
-
-const words = wordsOf(import.meta.glob<typeof de>('../words/*.json', { eager: true, import: 'default' }));
-
-/** The question about a name that was found; it comes with what finds it. */
-export const meantText = words.didYouMean;
 
 /** Exceptions about a name, which their message has in quotation marks as the last one. */
 const ABOUT_NAMES = ['NameError', 'AttributeError', 'ImportError', 'ModuleNotFoundError'];

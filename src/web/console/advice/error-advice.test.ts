@@ -34,10 +34,10 @@ type Mistake = readonly [key: TextKey, program: string, shown?: Readonly<Record<
 
 /** Mistakes by what they are explained with. Whatever the device says about them is what our VM says here. */
 const mistakes: readonly Mistake[] = [
-  ['error.NameError', 'print(irLinks)', { name: 'irLinks' }],
+  ['error.NameError', 'x = irLinks', { name: 'irLinks' }],
   ['error.nameOfModule', 'radio.on()', { name: 'radio' }],
   ['error.nameOfModule', 'time.sleep(1)', { name: 'time' }],
-  ['error.nameCapital', 'x = true'],
+  ['error.truthWord', 'x = true'],
   ['error.localUnbound', 'n = 1\ndef f():\n    n += 1\nf()'],
   ['error.curlyQuotes', 'print(“hallo”)'],
 
@@ -55,7 +55,7 @@ const mistakes: readonly Mistake[] = [
   ['error.addTextNumber', 'print(3 + "Punkte")'],
   ['error.operandNone', 'x = print()\nprint(x * 2)'],
   ['error.operandNone', `${USING}sleep(None)`],
-  ['error.compareTypes', 'if "3" < 4: pass', { left: 'str', right: 'int' }],
+  ['error.compareTypes', 'if "3" < [4]: pass', { left: 'str', right: 'list' }],
   ['error.operandTypes', 'print([1] - [2])', { left: 'list', right: 'list' }],
   ['error.operandType', 'print(-"a")', { type: 'str' }],
   ['error.unhashable', 'd = {[1]: 2}', { type: 'list' }],
@@ -137,13 +137,13 @@ const mistakes: readonly Mistake[] = [
   ['error.printBrackets', 'print "hallo"'],
   ['error.keywordAsName', 'class = 3', { name: 'class' }],
   ['error.keywordAsName', 'def for(): pass', { name: 'for' }],
-  ['error.strangeSign', 'x = 3\nx++', { sign: '++' }],
-  ['error.strangeSign', 'if 1 && 2:\n    pass', { sign: '&&' }],
+  ['error.countStep', 'x = 3\nx++', { sign: '++' }],
+  ['error.wordForSign', 'if 1 && 2:\n    pass', { sign: '&&' }],
   ['error.indentMissing', 'for i in range(3):\nprint(i)'],
   ['error.indentMissing', 'if True:\n\n# so\nprint(1)'],
   ['error.elseAlone', 'x = 3\nelse:\n    pass', { word: 'else' }],
   ['error.tryAlone', 'try:\n    x = 1\nprint(x)'],
-  ['error.SyntaxError', 'x = 5 § 3'],
+  ['error.strangeSign', 'x = 5 § 3'],
   ['error.indentUnexpected', 'x = 3\n    y = 4'],
   ['error.indentMismatch', 'if True:\n    print(1)\n  print(2)'],
   ['error.returnOutside', 'return 3'],

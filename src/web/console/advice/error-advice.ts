@@ -1,7 +1,8 @@
 import type { OnTable } from '../../work/hardware/misplugged';
 import type { TextKey, TextValues } from '../../page/i18n/texts';
 import { errorTable } from './error-table';
-import { syntaxAdvice, type Source } from './syntax-advice';
+import { nameAdvice } from './name-slips';
+import { syntaxAdvice, type Mend, type Source } from './syntax-advice';
 
 /** An explanation of an error in the pupil's language: a text's name and what goes into it. */
 export interface Advice {
@@ -9,6 +10,8 @@ export interface Advice {
   readonly values: TextValues;
   /** The device's own words, such as `NameError: name 'x' isn't defined`. */
   readonly device: string;
+  /** What a button would write, where it is sure. */
+  readonly mend?: Mend;
 }
 
 /** What an exception looks like to the page. */
@@ -51,10 +54,8 @@ export function adviceFor(
   if (type === 'MemoryError' && traceback.includes('too long for the board'))
     return { key: 'error.tooLong', values: {}, device };
   const general = type === 'SyntaxError' && message === 'invalid syntax';
-  if (general && source !== null) {
-    const found = syntaxAdvice(source);
-    if (found !== null) return { ...found, device };
-  }
+  const found = source && (general ? syntaxAdvice(source) : nameAdvice(type, message, source));
+  if (found !== null) return { ...found, values: shortened(found.values), device };
   const advice = explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message);
   return { ...(table === null ? advice : atTable(advice, table)), device };
 }
@@ -91,5 +92,10 @@ function readable(text: string): string {
     }
   });
 }
+
+const shortened = (values: TextValues): TextValues =>
+  Object.fromEntries(
+    Object.entries(values).map(([name, value]) => [name, typeof value === 'string' ? short(value) : value]),
+  );
 
 const short = (text: string): string => (text.length > SHOWN_CHARACTERS ? `${text.slice(0, SHOWN_CHARACTERS)}…` : text);

@@ -20,6 +20,10 @@ const NUMBER = '(?:int|float|bool)';
 /** Modules whose name is used without their import. */
 const MODULES = 'audio|log|machine|math|microbit|music|neopixel|os|power|radio|random|speech|time';
 
+/** Modules of lessons at a computer that no microcomputer has. */
+const COMPUTER =
+  '(?:g?turtle|gpanel|gamegrid|tkinter|pygame|numpy|pandas|matplotlib|scipy|sympy|datetime|threading|requests|subprocess|pathlib|itertools|functools|typing|string|statistics|fractions|decimal|csv|sqlite3|keyboard|pyautogui|PIL|cv2|winsound|playsound|asyncio|easygui)';
+
 /**
  * The device's messages that are explained one by one, the special before the general; the first that fits counts.
  * The words are those of MicroPython 1.18 and 1.27 (py/*.c) and of micropython-microbit-v2 src/codal_port; the test
@@ -33,6 +37,9 @@ export const errorTable: readonly ErrorPattern[] = [
   when('NameError', /'([^']+)'/, 'error.NameError', 'name'),
   when('NameError', /(?:)/, 'error.NameErrorAny'),
 
+  when('AttributeError', /^'list' object has no attribute '(?:add|push|addend|insertend)'/, 'error.listAppend'),
+  when('AttributeError', /^'(?:list|str|tuple|dict)' object has no attribute '(length|len|size|Length)'/, 'error.useLen', 'name'),
+  when('AttributeError', /^'(str|tuple|int|float)' object has no attribute 'append'/, 'error.noAppend', 'owner'),
   when('AttributeError', /^'NoneType' object has no attribute '([^']+)'/, 'error.attributeOfNone', 'name'),
   when('AttributeError', /object has no attribute '__(?:enter|exit)__'/, 'error.withNothing'),
   when('AttributeError', /^'?module.* has no attribute '([^']+)'/, 'error.attributeOfModule', 'name'),
@@ -41,11 +48,17 @@ export const errorTable: readonly ErrorPattern[] = [
 
   when('ImportError', /^can(?:'|no)t import name '?(\w+)/, 'error.importName', 'name'),
   when('ImportError', /'(calliope_?mini)'/, 'error.moduleOfCalliope', 'name'),
+  when('ImportError', new RegExp(`'(${COMPUTER}(?:\\.[^']*)?)'`), 'error.moduleOfComputer', 'name'),
   when('ImportError', /'([^']+)'/, 'error.ImportError', 'name'),
   when('ImportError', /(?:)/, 'error.ImportErrorAny'),
 
   when('TypeError', new RegExp(`^unsupported types for __i?add__: '(?:str', '${NUMBER}|${NUMBER}', 'str)'`), 'error.addTextNumber'),
   when('TypeError', /^unsupported types? for __(?!hash).*'NoneType'/, 'error.operandNone'),
+  when('TypeError', /^unsupported types? for __.*'(?:bound_method|function|closure)'/, 'error.callForgotten'),
+  when('TypeError', new RegExp(`^unsupported types for __(?:lt|le|gt|ge)__: '(?:str', '${NUMBER}|${NUMBER}', 'str)'`), 'error.compareTextNumber'),
+  when('TypeError', new RegExp(`^unsupported types for __i?(?:sub|mul|truediv|floordiv|pow|mod)__: '(?:str', '${NUMBER}|${NUMBER}', 'str)'`), 'error.textReckon'),
+  when('TypeError', new RegExp(`^unsupported types for __\\w+__: '(?:tuple', '${NUMBER}|${NUMBER}', 'tuple)'`), 'error.commaNumber'),
+  when('TypeError', /^exceptions must derive/, 'error.raiseText'),
   when('TypeError', /^unsupported types for __(?:lt|le|gt|ge)__: '(.+)', '(.+)'/, 'error.compareTypes', 'left', 'right'),
   when('TypeError', /^unsupported types for __\w+__: '(.+)', '(.+)'/, 'error.operandTypes', 'left', 'right'),
   when('TypeError', /^unsupported type for __hash__: '(.+)'/, 'error.unhashable', 'type'),
@@ -116,6 +129,7 @@ export const errorTable: readonly ErrorPattern[] = [
   when('MemoryError', /allocating (\d{5,}) bytes/, 'error.memoryAtOnce', 'bytes'),
   when('RuntimeError', /^Please connect to (?:Maqueen|a robot)/, 'error.noRobot'),
   when('RuntimeError', /^percent must be from (\d+) to (\d+)/, 'error.valueRange', 'least', 'most'),
+  when('RuntimeError', /^no active exception/, 'error.raiseAlone'),
   when('RuntimeError', /recursion|pystack/, 'error.recursion'),
   when('NotImplementedError', /not simulated/, 'error.notSimulated'),
 

@@ -1,4 +1,6 @@
 import type { TextKey, TextValues } from '../../page/i18n/texts';
+import { withoutRepeat } from './repeat';
+import { lacksComma, slipIn, type Slip } from './slips';
 
 /** A line of a pupil's file. */
 export interface Source {
@@ -11,6 +13,18 @@ export interface Source {
 export interface SyntaxAdvice {
   readonly key: TextKey;
   readonly values: TextValues;
+  readonly mend?: Mend;
+}
+
+/** A change that mends a file. */
+export interface Mend {
+  /** The whole file as it was and as it would be. */
+  readonly before: string;
+  readonly after: string;
+  /** What is written anew, as the button names it. */
+  readonly code: string;
+  /** A line more, not one written otherwise. */
+  readonly adds?: true;
 }
 
 const BLOCK = /^(if|elif|else|for|while|def|class|try|except|finally|with)\b/;
@@ -30,31 +44,92 @@ export function syntaxAdvice({ text, line }: Source): SyntaxAdvice | null {
   const lines = text.split(/\r\n?|\n/);
   const read = readUpTo(lines, line);
   const code = read.codes[line - 1] ?? '';
-  if (read.openQuote !== null) return say('error.openQuote', { line: read.openQuote });
-  if (read.extra !== null) return say('error.extraBracket', { bracket: read.extra });
-  if (/[“”„‘’«»‹›´`]/.test(code)) return say('error.curlyQuotes');
-  const [open] = read.open;
-  if (open !== undefined) {
-    const atEnd = readUpTo(lines, lines.length).open[0];
-    return atEnd !== undefined && atEnd.line <= line
-      ? say('error.openBracket', { ...atEnd })
-      : say('error.missingComma');
+  const written = lines[line - 1] ?? '';
+  const mended = (slip: Slip | null): SyntaxAdvice | null => slip && withMend(slip, text, line);
+  // Below a bracket that is open, every line looks wrong: it comes first, wherever the device stopped.
+  const above = read.open.find((it) => it.line < line);
+  if (above === undefined) {
+    const begun = /^\s*(?:\/\/|\/\*)/.test(written) ? mended(slipIn(written.trim(), written)) : null;
+    if (begun !== null) return begun;
+    const loop = /^\s*repeat\b\s*(?![\s=.,])/.test(code) ? repeatAdvice(text, lines, line) : null;
+    if (loop !== null) return loop;
   }
-  return inLine(code.trim()) ?? aroundLine(read.codes, line);
+  if (read.openText !== null && readUpTo(lines, lines.length).openText === read.openText)
+    return say('error.openLongText', { line: read.openText });
+  const quotes = quoteAdvice(read, code, { text, line });
+  if (quotes !== null) return quotes;
+  if (read.extra !== null) return say('error.extraBracket', { bracket: read.extra });
+  if (read.mixed !== null) return say('error.mixedBrackets', { ...read.mixed });
+  const slip = above === undefined ? mended(slipIn(code.trim(), written)) : null;
+  if (slip !== null) return slip;
+  const [open] = read.open;
+  if (open !== undefined) return openAdvice(lines, line);
+  return inLine(code.trim(), { text, line }) ?? aroundLine(read.codes, line);
+}
+
+/** The advice of a slip, with the file in which its line is written right. */
+export function withMend({ key, values, line: right }: Slip, text: string, line: number): SyntaxAdvice {
+  if (right === undefined || text.includes('\r')) return { key, values };
+  const lines = text.split('\n');
+  lines[line - 1] = right;
+  return { key, values, mend: { before: text, after: lines.join('\n'), code: right.trim() } };
+}
+
+/** TigerJython's loop. The sentence names the line that does the same, the button writes all of them anew. */
+function repeatAdvice(text: string, lines: readonly string[], line: number): SyntaxAdvice | null {
+  const found = text.includes('\r') ? null : withoutRepeat(lines, readUpTo(lines, lines.length).codes, line);
+  if (found === null) return null;
+  const { text: after, code } = found;
+  return { ...say('error.repeat', { code }), mend: { before: text, after, code } };
+}
+
+const CURLY = /[“”„‘’«»‹›´`]/;
+
+/** Texts that do not end, and quotation marks of a word processor. */
+function quoteAdvice({ openQuote }: Reading, code: string, { text, line }: Source): SyntaxAdvice | null {
+  const written = text.split('\n')[line - 1] ?? '';
+  if (openQuote === null) return CURLY.test(code) ? curlyAdvice({ text, line }) : null;
+  const marks = written.match(new RegExp(CURLY, 'g')) ?? [];
+  if (marks.length !== 1) return say('error.openQuote', { line: openQuote });
+  const right = written.replace(CURLY, written.includes('"') ? '"' : "'");
+  return withMend({ key: 'error.curlyQuotes', values: {}, line: right }, text, line);
+}
+
+/** Quotation marks of a word processor around a text; where others stand in the line too, nothing is rewritten. */
+export function curlyAdvice({ text, line }: Source): SyntaxAdvice {
+  const written = text.split('\n')[line - 1] ?? '';
+  const right = written.replace(/[“”„«»]/g, '"').replace(/[‘’‹›´`]/g, "'");
+  const isSure = !/["'#]/.test(written) && (right.match(/["']/g) ?? []).length % 2 === 0;
+  return withMend({ key: 'error.curlyQuotes', values: {}, ...(isSure ? { line: right } : {}) }, text, line);
+}
+
+/** A bracket that is open where the device stopped: at the end of the file too, or only there. */
+function openAdvice(lines: readonly string[], line: number): SyntaxAdvice {
+  const atEnd = readUpTo(lines, lines.length).open[0];
+  return atEnd !== undefined && atEnd.line <= line ? say('error.openBracket', { ...atEnd }) : say('error.missingComma');
 }
 
 /** Mistakes that show in the line itself; texts in it are empty. */
-function inLine(code: string): SyntaxAdvice | null {
-  if (/(^|\s)print\s+["'\w]/.test(code)) return say('error.printBrackets');
+function inLine(code: string, { text, line }: Source): SyntaxAdvice | null {
   const named = (/^(\w+)\s*=(?!=)/.exec(code) ?? /^(?:def|class|for)\s+(\w+)/.exec(code))?.[1] ?? '';
   if (KEYWORDS.test(named)) return say('error.keywordAsName', { name: named });
   const block = BLOCK.exec(code)?.[1];
   const outside = outsideBrackets(code);
   if (block !== undefined && /^(if|elif|while)$/.test(block) && /[^=!<>:+\-*/%&|^]=(?!=)/.test(outside))
     return say('error.equalsInCondition');
-  if (block !== undefined && !outside.includes(':')) return say('error.missingColon', { word: block });
+  if (block !== undefined && !outside.includes(':')) return colonAdvice(block, text, line);
+  if (lacksComma(code)) return say('error.missingComma');
   const sign = /\+\+|--$|&&|\|\||=>|=<|=\s+=|!(?!=)/.exec(code)?.[0];
   return sign === undefined ? null : say('error.strangeSign', { sign });
+}
+
+/** The colon is written at the end where the block follows below, and nothing else is in the line. */
+function colonAdvice(word: string, text: string, line: number): SyntaxAdvice {
+  const lines = text.split('\n');
+  const [written = '', below = ''] = lines.slice(line - 1);
+  const isSure = !written.includes('#') && indentOf(below) > indentOf(written);
+  const right = written.replace(/\s*;?\s*$/, ':');
+  return withMend({ key: 'error.missingColon', values: { word }, ...(isSure ? { line: right } : {}) }, text, line);
 }
 
 /** Mistakes that show by the lines before: a block that is not indented, `else` without its `if`. */
@@ -90,6 +165,10 @@ interface Reading {
   readonly open: readonly { readonly bracket: string; readonly line: number }[];
   /** The line of a text that does not end on it. */
   readonly openQuote: number | null;
+  /** The line in which a text in three quotation marks begins that goes on behind it. */
+  readonly openText: number | null;
+  /** Two brackets in that line that do not fit. */
+  readonly mixed: { readonly open: string; readonly close: string } | null;
   /** A closing bracket in that line that nothing opened. */
   readonly extra: string | null;
 }
@@ -101,6 +180,8 @@ function readUpTo(lines: readonly string[], last: number): Reading {
   let openQuote: number | null = null;
   let extra: string | null = null;
   let quote: string | null = null;
+  let begun = 0;
+  let mixed: Reading['mixed'] = null;
   for (let number = 1; number <= Math.min(last, lines.length); number += 1) {
     const line = lines[number - 1] ?? '';
     let code = '';
@@ -119,18 +200,25 @@ function readUpTo(lines: readonly string[], last: number): Reading {
       const start = /^("""|'''|"|')/.exec(line.slice(at, at + 3))?.[0];
       if (start !== undefined) {
         quote = start;
+        begun = number;
         at += start.length - 1;
         continue;
       }
       code += character;
       if (OPENING.includes(character)) open.push({ bracket: character, line: number });
-      else if (CLOSING.includes(character) && open.pop() === undefined && number === last) extra = character;
+      else if (CLOSING.includes(character)) {
+        const opened = open.pop()?.bracket;
+        if (number !== last) continue;
+        if (opened === undefined) extra = character;
+        else if (OPENING.indexOf(opened) !== CLOSING.indexOf(character)) mixed = { open: opened, close: character };
+      }
     }
     if (quote?.length === 1) {
       if (number === last) openQuote = number;
       quote = null;
     }
+    if (quote !== null && begun === number) code += '""';
     codes.push(code);
   }
-  return { codes, open, openQuote, extra };
+  return { codes, open, openQuote, openText: quote === null ? null : begun, extra, mixed };
 }

@@ -1,0 +1,122 @@
+import { freeReference } from '#libraries/reference';
+import { Reference } from '#reference/meaning';
+import { parametersOf } from '#reference/arguments';
+import { Reader } from '#reference/reader';
+import { robotReferences } from '#robots/references';
+import { namesOf } from '#python/scopes';
+import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
+
+import { contextOf, type Written } from '../../work/hardware/written-for';
+import { meantName } from './did-you-mean';
+import type { Failure } from './error-advice';
+import { importLine, withImport } from './import-line';
+import { withMend, type Source, type SyntaxAdvice } from './syntax-advice';
+
+/** What is found out about an error with the reference at hand: a better sentence, or the name that was meant. */
+export interface LateAdvice {
+  readonly advice: SyntaxAdvice | null;
+  readonly meant: string | null;
+  readonly mend: SyntaxAdvice['mend'];
+}
+
+/** Looks an error up in the reference of the chosen board and robot. In doubt it finds nothing. */
+export function lateAdvice(failure: Failure, source: Source, written: Written): LateAdvice {
+  const name = unknownName(failure);
+  const advice = name === null ? callAdvice(failure, source, written) : nameLate(name, source, written);
+  if (advice !== null) return { advice, meant: null, mend: advice.mend };
+  const meant = meantName(failure, source, written);
+  return { advice, meant, mend: meant === null ? undefined : renamed(failure, meant, source) };
+}
+
+const unknownName = ({ type, message }: Failure): string | null =>
+  type === 'NameError' ? (/^name '(\w+)' (?:isn't|is not) defined/.exec(message)?.[1] ?? null) : null;
+
+/** A name that a module has, or that the program has elsewhere. */
+function nameLate(name: string, source: Source, written: Written): SyntaxAdvice | null {
+  const program = readPython(source.text);
+  const { bindings, root } = namesOf(program);
+  if (bindings.has(name)) {
+    const later = root.names.find((it) => it.name === name);
+    if (later === undefined) return root.inner.length === 0 ? null : { key: 'error.onlyInside', values: { name } };
+    const line = source.text.slice(0, later.at).split('\n').length;
+    const failing = source.text.split('\n')[source.line - 1] ?? '';
+    const isTop = /^\S/.test(failing) && !/^(?:for|while|if|elif|else|try|except|with)\b/.test(failing);
+    return isTop && line > source.line ? { key: 'error.definedLater', values: { name, line } } : null;
+  }
+  const robot = written.hardware?.robot?.id ?? null;
+  const own = robotReferences.find((it) => it.robot === robot)?.modules.map((it) => it.name) ?? [];
+  const foreign = new Set([...robotReferences, freeReference].flatMap(({ modules }) => modules.map((it) => it.name)));
+  const reference = new Reference(contextOf(written));
+  const found = importLine(name, reference, { own, foreign });
+  if (found === null) return null;
+  const imported = namesOf(program).imports.filter(({ module }) => module === found.module);
+  if (imported.some(({ symbol }) => symbol === '*')) return null;
+  const whole = imported.find(({ symbol }) => symbol === null);
+  if (whole?.nameNode) {
+    const code = `${textOf(program, whole.nameNode)}.${name}`;
+    return withMend({ key: 'error.forgottenOwner', values: { name, code }, ...lineWith(name, code, source) }, source.text, source.line); // prettier-ignore
+  }
+  const values = { name, code: found.code };
+  const after = withImport(program, found.code);
+  return { key: 'error.forgottenImport', values, mend: { before: source.text, after, code: found.code, adds: true } };
+}
+
+/** The failing line with one name written otherwise; nothing where the name stands there more than once. */
+function lineWith(name: string, right: string, { text, line }: Source): { line?: string } {
+  const written = text.split('\n')[line - 1] ?? '';
+  const word = new RegExp(`(?<![\\w.])${name}\\b`, 'g');
+  return (written.match(word) ?? []).length === 1 ? { line: written.replace(word, right) } : {};
+}
+
+function renamed({ message }: Failure, meant: string, { text, line }: Source): SyntaxAdvice['mend'] {
+  const name = Array.from(message.matchAll(/'(\w+)'/g), ([, it]) => it).at(-1) ?? /\bname (\w+)$/.exec(message)?.[1];
+  const written = text.split('\n')[line - 1] ?? '';
+  if (name === undefined || text.includes('\r')) return undefined;
+  const word = new RegExp(`\\b${name}\\b`, 'g');
+  if ((written.match(word) ?? []).length !== 1) return undefined;
+  const { mend } = withMend({ key: 'error.NameError', values: {}, line: written.replace(word, meant) }, text, line);
+  return mend && { ...mend, code: meant };
+}
+
+/** A call with too many or too few values: what its function wants. */
+function callAdvice({ type, message }: Failure, source: Source, written: Written): SyntaxAdvice | null {
+  if (type !== 'TypeError' || !/takes \d+ positional|missing \d+ required|extra positional|argument num/.test(message)) return null; // prettier-ignore
+  const named = /^(\w+)\(\)/.exec(message)?.[1] ?? null;
+  const program = readPython(source.text);
+  const reader = new Reader(program, contextOf(written));
+  const calls = callsInLine(program, source.line).filter(
+    (call) => named === null || lastWord(program, call.firstChild) === named,
+  );
+  const [call] = calls;
+  const callee = call?.firstChild;
+  if (callee === undefined || callee === null || calls.length !== 1) return null;
+  const item = reader.evaluate(callee, reader.scopeAt(callee.from))?.item;
+  const [only] = item?.calls ?? [];
+  if (only === undefined || item?.calls.length !== 1) return null;
+  const name = textOf(program, callee);
+  const wanted = parametersOf(only).map(({ name: it, text, rest }) => {
+    const given = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
+    return rest ? text.split(':')[0] : `${it}${given}`;
+  });
+  return wanted.length === 0
+    ? { key: 'error.wantsNothing', values: { name } }
+    : { key: 'error.wantsThis', values: { code: `${name}(${wanted.join(', ')})` } };
+}
+
+const lastWord = (program: PythonText, callee: SyntaxNode | null): string =>
+  callee === null ? '' : (/\w+$/.exec(textOf(program, callee))?.[0] ?? '');
+
+function callsInLine(program: PythonText, line: number): readonly SyntaxNode[] {
+  const lines = program.text.split('\n');
+  const from = lines.slice(0, line - 1).reduce((sum, { length }) => sum + length + 1, 0);
+  const to = from + (lines[line - 1] ?? '').length;
+  const calls: SyntaxNode[] = [];
+  program.tree.iterate({
+    from,
+    to,
+    enter: ({ name, node }) => {
+      if (name === 'CallExpression' && node.from >= from && node.from < to) calls.push(node);
+    },
+  });
+  return calls;
+}
