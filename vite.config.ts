@@ -173,12 +173,26 @@ const common = {
   },
 } satisfies UserConfig;
 
+/** Leaves out the comments and the indentation of drawings, which are for those who draw. */
+function drawingsLighter(): Plugin {
+  return {
+    name: 'drawings-lighter',
+    enforce: 'pre',
+    async load(id) {
+      if (!id.endsWith('.svg?raw')) return null;
+      const drawing = await readFile(id.slice(0, -'?raw'.length), 'utf8');
+      return `export default ${JSON.stringify(drawing.replace(/<!--.*?-->/gs, '').replace(/\s*\n\s*/g, '\n'))};`;
+    },
+  };
+}
+
 /** The plugins of both builds, made anew for each. */
 const commonPlugins = (): PluginOption[] => [
   programs(),
   vue(),
   vuetify({ autoImport: true }),
   iconsApart(),
+  drawingsLighter(),
   vuetifyLighter(),
 ];
 

@@ -22,7 +22,7 @@ export function wordsFor(happened: Happened): string {
     case 'redo':
       return say(texts.redone, { what: editWords(happened) });
     case 'problem':
-      return say(editorWords.panels.tooMuch);
+      return say(editingWords.panels.tooMuch);
     case 'selected':
       return selectionWords(happened.scene, happened.selection);
     case 'tool':

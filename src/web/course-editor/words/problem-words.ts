@@ -1,16 +1,21 @@
-import type { RuleProblem } from '#scene/rules';
+import type { Outline } from '#scene/outline';
+import { findProblems, type RuleProblem } from '#scene/rules';
 import type { Scene, SceneObject } from '#scene/scene';
 
 import { shownLanguage } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import { namesOf } from './object-words';
+import { editingWords } from './editing-words';
 import { editorWords as words } from './editor-words';
 
-const texts = words.problems;
+const texts = editingWords.problems;
 
 /** Whether a problem is worth a hint: a line that was drawn twice looks the same, and sensors read the same. */
-export const isWorthTelling = ({ code, params }: RuleProblem): boolean =>
-  !(code === 'covered' && params['kind'] === 'stroke');
+const isWorthTelling = ({ code, params }: RuleProblem): boolean => !(code === 'covered' && params['kind'] === 'stroke');
+
+/** What of a course is hardly meant so and worth a hint. */
+export const problemsOf = (scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] =>
+  findProblems(scene, footprint).filter(isWorthTelling);
 
 /** A problem of a course as a sentence. */
 export function problemWords({ code, params, ids }: RuleProblem, scene: Scene): string {
@@ -19,7 +24,7 @@ export function problemWords({ code, params, ids }: RuleProblem, scene: Scene): 
   const kind = kindOf(params['kind']);
   return say(texts[code], {
     ...params,
-    ...(params['count'] === 2 && code === 'covered' ? { count: say(words.two) } : {}),
+    ...(params['count'] === 2 && code === 'covered' ? { count: say(editingWords.two) } : {}),
     what: nameOf(params['id'] ?? ids[0]),
     other: nameOf(params['other']),
     kinds: kind === null ? '' : inSentence(say(words.kinds[kind].many)),

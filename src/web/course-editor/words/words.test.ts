@@ -7,7 +7,7 @@ import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { setLanguage } from '../../page/i18n';
 import { wordsFor } from './happened-words';
 import { namesOf, whereText } from './object-words';
-import { isWorthTelling, problemWords } from './problem-words';
+import { problemsOf, problemWords } from './problem-words';
 
 // The words are those of the page's language.
 beforeAll(async () => {
@@ -93,7 +93,7 @@ describe('problems of a course in words', () => {
   it('do not mind a line that was drawn twice: it looks and reads the same', () => {
     const line = (id: string): SceneObject => ({ type: 'stroke', id, points: [[100, 600], [300, 600]], width: 20, color: 'black' }); // prettier-ignore
     const twice: Scene = { ...scene, objects: [line('a'), line('b'), wall('c'), wall('d')] };
-    expect(findProblems(twice, []).filter(isWorthTelling).map(({ ids }) => ids)).toEqual([['c', 'd']]); // prettier-ignore
+    expect(problemsOf(twice, []).map(({ ids }) => ids)).toEqual([['c', 'd']]); // prettier-ignore
   });
 });
 

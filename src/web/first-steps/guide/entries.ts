@@ -58,6 +58,7 @@ import { t } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import type { TextKey } from '../../page/i18n/texts';
 import { toolLetters } from '../../course-editor/palette/tool-list';
+import { editingWords } from '../../course-editor/words/editing-words';
 import { editorWords } from '../../course-editor/words/editor-words';
 import { deviceWords } from '../../device/device-words';
 import type { GuideContent, OwnName } from './content/content';
@@ -162,11 +163,11 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   undo: of(mdiUndo, () => say(editorWords.palette.undo), 'undo'),
   redo: of(mdiRedo, () => say(editorWords.palette.redo), 'redo'),
   'course-more': of(mdiDotsVertical, () => say(editorWords.palette.more), 'course-more'),
-  'course-list': of(mdiFormatListBulleted, () => say(editorWords.panels.list), 'editor-*'),
-  'course-settings': of(mdiTextBoxEditOutline, () => say(editorWords.panels.course)),
-  background: of(mdiImageOutline, () => say(editorWords.panels.background)),
-  print: of(mdiPrinterOutline, () => say(editorWords.panels.print)),
-  'clear-course': of(mdiDeleteSweepOutline, () => say(editorWords.panels.clear), 'editor-clear'),
+  'course-list': of(mdiFormatListBulleted, () => say(editingWords.panels.list), 'editor-*'),
+  'course-settings': of(mdiTextBoxEditOutline, () => say(editingWords.panels.course)),
+  background: of(mdiImageOutline, () => say(editingWords.panels.background)),
+  print: of(mdiPrinterOutline, () => say(editingWords.panels.print)),
+  'clear-course': of(mdiDeleteSweepOutline, () => say(editingWords.panels.clear), 'editor-clear'),
   output: ofKey(mdiConsoleLine, 'console.log', 'console'),
   copy: ofKey(mdiContentCopy, 'console.copy'),
   clear: ofKey(mdiDeleteSweepOutline, 'console.clear'),
