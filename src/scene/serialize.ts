@@ -69,5 +69,6 @@ function backgroundProperty(background: Background | null): string[] {
   return [`"background": {\n    ${lines.join(',\n    ')}\n  }`];
 }
 
-const objectText = (object: SceneObject): string =>
+/** One object in the form of a file. */
+export const objectText = (object: SceneObject): string =>
   braces([`"id": ${JSON.stringify(object.id)}`, `"type": "${object.type}"`, ...kindOf(object).write(object)]);

@@ -49,7 +49,7 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
   const host = new HostView(wish);
   const settings = createSettings(heldSettings(wish.settings));
   const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
-  keepWork(work, storage, () => page.notices.show({ kind: 'warn', key: 'files.storageFull' }));
+  keepWork(work, storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
   const sight = {

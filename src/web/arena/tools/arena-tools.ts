@@ -5,6 +5,7 @@
 import { handlesOf } from '#editor/handles';
 import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
+import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
@@ -72,6 +73,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   };
   const keys = createSelectionKeys(ports);
   const surface = surfaceOf(sources, ports);
+  const unfinished = unfinishedOf(sources, surface);
   const pointers = toolPointers(surface);
   let shown: { picture: EditPicture; frame: EditFrame } | null = null;
   let window: PxBox | null = null;
@@ -101,6 +103,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
       return tool === 'hand' ? 'default' : toolCursor(tool);
     },
     place() {
+      editor.unfinished.value = surface.isBusy ? unfinished : null;
       shown = editor.tool.value === 'hand' ? null : look();
       if (shown === null) sources.showGhost(noGhost);
       const box = shown && editBox(shown.frame, shown.picture);
@@ -112,6 +115,14 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     },
   };
 }
+
+/** Asks for the course with what is being drawn; `null` where it is as it was, or would hold too much. */
+const unfinishedOf =
+  ({ course }: ToolSources, surface: ToolSurface) =>
+  (): Scene | null => {
+    const edit = surface.editSoFar();
+    return edit === null || editProblem(course(), edit) !== null ? null : applyEdit(course(), edit);
+  };
 
 function surfaceOf({ editor, picture, course }: ToolSources, ports: SelectionKeyPorts): ToolSurface {
   return new ToolSurface(

@@ -113,6 +113,18 @@ describe('a tool in the arena', () => {
     expect(surface.picture().ink?.path.map(({ x }) => x)).toEqual([100, 110, 120]);
   });
 
+  it('tells what a line comes to so far, while its ink is drawn, and shows it no differently', () => {
+    const { surface, down, move, up, done } = surfaceOf(inkTool);
+    expect(surface.editSoFar()).toBeNull();
+    down(px(100, 100));
+    move(px(200, 100));
+    expect(surface.editSoFar()).toEqual(wall([100, 100], [200, 100]));
+    expect(surface.picture()).toMatchObject({ edit: null, after: null });
+    expect(done).toEqual([]);
+    up();
+    expect(surface.editSoFar()).toBeNull();
+  });
+
   it('drops the drag at Escape, and what comes after it', () => {
     const { surface, done, down, move, up } = surfaceOf(lineTool);
     down(px(100, 100));

@@ -118,6 +118,12 @@ export class ToolSurface {
     return this.gesture !== null;
   }
 
+  /** What the gesture would come to if it ended now; `null`: nothing. */
+  editSoFar(): SceneEdit | null {
+    const gesture = this.gesture;
+    return gesture && gesture.tool.edit(dragOf(gesture), gesture.context);
+  }
+
   /** Whether the pointer moves the picture. */
   get isPanning(): boolean {
     return this.panner !== null || this.pinched;

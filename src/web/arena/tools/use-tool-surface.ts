@@ -80,6 +80,7 @@ function fetchTools(
   let isGone = false;
   onBeforeUnmount(() => {
     isGone = true;
+    editor.unfinished.value = null;
   });
   const fetch = (): void => {
     import('./arena-tools').then(

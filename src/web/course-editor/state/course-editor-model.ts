@@ -42,6 +42,8 @@ export interface CourseEditorModel {
   readonly free: ShallowRef<boolean>;
   /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
+  /** What the course would be if the gesture ended now; `null`: none is under way. It is kept with the work. */
+  readonly unfinished: WorkModel['unfinished'];
   /** What the ruler measures, world mm; `null`: nothing yet. */
   readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
   /** The course that the run began with whose picture is shown; `null` without a run. */
@@ -101,6 +103,7 @@ class CourseEditor implements CourseEditorModel {
   readonly said = shallowRef('');
   readonly problem = shallowRef<SceneProblem | null>(null);
   readonly runStart: CourseEditorModel['runStart'];
+  readonly unfinished: WorkModel['unfinished'];
   readonly isOpen: ComputedRef<boolean>;
   readonly isWaiting: ComputedRef<boolean>;
   private parts: EditorParts | null = null;
@@ -108,6 +111,7 @@ class CourseEditor implements CourseEditorModel {
   constructor(private readonly around: EditorSurroundings) {
     const { settings, kind, work, runStart, isActive } = around;
     this.runStart = runStart;
+    this.unfinished = work.unfinished;
     // A phone has room for the arena first; elsewhere the tools are in sight.
     this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
     this.isWaiting = computed(

@@ -1,12 +1,16 @@
 import { watch } from 'vue';
 
-import { workFromText, workToText, type Work } from '../storage/history';
-import type { LargeWork } from '../storage/large-work';
-import { createTabStorage, renameTab, tabName, type TabStorage, type TextStore } from '../storage/tab-storage';
+import { copyOnDisk } from '../storage/disk-copy';
+import { savedMsOf, stamped, workFromText, workToText, type Work } from '../storage/history';
+import type { DiskSaver, Kept } from '../storage/disk-saver';
+import { createTabStorage, newer, renameTab, tabName, type TabStorage, type TextStore } from '../storage/tab-storage';
 import type { WorkModel } from './work-model';
 
-/** How long after the last keystroke the work is saved, in ms. */
-const SAVE_AFTER_MS = 300; // chosen: a crash costs at most a word
+/** How long after a change the work is saved at the latest, in ms, also while more changes follow. */
+const SAVE_AFTER_MS = 600; // chosen: a crash costs less than a second, the writing of a copy included
+
+/** How long the page waits for the copy on the disk when it opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
+const PATIENCE_MS = 2000;
 
 /** A storage for pages that keep nothing: where the browser forbids it, or a host brings the work. */
 export const forgetful: TabStorage = { load: () => null, save: () => true };
@@ -17,14 +21,19 @@ export async function openTabStorage(): Promise<TabStorage> {
     const [session, local]: [TextStore, TextStore] = [sessionStorage, localStorage];
     const name = tabName(session);
     if (name !== null && !(await holdsName(name))) renameTab(session, newTabName);
+    const known = tabName(session);
     const storage = createTabStorage(session, local, newTabName);
-    const own = tabName(session);
-    if (own !== null && own !== name) void holdsName(own);
-    return await withPieces(storage);
+    if (storage.tab !== undefined && storage.tab !== name) void holdsName(storage.tab);
+    const late = new Promise<null>((resolve) => setTimeout(resolve, PATIENCE_MS, null));
+    // A new tab opens what any tab saved last. After the browser was killed the copy on the disk is the newer one.
+    const copy = await Promise.race([copyOnDisk(known).catch(() => null), late]);
+    return await withPieces({ ...storage, load: () => newer(storage.load(), copy) });
   } catch {
     return forgetful;
   }
 }
+
+const fetchLate = () => import('../storage/disk-saver');
 
 /** The stored work, if there is any and it can be read. */
 export function storedWork(storage: TabStorage): Work | null {
@@ -32,8 +41,6 @@ export function storedWork(storage: TabStorage): Work | null {
   return text === null ? null : workFromText(text);
 }
 
-/** What is longer (characters) than any program and its course has a picture as floor: its large parts are stored apart. */
-const LARGE = 100_000;
 /** Stands in work whose large parts lie apart (`pieces.ts`). */
 const APART = '"parcours.piece":';
 
@@ -42,44 +49,50 @@ async function withPieces(storage: TabStorage): Promise<TabStorage> {
   const text = storage.load();
   if (text?.includes(APART) !== true) return storage;
   // Where that part of the app does not come, the work opens all the same, with a bare floor.
-  const late = await import('../storage/large-work').catch(() => null);
+  const late = await fetchLate().catch(() => null);
   const whole = (await late?.wholeWork(text, Date.now())) ?? text.replace(/\{"parcours\.piece":"[\w-]+"\}/g, 'null');
-  return { load: () => whole, save: (changed) => storage.save(changed) };
+  return { ...storage, load: () => whole };
 }
 
-/** Saves the work shortly after every change, and at once when the page is left. */
-export function keepWork(model: WorkModel, storage: TabStorage, onFull: () => void): void {
+/**
+ * Saves the work shortly after every change, also while it goes on changing, and at once when the page is left.
+ *
+ * @param onLost called when it can be saved nowhere, once until it can be saved again
+ */
+export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => void): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
-  let large: LargeWork | null = null;
+  let late: DiskSaver | null = null;
+  let savedMs = savedMsOf(storage.load());
+  let isLost = false;
   function save(): void {
     if (timer === undefined) return;
     clearTimeout(timer);
     timer = undefined;
-    const work = model.work.value;
-    const text = large?.textOf(work) ?? workToText(work);
-    const isSaved = storage.save(text);
-    if (text.length < LARGE && isSaved) return;
-    // Until its large parts are apart they stay with the work, so that a crash meanwhile costs nothing.
-    void setApart(work).then((isSmaller) => {
-      if (isSmaller) saveSoon();
-      else if (!isSaved) onFull();
-    });
+    if (model.unfinished.value !== null) saveSoon();
+    const work = model.withUnfinished();
+    // Later than the last copy even if the computer's clock was put back meanwhile.
+    savedMs = Math.max(Date.now(), savedMs + 1);
+    const text = stamped(late?.textOf(work) ?? workToText(work), savedMs);
+    void finish(work, text, storage.save(text));
   }
-  /** Stores the large parts of the work elsewhere. Returns whether there were any that were not there yet. */
-  async function setApart(work: Work): Promise<boolean> {
+  async function finish(work: Work, text: string, isSaved: boolean): Promise<void> {
+    let kept: Kept = isSaved ? 'kept' : 'lost';
     try {
-      const { LargeWork } = await import('../storage/large-work');
-      large ??= new LargeWork();
-      return await large.setApart(work, Date.now());
+      if (storage.tab !== undefined) {
+        const saver = late ?? (await fetchLate()).createDiskSaver(storage.tab);
+        kept = await (late ??= saver).keep(work, text, isSaved);
+      }
     } catch {
-      return false;
+      // That part of the app does not come: the storage for text has to do.
     }
+    if (kept === 'again') saveSoon();
+    if (kept === 'lost' && !isLost) onLost();
+    isLost = kept === 'lost';
   }
   function saveSoon(): void {
-    clearTimeout(timer);
-    timer = setTimeout(save, SAVE_AFTER_MS);
+    timer ??= setTimeout(save, SAVE_AFTER_MS);
   }
-  watch(model.work, saveSoon);
+  watch([model.work, model.unfinished], saveSoon);
   addEventListener('pagehide', save);
   document.addEventListener('visibilitychange', () => {
     if (document.visibilityState === 'hidden') save();

@@ -31,6 +31,8 @@ export class WorkModel {
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
+  /** What a gesture that is still going on in the arena amounts to; `null`: none goes on. It is saved with the work. */
+  readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
   private readonly listeners = new Set<(step: CourseStep) => void>();
@@ -49,6 +51,13 @@ export class WorkModel {
     this.files = computed(() => this.work.value.project.files);
     this.scene = computed(() => this.work.value.project.scene);
     this.open = computed(() => this.find(this.work.value.open) ?? { name: MAIN, text: '' });
+  }
+
+  /** The work as it would be if the gesture ended now. */
+  withUnfinished(): Work {
+    const work = this.work.value;
+    const scene = this.unfinished.value?.() ?? work.project.scene;
+    return scene === work.project.scene ? work : { ...work, project: { ...work.project, scene } };
   }
 
   find(name: string): SourceFile | undefined {

@@ -44,6 +44,12 @@ export function workToText(work: Work): string {
   return textOfWork(work, packedText(work.project), ({ project }) => packedText(project));
 }
 
+/** Stored work that says when it was saved, in ms since 1970: of two copies the newer one is opened. */
+export const stamped = (text: string, savedMs: number): string => `{"savedMs":${String(savedMs)},${text.slice(1)}`;
+
+/** When `stamped` work was saved; 0 for what an earlier version of the app stored. */
+export const savedMsOf = (text: string | null): number => Number(/^\{"savedMs":(\d+),/.exec(text ?? '')?.[1] ?? 0);
+
 /** The same list with other texts for the projects. */
 export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
   const previous = work.previous.map((entry) => {

@@ -1,17 +1,9 @@
 /** Where pieces of stored work lie (`pieces.ts`): IndexedDB, which holds far more than the browser's storage for text. */
+import { inStore, type Entry } from './database';
 import type { Piece } from './pieces';
-
-const DATABASE = 'parcours';
-const STORE = 'pieces';
 
 /** Pieces that no work has named for this long are deleted. Chosen: holidays. */
 const FORGOTTEN_MS = 60 * 24 * 3600 * 1000;
-
-/** A piece as it is stored. */
-interface Entry extends Piece {
-  /** The time of its last use, in ms since 1970. */
-  readonly usedMs: number;
-}
 
 /** Stores pieces; done once they are on the disk. Rejects where the browser has no such store or no room. */
 export async function putPieces(pieces: readonly Piece[], nowMs: number): Promise<void> {
@@ -41,30 +33,4 @@ export async function getPieces(names: readonly string[], nowMs: number): Promis
     };
   });
   return found;
-}
-
-async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
-  const database = await openDatabase();
-  try {
-    await new Promise<void>((resolve, reject) => {
-      const transaction = database.transaction(STORE, mode);
-      transaction.oncomplete = () => resolve();
-      transaction.onabort = () => reject(transaction.error ?? new Error('The transaction was given up.'));
-      act(transaction.objectStore(STORE));
-    });
-  } finally {
-    database.close();
-  }
-}
-
-function openDatabase(): Promise<IDBDatabase> {
-  return new Promise((resolve, reject) => {
-    const request = indexedDB.open(DATABASE, 1);
-    request.onupgradeneeded = () => {
-      request.result.createObjectStore(STORE, { keyPath: 'name' }).createIndex('used', 'usedMs');
-    };
-    request.onsuccess = () => resolve(request.result);
-    request.onerror = () => reject(request.error ?? new Error('The database cannot be opened.'));
-    request.onblocked = () => reject(new Error('The database is in use.'));
-  });
 }

@@ -7,7 +7,7 @@ import type { Project } from '#project/project';
 import type { Background } from '#scene/scene';
 
 import { textOfWork, type Work } from './history';
-import { packedText, packProject } from './stored-project';
+import { packed, packedText, sceneText } from './stored-project';
 
 /** The name of a piece: `{ "parcours.piece": name }` stands in its place. */
 const KEY = 'parcours.piece';
@@ -40,8 +40,8 @@ export function splitWork(work: Work, isKept: (name: string) => boolean): { text
     const { background } = project.scene;
     const piece = background === null ? null : backgroundPiece(background);
     if (piece === null || standIn(piece, '') === '') return packedText(project);
-    const bare = packProject({ ...project, scene: { ...project.scene, background: null } }) as { scene: object };
-    return JSON.stringify({ ...bare, scene: { ...bare.scene, background: { [KEY]: piece.name } } });
+    const bare = sceneText({ ...project.scene, background: null });
+    return packed(project, `{"background":${reference(piece)},${bare.slice(1)}`);
   }
   const text = textOfWork(work, projectText(work.project), ({ project }) =>
     standIn(projectPiece(project), packedText(project)),

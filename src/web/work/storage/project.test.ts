@@ -5,7 +5,7 @@ import { defaultScene } from '#scene/scene';
 
 import { PREVIOUS_KEPT, putAside, workFromText, workToText, type Previous } from './history';
 import { defaultSettings, settingsFromText } from '../settings/settings';
-import { packProject, unpackProject } from './stored-project';
+import { packedText, unpackProject } from './stored-project';
 
 const project = (text: string): Project => ({
   files: [{ name: 'main.py', text }],
@@ -13,10 +13,11 @@ const project = (text: string): Project => ({
   course: null,
 });
 
+const packed = (of: Project): Record<string, unknown> => JSON.parse(packedText(of)) as Record<string, unknown>;
+
 describe('a stored project', () => {
   it('comes back as it was', () => {
-    const packed: unknown = JSON.parse(JSON.stringify(packProject(project('print(1)'))));
-    expect(unpackProject(packed)).toEqual(project('print(1)'));
+    expect(unpackProject(packed(project('print(1)')))).toEqual(project('print(1)'));
   });
 
   it('keeps what it runs on, where it says so', () => {
@@ -24,20 +25,20 @@ describe('a stored project', () => {
       ...project(''),
       settings: { ...defaultProjectSettings, robotOptions: { callibot: { lamp: 'on' } } },
     };
-    const packed = packProject(chosen) as Record<string, unknown>;
-    expect(unpackProject(packed)).toEqual(chosen);
-    expect(unpackProject({ ...packed, settings: { robot: 7 } })).toEqual(project(''));
+    const stored = packed(chosen);
+    expect(unpackProject(stored)).toEqual(chosen);
+    expect(unpackProject({ ...stored, settings: { robot: 7 } })).toEqual(project(''));
   });
 
   it('is refused when it has no main.py or makes no sense', () => {
-    const packed = packProject(project('')) as Record<string, unknown>;
+    const stored = packed(project(''));
     for (const broken of [
       null,
       7,
       {},
-      { ...packed, files: [] },
-      { ...packed, files: [{ name: 'x.py', text: '' }] },
-      { ...packed, scene: {} },
+      { ...stored, files: [] },
+      { ...stored, files: [{ name: 'x.py', text: '' }] },
+      { ...stored, scene: {} },
     ]) {
       expect(unpackProject(broken)).toBeNull();
     }

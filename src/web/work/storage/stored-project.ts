@@ -1,26 +1,41 @@
 import { isRecord } from '#core/record';
 import { MAIN, type Project, type ProjectSettings, type SourceFile } from '#project/project';
 import { parseSceneValue } from '#scene/parse';
-import { serializeScene } from '#scene/serialize';
+import type { Scene, SceneObject } from '#scene/scene';
+import { objectText, serializeScene } from '#scene/serialize';
 
-/** A project as plain data for the browser's storage. */
-export function packProject(project: Project): unknown {
-  const scene: unknown = JSON.parse(serializeScene(project.scene));
-  const { files, course, settings } = project;
-  return { files, scene, course, ...(settings === undefined ? {} : { settings }) };
+/** A project as text for the browser's storage. It is saved while somebody types, so what has not changed is remembered. */
+export const packedText = remembered((project: Project): string => packed(project, sceneText(project.scene)));
+
+/** The same with a text of one's own for the course. */
+export function packed({ files, course, settings }: Project, scene: string): string {
+  const rest = JSON.stringify({ course, settings });
+  return `{"files":${JSON.stringify(files)},"scene":${scene},${rest.slice(1)}`;
 }
 
-/** The same as text. The last ones are remembered: a project never changes, and an arena may be large. */
-export function packedText(project: Project): string {
-  const known = texts.get(project);
-  if (known !== undefined) return known;
-  const text = JSON.stringify(packProject(project));
-  texts.set(project, text);
-  return text;
-}
-const texts = new WeakMap<Project, string>();
+/** The course as text. Each object is written once: a course may have 20,000 points, and a stroke of the pen adds one object. */
+export const sceneText = remembered((scene: Scene): string => {
+  const bare = compact(serializeScene({ ...scene, objects: [] }));
+  return `${bare.slice(0, -'[]}'.length)}[${scene.objects.map(compactObject).join(',')}]}`;
+});
 
-/** Reads what `packProject` made; `null` for anything else. */
+const compactObject = remembered((object: SceneObject): string => compact(objectText(object)));
+
+const compact = (text: string): string => JSON.stringify(JSON.parse(text));
+
+/** Texts of things that never change, as long as the things are there. */
+function remembered<T extends object>(write: (of: T) => string): (of: T) => string {
+  const texts = new WeakMap<T, string>();
+  return (of) => {
+    const known = texts.get(of);
+    if (known !== undefined) return known;
+    const text = write(of);
+    texts.set(of, text);
+    return text;
+  };
+}
+
+/** Reads what `packedText` made; `null` for anything else. */
 export function unpackProject(value: unknown): Project | null {
   if (!isRecord(value)) return null;
   const { files, scene, course, settings } = value;

@@ -56,6 +56,14 @@ describe('the storage of a tab', () => {
     expect(copies).toEqual(['work 4', 'work 5', 'work 6', 'work 7', 'work 8']);
   });
 
+  it('opens the copy that was saved later', () => {
+    const [local, session] = [store(), store()];
+    const tab = createTabStorage(session, local, newName);
+    tab.save('{"savedMs":7,"version":1}');
+    session.setItem('parcours.work', '{"savedMs":5,"version":1}'); // as a browser restores it after a crash
+    expect(createTabStorage(session, local, newName).load()).toBe('{"savedMs":7,"version":1}');
+  });
+
   it('gives a duplicated tab a copy of its own', () => {
     const local = store();
     const original = store();

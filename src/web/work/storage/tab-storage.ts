@@ -1,12 +1,16 @@
 /** The part of the browser's `Storage` that is used. */
 export type TextStore = Pick<Storage, 'getItem' | 'setItem' | 'removeItem' | 'key' | 'length'>;
 
+import { savedMsOf } from './history';
+
 /** What a tab keeps through reloads, and what a new tab finds of it. */
 export interface TabStorage {
   /** What this tab saved last; in a new tab, what any tab saved last; `null` when there is nothing. */
   load(): string | null;
   /** Saves for this tab, and as a copy that survives closing it. `false` when the browser has no room left. */
   save(text: string): boolean;
+  /** The tab's name, if a copy of the work goes to the disk, too. */
+  readonly tab?: string;
 }
 
 const TAB = 'parcours.tab';
@@ -15,7 +19,7 @@ const COPY = 'parcours.copy.';
 const LAST = 'parcours.last';
 
 /** Copies of closed tabs that are kept. */
-const COPIES = 5;
+export const COPIES = 5;
 /** Longer than this (characters) no work of a pupil is; a browser gives a page about five million. */
 const HUGE = 1_000_000;
 
@@ -30,7 +34,8 @@ export function createTabStorage(session: TextStore, local: TextStore, newName: 
   const name = known ?? newName();
   set(session, TAB, name);
   return {
-    load: () => get(session, WORK) ?? copyOf(local, known ?? get(local, LAST)),
+    tab: name,
+    load: () => newer(get(session, WORK), copyOf(local, known ?? get(local, LAST))),
     save(text) {
       const kept = set(session, WORK, text);
       const copied = set(local, COPY + name, text) || makeRoom(local, name, text);
@@ -53,6 +58,10 @@ export function tabName(session: TextStore): string | null {
   return get(session, TAB);
 }
 
+/** The copy that was saved later; the first one where that cannot be told. */
+export const newer = (one: string | null, other: string | null): string | null =>
+  one === null || savedMsOf(other) > savedMsOf(one) ? other : one;
+
 function copyOf(local: TextStore, name: string | null): string | null {
   return name === null ? null : get(local, COPY + name);
 }
@@ -67,15 +76,20 @@ function makeRoom(local: TextStore, name: string, text: string): boolean {
   return false;
 }
 
-/** Removes copies of other tabs beyond `count`; names begin with the time a tab was opened, so the oldest go first. */
+/** Removes copies of other tabs beyond `count`. */
 function prune(local: TextStore, own: string, count: number): void {
   const copies: string[] = [];
   for (let index = 0; index < local.length; index += 1) {
     const key = local.key(index);
-    if (key?.startsWith(COPY) === true && key !== COPY + own) copies.push(key);
+    if (key?.startsWith(COPY) === true) copies.push(key);
   }
-  copies.sort();
-  for (const key of copies.slice(0, Math.max(0, copies.length - (count - 1)))) local.removeItem(key);
+  for (const key of surplus(copies, COPY + own, count)) local.removeItem(key);
+}
+
+/** The names of copies beyond `count`, never the tab's own; they begin with the time a tab was opened, so the oldest go first. */
+export function surplus(names: readonly string[], own: string, count: number): readonly string[] {
+  const others = names.filter((name) => name !== own).sort();
+  return others.slice(0, Math.max(0, others.length - (count - 1)));
 }
 
 // A browser may forbid storage altogether (private windows, embedded pages): the app then works without.

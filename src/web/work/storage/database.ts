@@ -1,0 +1,39 @@
+/** The browser's database, which holds far more than its storage for text, and can say that something is on the disk. */
+const STORE = 'pieces';
+
+/** Something that is stored under a name. */
+export interface Entry {
+  readonly name: string;
+  readonly text: string;
+  /** The time of its last use, in ms since 1970. */
+  readonly usedMs: number;
+}
+
+/**
+ * Does something with the stored entries; done once what it writes is on the disk itself, as far as the browser can do
+ * that. Rejects where the browser has no database or no room.
+ */
+export async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
+  const database = await openDatabase();
+  try {
+    await new Promise<void>((resolve, reject) => {
+      const transaction = database.transaction(STORE, mode, { durability: 'strict' });
+      transaction.oncomplete = () => resolve();
+      transaction.onabort = () => reject(transaction.error ?? new Error());
+      act(transaction.objectStore(STORE));
+    });
+  } finally {
+    database.close();
+  }
+}
+
+function openDatabase(): Promise<IDBDatabase> {
+  return new Promise((resolve, reject) => {
+    const request = indexedDB.open('parcours', 1);
+    request.onupgradeneeded = () => {
+      request.result.createObjectStore(STORE, { keyPath: 'name' }).createIndex('used', 'usedMs');
+    };
+    request.onsuccess = () => resolve(request.result);
+    request.onerror = () => reject(request.error ?? new Error());
+  });
+}

@@ -1,0 +1,21 @@
+/**
+ * Copies of the tabs' work in the browser's database. What goes to the storage for text survives the tab at once, but is
+ * written to the disk some seconds later; these copies are on the disk when they are done, and survive the browser, too.
+ */
+import { inStore, type Entry } from './database';
+
+/** Before the name of the tab. The pieces, which lie in the same store, are named by figures (`pieces.ts`). */
+export const DISK_COPY = 'work.';
+
+/** All copies. */
+export const allCopies = (): IDBKeyRange => IDBKeyRange.bound(DISK_COPY, `${DISK_COPY}~`);
+
+/** What this tab put there last, or the newest of all tabs for `null`; `null` when there is nothing. */
+export async function copyOnDisk(tab: string | null): Promise<string | null> {
+  let found: Entry[] = [];
+  await inStore('readonly', (store) => {
+    const entries = store.getAll(tab === null ? allCopies() : DISK_COPY + tab) as IDBRequest<Entry[]>;
+    entries.onsuccess = () => (found = entries.result);
+  });
+  return found.sort((one, other) => other.usedMs - one.usedMs)[0]?.text ?? null;
+}

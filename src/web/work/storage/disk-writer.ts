@@ -1,0 +1,43 @@
+/** Writes the copies of `disk-copy.ts`. */
+import { inStore, type Entry } from './database';
+import { allCopies, DISK_COPY } from './disk-copy';
+import { COPIES, surplus } from './tab-storage';
+
+/** Puts text onto the disk. Returns whether the newest text is there. */
+export type DiskWriter = (text: string, savedMs: number) => Promise<boolean>;
+
+/**
+ * The writer of a tab. It writes one text after the other, and of those that wait only the newest: a slow disk is not asked
+ * for more than it can do.
+ */
+export function createDiskWriter(tab: string): DiskWriter {
+  let next: Entry | null = null;
+  let writing: Promise<boolean> | null = null;
+  async function write(): Promise<boolean> {
+    let isWritten = false;
+    while (next !== null) {
+      const entry: Entry = next;
+      next = null;
+      isWritten = await put(entry).then(
+        () => true,
+        () => false,
+      );
+    }
+    writing = null;
+    return isWritten;
+  }
+  return (text, savedMs) => {
+    next = { name: DISK_COPY + tab, text, usedMs: savedMs };
+    return (writing ??= write());
+  };
+}
+
+/** Puts a copy there, and deletes the oldest where there are too many. */
+const put = (entry: Entry): Promise<void> =>
+  inStore('readwrite', (store) => {
+    store.put(entry);
+    const names = store.getAllKeys(allCopies());
+    names.onsuccess = () => {
+      for (const name of surplus(names.result.map(String), entry.name, COPIES)) store.delete(name);
+    };
+  });
