@@ -1,7 +1,8 @@
 import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 
-import { STOP_ANSWER_MS, type FromWorker, type ToWorker } from './worker/protocol';
+import type { FromWorker, ToWorker } from './worker/protocol';
+import { STOP_ANSWER_MS } from './worker/stop-limits';
 
 /** What is used of a `Worker`. */
 export interface WorkerPort {

@@ -27,9 +27,6 @@ export type { RunEvents } from './event-box';
 /** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
 export const STEP_PRESS_US = 20_000;
 
-/** How long Stop waits for the worker's answer before the page ends the worker, in ms of wall time. */
-export const STOP_ANSWER_MS = 500;
-
 /** From the page to the worker. */
 export type ToWorker =
   /** First message: the compiled VM. A `WebAssembly.Module` is shared, not copied. */

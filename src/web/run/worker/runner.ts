@@ -9,6 +9,7 @@ import { createEventBox } from './event-box';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
+import { FAREWELL_MS } from './stop-limits';
 
 /** What the runner needs of a `Simulation`. */
 export interface Run {
@@ -41,8 +42,6 @@ const SLICE_MS = 8;
 const REST_MS = 8;
 /** Time between two heartbeats, in ms. */
 const HEARTBEAT_MS = 100;
-/** What a stopped program gets for its `finally`, in ms of wall time: Stop should answer within 100 ms. */
-const FAREWELL_MS = 50;
 
 /** Drives one run by the page's messages: lets simulated time pass in slices, at the pace of the wall clock times the speed. */
 export class Runner {

@@ -1,0 +1,10 @@
+/*
+ * Stop should answer within 100 ms: the program is interrupted, says farewell, and the worker reports its end. Only a
+ * program that is inside one long C call does not hear the interrupt; then the page ends the worker.
+ */
+
+/** What a stopped program gets for its `finally`, in ms of wall time. */
+export const FAREWELL_MS = 50;
+
+/** How long Stop waits for the worker's answer before the page ends the worker, in ms of wall time. */
+export const STOP_ANSWER_MS = 500;
