@@ -34,3 +34,13 @@ test('repeat becomes a loop of Python by a tap, and the program runs', async ({ 
   await app.click(on('run'));
   await expect.poll(() => consoleIn(app)).toMatch(/(hopp\s+){4}/);
 });
+
+test('the editor tells of a command without brackets and writes them', async ({ app }) => {
+  await openApp(app, { language: 'de' });
+  await pasteProgram(app, 'from microbit import *\ndisplay.clear');
+  const panel = '[data-testid=device-check]';
+  const saying = (): Promise<string> => app.evaluate((css) => document.querySelector(css)?.textContent ?? '', panel);
+  await expect.poll(saying, { timeout: 10_000 }).toContain('Ohne Klammern tut display.clear nichts.');
+  await app.click(`${panel} button`);
+  await expect.poll(() => programIn(app)).toBe('from microbit import *\ndisplay.clear()');
+});

@@ -9,6 +9,8 @@ import { loadRuleTexts } from '#device-check/rule-texts';
 import { devicePanel } from './device-panel';
 import { deviceLook } from './device-look';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
+import { slipMarks } from './slip-hints';
+import { contextOf } from '../work/hardware/written-for';
 
 /** How long a pupil has stopped typing before the text is checked. Chosen: longer than between two keys. */
 const PAUSE_MS = 700;
@@ -31,11 +33,12 @@ export function deviceLint({ question, onChange }: DeviceMarksOptions): Extensio
 
 async function diagnosticsOf(view: EditorView, question: DeviceQuestion | null): Promise<readonly Diagnostic[]> {
   if (question === null) return [];
-  const { file, files, device } = question;
+  const { file, files, device, written } = question;
   const findings = checkForDevice({ ...files, [file]: view.state.doc.toString() }, device).filter(
     (finding) => finding.file === file,
   );
-  return findings.length === 0 ? [] : explained(findings, question);
+  const slips = await slipMarks(view, contextOf(written()));
+  return [...slips, ...(findings.length === 0 ? [] : await explained(findings, question))];
 }
 
 /** Marks with their sentences. Without a connection to fetch these there are no marks; the next check tries again. */

@@ -1,4 +1,4 @@
-import { forEachDiagnostic, setDiagnosticsEffect, type Diagnostic } from '@codemirror/lint';
+import { forEachDiagnostic, setDiagnosticsEffect, type Action, type Diagnostic } from '@codemirror/lint';
 import { RangeSet, StateField, type EditorState, type Extension } from '@codemirror/state';
 import { EditorView, GutterMarker, keymap, showPanel, type Command, type Panel } from '@codemirror/view';
 import { mdiAlertOutline, mdiInformationOutline } from '@mdi/js';
@@ -129,7 +129,14 @@ function panelOf(view: EditorView, board: () => string): Panel {
   // A press must not take the cursor out of the text: the touch keyboard would close and open again.
   next.addEventListener('mousedown', (event) => event.preventDefault());
   const icon = iconOf();
-  dom.append(icon.dom, text, next);
+  const mend = document.createElement('button');
+  mend.type = 'button';
+  mend.addEventListener('mousedown', (event) => event.preventDefault());
+  let change: Action | undefined;
+  mend.addEventListener('click', () => change?.apply(view, 0, 0));
+  const ways = document.createElement('span');
+  ways.append(mend, next);
+  dom.append(icon.dom, text, ways);
   const show = (state: EditorState): void => {
     const { errors, hints, here } = state.field(said);
     const sentence = here.length > 0 ? here.map(({ message }) => message).join('\n') : summary(errors, hints, board());
@@ -137,6 +144,9 @@ function panelOf(view: EditorView, board: () => string): Panel {
     icon.show(isHint);
     dom.classList.toggle('cm-devicePanel-hint', isHint);
     if (text.textContent !== sentence) text.textContent = sentence;
+    change = here.flatMap(({ actions }) => actions ?? [])[0];
+    mend.hidden = change === undefined;
+    if (change !== undefined && mend.textContent !== change.name) mend.textContent = change.name;
     const label = here.length === 0 ? t('deviceCheck.show') : t('deviceCheck.next');
     if (next.textContent !== label) next.textContent = label;
     next.hidden = here.length > 0 && here.length === errors + hints;

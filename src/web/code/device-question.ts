@@ -1,6 +1,7 @@
 import type { Stop } from '#core/stop';
 import type { Device } from '#device-check/finding';
 import type { Language } from '../page/i18n';
+import type { Written } from '../work/hardware/written-for';
 
 /** Everything besides its text that the check of the shown file depends on. */
 export interface DeviceQuestion {
@@ -11,6 +12,8 @@ export interface DeviceQuestion {
   /** What the microcomputer is called. */
   readonly board: string;
   readonly language: Language;
+  /** The file among all, and what it is written for: what its names mean. */
+  readonly written: () => Written;
 }
 
 /** How the marks learn what they are about. */

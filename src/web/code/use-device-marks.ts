@@ -18,7 +18,8 @@ export function useDeviceMarks(
     const firmware = hardware.value?.firmware;
     if (firmware === undefined || !settings.current.value.deviceCheck) return null;
     const files = filesByName(work.files.value.filter(({ name }) => name !== file));
-    return { file, files, device: firmware, board: board.value, language: settings.current.value.language };
+    const written = () => ({ hardware: hardware.value, files: work.files.value, file });
+    return { file, files, device: firmware, board: board.value, language: settings.current.value.language, written };
   };
   // Our own programs have nothing to mark: a first visit need not fetch the check.
   const isOurs = (): boolean => settings.current.value.device === AUTO_DEVICE && isAsFound(work.work.value.project);

@@ -73,4 +73,28 @@ describe('the card of an error', () => {
     expect(textOf(card.get('p').element)).toContain('Fehler');
     expect(card.get('code').text()).toBe('MeinFehler: oh');
   });
+
+  it('offers to write a loop of TigerJython anew, once', async () => {
+    const page = pageWith('main.py');
+    const before = 'repeat 4:\n    print(1)';
+    page.work.setText('main.py', before);
+    const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
+    const report = { failure, source: { text: before, line: 1 }, table: null };
+    const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
+    named('Ändern in for i in range(4):').click();
+    const after = 'for i in range(4):\n    print(1)';
+    expect(page.jump.mending.value).toEqual({ file: 'main.py', before, after });
+    page.work.setText('main.py', after);
+    await flushPromises();
+    expect(card.find('.mend').exists()).toBe(false);
+  });
+
+  it('leads to the line in which a bracket opens', () => {
+    const page = pageWith('main.py');
+    const failure = { type: 'SyntaxError', message: 'invalid syntax', traceback: '' };
+    const report = { failure, source: { text: 'print(1\n\nx = 3', line: 3 }, table: null };
+    mountOn(page, ErrorCard, { place: { file: 'main.py', line: 3 }, report });
+    named('Zur Zeile 1').click();
+    expect(page.jump.target.value).toEqual({ file: 'main.py', line: 1 });
+  });
 });

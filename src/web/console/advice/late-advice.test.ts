@@ -113,6 +113,13 @@ describe('a call with the wrong number of values', () => {
   });
 });
 
+describe('a method without self', () => {
+  it('is told so', () => {
+    const program = 'class Hund:\n    def bell():\n        pass\nh = Hund()\nh.bell()';
+    expect(lateOf(program).advice).toEqual({ key: 'error.selfMissing', values: { name: 'bell' } });
+  });
+});
+
 describe('a name that is nearly right', () => {
   it('is written right by the button', () => {
     const { meant, mend } = lateOf(`${ALL}display.sow("a")`);

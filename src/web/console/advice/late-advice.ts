@@ -3,6 +3,7 @@ import { Reference } from '#reference/meaning';
 import { parametersOf } from '#reference/arguments';
 import { Reader } from '#reference/reader';
 import { robotReferences } from '#robots/references';
+import { argumentsOf } from '#python/expressions';
 import { namesOf } from '#python/scopes';
 import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
@@ -88,15 +89,19 @@ function callAdvice({ type, message }: Failure, source: Source, written: Written
     (call) => named === null || lastWord(program, call.firstChild) === named,
   );
   const [call] = calls;
-  const callee = call?.firstChild;
-  if (callee === undefined || callee === null || calls.length !== 1) return null;
+  const callee = call?.firstChild ?? null;
+  if (call === undefined || callee === null || calls.length !== 1) return null;
   const item = reader.evaluate(callee, reader.scopeAt(callee.from))?.item;
   const [only] = item?.calls ?? [];
   if (only === undefined || item?.calls.length !== 1) return null;
   const name = textOf(program, callee);
+  const given = argumentsOf(program, call).length;
+  // A method without self gets one value more than is written.
+  if (given === 0 && / takes 0 positional/.test(message))
+    return { key: 'error.selfMissing', values: { name: lastWord(program, callee) } };
   const wanted = parametersOf(only).map(({ name: it, text, rest }) => {
-    const given = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
-    return rest ? text.split(':')[0] : `${it}${given}`;
+    const usual = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
+    return rest ? text.split(':')[0] : `${it}${usual}`;
   });
   return wanted.length === 0
     ? { key: 'error.wantsNothing', values: { name } }

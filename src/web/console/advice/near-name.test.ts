@@ -32,6 +32,11 @@ describe('the name that was meant', () => {
     for (const written of ['x', 'abstand', 'vor', 'los', 'irLinks']) expect(nearName(written, robot)).toBeNull();
   });
 
+  it('is not another short word', () => {
+    expect(nearName('led', ['len', 'abs'])).toBeNull();
+    expect(nearName('lne', ['len', 'abs'])).toBe('len');
+  });
+
   it('is not guessed where two are equally near', () => {
     expect(nearName('irMight', ['irRight', 'irLight'])).toBeNull();
   });

@@ -9,12 +9,19 @@ export function nearName(written: string, names: Iterable<string>): string | nul
   for (const name of new Set(names)) {
     if (name === written || Math.abs(name.length - written.length) > most) continue;
     const slips = slipsBetween(written, name);
+    if (isOtherWord(written, name) && slips >= 1) continue;
     if (slips > most || (best !== null && slips > best.slips)) continue;
     isSure = best === null || slips < best.slips;
     best = { name, slips };
   }
   return isSure && best !== null ? best.name : null;
 }
+
+/** Three letters with one exchanged are mostly another word: `led` is not `len`. */
+const isOtherWord = (one: string, other: string): boolean =>
+  one.length < 4 &&
+  one.length === other.length &&
+  Array.from(one).sort().join('') !== Array.from(other).sort().join('');
 
 /** So many slips make the same word; capital letters alone are half a slip each. Chosen: short names differ in little. */
 const mostSlips = (length: number): number => (length < 3 ? 0.5 : length < 6 ? 1 : 2);

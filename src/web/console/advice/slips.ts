@@ -13,6 +13,8 @@ interface Rule {
   readonly key: TextKey;
   readonly values?: (found: RegExpExecArray) => TextValues;
   readonly mend?: (line: string, found: RegExpExecArray) => string;
+  /** `mend` leaves texts in the line alone. */
+  readonly sparesTexts?: true;
 }
 
 const KEYWORDS =
@@ -36,6 +38,9 @@ const SIGNS: Readonly<Record<string, string>> = {
 const SIGN = new RegExp(`[${Object.keys(SIGNS).join('')}]`);
 const COMPARED: Readonly<Record<string, string>> = { '=>': '>=', '=<': '<=', '=!': '!=', '<>': '!=' };
 const JOINED: Readonly<Record<string, string>> = { '&&': 'and', '||': 'or', '!': 'not' };
+/** Commands that stand alone, whatever a program calls its variables. */
+const COMMANDS =
+  'sleep|delay|forward|backward|left|right|leftArc|rightArc|stop|setSpeed|setLED\\w*|setServo|motL|motR|input';
 const DOTTED = 'display|music|radio|button_[ab]|accelerometer|compass|pin\\d+|speech|random|math|audio|i2c|uart|robot';
 
 const rules: readonly Rule[] = [
@@ -55,9 +60,15 @@ const rules: readonly Rule[] = [
   {
     look: /^(?:else\s+if|elseif|elsif|elif\s+if)\b/,
     key: 'error.elseIf',
+    sparesTexts: true,
     mend: (line) => line.replace(/else\s+if|elseif|elsif|elif\s+if/, 'elif'),
   },
-  { look: /^else\s+[^:\s]/, key: 'error.elseCondition', mend: (line) => line.replace('else', 'elif') },
+  {
+    look: /^else\s+[^:\s]/,
+    key: 'error.elseCondition',
+    sparesTexts: true,
+    mend: (line) => line.replace('else', 'elif'),
+  },
   { look: /^if\b.*:.*\belse\s*:/, key: 'error.elseSameLine' },
   {
     look: /^(?:if|elif|while)\b.*\s(then|do)\s*:?$/,
@@ -68,6 +79,7 @@ const rules: readonly Rule[] = [
   {
     look: new RegExp(`^(${CAPITALS.join('|')})\\b(?!\\s*[=.(])`),
     key: 'error.keywordSmall',
+    sparesTexts: true,
     values: ([, written = '']) => ({ name: written, right: written.toLowerCase() }),
     mend: (line, [, written = '']) => line.replace(written, written.toLowerCase()),
   },
@@ -78,7 +90,7 @@ const rules: readonly Rule[] = [
   },
   { look: /^for\b(?!.*\bin\b)(?!\s*=)(?!\s+\w+\()/, key: 'error.forForm' },
   {
-    look: /=>|=<|=!|<>/,
+    look: /(?<=^(?:if|elif|while|return)\b.*)(?:=>|=<|=!|<>)/,
     key: 'error.compareSign',
     values: ([sign]) => ({ sign, right: COMPARED[sign] ?? '' }),
     mend: (line) => line.replace(/=>|=<|=!|<>/g, (sign) => COMPARED[sign] ?? sign),
@@ -91,7 +103,7 @@ const rules: readonly Rule[] = [
     mend: (line) => line.replace(/\s*([+-])[+-]/, ' $1= 1'),
   },
   {
-    look: /&&|\|\||!(?!=)/,
+    look: /&&|\|\||(?<=(?:\b(?:if|elif|while|return|and|or)|=)\s*)!(?!=)/,
     key: 'error.wordForSign',
     values: ([sign]) => ({ sign, right: JOINED[sign] ?? '' }),
     mend: (line) => line.replace(/\s*(&&|\|\|)\s*/g, (_all, sign: string) => ` ${JOINED[sign] ?? sign} `).replace(/!(?!=)\s*/g, 'not '), // prettier-ignore
@@ -99,17 +111,20 @@ const rules: readonly Rule[] = [
   {
     look: /^(\w+)\s*:=/,
     key: 'error.assignSign',
+    sparesTexts: true,
     mend: (line) => line.replace(':=', '='),
   },
   {
     look: /^(var|let|const|int|float|double|string|str|bool|boolean|char)\s+\w+\s*(?:=(?!=)|$)/i,
     key: 'error.noDeclaration',
+    sparesTexts: true,
     values: word,
     mend: (line) => (line.includes('=') ? line.replace(/\w+\s+/, '') : line),
   },
   {
     look: /^(function|func|fun|fn|define|funktion|fonction|funzione|void|sub)\s+\w+\s*\(/i,
     key: 'error.defWord',
+    sparesTexts: true,
     values: word,
     mend: (line) => line.replace(/\w+/, 'def'),
   },
@@ -130,30 +145,33 @@ const rules: readonly Rule[] = [
   { look: /^from\s+\w+\s+import\s+\w+\.\w+/, key: 'error.importDot' },
   { look: /^(end\s*(?:if|for|while|def)|end)$/i, key: 'error.endWord', values: word },
   {
-    look: new RegExp(`^(${Object.keys(MEANT).join('|')})\\b(?=.*:$|\\s+\\w)(?!\\s*[=.])`, 'i'),
+    look: new RegExp(`^(${Object.keys(MEANT).join('|')})\\b(?=.*:$)(?!\\s*[=.])`, 'i'),
     key: 'error.otherWord',
     values: ([, written = '']) => ({ word: written, right: MEANT[written.toLowerCase()] ?? '' }),
   },
   {
     look: /^print\s+(?:""|[\w(])/,
     key: 'error.printBrackets',
+    sparesTexts: true,
     mend: (line) => line.replace(/print\s+(.*\S)\s*$/, 'print($1)'),
   },
   {
     look: new RegExp(`^(${DOTTED})\\s+([a-z_]+)\\(`),
     key: 'error.missingDot',
+    sparesTexts: true,
     values: ([, owner = '', name = '']) => ({ code: `${owner}.${name}` }),
     mend: (line) => line.replace(/(\w)\s+/, '$1.'),
   },
   {
-    look: new RegExp(`^(?!(?:${KEYWORDS})\\b)([A-Za-z_][\\w.]*)\\s+(?:""|-?\\d[\\d.]*|True|False)$`),
+    look: new RegExp(`^([A-Za-z_]\\w*(?:\\.\\w+)+|${COMMANDS})\\s+(?:""|-?\\d[\\d.]*|True|False)$`),
     key: 'error.callBrackets',
+    sparesTexts: true,
     values: ([, name = '']) => ({ name }),
     mend: (line) => line.replace(/([\w.]+)\s+(.*\S)\s*$/, '$1($2)'),
   },
   { look: /^[\w.]+\{/, key: 'error.roundBrackets' },
   {
-    look: new RegExp(`^(?!(?:${KEYWORDS})\\b)([^\\W\\d]\\w*)\\s+(?!(?:${KEYWORDS})\\b)(\\w+)\\s*=(?!=)`, 'u'),
+    look: new RegExp(`^(?!(?:${KEYWORDS})\\b)([^\\W\\d]\\w+)\\s+(?!(?:${KEYWORDS})\\b)([^\\W\\d]\\w+)\\s*=(?!=)`, 'u'),
     key: 'error.nameSpace',
     values: ([, one = '', two = '']) => ({ name: `${one}_${two}` }),
   },
@@ -170,13 +188,13 @@ function starOf(found: RegExpExecArray): string {
 
 /** The slip that a line has, if it looks like one of them; `null` for none. */
 export function slipIn(code: string, line: string): Slip | null {
-  for (const { look, key, values, mend } of rules) {
+  for (const { look, key, values, mend, sparesTexts } of rules) {
     const found = look.exec(code);
     if (found === null) continue;
     const slip = { key, values: values?.(found) ?? {} };
     // A text or a comment in the line may hold what is being replaced: then nothing is rewritten.
-    if (mend === undefined || (line.trim() !== code && /["'#]/.test(line) && !/^\W*(?:print|display)/.test(line)))
-      return slip;
+    const isSure = line.trim() === code || !(sparesTexts === true ? /#/ : /["'#]/).test(line);
+    if (mend === undefined || !isSure) return slip;
     const mended = mend(line, found);
     return mended === line ? slip : { ...slip, line: mended };
   }

@@ -75,6 +75,15 @@ export function withMend({ key, values, line: right }: Slip, text: string, line:
   return { key, values, mend: { before: text, after: lines.join('\n'), code: right.trim() } };
 }
 
+/** The first loop of TigerJython in a program that has not run yet: its line, counted from 1, and how it is mended. */
+export function repeatIn(text: string): { readonly line: number; readonly advice: SyntaxAdvice } | null {
+  const lines = text.split('\n');
+  const { codes } = readUpTo(lines, lines.length);
+  const line = codes.findIndex((code) => /^\s*repeat\b[^=]*:/.test(code)) + 1;
+  const advice = line === 0 ? null : repeatAdvice(text, lines, line);
+  return advice && { line, advice };
+}
+
 /** TigerJython's loop. The sentence names the line that does the same, the button writes all of them anew. */
 function repeatAdvice(text: string, lines: readonly string[], line: number): SyntaxAdvice | null {
   const found = text.includes('\r') ? null : withoutRepeat(lines, readUpTo(lines, lines.length).codes, line);
