@@ -1,0 +1,425 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+import { computed, nextTick, shallowRef } from 'vue';
+
+import type { Vec } from '#core/geometry';
+import type { SceneObject } from '#scene/scene';
+
+import { editingPage, samples } from '../../app/testing/editing';
+import '../../app/testing/mount-on';
+import type { ArenaTool } from '../../course-editor/state/course-editor-model';
+import { lightPalette } from '../model/palette';
+import { RecordingCanvas, recordCanvases } from '../testing/recording-canvas';
+import type { ArenaView } from '../view/use-arena-view';
+import { createArenaTools } from './arena-tools';
+import type { Ghost } from './ghost';
+
+const palette = lightPalette;
+
+/** The tools over an arena of 1200 × 900 mm at 1 px per mm: the place of a pointer is that of the course, y upward. */
+async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], robot = true) {
+  const page = await editingPage(objects);
+  const said: string[] = [];
+  const moved: Vec[] = [];
+  let ghost: Ghost | null = null;
+  const picture: ArenaView = {
+    view: shallowRef({ pxPerMm: 1, leftPx: 0, bottomPx: 900 }),
+    canvas: shallowRef({ widthPx: 1200, heightPx: 900 }),
+    ratio: computed(() => 1),
+    percent: computed(() => 100),
+    zoomBy: () => undefined,
+    panBy: (by) => void moved.push(by),
+    fit: () => undefined,
+    showPlace: () => undefined,
+    follow: () => false,
+  };
+  const square = [{ x: -50, y: -50 }, { x: 50, y: -50 }, { x: 50, y: 50 }, { x: -50, y: 50 }]; // prettier-ignore
+  const tools = createArenaTools({
+    editor: page.editor,
+    picture,
+    course: page.scene,
+    footprint: () => (robot ? [square] : []),
+    palette: () => palette,
+    inkCanvas: () => null,
+    redraw: () => undefined,
+    showGhost: (now) => (ghost = now),
+    say: (words) => void said.push(words),
+  });
+  page.editor.choose(tool);
+  tools.toolChanged();
+  const look = (): RecordingCanvas => {
+    const canvas = new RecordingCanvas();
+    tools.place();
+    tools.paint(canvas.context);
+    return canvas;
+  };
+  /** Pointers come with a time of their own, so that none is a second tap. */
+  let atMs = 0;
+  const event = (x: number, y: number, more: object = {}) => ({
+    ...{ pointerId: 1, pointerType: 'mouse', button: 0, shiftKey: false, ctrlKey: false, metaKey: false },
+    ...{ timeStamp: (atMs += 1000), offsetX: x, offsetY: 900 - y, clientX: x, clientY: 900 - y, currentTarget: null },
+    ...more,
+  });
+  const down = (x: number, y: number, more?: object) => tools.pointerdown(event(x, y, more));
+  const move = (x: number, y: number, more?: object) => tools.pointermove(event(x, y, more));
+  const up = (x = 0, y = 0) => {
+    look(); // a picture is drawn between the last movement and the end
+    tools.pointerup(event(x, y));
+  };
+  const drag = (...[first, ...others]: readonly (readonly [number, number])[]) => {
+    down(...first!);
+    for (const at of others) move(...at);
+    up(...(others.at(-1) ?? first!));
+  };
+  const tap = (x: number, y: number, more?: object) => {
+    down(x, y, more);
+    up(x, y);
+  };
+  const key = (name: string, more: KeyboardEventInit = {}) =>
+    tools.keyDown(new KeyboardEvent('keydown', { key: name, ...more }));
+  const letGo = (name: string) => tools.keyUp(new KeyboardEvent('keyup', { key: name }));
+  const only = () => page.scene().objects[0]!;
+  return { ...page, tools, look, down, move, up, drag, tap, key, letGo, said, moved, only, ghost: () => ghost };
+}
+
+beforeEach(recordCanvases);
+afterEach(() => void vi.useRealTimers());
+
+describe('drawing in the arena', () => {
+  it('makes a straight line of a drag, as wide and in the colour that is set', async () => {
+    const { editor, drag, only, steps } = await toolsOver('pen');
+    editor.setOptions({ penShape: 'straight', penWidth: 30, penColor: 'red' });
+    drag([100, 100], [200, 100], [400, 100]);
+    expect(only()).toMatchObject({ type: 'stroke', width: 30, color: 'red' });
+    expect((only() as { points: unknown }).points).toEqual([[100, 100], [400, 100]]); // prettier-ignore
+    expect(steps()).toBe(1);
+  });
+
+  it('makes a dot of a tap with the pen', async () => {
+    const { tap, only } = await toolsOver('pen');
+    tap(300, 300);
+    expect(only().type).toBe('stroke');
+  });
+
+  it('shows the tip of the pen where the mouse is, in its colour', async () => {
+    const { move, look, editor } = await toolsOver('pen');
+    editor.setOptions({ penColor: 'blue', penWidth: 40 });
+    move(500, 400);
+    const [tip] = look().in(palette.strokes.blue);
+    expect([tip?.left, tip?.right, tip?.top, tip?.bottom]).toEqual([480, 520, 480, 520]);
+  });
+
+  it('erases what the eraser goes over, whole things where that is set', async () => {
+    const { editor, drag, ids } = await toolsOver('eraser', [samples.stroke, samples.wall]);
+    editor.setOptions({ eraser: 'objects' });
+    drag([200, 90], [200, 110]);
+    expect(ids()).toEqual(['line']);
+    editor.undo();
+    expect(ids()).toEqual(['line', 'wall']);
+  });
+
+  it('cuts a line in two where a piece is erased out of its middle', async () => {
+    const { drag, scene } = await toolsOver('eraser', [samples.stroke]);
+    drag([200, 850], [200, 750]);
+    const strokes = scene().objects.filter(({ type }) => type === 'stroke');
+    expect(strokes).toHaveLength(2);
+  });
+
+  it('shows a wall while it is drawn, which is in the course only when the button goes up', async () => {
+    const { down, move, up, look, ids, only, editor } = await toolsOver('wall');
+    down(100, 500);
+    move(400, 500);
+    const wall = look().in(palette.wall);
+    expect([Math.min(...wall.map(({ left }) => left)), Math.max(...wall.map(({ right }) => right))]).toEqual([100, 400]); // prettier-ignore
+    expect([ids(), editor.drag.value?.type]).toEqual([[], 'add']);
+    up(400, 500);
+    expect(only()).toMatchObject({ type: 'wall', from: [100, 500], to: [400, 500] });
+    expect(editor.drag.value).toBeNull();
+  });
+
+  it.each([
+    ['block', 'movable'],
+    ['fixed-block', 'fixed'],
+    ['spikes', 'spikes'],
+  ] as const)('puts a %s where the arena is tapped', async (block, color) => {
+    const { editor, tap, down, look, only } = await toolsOver('block');
+    editor.setOptions({ block, blockSize: [100, 50] });
+    down(300, 300);
+    expect(look().in(palette[color]).length).toBeGreaterThan(0);
+    tap(300, 300);
+    expect(only()).toMatchObject({ type: block, at: [300, 300], size: [100, 50] });
+  });
+
+  it('leads a moving block from where the drag begins to where it ends', async () => {
+    const { editor, drag, only } = await toolsOver('block');
+    editor.setOptions({ block: 'mover', moverSpeed: 200, moverSpiked: true });
+    drag([200, 200], [300, 200], [500, 200]);
+    expect(only()).toMatchObject({ type: 'mover', at: [200, 200], to: [500, 200], speed: 200, spiked: true });
+  });
+
+  it('numbers checkpoints in the order in which they are put', async () => {
+    const { editor, tap, scene } = await toolsOver('zone');
+    editor.setOptions({ zone: 'checkpoint' });
+    tap(200, 200);
+    tap(800, 200);
+    tap(800, 700);
+    expect(scene().objects.map((one) => ('number' in one ? one.number : null))).toEqual([1, 2, 3]);
+  });
+
+  it('writes the words that are set, and nothing where there are none', async () => {
+    const { editor, tap, ids, only } = await toolsOver('label');
+    tap(300, 300);
+    expect(ids()).toEqual([]);
+    editor.setOptions({ labelText: ' Garage ', labelHeight: 60 });
+    tap(300, 300);
+    expect(only()).toMatchObject({ type: 'label', text: 'Garage', height: 60 });
+  });
+
+  it('draws an edge of a maze at a tap, and takes it away at the next', async () => {
+    const { tap, only, ids } = await toolsOver('maze');
+    tap(225, 150);
+    // Half the thickness of 10 mm longer at both ends: edges meet in full corners.
+    expect(only()).toMatchObject({ type: 'wall', from: [145, 150], to: [305, 150] });
+    tap(225, 150);
+    expect(ids()).toEqual([]);
+  });
+
+  it('measures without changing the course: the head of the arena hears of it', async () => {
+    const { down, move, look, editor, steps } = await toolsOver('ruler');
+    down(100, 100);
+    move(400, 500);
+    const canvas = look();
+    expect(canvas.words.join()).toContain('50.0 cm · 53°');
+    expect(editor.measure.value).toMatchObject({ from: { x: 100, y: 100 }, to: { x: 400, y: 500 } });
+    expect(steps()).toBe(0);
+  });
+
+  it('puts the start where the arena is tapped, and shows its outline dashed', async () => {
+    const { down, up, look, scene } = await toolsOver('start');
+    down(300, 300);
+    expect(look().painted.some(({ by, dashed }) => by === 'stroke' && dashed)).toBe(true);
+    up(300, 300);
+    expect(scene().robot.at).toEqual([300, 300]);
+  });
+
+  it('keeps the start inside the arena', async () => {
+    const { tap, scene } = await toolsOver('start');
+    tap(1195, 5);
+    const [x, y] = scene().robot.at;
+    expect([x <= 1150, y >= 50]).toEqual([true, true]);
+  });
+
+  it('begins nothing that the arena lost the pointer over', async () => {
+    const { tools, down, move, steps, ids } = await toolsOver('wall');
+    down(100, 100);
+    move(300, 100);
+    tools.pointercancel({ pointerId: 1 } as PointerEvent);
+    expect([ids(), steps()]).toEqual([[], 0]);
+  });
+
+  it('drops what was begun when the course changes beneath it', async () => {
+    const { tools, down, move, up, ids } = await toolsOver('wall');
+    down(100, 100);
+    move(300, 100);
+    tools.courseChanged();
+    up(300, 100);
+    expect(ids()).toEqual([]);
+  });
+
+  it('moves the picture with the other button, and with the space bar held', async () => {
+    const { down, move, up, moved, ids, key, letGo, tools } = await toolsOver('wall');
+    down(100, 100, { button: 1 });
+    move(150, 100);
+    expect([moved.length > 0, tools.cursor()]).toEqual([true, 'grabbing']);
+    up(150, 100);
+    key(' ');
+    down(100, 100);
+    move(160, 100);
+    up(160, 100);
+    letGo(' ');
+    expect(ids()).toEqual([]);
+    expect(moved.reduce((sum, { x }) => sum + x, 0)).toBe(110);
+  });
+
+  it('shows the sign of the tool beside the finger that hides its work', async () => {
+    const { down, look } = await toolsOver('wall');
+    down(300, 300, { pointerType: 'touch' });
+    const [disc] = look().in(palette.handGround);
+    expect(disc!.bottom).toBeLessThan(600 - 40); // the finger is at 600 px
+  });
+});
+
+describe('selecting in the arena', () => {
+  const two = [samples.block, samples.wall];
+
+  it('takes what is tapped, frames it and names it; a tap beside it lets go', async () => {
+    const { tap, editor, look } = await toolsOver('select', two);
+    tap(400, 200);
+    expect(editor.selection.value.ids).toEqual(['block']);
+    expect(editor.said.value).toBe('Gewählt: Block 1, 5 × 5 cm bei 40 | 20 cm');
+    const frames = look().in(palette.hand);
+    expect(frames.some(({ left, right }) => left === 371 && right === 429)).toBe(true); // 4 px around 50 mm
+    tap(700, 800);
+    expect(editor.selection.value.ids).toEqual([]);
+    expect(look().in(palette.hand)).toEqual([]);
+  });
+
+  it('takes more with Ctrl, and all in a frame that is drawn around them', async () => {
+    const { tap, drag, editor } = await toolsOver('select', two);
+    tap(400, 200);
+    tap(200, 100, { ctrlKey: true });
+    expect([...editor.selection.value.ids].sort()).toEqual(['block', 'wall']);
+    tap(700, 800);
+    drag([50, 50], [300, 200], [450, 300]);
+    expect([...editor.selection.value.ids].sort()).toEqual(['block', 'wall']);
+  });
+
+  it('moves what it drags, and hides the original meanwhile', async () => {
+    const { down, move, up, object, ghost, editor, steps } = await toolsOver('select', two);
+    editor.free.value = true;
+    down(400, 200);
+    move(450, 250);
+    move(500, 300);
+    up(500, 300);
+    expect(ghost()?.hidden.has('block')).toBe(true);
+    expect([object('block', 'block').at, steps()]).toEqual([[500, 300], 1]);
+    expect(object('wall', 'wall').from).toEqual([100, 100]);
+  });
+
+  it('moves the whole group when one of it is dragged', async () => {
+    const { drag, editor, object } = await toolsOver('select', two);
+    editor.free.value = true;
+    editor.select({ ids: ['block', 'wall'], robot: false });
+    drag([400, 200], [420, 240], [440, 260]);
+    expect([object('block', 'block').at, object('wall', 'wall').from]).toEqual([[440, 260], [140, 160]]); // prettier-ignore
+  });
+
+  it('lets the start be moved like anything else', async () => {
+    const { drag, editor, scene } = await toolsOver('select', []);
+    editor.free.value = true;
+    drag([600, 450], [650, 450], [700, 450]);
+    expect(scene().robot.at).toEqual([700, 450]);
+  });
+
+  it('turns what is tapped by 45° with the tool for it', async () => {
+    const { tap, object, steps } = await toolsOver('rotate', two);
+    tap(400, 200);
+    expect([object('block', 'block').turn, steps()]).toEqual([1, 1]);
+  });
+
+  it('takes back every drag, in reverse order', async () => {
+    const { drag, editor, object } = await toolsOver('select', two);
+    editor.free.value = true;
+    drag([400, 200], [420, 200], [500, 200]);
+    drag([500, 200], [500, 250], [500, 300]);
+    editor.undo();
+    expect(object('block', 'block').at).toEqual([500, 200]);
+    editor.undo();
+    expect(object('block', 'block').at).toEqual([400, 200]);
+  });
+});
+
+describe('the keyboard in the arena', () => {
+  it('draws a wall: Enter begins, arrows lead 1 cm each, Enter ends', async () => {
+    const { key, only, said, look } = await toolsOver('wall');
+    key('ArrowRight'); // the first press shows the crosshair in the middle
+    expect(key('ArrowRight')).toBe(true);
+    key('Enter');
+    expect(said).toEqual(['Ansetzen bei 61 | 45 cm']);
+    for (let times = 0; times < 10; times += 1) key('ArrowUp');
+    look();
+    key('Enter');
+    expect(only()).toMatchObject({ type: 'wall', from: [610, 450], to: [610, 550] });
+  });
+
+  it('leads by 1 mm with Shift', async () => {
+    const { key, said } = await toolsOver('wall');
+    key('ArrowRight');
+    key('ArrowRight', { shiftKey: true });
+    key('Enter');
+    expect(said).toEqual(['Ansetzen bei 60.1 | 45 cm']);
+  });
+
+  it('drops with Escape what was begun, and says so', async () => {
+    const { key, said, ids } = await toolsOver('wall');
+    key('Enter');
+    key('ArrowUp');
+    expect(key('Escape')).toBe(true);
+    expect(said.at(-1)).toBe('Verworfen');
+    key('ArrowUp');
+    expect(ids()).toEqual([]);
+    expect(key('Escape')).toBe(false); // nothing more to drop: the key is the page's
+  });
+
+  it('says where the crosshair is once it rests', async () => {
+    vi.useFakeTimers();
+    const { key, said } = await toolsOver('wall');
+    for (let times = 0; times < 6; times += 1) key('ArrowLeft');
+    expect(said).toEqual([]);
+    vi.advanceTimersByTime(400);
+    expect(said).toEqual(['55 | 45 cm']);
+  });
+
+  it('moves what is selected; what the arrows did until they are let go is one step', async () => {
+    const { editor, key, letGo, object, steps } = await toolsOver('select', [samples.block]);
+    editor.select({ ids: ['block'], robot: false });
+    for (let times = 0; times < 3; times += 1) key('ArrowRight');
+    key('ArrowUp', { shiftKey: true });
+    expect(steps()).toBe(0);
+    letGo('ArrowUp');
+    expect([object('block', 'block').at, steps()]).toEqual([[430, 201], 1]);
+  });
+
+  it('turns with Q and E, deletes with Delete and lets go with Escape', async () => {
+    const { editor, key, object, ids } = await toolsOver('select', [samples.block]);
+    editor.select({ ids: ['block'], robot: false });
+    key('q');
+    expect(object('block', 'block').turn).toBe(1);
+    key('e');
+    key('e');
+    expect(object('block', 'block').turn).toBe(7);
+    key('Escape');
+    expect(editor.selection.value.ids).toEqual([]);
+    expect(key('Delete')).toBe(false);
+    editor.select({ ids: ['block'], robot: false });
+    key('Delete');
+    expect(ids()).toEqual([]);
+  });
+
+  it('leaves keys with Alt to the browser', async () => {
+    const { key } = await toolsOver('wall');
+    expect([key('ArrowLeft', { altKey: true }), key('Escape', { altKey: true })]).toEqual([false, false]);
+  });
+
+  it('hears how to use it when the arena gets the keyboard', async () => {
+    const { tools, said, editor } = await toolsOver('select', [samples.block]);
+    tools.focus();
+    expect(said.at(-1)).toContain('Pfeiltasten bewegen das Fadenkreuz');
+    editor.select({ ids: ['block'], robot: false });
+    tools.focus();
+    expect(said.at(-1)).toContain('Pfeiltasten verschieben die Auswahl');
+  });
+
+  it('does what the arrows have moved when the keyboard leaves', async () => {
+    const { tools, editor, key, object } = await toolsOver('select', [samples.block]);
+    editor.select({ ids: ['block'], robot: false });
+    key('ArrowLeft');
+    tools.blur();
+    expect(object('block', 'block').at).toEqual([390, 200]);
+  });
+
+  it('moves the picture along when the crosshair comes to its edge', async () => {
+    const { key, moved } = await toolsOver('wall');
+    for (let times = 0; times < 58; times += 1) key('ArrowRight');
+    expect(moved.length).toBeGreaterThan(0);
+    expect(moved.every(({ x, y }) => x < 0 && y === 0)).toBe(true);
+  });
+
+  it('shows nothing of a tool once the hand is chosen', async () => {
+    const { editor, tools, move, look } = await toolsOver('pen');
+    move(500, 400);
+    editor.choose('hand');
+    await nextTick();
+    expect([tools.place(), tools.cursor(), look().painted]).toEqual([null, 'default', []]);
+  });
+});
