@@ -64,11 +64,19 @@ function textStore() {
   };
 }
 
+/** Locks that nobody else holds. */
+const locks = {
+  request: (_: string, __: object, act: (lock: object) => unknown) => {
+    act({});
+    return new Promise(() => undefined);
+  },
+};
+
 describe('the work that is kept', () => {
   beforeAll(() => import('../storage/disk-saver')); // fetched before time is a fake one
   beforeEach(() => {
     vi.useFakeTimers({ now: 1_000_000 });
-    vi.stubGlobal('navigator', { languages: ['de'] });
+    vi.stubGlobal('navigator', { locks });
     vi.stubGlobal('sessionStorage', textStore());
     vi.stubGlobal('localStorage', textStore());
   });
@@ -186,6 +194,32 @@ describe('the work that is kept', () => {
     model.unfinished.value = null;
     await vi.advanceTimersByTimeAsync(700);
     expect(sessionStorage.getItem('parcours.work')).not.toContain('further');
+  });
+
+  it('of a full course goes to the tab’s own storage, which is slow, only when the page is left', async () => {
+    stubDatabase();
+    const model = await openPage();
+    const long = `# ${'x'.repeat(40_000)}`;
+    model.setText('main.py', long);
+    await vi.advanceTimersByTimeAsync(700);
+    expect(sessionStorage.getItem('parcours.work')).toBeNull();
+    expect(await textOf()).toBe(long);
+    dispatchEvent(new Event('pagehide'));
+    expect(sessionStorage.getItem('parcours.work')).toContain(long);
+  });
+
+  it('stays the tab’s own where there are no locks and a duplicate writes under the same name', async () => {
+    vi.stubGlobal('navigator', {});
+    stubDatabase();
+    const model = await openPage();
+    model.setText('main.py', 'mine');
+    await vi.advanceTimersByTimeAsync(700);
+    const mine = sessionStorage.getItem('parcours.work') ?? '';
+    model.setText('main.py', 'theirs'); // by the duplicate, later
+    await vi.advanceTimersByTimeAsync(700);
+    dies();
+    sessionStorage.setItem('parcours.work', mine);
+    expect(await textOf()).toBe('mine');
   });
 
   it('that fits nowhere is told once, and again only after something could be saved', async () => {

@@ -3,7 +3,15 @@ import { watch } from 'vue';
 import { copyOnDisk } from '../storage/disk-copy';
 import { savedMsOf, stamped, workFromText, workToText, type Work } from '../storage/history';
 import type { DiskSaver, Kept } from '../storage/disk-saver';
-import { createTabStorage, newer, renameTab, tabName, type TabStorage, type TextStore } from '../storage/tab-storage';
+import {
+  createTabStorage,
+  newer,
+  renameTab,
+  SLOW,
+  tabName,
+  type TabStorage,
+  type TextStore,
+} from '../storage/tab-storage';
 import type { WorkModel } from './work-model';
 
 /** How long after a change the work is saved at the latest, in ms, also while more changes follow. */
@@ -21,12 +29,13 @@ export async function openTabStorage(): Promise<TabStorage> {
     const [session, local]: [TextStore, TextStore] = [sessionStorage, localStorage];
     const name = tabName(session);
     if (name !== null && !(await holdsName(name))) renameTab(session, newTabName);
-    const known = tabName(session);
-    const storage = createTabStorage(session, local, newTabName);
+    // Without locks a duplicate may have the same name: then only what is in the tab's own storage is surely its own.
+    const isAlone = 'locks' in navigator;
+    const storage = createTabStorage(session, local, newTabName, name, isAlone);
     if (storage.tab !== undefined && storage.tab !== name) void holdsName(storage.tab);
     const late = new Promise<null>((resolve) => setTimeout(resolve, PATIENCE_MS, null));
     // A new tab opens what any tab saved last. After the browser was killed the copy on the disk is the newer one.
-    const copy = await Promise.race([copyOnDisk(known).catch(() => null), late]);
+    const copy = isAlone || name === null ? await Promise.race([copyOnDisk(name).catch(() => null), late]) : null;
     return await withPieces({ ...storage, load: () => newer(storage.load(), copy) });
   } catch {
     return forgetful;
@@ -64,8 +73,8 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
   let late: DiskSaver | null = null;
   let savedMs = savedMsOf(storage.load());
   let isLost = false;
-  function save(): void {
-    if (timer === undefined) return;
+  let isBehind = false;
+  function save(isLeaving = false): void {
     clearTimeout(timer);
     timer = undefined;
     if (model.unfinished.value !== null) saveSoon();
@@ -73,7 +82,11 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
     // Later than the last copy even if the computer's clock was put back meanwhile.
     savedMs = Math.max(Date.now(), savedMs + 1);
     const text = stamped(late?.textOf(work) ?? workToText(work), savedMs);
-    void finish(work, text, storage.save(text));
+    isBehind = !isLeaving && text.length > SLOW;
+    void finish(work, text, storage.save(text, isLeaving));
+  }
+  function leave(): void {
+    if (timer !== undefined || isBehind) save(true);
   }
   async function finish(work: Work, text: string, isSaved: boolean): Promise<void> {
     let kept: Kept = isSaved ? 'kept' : 'lost';
@@ -90,12 +103,12 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
     isLost = kept === 'lost';
   }
   function saveSoon(): void {
-    timer ??= setTimeout(save, SAVE_AFTER_MS);
+    timer ??= setTimeout(() => save(), SAVE_AFTER_MS);
   }
   watch([model.work, model.unfinished], saveSoon);
-  addEventListener('pagehide', save);
+  addEventListener('pagehide', leave);
   document.addEventListener('visibilitychange', () => {
-    if (document.visibilityState === 'hidden') save();
+    if (document.visibilityState === 'hidden') leave();
   });
 }
 

@@ -7,8 +7,11 @@ import { savedMsOf } from './history';
 export interface TabStorage {
   /** What this tab saved last; in a new tab, what any tab saved last; `null` when there is nothing. */
   load(): string | null;
-  /** Saves for this tab, and as a copy that survives closing it. `false` when the browser has no room left. */
-  save(text: string): boolean;
+  /**
+   * Saves for this tab, and as a copy that survives closing it. Of `SLOW` text the tab's own storage gets only what there is
+   * when the page is left. `false` when the browser has no room left.
+   */
+  save(text: string, isLeaving?: boolean): boolean;
   /** The tab's name, if a copy of the work goes to the disk, too. */
   readonly tab?: string;
 }
@@ -20,6 +23,8 @@ const LAST = 'parcours.last';
 
 /** Copies of closed tabs that are kept. */
 export const COPIES = 5;
+/** A longer text (characters) takes the tab's own storage a while: 270,000 took 5 ms, and the shared one 1 ms (Chromium). */
+export const SLOW = 30_000;
 /** Longer than this (characters) no work of a pupil is; a browser gives a page about five million. */
 const HUGE = 1_000_000;
 
@@ -28,17 +33,28 @@ const HUGE = 1_000_000;
  * every tab writes a copy under its own name, so that no tab overwrites another's work.
  *
  * @param newName makes a name that no other tab has
+ * @param from the tab whose work is opened: this one, or the one it is a duplicate of; `null`: whichever saved last
+ * @param isAlone no duplicate of this tab writes under its name; else only what is in `session` is surely its own
  */
-export function createTabStorage(session: TextStore, local: TextStore, newName: () => string): TabStorage {
-  const known = get(session, TAB);
-  const name = known ?? newName();
+export function createTabStorage(
+  session: TextStore,
+  local: TextStore,
+  newName: () => string,
+  from = tabName(session),
+  isAlone = true,
+): TabStorage {
+  const name = tabName(session) ?? newName();
   set(session, TAB, name);
   return {
     tab: name,
-    load: () => newer(get(session, WORK), copyOf(local, known ?? get(local, LAST))),
-    save(text) {
-      const kept = set(session, WORK, text);
+    load() {
+      const own = get(session, WORK);
+      return own !== null && !isAlone ? own : newer(own, copyOf(local, from ?? get(local, LAST)));
+    },
+    save(text, isLeaving = false) {
       const copied = set(local, COPY + name, text) || makeRoom(local, name, text);
+      const waits = copied && isAlone && !isLeaving && text.length > SLOW;
+      const kept = waits || set(session, WORK, text);
       if (copied && get(local, LAST) !== name) {
         set(local, LAST, name);
         prune(local, name, COPIES);
