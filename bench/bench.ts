@@ -5,11 +5,20 @@ import { editingSubject } from './page/editing';
 import { framesSubject } from './page/frames';
 import { memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
+import { runsSubject } from './page/runs';
 import { startSubject } from './page/start';
 import { stopSubject } from './page/stop';
 import { measured, skipped, type Row } from './subject';
 
-const pageSubjects = [startSubject, downloadSubject, framesSubject, editingSubject, memorySubject, stopSubject];
+const pageSubjects = [
+  startSubject,
+  downloadSubject,
+  framesSubject,
+  editingSubject,
+  memorySubject,
+  runsSubject,
+  stopSubject,
+];
 
 /** The lines that need no browser. Runs in the project's folder after set-up. */
 export const headlessRows = (): AsyncGenerator<Row> => measured(headlessSubjects, undefined);

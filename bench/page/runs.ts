@@ -2,10 +2,9 @@ import type { Figure, Subject } from '../subject';
 import { chooseMaximumSpeed, pasteProgram, untilUsable, withPage, type Opened, type Stage } from './stage';
 import { PLACES } from './watch';
 
-const RUNS = 1_000;
-/** The first look: what is made once has been made. */
-const WARM = 10;
-/** Growth that still counts as flat. Chosen: less than a kB for each run, and no node for every tenth. */
+/** The runs after which is looked: what is made once is made by the first, the console is as full as it gets by the second. */
+const LOOKS = [10, 100, 1_000];
+/** Growth from the second look to the last that still counts as flat. Chosen: about a kB a run, a node for each ninth. */
 const FLAT = { heapMb: 1, nodes: 100 };
 
 /** What the page itself holds, after a garbage collection. */
@@ -17,7 +16,7 @@ interface Held {
 
 /** Whether the page stays as large as it is, however often a program is run. */
 export const runsSubject: Subject<Stage> = {
-  budgets: [{ what: 'the page after 10 and after 1,000 short runs', budget: 'flat' }],
+  budgets: [{ what: 'the page after 10, 100 and 1,000 short runs', budget: 'flat' }],
   measure: (stage) =>
     withPage(stage, { noServiceWorker: true }, async (opened) => {
       const { page, tools } = opened;
@@ -25,10 +24,12 @@ export const runsSubject: Subject<Stage> = {
       await pasteProgram(page, 'print(1)');
       await chooseMaximumSpeed(page);
       await tools.send('Performance.enable');
-      await run(opened, WARM);
-      const first = await held(opened);
-      await run(opened, RUNS - WARM);
-      return [figure(first, await held(opened))];
+      const found: Held[] = [];
+      for (const [look, runs] of LOOKS.entries()) {
+        await run(opened, runs - (LOOKS[look - 1] ?? 0));
+        found.push(await held(opened));
+      }
+      return [figure(found)];
     }),
 };
 
@@ -59,12 +60,18 @@ async function held({ page, tools }: Opened): Promise<Held> {
   return { heapMb: of('JSHeapUsedSize') / 1e6, nodes: of('Nodes'), listeners: of('JSEventListeners') };
 }
 
-function figure(first: Held, last: Held): Figure {
-  const met = last.heapMb - first.heapMb <= FLAT.heapMb && last.nodes - first.nodes <= FLAT.nodes;
+function figure(found: readonly Held[]): Figure {
+  const [full, last] = [found[1], found[2]];
+  const met =
+    full !== undefined &&
+    last !== undefined &&
+    last.heapMb - full.heapMb <= FLAT.heapMb &&
+    last.nodes - full.nodes <= FLAT.nodes;
+  const course = (of: (one: Held) => string): string => found.map(of).join(' -> ');
   const parts = [
-    `heap ${first.heapMb.toFixed(1)} -> ${last.heapMb.toFixed(1)} MB`,
-    `nodes ${String(first.nodes)} -> ${String(last.nodes)}`,
-    `listeners ${String(first.listeners)} -> ${String(last.listeners)}`,
+    `heap ${course(({ heapMb }) => heapMb.toFixed(1))} MB`,
+    `nodes ${course(({ nodes }) => String(nodes))}`,
+    `listeners ${course(({ listeners }) => String(listeners))}`,
   ];
   return { text: `${met ? 'flat' : 'GROWING'}: ${parts.join(', ')}`, met };
 }
