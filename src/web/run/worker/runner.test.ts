@@ -165,6 +165,22 @@ describe('the runner', () => {
     expect(b.run.nowUs).toBeGreaterThan(nowUs);
   });
 
+  it('lets the world go on at 1 × when a program has ended at full speed', async () => {
+    const b = bench({ endsAtUs: 100_000 });
+    await b.start('max');
+    await b.pass(1000);
+    expect(b.types()).toContain('program-ended');
+    expect(b.run.nowUs / 1000).toBeGreaterThan(900);
+    expect(b.run.nowUs / 1000).toBeLessThan(1200);
+  });
+
+  it('keeps another speed when the program has ended', async () => {
+    const b = bench({ endsAtUs: 100_000 });
+    await b.start(2);
+    await b.pass(1000);
+    expect(b.run.nowUs / 1e6).toBeCloseTo(2, 1);
+  });
+
   it('tells the end of the program after its output, and lets the world go on', async () => {
     const b = bench({ perMs: 10, endsAtUs: 100_000 });
     await b.start();

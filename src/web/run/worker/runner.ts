@@ -246,6 +246,7 @@ export class Runner {
   private tellEnd(run: Run): void {
     if (run.ended === this.toldEnd || !this.outbox.isEmpty) return;
     this.toldEnd = run.ended;
+    if (this.speed === 'max') this.anchorHere();
     // Whoever hears of the end must see how the program left the robot, not the picture before.
     this.tellPicture(run);
     this.at.post(run.ended ? { type: 'program-ended', ended: run.ended } : { type: 'program-restarted' });
@@ -257,8 +258,13 @@ export class Runner {
     this.at.later(() => this.tick(), delayMs);
   }
 
+  /** The chosen speed; at full speed a world whose program has ended would run hours ahead, so it goes on as outside. */
+  private pace(): Speed {
+    return this.speed === 'max' && this.toldEnd !== null ? 1 : this.speed;
+  }
+
   private anchorHere(): void {
-    this.anchor = { wallMs: this.at.nowMs(), simulatedUs: this.run?.nowUs ?? 0, speed: this.speed };
+    this.anchor = { wallMs: this.at.nowMs(), simulatedUs: this.run?.nowUs ?? 0, speed: this.pace() };
     this.meter.reset();
   }
 
