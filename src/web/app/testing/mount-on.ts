@@ -17,6 +17,7 @@ beforeAll(() => {
 });
 beforeEach(() => {
   localStorage.clear();
+  sessionStorage.clear(); // a tab's own settings
   showLanguage('de');
   document.body.innerHTML = '<section id="menus"></section>';
   setWindow(1024, 768);
@@ -43,6 +44,11 @@ export function mountOn(
     },
   });
   return mount(Page, { attachTo: document.body, global: { plugins: [vuetify] } }).findComponent(component);
+}
+
+/** Takes the page away that a mounted component is on, as leaving it does. */
+export function leavePage(mounted: VueWrapper): void {
+  mounted.vm.$.appContext.app.unmount();
 }
 
 /** Makes the window this large, in px: from 1280 on the page is wide, from 1001 medium, from 600 narrow, else a phone. */

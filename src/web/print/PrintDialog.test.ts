@@ -1,0 +1,191 @@
+// @vitest-environment happy-dom
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { nextTick } from 'vue';
+
+import { defaultScene, type Scene } from '#scene/scene';
+
+import { byId, fieldById, idsShown, isThere, tap } from '../app/testing/find';
+import { mountOn, named, textOf } from '../app/testing/mount-on';
+import { createPage } from '../app/testing/page';
+import PrintDialog from './PrintDialog.vue';
+
+/** What the browser saves from here on. */
+function downloads(): { readonly name: string; readonly blob: Blob }[] {
+  const saved: { name: string; blob: Blob }[] = [];
+  let last = new Blob();
+  vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
+    last = blob as Blob;
+    return 'blob:here';
+  });
+  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
+    saved.push({ name: this.download, blob: last });
+  });
+  return saved;
+}
+/** The dialog on a course of this size with a line and a wall. */
+async function dialog(change: Partial<Scene> = {}) {
+  const page = createPage();
+  page.settings.change({ language: 'de' });
+  const scene: Scene = {
+    ...defaultScene(),
+    name: 'Meine Strecke',
+    size: [1200, 900],
+    objects: [
+      { type: 'stroke', id: 's', points: [[100, 850], [250, 850]], width: 20, color: 'black' }, // prettier-ignore
+      { type: 'wall', id: 'w', from: [600, 100], to: [600, 400], thickness: 10 },
+    ],
+    ...change,
+  };
+  page.work.openProject({ files: [{ name: 'main.py', text: 'from mbrobot import *\n' }], scene, course: null }, null);
+  const closed = vi.fn();
+  mountOn(page, PrintDialog, { onClose: closed });
+  await nextTick();
+  return { page, closed };
+}
+const said = (): string => textOf(byId('print-said'));
+const picture = (): string => decodeURIComponent(byId('picture-preview').getAttribute('src')!);
+const box = (id: string): HTMLInputElement => fieldById(`picture-${id}`);
+const paper = async (id: string): Promise<void> => {
+  byId(`paper-${id}`).click();
+  byId(`paper-${id}`).dispatchEvent(new Event('change'));
+  await nextTick();
+};
+const sheets = (): number => document.querySelectorAll('.tiles rect').length;
+
+afterEach(() => void vi.restoreAllMocks());
+
+describe('the picture of a course', () => {
+  it('shows grid, rulers and the robot at first; a robot that has not driven has left no trail', async () => {
+    await dialog();
+    expect(['grid', 'rulers', 'robot', 'path'].map((id) => box(id).checked)).toEqual([true, true, true, false]);
+    expect(box('path').disabled).toBe(true);
+    expect(box('robot').disabled).toBe(false);
+  });
+
+  it.each(['grid', 'rulers', 'robot'])('leaves out what is not wanted and brings it back: %s', async (id) => {
+    await dialog();
+    const whole = picture();
+    box(id).click();
+    await nextTick();
+    expect(picture().length).toBeLessThan(whole.length);
+    box(id).click();
+    await nextTick();
+    expect(picture()).toBe(whole);
+  });
+
+  it('has no robot to show for the microcomputer alone', async () => {
+    const { page } = await dialog();
+    page.settings.change({ robot: 'none' });
+    await nextTick();
+    expect([box('robot').disabled, box('robot').checked]).toEqual([true, false]);
+  });
+
+  it('is saved as a drawing under the course’s name, as the preview shows it', async () => {
+    const saved = downloads();
+    await dialog();
+    const shown = picture();
+    await tap(named('SVG: als Zeichnung speichern (für Inkscape und Word)'));
+    await vi.waitFor(() => expect(said()).toBe('Meine Strecke.svg ist gespeichert.'));
+    expect(saved.map(({ name }) => name)).toEqual(['Meine Strecke.svg']);
+    expect(shown).toContain(await saved[0]!.blob.text());
+  });
+
+  it('says that it works on it, and takes no second wish meanwhile', async () => {
+    downloads();
+    await dialog();
+    const button = named('SVG: als Zeichnung speichern (für Inkscape und Word)') as HTMLButtonElement;
+    await tap(button);
+    expect(said()).toBe('Einen Moment …');
+    expect(button.disabled).toBe(true);
+    await vi.waitFor(() => expect(button.disabled).toBe(false));
+  });
+
+  it('says when it could not be made', async () => {
+    vi.spyOn(URL, 'createObjectURL').mockImplementation(() => {
+      throw new Error('no memory');
+    });
+    await dialog();
+    await tap(named('SVG: als Zeichnung speichern (für Inkscape und Word)'));
+    await vi.waitFor(() => expect(said()).toContain('Das hat nicht geklappt.'));
+    expect(byId('print-said').classList.contains('said--error')).toBe(true);
+  });
+});
+
+describe('the course true to scale', () => {
+  it('lies on 25 sheets of A4 for 120 × 90 cm, and the preview shows each of them', async () => {
+    await dialog();
+    await tap('print-print');
+    expect(fieldById('paper-a4-tiles').checked).toBe(true);
+    expect(textOf(byId('paper-a4-tiles').parentElement)).toContain('25 Blätter');
+    expect(sheets()).toBe(25);
+  });
+
+  it('offers the single sheets on which it fits, and one made to measure', async () => {
+    await dialog();
+    await tap('print-print');
+    expect(idsShown('paper-')).toEqual(['paper-a4-tiles', 'paper-a3-tiles', 'paper-exact']);
+    expect(textOf(byId('paper-exact').parentElement)).toContain('122 × 92 cm');
+    await paper('exact');
+    expect(sheets()).toBe(1);
+  });
+
+  it('offers A3 and all larger sheets for a small arena', async () => {
+    await dialog({ size: [400, 270], objects: [] });
+    await tap('print-print');
+    expect(idsShown('paper-')).toEqual(
+      ['a4-tiles', 'a3-tiles', 'a3', 'a2', 'a1', 'a0', 'exact'].map((id) => `paper-${id}`),
+    );
+  });
+
+  it('warns of many sheets to glue, and refuses more than 150', async () => {
+    await dialog({ size: [2000, 1600], objects: [] });
+    await tap('print-print');
+    expect(textOf(byId('print-problem'))).toContain('Das sind viele Blätter zum Kleben.');
+    await paper('a3-tiles');
+    expect(isThere('print-problem')).toBe(false);
+  });
+
+  it('begins with another paper where A4 would take too many sheets, and does not print on those', async () => {
+    await dialog({ size: [3000, 3000], objects: [] });
+    await tap('print-print');
+    expect(fieldById('paper-exact').checked).toBe(true);
+    await paper('a4-tiles');
+    expect(textOf(byId('print-problem'))).toMatch(/^\d{3} Blätter: das sind zu viele\./);
+    expect(fieldById('save-pdf').disabled).toBe(true);
+    expect(sheets()).toBe(0);
+  });
+
+  it('is saved as a PDF with a page for each sheet and one for the plan', async () => {
+    const saved = downloads();
+    await dialog();
+    await tap('print-print');
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(said()).toBe('Meine Strecke.pdf ist gespeichert.'), 20_000);
+    const text = await saved[0]!.blob.text();
+    expect(saved[0]!.name).toBe('Meine Strecke.pdf');
+    expect(text.startsWith('%PDF-')).toBe(true);
+    expect(text.match(/\/Type \/Page\b/g)).toHaveLength(26);
+  });
+
+  it('has the outline of walls only on request', async () => {
+    const saved = downloads();
+    await dialog();
+    await tap('print-print');
+    await paper('exact');
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(saved).toHaveLength(1), 20_000);
+    await vi.waitFor(() => expect(said()).toContain('gespeichert'));
+    const outlines = [...document.querySelectorAll<HTMLInputElement>('input[type="checkbox"]')].at(-1)!;
+    outlines.click();
+    await nextTick();
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(saved).toHaveLength(2), 20_000);
+    expect(saved[1]!.blob.size).toBeLessThan(saved[0]!.blob.size);
+  });
+
+  it('is closed by its button', async () => {
+    const { closed } = await dialog();
+    await tap(named('Schliessen'));
+    expect(closed).toHaveBeenCalledOnce();
+  });
+});
