@@ -1,3 +1,5 @@
+import { readdirSync, readFileSync } from 'node:fs';
+
 import { describe, expect, it } from 'vitest';
 
 import { contextOf } from '../work/hardware/written-for';
@@ -59,5 +61,16 @@ describe('the editor tells of', () => {
       '# repeat 4:\nrepeat = 3',
     ])
       expect(hintsOf(program).keys).toEqual([]);
+  });
+
+  it('nothing in the programs that come with Parcours', () => {
+    const programs = ['courses', 'src/robots', 'examples'].flatMap((folder) =>
+      readdirSync(folder, { recursive: true, encoding: 'utf8' })
+        .filter((name) => name.endsWith('.py') && !name.includes('library'))
+        .map((name) => `${folder}/${name}`),
+    );
+    expect(programs.length).toBeGreaterThan(30);
+    const told = programs.filter((path) => hintsOf(readFileSync(path, 'utf8')).keys.length > 0);
+    expect(told).toEqual([]);
   });
 });
