@@ -5,7 +5,7 @@ import type { Kind } from './kinds';
 import type { RuleId, Severity } from './rule-table';
 import type { Device } from './finding';
 
-/** What a rule found; what is left out is empty, and as severe as the rule. */
+/** What a rule found. What is left out is empty; its severity is the rule's. */
 export interface Mark {
   readonly node: SyntaxNode;
   readonly rule: RuleId;
@@ -20,9 +20,9 @@ export interface Context {
   readonly names: ProgramNames;
   readonly device: Device;
   kindOf(node: SyntaxNode): Kind;
-  /** Whether a name after a dot is given a meaning anywhere in the pupil's files. */
+  /** Whether an attribute of this name is defined anywhere in the pupil's files. */
   isOwnAttribute(name: string): boolean;
-  /** Whether a plain name is given a meaning in this file, or could come from a file of the pupil's with `import *`. */
+  /** Whether a name is defined in this file, or may come from a file of the pupil's by `import *`. */
   isOwnName(name: string): boolean;
   /** Whether a module is one of the pupil's files. */
   isOwnModule(name: string): boolean;

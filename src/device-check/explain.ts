@@ -2,7 +2,7 @@ import type { Finding } from './finding';
 import type { RuleTexts } from './rule-texts';
 
 /**
- * One or two sentences about a finding that a pupil understands: what is missing, and the way out.
+ * Explains a finding to a pupil in one or two sentences: what is missing, and the way out.
  *
  * @param board what the board is called: `micro:bit V2`
  * @param texts the sentences in the pupil's language, see `loadRuleTexts`

@@ -12,16 +12,16 @@ export interface Finding {
   readonly from: number;
   readonly to: number;
   readonly rule: RuleId;
-  /** What is written there, as a name: `splitlines`, `math.inf`; empty where the rule says it all. */
+  /** The name in question: `splitlines`, `math.inf`; empty if the rule says it all. */
   readonly name: string;
-  /** Python code that does it on the device; empty where the rule's text has its own way out. */
+  /** Python code that works on the device; empty if the rule's text names the way out. */
   readonly instead: string;
   readonly severity: Severity;
 }
 
 /** What the program is to run on. */
 export interface Device {
-  /** Names newer than micro:bit firmware v2.1.2 that its firmware has. */
+  /** Names that its firmware has and micro:bit firmware v2.1.2 does not. */
   readonly features: readonly Feature[];
   /** Version of its MicroPython, such as `[1, 18, 0]`. */
   readonly micropython: readonly [number, number, number];

@@ -3,12 +3,12 @@ import type { Binding, ProgramNames } from '#python/scopes';
 import { childrenOf, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 
 /**
- * What sort of value an expression gives, as far as it can be told from the text; `unknown` in any doubt. `same` is
- * the sort of the name that is being looked at, as the right side of `n = n + 1`.
+ * The kind of value of an expression, as far as the text shows it; `unknown` in any doubt. `same` is
+ * the kind of the name in question, as on the right of `n = n + 1`.
  */
 export type Kind = 'text' | 'bytes' | 'array' | 'whole' | 'float' | 'dict' | 'texts' | 'same' | 'unknown';
 
-/** Built-in functions that always give the same sort of value. */
+/** Built-in functions that always return the same kind of value. */
 const FUNCTIONS = new Map<string, Kind>(Object.entries({
   str: 'text', input: 'text', repr: 'text', hex: 'text', bin: 'text', oct: 'text', chr: 'text',
   bytes: 'bytes', bytearray: 'array', memoryview: 'array', array: 'array',
@@ -16,17 +16,17 @@ const FUNCTIONS = new Map<string, Kind>(Object.entries({
   temperature: 'whole', running_time: 'whole', randint: 'whole', randrange: 'whole', ticks_ms: 'whole', ticks_us: 'whole',
 } as const)); // prettier-ignore
 
-/** Methods that give the same sort of value whatever they belong to. */
+/** Methods that return the same kind of value whatever they belong to. */
 const METHODS = new Map<string, Kind>(Object.entries({
   format: 'text', decode: 'text', encode: 'bytes', splitlines: 'texts', to_bytes: 'bytes', from_bytes: 'whole',
   randint: 'whole', randrange: 'whole', ticks_ms: 'whole', ticks_us: 'whole',
 } as const)); // prettier-ignore
 
-/** What the board's own objects measure in whole numbers. */
+/** Readings of the board that are whole numbers. */
 const MEASURED =
   /^(microbit\.)?(accelerometer|compass|microphone|display|button_[ab]|pin\w+)\.(get_[xyz]|get_strength|heading|sound_level|read_light_level|get_presses|read_analog|read_digital)$/;
 
-/** Methods of a text that give a text. */
+/** Methods of a string that return a string. */
 const TEXT_METHODS = ['strip', 'lstrip', 'rstrip', 'lower', 'upper', 'replace', 'join', 'center'];
 
 const WHOLE_OPERATORS = ['+', '-', '*', '//', '%', '<<', '>>', '&', '|', '^'];

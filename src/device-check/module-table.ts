@@ -1,4 +1,4 @@
-/** Modules with nothing on the board that comes near. */
+/** Modules for which the board has no substitute. */
 const NOTHING_NEAR = `
   abc argparse base64 binascii cmath contextlib cryptolib dataclasses decimal deflate enum email fnmatch
   fractions framebuf ftplib functools getpass glob gzip hashlib hmac html http inspect itertools keyword locale
@@ -57,7 +57,7 @@ const TYPE_HINT_PINS: ReadonlyMap<string, string> = new Map(
   ['pin16', 'pin17', 'pin19', 'pin20'].map((name) => [name, '']),
 );
 
-/** Modules of which the type hints name types that the device's have not. */
+/** Modules whose type hints name types that the device lacks. */
 export const typeHintModules: ReadonlySet<string> = new Set(['microbit', 'calliopemini', 'calliope_mini', 'os']);
 
 /**

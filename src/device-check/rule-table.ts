@@ -1,12 +1,12 @@
 /** `error`: the device stops there. `hint`: the device goes on, but may come to another result. */
 export type Severity = 'error' | 'hint';
 
-/** What is known of a rule besides its code and its texts. */
+/** Facts about a rule, besides its code and its texts. */
 export interface Rule {
   readonly severity: Severity;
   /** MicroPython version that brought it, where a newer firmware has it. */
   readonly since?: readonly [number, number];
-  /** Where it is written that firmware v2.1.2 lacks it. */
+  /** Source for firmware v2.1.2 not having it. */
   readonly source: string;
 }
 
@@ -92,5 +92,5 @@ export const rules = {
 /** The name of a rule. */
 export type RuleId = keyof typeof rules;
 
-/** What is known of a rule. */
+/** Facts about a rule. */
 export const ruleOf = (id: RuleId): Rule => rules[id];

@@ -4,26 +4,26 @@ import type { Item } from './item';
 import { bracketsAround, placeAt, type Place } from './place';
 import type { Reader } from './reader';
 
-/** One parameter of a call, as it is written: `delay: int = 400`. */
+/** One parameter of a function, as it is written: `delay: int = 400`. */
 export interface Parameter {
   readonly name: string;
   readonly text: string;
-  /** Taken by name alone, behind `*`. */
+  /** Keyword-only: it stands after `*`. */
   readonly byName: boolean;
-  /** Given by place alone: before `/`, as most functions in C. */
+  /** Positional-only: it stands before `/`, as in most functions written in C. */
   readonly byPlace: boolean;
-  /** Takes all the rest: `*values`, `**named`. */
+  /** Collects the rest: `*values`, `**named`. */
   readonly rest: boolean;
 }
 
-/** A call that is being written. */
+/** A call that the pupil is writing. */
 export interface CallHint {
   readonly item: Item;
   /** Where its bracket stands. */
   readonly from: number;
-  /** Which of the item's calls fits what is written so far. */
+  /** Index of the item's signature that fits what is written so far. */
   readonly call: number;
-  /** The parameter that is being written, counted from 0; −1 for none, when there are too many already. */
+  /** Index of the parameter that is being written; −1 when there are too many arguments. */
   readonly parameter: number;
 }
 
@@ -45,7 +45,7 @@ export function parametersOf(call: string): Parameter[] {
   return parameters;
 }
 
-/** The pieces between the commas of a call's brackets. */
+/** Splits what stands in a call's brackets at its commas. */
 function partsOf(call: string): string[] {
   const parts: string[] = [];
   let depth = 0;
@@ -68,7 +68,7 @@ function partsOf(call: string): string[] {
   return [...parts, text].map((part) => part.trim()).filter((part) => part !== '');
 }
 
-/** A call in whose brackets something is being written. */
+/** A call with the cursor inside its brackets. */
 export interface OpenCall {
   /** The brackets with what is in them. */
   readonly list: SyntaxNode;
@@ -88,13 +88,13 @@ export function openCall({ before, from }: Place): OpenCall | null {
   return { list, argument: parts.length - 1, keyword: (equals?.name === 'AssignOp' && keyword) || null };
 }
 
-/** What is called with these arguments. */
+/** The function that is called. */
 export function calleeOf(reader: Reader, list: SyntaxNode): Item | null {
   const callee = list.prevSibling;
   return callee && (reader.evaluate(callee, reader.scopeAt(list.from))?.item ?? null);
 }
 
-/** The call around a place, with the parameter that is being written; `null` outside of calls that are known. */
+/** The call around a place and the parameter that is being written; `null` outside a known call. */
 export function callAt(source: string, offset: number, context: ReferenceContext): CallHint | null {
   const place = placeAt(source, offset, context);
   const { reader } = place;

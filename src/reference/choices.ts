@@ -3,7 +3,7 @@ const GESTURES = [
   ...['2g', '3g', '6g', '8g'],
 ];
 
-/** Texts that a function's argument can be: function (under the name of its words) → texts for each argument in turn. */
+/** Strings that an argument can be: key of the function's words → the strings for each argument in turn. */
 export const textChoices: Readonly<Record<string, readonly (readonly string[])[]>> = {
   'microbit.accelerometer.is_gesture': [GESTURES],
   'microbit.accelerometer.was_gesture': [GESTURES],

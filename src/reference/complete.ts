@@ -8,21 +8,21 @@ import { keywords } from './modules/keywords';
 import { placeAt, type Place } from './place';
 import type { Reader } from './reader';
 
-/** What could stand at a place. */
+/** What can be written at a place. */
 export interface Completions {
-  /** Where the word begins that a choice replaces. */
+  /** Start of the word that a choice replaces. */
   readonly from: number;
   readonly items: readonly Offer[];
 }
 
-/** An item with its weight: what is nearer to the program comes first. */
+/** An item with its rank: what is nearer to the program comes first. */
 export interface Offer {
   readonly item: Item;
   /** 4 arguments, 3 own names, 2 what is imported or stands behind the dot, 1 built in, 0 words of the language. */
   readonly weight: number;
 }
 
-/** What could be written at a place of a program; `null` where nothing can be offered. */
+/** Suggestions for a place in a program; `null` where there are none. */
 export function complete(source: string, offset: number, context: ReferenceContext): Completions | null {
   const place = placeAt(source, offset, context);
   const { inside, typed, from } = place;
@@ -32,7 +32,7 @@ export function complete(source: string, offset: number, context: ReferenceConte
   return items.length === 0 ? null : { from, items };
 }
 
-/** Names with an underscore in front are offered only when the pupil begins with it. */
+/** Names that begin with an underscore are offered only once the pupil has typed one. */
 const isPublic = ({ label }: Item, typed: string): boolean => !label.startsWith('_') || typed.startsWith('_');
 
 function offers(place: Place): Offer[] {
@@ -50,19 +50,19 @@ function offers(place: Place): Offer[] {
   return [...argumentNames(place, before), ...visible(reader, from), ...offersOfWords(...IN_EXPRESSIONS)];
 }
 
-/** The nearest node of these names that a node is in; `null` for none. */
+/** The nearest enclosing node of one of these kinds; `null` for none. */
 function nearest(node: SyntaxNode, ...names: readonly string[]): SyntaxNode | null {
   for (const parent of parentsOf(node)) if (names.includes(parent.name)) return parent;
   return null;
 }
 
-/** Whether the pupil thinks of a name here: behind `def`, `for` and the like, and in the whole line of a `def`. */
+/** Whether a new name is written here: after `def`, `for` and the like, and anywhere in the line of a `def`. */
 function isNewName(before: SyntaxNode): boolean {
   if (['def', 'class', 'as', 'for', 'lambda'].includes(before.name)) return true;
   return nearest(before, 'Body', 'FunctionDefinition')?.name === 'FunctionDefinition';
 }
 
-/** Pieces that a value ends with, so that only a word like `and` can follow. */
+/** Tokens that end a value, so that only a word such as `and` can follow. */
 const VALUE_ENDS = new Set([
   'VariableName',
   'PropertyName',
@@ -112,14 +112,14 @@ function visible(reader: Reader, from: number): Offer[] {
   });
 }
 
-/** `wait=` and the like, inside the brackets of a call. */
+/** Keyword arguments such as `wait=`, inside the brackets of a call. */
 function argumentNames(place: Place, before: SyntaxNode): Offer[] {
   const call = openCall(place);
   // Not in a list or an expression in the brackets of the call.
   if (call === null || before.parent?.from !== call.list.from || (before.name !== '(' && before.name !== ','))
     return [];
   const item = calleeOf(place.reader, call.list);
-  // Functions of MicroPython itself take by name only what cannot be given otherwise.
+  // MicroPython's own functions take an argument by name only if it is keyword-only.
   const isBuiltin = item?.text?.startsWith('builtins.') === true;
   const parameters = (item?.calls.flatMap(parametersOf) ?? []).filter(
     (it) => !it.rest && (it.byName || (!isBuiltin && !it.byPlace && it.text.includes('='))),
@@ -144,7 +144,7 @@ const offersOf = (names: MeaningNames, weight: number): Offer[] =>
 /** The item under the name by which the program knows it. */
 const itemNamed = (name: string, { item }: Meaning): Item => (item.label === name ? item : { ...item, label: name });
 
-/** Words that stand inside expressions, and those that follow a value; all others begin a statement. */
+/** Keywords inside expressions, and keywords after a value; all others begin a statement. */
 const IN_EXPRESSIONS = ['not', 'lambda', 'None', 'True', 'False', 'if', 'else', 'for', 'in', 'is', 'and', 'or'];
 const ALL_WORDS = Object.keys(keywords);
 const AFTER_VALUES = ['and', 'or', 'not', 'in', 'is', 'if', 'else', 'for', 'as', 'import'];

@@ -6,19 +6,19 @@ import { itemOf, type Item } from './item';
 import { keywords } from './modules/keywords';
 import { Reader } from './reader';
 
-/** What stands at a place of a program. */
+/** What is known about the name at a place. */
 export interface Description {
   readonly from: number;
   readonly to: number;
   readonly item: Item;
-  /** The argument that was asked for, when the place is the name before `=` in a call. */
+  /** The argument in question, if the place is the name before `=` in a call. */
   readonly argument: string | null;
 }
 
 /** What the name at a place stands for; `null` where there is none, or nothing is known about it. */
 export function describe(text: string, offset: number, context: ReferenceContext): Description | null {
   const source = readPython(text);
-  // A place before the first letter belongs to the word as well.
+  // A place right before the first letter counts as inside the word.
   for (const side of [1, -1] as const) {
     const node = source.tree.resolveInner(offset, side);
     const name = textOf(source, node);
@@ -29,7 +29,7 @@ export function describe(text: string, offset: number, context: ReferenceContext
   return null;
 }
 
-/** A word, also one that the parser makes nothing of, as behind a bracket left open. */
+/** A word, even one that the parser cannot place, as after an unclosed bracket. */
 const isName = ({ firstChild }: SyntaxNode, text: string): boolean =>
   firstChild === null && /^[\p{L}_][\p{L}\p{N}_]*$/u.test(text);
 
@@ -48,7 +48,7 @@ function itemAt(reader: Reader, node: SyntaxNode, name: string): Pick<Descriptio
   }
   const scope = reader.scopeAt(node.from);
   const isProperty = parent !== null && attributeOf(parent)?.property.from === node.from;
-  // What the name means after its own statement: an assignment shows what it makes.
+  // Look after the statement: an assignment then shows the value that it gives.
   const meaning = isProperty ? reader.evaluate(parent, scope) : reader.lookup(name, scope, node.to);
   if (meaning === null) return null;
   return { item: meaning.item.label === name ? meaning.item : { ...meaning.item, label: name }, argument };

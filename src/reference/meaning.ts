@@ -8,16 +8,16 @@ export interface Meaning {
   readonly item: Item;
   /** The names behind its dot. */
   names(): ReadonlyMap<string, () => Meaning>;
-  /** What a call of it gives; `null` when unknown. */
+  /** What calling it returns; `null` if unknown. */
   called(): Meaning | null;
-  /** What `for` takes out of it, and what stands behind [ ]. */
+  /** The type of its elements, for `for` and for [ ]. */
   element(): Meaning | null;
 }
 
 export type MeaningNames = ReadonlyMap<string, () => Meaning>;
 const NO_NAMES: MeaningNames = new Map();
 
-/** The meaning of something of which no more is known. */
+/** The meaning of something about which nothing more is known. */
 export const opaque = (item: Item): Meaning => ({
   item,
   names: () => NO_NAMES,
@@ -33,7 +33,7 @@ export const renamed = (meaning: Meaning, item: Item): Meaning => ({
   element: () => meaning.element(),
 });
 
-/** The API of one board: its modules, types and what needs no import. */
+/** The API of one board: its modules, its types and the built-in names. */
 export class Reference {
   private readonly modules: readonly ReferenceModule[];
 
@@ -43,7 +43,7 @@ export class Reference {
     );
   }
 
-  /** Names that `import` knows, each with what it imports. */
+  /** What `import` can load, by name. */
   importable(): MeaningNames {
     const names = new Map<string, () => Meaning>();
     for (const module of this.modules) {
@@ -65,7 +65,7 @@ export class Reference {
     return this.module('builtins')?.names() ?? NO_NAMES;
   }
 
-  /** A value of this type, such as `list[Image]`, as one reads it in the table of a module. */
+  /** A value of a type written as in a module's table, such as `list[Image]`. */
   instance(type: string, home: ReferenceModule | null = null, item?: Item): Meaning | null {
     const { base, inner } = parseType(type);
     const found = this.typeNamed(base, home);
@@ -163,7 +163,7 @@ export class Reference {
   }
 }
 
-/** Puts what is asked for most often first: an object's functions, a type's constants. */
+/** Puts what is needed most often first: an object's functions, a type's constants. */
 function sorted(names: MeaningNames, first: (kind: Item['kind']) => boolean): MeaningNames {
   const all = [...names].map(([name, meaning]) => ({
     pair: [name, meaning] as const,
@@ -179,7 +179,7 @@ interface FoundType {
   readonly name: string;
 }
 
-/** What the built-in types are made of. */
+/** The names of the built-in types. */
 const ELEMENTS: Readonly<Record<string, string>> = {
   str: 'str',
   bytes: 'int',
@@ -188,7 +188,7 @@ const ELEMENTS: Readonly<Record<string, string>> = {
   file: 'str',
 };
 
-/** Where the words on a module's names begin: both boards' modules say the same about the same names. */
+/** Prefix of the keys of a module's words: both boards' modules say the same about the same names. */
 export const keyOf = ({ name }: ReferenceModule): string =>
   name === 'calliopemini' || name === 'calliope_mini' ? 'microbit' : name;
 
@@ -206,7 +206,7 @@ function parseType(type: string): { base: string; inner: string | undefined } {
   };
 }
 
-/** What stands behind the arrow. */
+/** The return type: what follows the arrow. */
 export function resultOf(call: string): string {
   const arrow = call.lastIndexOf(') -> ');
   return arrow < 0 ? '' : call.slice(arrow + 5);

@@ -5,16 +5,16 @@ import { Reader } from './reader';
 /** A place in a program where something is being written. */
 export interface Place {
   readonly reader: Reader;
-  /** The letters and digits that stand before the place, and where they begin. */
+  /** The letters and digits right before the place, and where they begin. */
   readonly typed: string;
   readonly from: number;
-  /** The piece of the program in which the word begins: the word itself, or a comment or string around it. */
+  /** The token in which the word begins: the word itself, or a comment or string around it. */
   readonly inside: SyntaxNode;
-  /** The piece before it in its statement; `null` where a statement begins. */
+  /** The token before it in the same statement; `null` at the start of a statement. */
   readonly before: SyntaxNode | null;
 }
 
-/** Reads a program up to a place in it: half a line is easier to understand without what follows. */
+/** Reads a program up to a place: half a line is easier to understand without what follows it. */
 export function placeAt(text: string, offset: number, context: ReferenceContext): Place {
   const source = readPython(text);
   const typed = /[\p{L}\p{N}_]*$/u.exec(text.slice(text.lastIndexOf('\n', offset - 1) + 1, offset))?.[0] ?? '';
@@ -25,7 +25,7 @@ export function placeAt(text: string, offset: number, context: ReferenceContext)
   return { reader: new Reader(source, context), typed, from, inside, before: pieceBefore(start, inside) };
 }
 
-/** The string that a node is in; `null` for none. What stands in the braces of an f-string is in none. */
+/** The string around a node; `null` for none. The braces of an f-string do not count as inside it. */
 function stringAround(node: SyntaxNode): SyntaxNode | null {
   if (node.name === 'String' || node.name === 'FormatString') return node;
   return node.name === 'FormatReplacement' || node.parent === null ? null : stringAround(node.parent);
@@ -40,7 +40,7 @@ function pieceBefore(source: PythonText, node: SyntaxNode): SyntaxNode | null {
   return piece.name === ';' || (isNewLine && bracketsAround(piece).length === 0) ? null : piece;
 }
 
-/** The nodes whose brackets are still open behind a piece, the innermost first. */
+/** The nodes whose brackets are still open after a token, innermost first. */
 export const bracketsAround = (piece: SyntaxNode): readonly SyntaxNode[] =>
   Array.from(parentsOf(piece)).filter((node) => {
     const bracket = childrenOf(node).findLast(({ name }) => /^[()[\]{}]$/.test(name))?.name ?? ')';

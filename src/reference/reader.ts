@@ -5,10 +5,10 @@ import type { ReferenceContext } from './context';
 import { itemOf, type Item } from './item';
 import { opaque, Reference, renamed, type Meaning, type MeaningNames } from './meaning';
 
-/** A limit for programs whose names refer to one another in circles of a size that no lesson has. */
+/** Limit for names that refer to one another in circles; no lesson comes near it. */
 const MAX_STEPS = 3000;
 
-/** Finds out what the names and expressions of one source stand for. */
+/** Works out what the names and expressions of one source mean. */
 export class Reader {
   private readonly root: Scope;
   private readonly known = new Map<Binding, Meaning | null>();
@@ -47,7 +47,7 @@ export class Reader {
     return names;
   }
 
-  /** What a name means at a place; `null` for a name that the program does not have. */
+  /** What a name means at a place; `null` if the program does not have it. */
   lookup(name: string, scope: Scope, offset: number): Meaning | null {
     for (let it: Scope | null = scope; it !== null; it = outer(it)) {
       const found = this.named(name, it, offset);
@@ -112,7 +112,7 @@ export class Reader {
     }
   }
 
-  /** The names of a scope as one sees them behind the dot of its module or class. */
+  /** The names of a scope as they appear after the dot of its module or class. */
   scopeNames(scope: Scope): MeaningNames {
     const names = new Map<string, () => Meaning>();
     for (const star of scope.stars) {
@@ -155,7 +155,7 @@ export class Reader {
     return textOf(this.source, node);
   }
 
-  /** The meaning of a name in one scope: the last one before the place that is understood, else the first one after. */
+  /** The meaning of a name in one scope: the last known one before the place, else the first one after it. */
   private named(name: string, scope: Scope, offset: number): Meaning | null {
     const all = scope.names.filter((it) => it.name === name && it.at !== offset);
     const before = all.filter((it) => it.at < offset).reverse();
@@ -233,7 +233,7 @@ export class Reader {
     return { ...this.ownItem(scope.name, 'function', null), calls: [call], own: this.docOf(scope) };
   }
 
-  /** The text in quotes at the beginning of a function, class or file. */
+  /** The docstring of a function, class or file. */
   docOf({ kind, node }: Scope): string | null {
     const body = kind === 'module' ? node : node.getChild('Body');
     const first = childrenOf(body ?? node).find(({ name }) => name !== ':' && name !== 'Comment');
@@ -280,12 +280,12 @@ export class Reader {
   }
 }
 
-/** Names of a class are not seen by its methods. */
+/** Methods do not see the names of their class. */
 const outer = ({ parent }: Scope): Scope | null => (parent?.kind === 'class' ? parent.parent : parent);
 
 const unknown = (label: string): Meaning => opaque(itemOf({ label, kind: 'variable' }));
 
-/** Expressions whose type shows at once. */
+/** Expressions whose type is obvious. */
 const TYPES: ReadonlyMap<string, string> = new Map(Object.entries({
   FormatString: 'str', Boolean: 'bool', ArrayComprehensionExpression: 'list', ComprehensionExpression: 'generator',
   SetExpression: 'set', SetComprehensionExpression: 'set',

@@ -7,21 +7,21 @@ export type EntryKind = 'function' | 'type' | 'exception' | 'value' | 'object' |
 /** One public name. */
 export interface Entry {
   readonly kind: EntryKind;
-  /** How it is called, without its name: `(x: int, y: int) -> int`. Several when it can be called in several ways. */
+  /** Its signatures without the name: `(x: int, y: int) -> int`. */
   readonly calls: readonly string[];
-  /** What a value is: a type's name in its own module, in `microbit` or in `builtins`: `int`, `list[Image]`. */
+  /** Its type, a name in its own module, in `microbit` or in `builtins`: `int`, `list[Image]`. */
   readonly type: string | null;
-  /** Names behind its dot: of a type also those of its instances. */
+  /** Its attributes; for a type, those of its instances, too. */
   readonly members: Names;
-  /** Types whose names it has too, found like `type`. */
+  /** Base types, named like `type`. */
   readonly bases: readonly string[];
   /** Boards that have it; all when left out. */
   readonly boards?: readonly BoardApi[];
-  /** It is in firmwares with this feature only. */
+  /** Only firmware with this feature has it. */
   readonly feature?: Feature;
-  /** Type hints of other editors name it, the firmware does not have it: it is never offered. */
+  /** Type hints of other editors list it, but the firmware does not have it: it is never offered. */
   readonly absent?: true;
-  /** Its words stand under this name instead of its own. */
+  /** Key of its words, if not its own name. */
   readonly text?: string;
 }
 
@@ -29,9 +29,9 @@ export type Names = Readonly<Record<string, Entry>>;
 
 /** A module that programs can import. */
 export interface ReferenceModule {
-  /** Its first name, which is the beginning of its texts' names too. */
+  /** Its main name, also the prefix of its words' keys. */
   readonly name: string;
-  /** Other names that import the same: `utime` for `time`. */
+  /** Other names for the same module: `utime` for `time`. */
   readonly aliases: readonly string[];
   readonly boards?: readonly BoardApi[];
   readonly names: Names;

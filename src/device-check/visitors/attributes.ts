@@ -4,7 +4,7 @@ import { textOf, type SyntaxNode } from '#python/tree';
 import type { Context, Visitors } from '../context';
 import { newerNames } from '../newer-names';
 
-/** Methods of texts and bytes that the device does not have, and names that only a newer firmware has. */
+/** String and bytes methods that the device lacks, and names that only newer firmware has. */
 export const attributeVisitors: Visitors = {
   CallExpression(node, context) {
     const attribute = node.firstChild === null ? null : attributeOf(node.firstChild);
@@ -42,7 +42,7 @@ interface Method {
   instead(owner: string, argument: string): string;
 }
 
-/** No other thing in a pupil's program has a method of this name: only what is imported may. */
+/** Nothing else in a pupil's program has a method of this name, unless it is imported. */
 const textOrUnknown = (owner: SyntaxNode, context: Context): boolean =>
   ['text', 'bytes', 'array', 'unknown'].includes(context.kindOf(owner)) && !isImported(owner, context);
 
@@ -80,7 +80,7 @@ const METHODS = new Map<string, Method>(
   }),
 );
 
-/** A module, something out of a module, or made by it: what it can do is not in the program's text. */
+/** A module, or something that comes from one: the program's text does not show what it can do. */
 function isImported(node: SyntaxNode, context: Context): boolean {
   if (node.name === 'CallExpression') return false;
   if (node.name !== 'VariableName') return false;

@@ -3,7 +3,7 @@ import { textOf, type SyntaxNode } from '#python/tree';
 
 import type { Context, Visitor, Visitors } from '../context';
 
-/** Calls of built-in functions with what the device's do not take, and names that it does not have. */
+/** Arguments of built-in functions that the device does not take, and built-in names that it lacks. */
 export const builtinVisitors: Visitors = {
   CallExpression(node, context) {
     starArguments(node, context);
@@ -65,7 +65,7 @@ const CALLS = new Map<string, CallRule>(
   }),
 );
 
-/** `f(*a, *b)`, `f(**a, **b)` and `f(*a, b)`. A list that is being typed is left alone. */
+/** `f(*a, *b)`, `f(**a, **b)` and `f(*a, b)`. An argument list that is still being typed is left alone. */
 const starArguments: Visitor = (node, context) => {
   const list = node.getChild('ArgList');
   if (list?.getChild('⚠') !== null) return;

@@ -3,7 +3,7 @@ import { childrenOf, parentsOf, textOf, type SyntaxNode } from '#python/tree';
 
 import type { Visitors } from '../context';
 
-/** Operators of a class's own that the device does not ask for, each with a name for an ordinary method. */
+/** Operator methods that the device never calls, each with a name for an ordinary method instead. */
 const SPECIAL = new Map(Object.entries({
   mul: 'times', truediv: 'divide', floordiv: 'divide', mod: 'remainder', divmod: 'divide', pow: 'power',
   matmul: 'times', and: 'both', or: 'either', xor: 'differ', lshift: 'shift_left', rshift: 'shift_right',
@@ -16,7 +16,7 @@ const REVERSE = [
 
 const DESCRIPTORS = ['get', 'set', 'delete', 'set_name'];
 
-/** Methods with two underscores that the device does not call, and attributes that it does not have. */
+/** Special methods that the device never calls, and special attributes that it lacks. */
 export const classVisitors: Visitors = {
   FunctionDefinition(node, context) {
     const name = node.getChild('VariableName');
@@ -50,7 +50,7 @@ function isInClass(definition: SyntaxNode): boolean {
   return around?.name === 'Body' && around.parent?.name === 'ClassDefinition';
 }
 
-/** Whether the file has functions of this name, and no class or variable of it. */
+/** Whether the file has functions of this name, but no class or variable. */
 function isFunction(name: string, top: SyntaxNode, text: string): boolean {
   let functions = 0;
   let others = 0;

@@ -4,7 +4,7 @@ import { parentsOf, textOf, type SyntaxNode } from '#python/tree';
 import type { Context, Visitors } from '../context';
 import { absentModules, moduleNames, typeHintModules } from '../module-table';
 
-/** Modules that the device does not have, and names that its modules do not have. */
+/** Modules that the device lacks, and names that its modules lack. */
 export const moduleVisitors: Visitors = {
   Script(_top, context) {
     for (const { module, moduleNode, symbol, symbolNode } of context.names.imports) {
@@ -51,7 +51,7 @@ function reportName(node: SyntaxNode, module: string, name: string, context: Con
   else context.report({ node, rule: instead === '' ? 'math-missing' : 'math-name', name: whole, instead });
 }
 
-/** In `try:` a program may ask for a module and do without it. */
+/** Inside `try:` a program may look for a module and do without it. */
 function isTried(node: SyntaxNode): boolean {
   for (const parent of parentsOf(node)) if (parent.name === 'TryStatement') return true;
   return false;

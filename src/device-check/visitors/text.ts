@@ -2,7 +2,7 @@ import { childrenOf, parentsOf, textOf, type PythonText, type SyntaxNode } from 
 
 import type { Context, Visitors } from '../context';
 
-/** Longer code is no help in a sentence. */
+/** Longer code does not help in a sentence. */
 const SHOWN_CHARACTERS = 60;
 
 /** f-strings. One inside another is the same mistake. */
