@@ -206,6 +206,18 @@ describe('the main menu', () => {
     expect(items()).toContain('Rundgang fortsetzen');
   });
 
+  it('opens help and tour only once it is gone itself', async () => {
+    setWindow(1400);
+    const page = createPage();
+    const left: (() => void)[] = [];
+    mountOn(page, MainList, { onLeave: (open: () => void) => left.push(open) });
+    await pressItem('Hilfe');
+    await pressItem('Rundgang');
+    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual([null, false]);
+    for (const open of left) open();
+    expect([page.guide.at.value, page.tour.isOpen.value]).toEqual(['', true]);
+  });
+
   it('asks for dialogs, lists and the gallery in its place', async () => {
     const { asked } = mainList(390);
     for (const name of ['Teilen', 'Aufs Gerät laden …', 'Link öffnen …', 'Kurs wählen', 'Gerät wählen'])
