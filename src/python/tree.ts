@@ -3,14 +3,14 @@ import { parser } from '@lezer/python';
 
 export type { SyntaxNode };
 
-/** A Python text with its syntax tree. What is written wrongly is in the tree as an error node `⚠`, the rest around it. */
+/** A Python text with its syntax tree. Wrong code stands in the tree as an error node `⚠`, with the rest around it. */
 export interface PythonText {
   readonly text: string;
   readonly tree: Tree;
   readonly hasErrors: boolean;
 }
 
-/** How many texts are remembered. Chosen: more than a project has files. */
+/** Number of texts that are remembered. Chosen: more than a project has files. */
 const REMEMBERED = 32;
 
 /** The texts read last, the latest at the end. It only saves time: a text gives the same tree without it. */
@@ -24,7 +24,7 @@ export function readPython(text: string): PythonText {
   return remember(readings.get(text) ?? parsePython(text, unchangedParts(text)));
 }
 
-/** Parses the text before a place, with a one-letter name at the place: what is being written there reads as a name. */
+/** Parses the text before a place, with a one-letter name put at the place, so that what is written there reads as a name. */
 export function readUpTo({ text, tree }: PythonText, place: number): PythonText {
   const change = { fromA: place, toA: text.length, fromB: place, toB: place + 1 };
   const before = `${text.slice(0, place)}_`;
@@ -47,7 +47,7 @@ function remember(reading: PythonText): PythonText {
   return reading;
 }
 
-/** The parts of an earlier text that stand in this one too, when they are more than half of it. */
+/** The parts that this text shares with an earlier one, if they are more than half of it. */
 function unchangedParts(text: string): readonly TreeFragment[] {
   for (const reading of Array.from(readings.values()).reverse()) {
     // Around an error the parser has guessed: from there it might guess otherwise than it would from the start.
@@ -77,17 +77,17 @@ function hasErrors(tree: Tree): boolean {
   return false;
 }
 
-/** What is written at a node. */
+/** The text of a node. */
 export const textOf = ({ text }: PythonText, { from, to }: SyntaxNode): string => text.slice(from, to);
 
-/** The nodes right below a node, in the order of the text. */
+/** The children of a node, in the order of the text. */
 export function childrenOf(node: SyntaxNode): readonly SyntaxNode[] {
   const children: SyntaxNode[] = [];
   for (let child = node.firstChild; child !== null; child = child.nextSibling) children.push(child);
   return children;
 }
 
-/** The nodes around a node, the nearest first. */
+/** The ancestors of a node, nearest first. */
 export function* parentsOf(node: SyntaxNode): Generator<SyntaxNode> {
   for (let parent = node.parent; parent !== null; parent = parent.parent) yield parent;
 }
