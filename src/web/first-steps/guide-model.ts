@@ -6,7 +6,7 @@ import type { EntryId } from './guide/content/entry-ids';
 export interface GuideModel {
   /** `null`: closed; an entry's name, or `''` for the help's beginning. */
   readonly at: Readonly<ShallowRef<EntryId | '' | null>>;
-  /** Whether it is on the page by now: it is fetched with the first request. */
+  /** Whether it is on the page yet: it is fetched with the first request. */
   readonly isShown: ShallowRef<boolean>;
   /** Opens the help at one of its entries, or at its beginning. */
   readonly open: (entry?: EntryId | '') => void;

@@ -57,7 +57,7 @@ function hostWork(
   change: (wish: HostSettings) => Refusal,
 ): Pick<EmbeddedSimulator, 'openProject' | 'setFiles' | 'setScene' | 'edit'> {
   const { run, work, host, hand } = app;
-  /** What a host opened last: it has that itself, nothing of it need be put aside. */
+  /** What a host opened last. The host has its own copy, so it need not be put aside. */
   let brought: Project | null = null;
   /** The name under which the pupil's own work is put aside, or `null` without such work. */
   function nameOfOwn(): string | null {
@@ -108,7 +108,7 @@ function changeSettings({ settings, host }: Pick<WorkParts, 'settings'> & VisitP
   return null;
 }
 
-/** Starting, stopping and what lies between. */
+/** Starting, stopping, and everything in between. */
 function hostRuns(
   app: Pick<RunParts, 'run' | 'hand'> & VisitParts,
 ): Pick<EmbeddedSimulator, 'run' | 'stop' | 'reset' | 'pause' | 'resume' | 'step'> {

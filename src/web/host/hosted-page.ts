@@ -6,7 +6,7 @@ import type { RunParts } from '../run/parts';
 import type { VisitParts } from '../visit/parts';
 import type { WorkParts } from '../work/model/parts';
 
-/** What a host reaches of the page. */
+/** The part of the page that a host can reach. */
 export type HostedPage = Pick<PageParts, 'notices'> &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   WorkParts &

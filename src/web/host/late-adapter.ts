@@ -13,7 +13,7 @@ export interface LateAdapterListener {
   onLost(message: unknown, why: 'busy' | 'broken'): void;
 }
 
-/** Messages that wait for their adapter's code. Chosen: more than any host sends by then. */
+/** Most messages that can wait for their adapter's code. Chosen: more than any host sends by then. */
 const MOST_WAITING = 200;
 
 /** An adapter that keeps messages until its code is there. After a failed fetch, the next message tries again. */

@@ -3,7 +3,7 @@ import type { HostedPage } from './hosted-page';
 
 import { fetchAgain } from './fetch-again';
 
-/** Messages that are kept until the part of the app that understands them has come. Chosen: more than any host sends by then. */
+/** Most messages kept until the code that understands them is loaded. Chosen: more than any host sends by then. */
 const MOST_EARLY = 200;
 
 const early: MessageEvent<unknown>[] = [];

@@ -2,10 +2,10 @@
 export const ORIGINS_META = 'parcours-origins';
 
 /**
- * Which origins may command the page: those that the page itself names, of these the ones that its address names.
+ * The origins that may command the page: those listed by the page itself, narrowed to those that its address names.
  * Whoever embeds the page writes the address, so it can only narrow.
  *
- * @param ofPage content of the page's `<meta>`; `null`: it has none, then any parent may
+ * @param ofPage content of the page's `<meta>`; `null`: there is none, and any parent may
  * @param ofAddress what the address names; empty: it says nothing
  * @returns `null`: any
  */
@@ -16,9 +16,12 @@ export function allowedOrigins(ofPage: string | null, ofAddress: readonly string
   return named === null ? narrowed : named.filter((origin) => narrowed.includes(origin));
 }
 
-/** The origin of an address, so that a slash at its end does no harm. Anything else stays and matches only `null`. */
+/**
+ * The origin of an address, so that a trailing slash does no harm. Any other text stays as it is; of such texts only
+ * `null` can match.
+ */
 function plainOrigin(text: string): string {
   if (text === 'null' || !URL.canParse(text)) return text;
   const { origin } = new URL(text);
-  return origin === 'null' ? text : origin; // `null` is said, never made
+  return origin === 'null' ? text : origin; // only the text `null` itself names the origin `null`
 }

@@ -7,7 +7,7 @@ import { SPEEDS } from '#simulation/pace';
 import { AUTO_DEVICE, AUTO_ROBOT, devices, isDevice, isRobotChoice } from '../work/settings/devices';
 import { isSeed, LAST_SEED, THEMES } from '../work/settings/settings';
 
-/** What a host sets to something that the app does not have, in one sentence; `null`: all of it can be done. */
+/** One sentence on the first setting whose value the app does not have; `null` when all of them can be applied. */
 export function settingsProblem(wish: HostSettings): Refusal {
   const { device, robot, reality, seed } = wish;
   if (device !== undefined && !isDevice(device))

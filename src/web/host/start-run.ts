@@ -17,7 +17,7 @@ export function startRun({ run, host }: Pick<RunParts, 'run'> & VisitParts, paus
     const unlisten = host.listen((event) => {
       if (event.type === 'failed') failure = event.message;
     });
-    // Watched before it starts: who hears of the start may end it in the same breath.
+    // Watched from before the start, because a listener of the start may stop the run at once.
     const unwatch = watch(
       run.phase,
       (phase) => {

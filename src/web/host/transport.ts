@@ -85,7 +85,7 @@ export function openTransport(options: TransportOptions): HostTransport {
       if (partner !== null && partner.origin !== origin) return;
       const { type, session, id } = data;
       if (type === 'hello') takeHello(session, message);
-      // The host of a page that was loaded anew goes on speaking: it is told to begin again.
+      // When the page is reloaded, its host keeps sending: it is told to say hello again.
       else if (partner === null) refuse((answer) => post(parent, answer, nameable(origin)), id, 'no-hello');
       else if (partner.isOnWindow) partner.receive(data);
     },
@@ -100,7 +100,7 @@ export function openTransport(options: TransportOptions): HostTransport {
 interface Partner {
   readonly origin: string;
   readonly session: unknown;
-  /** Whether it speaks by the window; otherwise only by its port. */
+  /** Whether it sends its messages to the window; otherwise it uses its port alone. */
   readonly isOnWindow: boolean;
   isOpen(): boolean;
   receive(data: unknown): void;
@@ -173,6 +173,6 @@ function postTo(port: MessagePort, message: object): void {
   try {
     port.postMessage(message);
   } catch {
-    // Likewise.
+    // As above: this message cannot be cloned either.
   }
 }

@@ -62,7 +62,10 @@ function thinLines(pdf: jsPDF): void {
   pdf.setFont('helvetica', 'normal');
 }
 
-/** Corners to cut at; dashed, where the cut edge of the sheet before comes to lie on this one; names of the neighbours. */
+/**
+ * Corners to cut at; dashed: where the cut edge of the previous sheet comes to lie on this one; names of the
+ * neighbours.
+ */
 function printMarks(pdf: jsPDF, { page, columns }: PrintPlan, { column, row, size }: Tile): void {
   thinLines(pdf);
   const [left, top] = [MARGIN_MM, MARGIN_MM];
@@ -167,7 +170,7 @@ function printOverview(pdf: jsPDF, scene: Scene, plan: PrintPlan, words: PrintWo
   }
 }
 
-/** The lines of the course, small, so that one sees which sheet shows what. */
+/** The lines of the course in small, to tell which sheet shows what. */
 function printSmallStrokes(pdf: jsPDF, { objects, size }: Scene, left: number, top: number, scale: number): void {
   pdf.setDrawColor('#C9CFD6');
   pdf.setLineCap('round');

@@ -8,7 +8,7 @@ import { withPixelSize } from '../arena/robot/robot-drawing';
 import type { Trail } from '../run/trail';
 import { courseSvg, type PictureOptions } from './svg-course';
 
-/** The ways of the robot in world mm: a piece ends where the hand lifted it. */
+/** The robot's trails in world mm: one ends where the hand lifted the robot. */
 export function piecesOf(trail: Pick<Trail, 'count' | 'xyMm'>): Vec[][] {
   const pieces: Vec[][] = [[]];
   for (let i = 0; i < trail.count; i += 1) {
@@ -19,7 +19,7 @@ export function piecesOf(trail: Pick<Trail, 'count' | 'xyMm'>): Vec[][] {
   return pieces.filter(({ length }) => length > 1);
 }
 
-/** Address of what the eye sees of a background: its picture, or its grid as a picture; `null` if that is damaged. */
+/** Address of a background's visible picture: its picture, or its grid as a picture; `null` if that is damaged. */
 export function pictureAddress(background: Background): string | null {
   if (background.picture !== '') return background.picture;
   const levels = unpackLevels(background);

@@ -7,13 +7,13 @@ export type Paper = (typeof papers)[number];
 /** What stays white around a sheet, in mm: most printers reach no nearer than 5 mm to the edge, and the marks need room. */
 export const MARGIN_MM = 10;
 
-/** How far neighbouring tiles show the same, in mm: there one is glued onto the other. */
+/** How far neighbouring tiles overlap, in mm: there one is glued onto the other. */
 export const OVERLAP_MM = 10;
 
-/** So many sheets are printed at most. Chosen: a class glues no more, and the file stays openable. */
+/** Most sheets of one print. Chosen: no class glues more, and the file can still be opened. */
 export const MOST_SHEETS = 150;
 
-/** A PDF page can be no longer, in mm: 14,400 units of 1/72 inch (ISO 32000-1, annex C). */
+/** Longest side of a PDF page, in mm: 14,400 units of 1/72 inch (ISO 32000-1, annex C). */
 export const LONGEST_MM = 5080;
 
 /** Sides of the papers in mm, the shorter first (ISO 216). */
@@ -40,7 +40,7 @@ export interface PrintPlan {
   readonly tiles: readonly Tile[];
 }
 
-/** Why a course cannot be printed so. */
+/** Why a course cannot be printed like this. */
 export type PlanProblem =
   { readonly problem: 'too-many-sheets'; readonly sheets: number } | { readonly problem: 'too-large-for-paper' };
 
@@ -84,7 +84,7 @@ function planTiles(size: Point, [short, long]: Point): PrintPlan | PlanProblem {
   return { page, columns, rows, tiles };
 }
 
-/** What of a sheet is printed on. */
+/** The part of a sheet that is printed on. */
 const contentOf = (page: Point): Point => [page[0] - 2 * MARGIN_MM, page[1] - 2 * MARGIN_MM];
 
 function grid(size: Point, page: Point): Pick<PrintPlan, 'page' | 'columns' | 'rows'> {

@@ -18,7 +18,7 @@ export interface PictureOptions {
   readonly rulers: boolean;
   /** Where the robot stands, and the text of its robot.svg; `null`: no robot. */
   readonly robot: { readonly pose: Pose; readonly scale: number; readonly drawing: string } | null;
-  /** The ways the robot has gone; none: no path. */
+  /** The robot's trails; empty: none is drawn. */
   readonly path: readonly (readonly Vec[])[];
   /** Address of the background's picture, or `null` if there is none, or if the caller paints it. */
   readonly background: string | null;

@@ -19,7 +19,7 @@ export const PNG_PX = { usual: 1800, large: 4000 } as const;
 /** What can be chosen for a picture. */
 export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path', boolean>>;
 
-/** Makes files of the open course and hands them out, one at a time; says what becomes of it. */
+/** Makes files of the open course and offers them as downloads, one at a time; says whether that worked. */
 export function usePrint() {
   const app = { ...useRun(), ...useWork() };
   const hardware = useHardware(app);
@@ -48,7 +48,7 @@ export function usePrint() {
     if (isBusy.value) return;
     isBusy.value = true;
     said.value = { text: say(words.working), isError: false };
-    await new Promise((resolve) => setTimeout(resolve, 30)); // the words are to be seen before the work begins
+    await new Promise((resolve) => setTimeout(resolve, 30)); // the message must be on screen before the work begins
     try {
       const file = fileName(name.value, ending);
       saveBlob(file, await make());

@@ -3,7 +3,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 import { emptyLog, withLogEvents, type LogTable } from '#simulation/log-table';
 import type { TimedLogEvent } from '#simulation/outlets';
 
-/** The board's data log as the page keeps it: every row, since the device's own memory is the bound. */
+/** The board's data log as the page keeps it: every row, because the device's own memory already limits it. */
 export class DataLogModel {
   readonly table: ShallowRef<LogTable> = shallowRef(emptyLog);
   readonly isFull = shallowRef(false);

@@ -18,7 +18,7 @@ export function createHand() {
       pose.value = null;
       blocks.value = {};
     },
-    /** What was changed in the course is where the course says. */
+    /** Whatever was changed in the course goes back to where the course has it. */
     letGo: (step: Step): void => {
       const { objects, robot } = touchedBy(step);
       if (robot) pose.value = null;

@@ -19,13 +19,15 @@ export interface RadioEntry {
   readonly isLost?: true;
 }
 
-/** Packets that are kept. Chosen: more than anyone reads, little enough to draw. */
+/** Most packets that are kept. Chosen: more than anyone reads, few enough to draw. */
 export const RADIO_ENTRIES = 200;
 
-/** Bytes of text that a message has room for as the radio is at its start: 32 (modradio.c), less the 3 before a text. */
+/**
+ * Longest text of a message, in bytes, with the radio's default settings: 32 (modradio.c), less the 3 before a text.
+ */
 export const USUAL_TEXT_BYTES = 29;
 
-/** Likewise for `radio.config(length=251)`, the longest there is. */
+/** The same for `radio.config(length=251)`, the longest there is. */
 export const MOST_TEXT_BYTES = 248;
 
 /** What goes over the air in this run: what the program sent, and what was sent to it by hand. */

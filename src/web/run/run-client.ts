@@ -4,7 +4,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { FromWorker, ToWorker } from './worker/protocol';
 import { STOP_ANSWER_MS } from './worker/stop-limits';
 
-/** What is used of a `Worker`. */
+/** The part of a `Worker` that is used here. */
 export interface WorkerPort {
   postMessage(message: ToWorker): void;
   terminate(): void;
@@ -26,7 +26,7 @@ export interface ClientOptions {
 /** The messages of a run between its start and its end. */
 export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
 
-/** Messages that wait for the VM of their run. Chosen: more than anyone does by hand until it is there. */
+/** Most messages that wait for the VM of their run. Chosen: more than anyone causes by hand before it is there. */
 const MOST_EARLY = 1000;
 
 const NO_WORKER = 'The worker could not be loaded.';
@@ -40,13 +40,13 @@ export type StopResult = 'stopped' | 'killed';
  */
 export class RunClient {
   private current: WorkerPort | null = null;
-  /** Whether the current run has begun: before that there is nothing in it to be asked for. */
+  /** Whether the current run has begun; before that there is nothing to ask it for. */
   private hasBegun = false;
   private spare: WorkerPort | null = null;
   private onStopped: (() => void) | null = null;
   /** Messages sent to a run whose VM is still loading; `null` without such a run. */
   private early: ToRun[] | null = null;
-  /** Counts starts and stops, so that a start that had to wait for the VM notices that it is obsolete. */
+  /** Counts starts and stops, so that a start which waited for the VM can tell that it is no longer wanted. */
   private turn = 0;
 
   constructor(private readonly options: ClientOptions) {}
@@ -56,7 +56,7 @@ export class RunClient {
     if (this.spare !== null) return;
     const worker = this.options.createWorker();
     this.spare = worker;
-    // Its own code could not be loaded: the next run gets another one.
+    // The worker's own code could not be loaded: the next run gets a new worker.
     worker.onerror = () => {
       if (this.spare === worker) this.spare = null;
       worker.terminate();
@@ -79,8 +79,8 @@ export class RunClient {
   }
 
   /**
-   * Starts the run that was expected, in the ready worker. It then gets what was sent to it meanwhile, in order. Nothing
-   * starts when it was stopped before the VM was there.
+   * Starts the run that was expected, in the ready worker, and passes on in order what was sent to it meanwhile.
+   * Nothing starts when it was stopped before the VM was there.
    *
    * @throws Error (as a rejection) when the VM or the worker cannot be had
    */
@@ -140,7 +140,7 @@ export class RunClient {
     });
   }
 
-  /** Ends the run at once, without a word. */
+  /** Ends the run at once, without telling anyone. */
   drop(): void {
     const worker = this.current;
     this.current = null;

@@ -33,11 +33,13 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onKilled(): void;
 }
 
-/** The run as the page sees it. Reading is free; every wish goes to the worker and comes back as a change here. */
+/**
+ * The run as the page sees it. Reading costs nothing; every command goes to the worker and comes back as a change here.
+ */
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
   readonly snapshot: ShallowRef<Snapshot | null> = shallowRef(null);
-  /** Where the robot has come by; what it holds changes with `snapshot`. */
+  /** The path that the robot has taken; its contents change with `snapshot`. */
   readonly trail = new Trail();
   readonly ended: ShallowRef<Ended | null> = shallowRef(null);
   readonly nowUs = shallowRef(0);
@@ -104,7 +106,9 @@ export class RunModel {
   /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
   private starts = 0;
 
-  /** Ends the run, or its start; the last picture stays. Every call resolves when the run is over. */
+  /**
+   * Ends the run, even one that is still starting; the last picture stays. Every call resolves when the run is over.
+   */
   stop(): Promise<void> {
     if (this.isActive.value && this.phase.value !== 'stopping') {
       this.phase.value = 'stopping';
@@ -144,7 +148,7 @@ export class RunModel {
     this.phase.value = 'running';
   }
 
-  /** One piece of simulated time, from standing still or from the start. */
+  /** Lets one step of simulated time pass and leaves the run paused; without a run it starts one. */
   step(): void {
     if (!this.isActive.value) {
       void this.start(true);
@@ -164,7 +168,10 @@ export class RunModel {
     this.client.send({ type: 'speed', speed: this.speed });
   }
 
-  /** Does something to the run from outside, to one that starts at its first moment; without a run nothing happens. */
+  /**
+   * Does something to the run from outside; if the run is still starting, at its first moment. Without a run nothing
+   * happens.
+   */
   input(action: InputAction): void {
     this.host.onInput(action);
     if (this.isActive.value && !this.client.send({ type: 'input', action }))

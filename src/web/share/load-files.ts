@@ -6,7 +6,7 @@ import type { WorkParts, Workplace } from '../work/model/parts';
 import { useOpenings } from '../work/use-openings';
 import { workName } from '../work/work-name';
 
-/** A loaded file whose name is taken: the pupil says what is to become of it. */
+/** A loaded file whose name is taken: the pupil decides what happens to it. */
 export interface Conflict {
   readonly file: SourceFile;
   /** The free name it could have. */
@@ -38,7 +38,7 @@ export async function loadFiles(
   }
 }
 
-/** Projects and courses, and what is nothing of ours. */
+/** Projects, courses, and files that are neither. */
 async function loadOther(app: Workplace, loaded: File): Promise<void> {
   const share = await import('./open-json').catch(() => null);
   if (share === null) app.notices.show({ kind: 'error', key: 'notice.firmware' });
@@ -65,7 +65,7 @@ async function readFile({ notices }: Pick<PageParts, 'notices'>, loaded: File): 
   }
 }
 
-/** Lets a loaded file take the place of the one with its name; the whole work is put aside first, and can be had back. */
+/** Replaces the file of the same name by a loaded one. All of the work is put aside first and can be brought back. */
 export function replaceFile(app: Workplace, file: SourceFile): void {
   stampSettings(app);
   app.work.replace(file, workName(app));

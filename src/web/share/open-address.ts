@@ -28,7 +28,7 @@ export const readyCourses = (id: string) => courseOf(id)?.scene ?? null;
  *
  * @param wish as `held`, the other settings in the address hold for this visit; otherwise a program brings its
  *   microcomputer along
- * @returns `null` on success, otherwise why not: nothing has changed then
+ * @returns `null` on success, otherwise why it failed; then nothing has changed
  */
 export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
@@ -95,7 +95,7 @@ function openProgramLink(
   return null;
 }
 
-/** What is open just like this is not put aside once more. */
+/** Work that is already open exactly like this is not put aside again. */
 function openProject(app: Workplace, project: Project, name: string): void {
   const isOpen = isSameWork(presentProject(app), project);
   useOpenings(app).open(project, name, isOpen || isOurs(app.work.work.value.project));

@@ -4,7 +4,7 @@ import type { Workplace } from '../work/model/parts';
 import { saveFile } from '../work/save-file';
 import { loadBeside, loadFiles, replaceFile } from './load-files';
 
-/** What several bars and keys offer alike. */
+/** The commands that several bars and keys share. */
 export function useCommands(app: Workplace) {
   /** Takes files in, from the picker or dropped onto the page. */
   function take(files: Iterable<File>): void {
@@ -51,7 +51,7 @@ export function useCommands(app: Workplace) {
       app.settings.change({ muted });
       app.notices.show({ kind: 'info', key: muted ? 'notice.muted' : 'notice.unmuted' });
     },
-    /** The other one of light and dark than is shown now. */
+    /** Switches between light and dark. */
     switchTheme: (): void => {
       const dark = document.documentElement.dataset['theme'] === 'dark';
       app.settings.change({ theme: dark ? 'light' : 'dark' });

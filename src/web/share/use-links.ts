@@ -7,9 +7,9 @@ import type { Workplace } from '../work/model/parts';
 import { hostWish, parametersOf } from '../visit/address';
 import { heldSettings } from '../visit/held-settings';
 
-/** Parameters with work in them: a program, WebTigerPython's or in one of our courses, and the courses. */
+/** Parameters that carry work: a program (WebTigerPython's, or one in a course of ours), or a course. */
 const OPENED = ['code', 'fs', 'world', 'task'] as const;
-/** Those that bring a program from outside. Our own links do as well. */
+/** Those that bring a program from outside, as our own links also do. */
 const PROGRAMS: readonly string[] = ['code', 'fs'];
 
 /**
@@ -45,7 +45,7 @@ export function useLinks(app: Workplace & VisitParts): void {
     settings.hold(heldSettings(wish));
     if (wish.parts !== undefined) host.parts.value = wish.parts;
   }
-  /** A stranger's program is seen before it runs, whatever its link shows. In a frame the page around it decides that. */
+  /** A stranger's program is shown before it runs, whatever its link hides. In a frame, the embedding page decides. */
   function showSource(): void {
     const parts = host.parts.value;
     if (parts === null || parts.includes('code') || window.parent !== window) {

@@ -12,7 +12,7 @@ export interface ShareLink {
   readonly program: ShallowRef<boolean>;
   /** The whole address; `null`: the project is too large for one. */
   readonly link: ComputedRef<string | null>;
-  /** What of the background had no room. */
+  /** Which part of the background was left out because there was no room. */
   readonly omitted: ComputedRef<'picture' | 'background' | null>;
 }
 

@@ -16,7 +16,7 @@ export function useCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
-  /** What it runs on is chosen apart: the settings of the work before are not brought along. */
+  /** What it runs on is chosen separately: the settings of the previous work do not come along. */
   const open = ({ files, scene, course }: Project, name: string): void =>
     openings.open({ files, scene, course }, name, isOurs(app.work.work.value.project));
 

@@ -16,7 +16,7 @@ export function useOpenings(app: Workplace) {
   /**
    * Opens a project, stopped. What was there before is put aside and can be had back.
    *
-   * @param isOurs nothing of the pupil's own is in what was there: it need not be kept
+   * @param isOurs what was there holds nothing of the pupil's own, so it need not be kept
    */
   function open(project: Project, name: string, isOurs: boolean): void {
     if (!isOurs) stampSettings(app);

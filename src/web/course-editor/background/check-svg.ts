@@ -1,4 +1,4 @@
-/** Why a drawing is not taken in. */
+/** Why a drawing is refused. */
 export type SvgProblem = 'no-svg' | 'unsafe';
 
 /** Elements that act, move or bring other documents in. Pictures are still, plain and complete in themselves. */

@@ -1,11 +1,13 @@
-/** What a picture's first bytes say of it. */
+/** What the first bytes of a picture say about it. */
 export interface ImageHeader {
   readonly type: 'png' | 'jpeg';
   readonly widthPx: number;
   readonly heightPx: number;
 }
 
-/** Reads type and size of a PNG or JPEG without decoding it; `null` for anything else and for what breaks off. */
+/**
+ * Reads type and size of a PNG or JPEG without decoding it; `null` for anything else, and for files that are cut short.
+ */
 export function readImageHeader(bytes: Uint8Array): ImageHeader | null {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   return readPng(view) ?? readJpeg(view);

@@ -34,7 +34,7 @@ function encoded(canvas: HTMLCanvasElement, isPhoto: boolean): string {
     const png = canvas.toDataURL('image/png');
     if (png.length <= MOST_CHARACTERS) return png;
   }
-  // A browser that cannot write WebP gives a PNG instead. JPEG knows no transparency: what is open would become black.
+  // A browser that cannot write WebP gives a PNG instead. JPEG has no transparency: see-through parts would turn black.
   const webp = canvas.toDataURL('image/webp', 0.85);
   if (webp.startsWith('data:image/webp')) return webp;
   return isPhoto || isOpaque(canvas) ? canvas.toDataURL('image/jpeg', 0.85) : webp;

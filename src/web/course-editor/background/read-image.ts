@@ -10,10 +10,10 @@ import { createRaster } from './raster';
 /** Why a file cannot be the floor. */
 export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
 
-/** A file of more than this is not opened, in bytes. */
+/** Largest file that is opened, in bytes. */
 const MOST_BYTES = 10_000_000;
 
-/** A picture of more is not decoded: it would need 4 bytes for each in memory. */
+/** Most pixels of a picture that is decoded: each needs 4 bytes of memory. */
 const MOST_PIXELS = 40_000_000;
 
 /** A drawing has no pixels of its own: its longer side gets this many, which look sharp on a screen. */

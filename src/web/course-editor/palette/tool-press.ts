@@ -1,6 +1,6 @@
 import type { ArenaTool } from '../state/course-editor-model';
 
-/** What of a pointer event counts for a tap. */
+/** The fields of a pointer event that matter for a tap. */
 export type Press = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp' | 'button'>;
 
 /** How far a finger may slip in a tap, in px. Further, it scrolls. */
@@ -29,7 +29,7 @@ export class ToolPress {
     this.from = null;
   }
 
-  /** It leaves: whether the tool is chosen. */
+  /** The pointer goes up. Returns whether the tool is chosen. */
   up(tool: ArenaTool, press: Press): boolean {
     const { from } = this;
     this.from = null;

@@ -15,7 +15,7 @@ import type { WorkModel } from '../../work/model/work-model';
 /** What acts in the arena: a tool of the editor, or the hand, which reaches into the run. */
 export type ArenaTool = ToolId | 'hand';
 
-/** What of the editor comes late, with its first use. */
+/** The part of the editor that is loaded late, with its first use. */
 export interface EditorParts {
   /** Why an edit would go beyond what a course may hold, or `null`. */
   problemOf(scene: Scene, edit: SceneEdit): SceneProblem | null;
@@ -80,7 +80,7 @@ export interface EditorSurroundings {
 /** Makes the course editor's state; it lives as long as the app. */
 export function createCourseEditor(around: EditorSurroundings): CourseEditorModel {
   const editor = new CourseEditor(around);
-  // What is gone cannot be selected.
+  // Removed objects cannot stay selected.
   watch(around.work.scene, (scene) => editor.forgetGone(scene), { flush: 'sync' });
   watch(around.work.openings, () => editor.reset());
   onScopeDispose(
@@ -170,7 +170,7 @@ class CourseEditor implements CourseEditorModel {
     if (isFirst && this.tool.value !== 'hand') this.tell({ type: 'tool', tool: this.tool.value });
   };
 
-  /** Selects no more what a course does not have. */
+  /** Deselects what a course does not have. */
   forgetGone(scene: Scene): void {
     const { ids, robot } = this.selection.value;
     if (ids.length === 0) return;
@@ -190,7 +190,7 @@ class CourseEditor implements CourseEditorModel {
   /** Says what happened. */
   tell(happened: Happened): void {
     const words = this.parts?.wordsFor(happened) ?? '';
-    // The same words again are only heard if something of them differs.
+    // Screen readers announce the same words again only if something in them differs.
     this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;
   }
 }

@@ -17,6 +17,9 @@ export function createEditorPanels(): EditorPanels {
   return { shown, open: (panel) => void (shown.value = panel), close: () => void (shown.value = null) };
 }
 
-/** Whoever closes a window goes on where it was opened: at the button beside undo, near the tools and their keys. */
+/**
+ * When a window closes, the focus returns to where it was opened: the button beside undo, near the tools and their
+ * keys.
+ */
 export const focusMore = (): void =>
   document.querySelector<HTMLElement>('[data-testid="course-more"]')?.focus({ preventScroll: true });

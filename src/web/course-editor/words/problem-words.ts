@@ -13,7 +13,7 @@ const texts = editingWords.problems;
 /** Whether a problem is worth a hint: a line that was drawn twice looks the same, and sensors read the same. */
 const isWorthTelling = ({ code, params }: RuleProblem): boolean => !(code === 'covered' && params['kind'] === 'stroke');
 
-/** What of a course is hardly meant so and worth a hint. */
+/** What in a course is hardly intended and worth a hint. */
 export const problemsOf = (scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] =>
   findProblems(scene, footprint).filter(isWorthTelling);
 

@@ -94,7 +94,7 @@ const tool = (id: ArenaTool): Parts => ({
   covers: [id],
 });
 
-/** A key has no name but its keys. */
+/** A shortcut is named by its keys alone. */
 type KeyId = (typeof KEY_IDS)[number];
 const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'step-write': step('step-write', mdiPencilOutline),

@@ -17,9 +17,9 @@ const BEGINNING_COUNTS = 2; // chosen: on a phone the bubble stands below the fi
 
 /**
  * The place of a bubble that points at something: below it, beside it or above it, wherever it has room without
- * covering it; otherwise the corner of the window where it covers least of it, rather the end than the beginning, which
- * is read first. The bubble is always wholly in the window, if that is large enough. Without anything to point at, it
- * is in the middle.
+ * covering it; otherwise the corner of the window where it covers least of it, preferring the end to the beginning,
+ * which is read first. The bubble is always wholly in the window, if that is large enough. Without anything to point
+ * at, it is in the middle.
  */
 export function placeBubble(
   target: Box | null,
@@ -55,7 +55,7 @@ export function placeBubble(
   return around[covered.indexOf(Math.min(...covered))] ?? inside(0, 0);
 }
 
-/** How much two boxes have in common, px². */
+/** Overlap of two boxes, in px². */
 function overlap(one: Box, other: Box): number {
   const width = Math.min(one.left + one.width, other.left + other.width) - Math.max(one.left, other.left);
   const height = Math.min(one.top + one.height, other.top + other.height) - Math.max(one.top, other.top);

@@ -17,7 +17,7 @@ export interface TourStep {
   readonly id: TourStepId;
   /** The pane it is in, which a phone brings to the front; `null`: in the bar. */
   readonly pane: Pane | null;
-  /** Selectors of the control, the first that is in sight counts. */
+  /** Selectors of the control; the first one in sight counts. */
   readonly targets: readonly string[];
   /** What can be done at it. As soon as it is done the tour goes on by itself; `null`: there is only something to see. */
   readonly isDone: ((app: TourSubject) => boolean) | null;

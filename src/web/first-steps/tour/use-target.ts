@@ -13,7 +13,7 @@ export interface Target {
 const LOOK_MS = 150;
 
 /**
- * Follows a control on the page: the first of the selectors of which something is in sight; `null` while there is
+ * Follows a control on the page: the first selector that matches something in sight; `null` while there is
  * nothing. It follows when the window, the control or the page changes.
  */
 export function useTarget(selectors: () => readonly string[]): Readonly<ShallowRef<Target | null>> {

@@ -28,7 +28,7 @@ const levels: Readonly<Record<RandomKind, Readonly<Record<RandomSize, CourseLeve
  * The course that a number stands for.
  *
  * @param language of its name and description, which go into the file
- * @param courses the ready ones: from some of them it has its programs
+ * @param courses the ready courses: some of them supply its programs
  */
 export function randomCourse(wish: RandomWish, language: Language, courses: readonly Course[]): Course {
   const { kind, size } = wish;

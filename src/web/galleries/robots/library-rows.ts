@@ -11,8 +11,8 @@ export interface LibraryTable {
 
 export interface LibraryRow {
   /**
-   * As it is written in a program: `setSpeed(speed: int)`, `irLeft: IRSensor`, `Motor.rotate(speed: int)`. Several where
-   * the same can be written in several ways, and where several names one after the other do the same.
+   * As it is written in a program: `setSpeed(speed: int)`, `irLeft: IRSensor`, `Motor.rotate(speed: int)`. Several of
+   * them where the same can be written in several ways, and where several names in a row do the same.
    */
   readonly codes: readonly string[];
   readonly text: string;

@@ -27,7 +27,7 @@ export function write(pdf: jsPDF, text: string, [x, y]: Point, capitalMm: number
   );
 }
 
-/** Typographic signs in plain ones, for the fonts that every PDF reader brings along. */
+/** Plain replacements of typographic signs, for the fonts that every PDF reader has. */
 const PLAIN: Readonly<Record<string, string>> = {
   '“': '"',
   '”': '"',
@@ -42,7 +42,7 @@ const PLAIN: Readonly<Record<string, string>> = {
   '\u202f': '\u00a0', // the narrow space of French
 };
 
-/** A text in the signs that every PDF reader has a font for (Latin-1); others become question marks. */
+/** A text in Latin-1, for which every PDF reader has a font; other characters become question marks. */
 export const printable = (text: string): string =>
   text.replace(/[^\u0020-\u007e\u00a0-\u00ff]/gu, (sign) => PLAIN[sign] ?? '?');
 

@@ -43,7 +43,7 @@ function printStroke(pdf: jsPDF, { points, width, color }: Stroke, to: ToSheet, 
   }
 }
 
-/** The parts of a line that come near a rectangle, each at least two places: a sheet holds no more than it shows. */
+/** The parts of a line near a rectangle, at least two points each, so that a sheet holds no more than it shows. */
 export function runsWithin(points: readonly Point[], shown: Bounds): Point[][] {
   const runs: Point[][] = [];
   let run: Point[] = [];

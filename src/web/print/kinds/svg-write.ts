@@ -13,14 +13,14 @@ export function element(name: string, attributes: Attributes, ...children: reado
 /** A number with three digits behind the point at most: a thousandth of a mm. */
 export const figure = (value: number): string => String(Math.round(value * 1000) / 1000);
 
-/** A text with what has a meaning in XML written so that it has none; control characters, which XML forbids, are left out. */
+/** Escapes what has a meaning in XML; control characters, which XML forbids, are left out. */
 export function escapeXml(text: string): string {
   return text
     .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ufffe\uffff]/g, '')
     .replace(/[&<>"']/g, (sign) => `&#${String(sign.charCodeAt(0))};`);
 }
 
-/** A path through places given as x and y in turn. */
+/** A path through points given as x and y in turn. */
 export function pathThrough(places: readonly (readonly [number, number])[], isClosed = false): string {
   const steps = places.map(([x, y], i) => `${i === 0 ? 'M' : 'L'}${figure(x)} ${figure(y)}`);
   return steps.join('') + (isClosed ? 'Z' : '');

@@ -19,7 +19,7 @@ export interface SoundClock {
    * @param speed simulated seconds per second
    */
   at(timeUs: number, nowS: number, speed: number): number;
-  /** Forgets the tie: the next sound is a first one. */
+  /** Forgets the tie: the next sound counts as the first. */
   reset(): void;
 }
 

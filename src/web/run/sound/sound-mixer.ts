@@ -38,7 +38,7 @@ export class SoundMixer {
     return Math.max(this.stream.endS, ...SOURCES.map((source) => this.voices[source]?.endS ?? 0));
   }
 
-  /** Fulfilled when all samples of what is being said are made; the first are heard before that. */
+  /** Resolves when all samples of the speech are made; the first are heard earlier. */
   get made(): Promise<void> {
     return this.speechMade;
   }

@@ -25,7 +25,10 @@ export class SoundPlayer {
   private isLoading = false;
   private speed = 0;
   private muted = false;
-  /** What stays until it is changed: known while nothing is heard, too, so that it can come back. */
+  /**
+   * State that lasts until it is changed. It is followed even while nothing is heard, so that sound can come back as it
+   * should be.
+   */
   private readonly lasting = new Map<SoundEvent['type'], SoundEvent>();
   /** Events that wait for the synthesis. */
   private waiting: readonly SoundEvent[] = [];
@@ -92,7 +95,7 @@ export class SoundPlayer {
     }
   }
 
-  /** Something about being heard changes: what sounds on comes back with it. */
+  /** Applies a change that may decide whether the board is heard; a sound that is still going on comes back. */
   private change(apply: () => void): void {
     const before = this.isHeard;
     apply();
@@ -118,7 +121,7 @@ export class SoundPlayer {
     try {
       this.synthesis = await import('./synthesis');
     } catch {
-      // Without a connection tones are heard all the same.
+      // Even offline, tones are heard.
     }
     this.isLoading = false;
     const events = this.waiting;
@@ -132,7 +135,7 @@ export class SoundPlayer {
       if (this.system.context.state !== 'running') this.system.context.resume().catch(() => undefined);
       this.sleepLater(this.system);
     } catch {
-      return null; // a machine without sound runs all the same
+      return null; // programs run on a machine without sound, too
     }
     return this.system;
   }
@@ -156,7 +159,7 @@ export class SoundPlayer {
     }, SLEEP_AFTER_MS);
   }
 
-  /** Looks a while after something should have been heard whether the browser lets it. */
+  /** Checks, a while after something should have been heard, whether the browser allows it. */
   private checkLater(context: AudioContext): void {
     clearTimeout(this.check);
     this.check = setTimeout(() => {

@@ -2,7 +2,7 @@ import type { SoundEvent } from '#board/sound/sound-event';
 
 /** Loudness of a tone and of a full square wave, 0 … 1: shrill, and there may be twenty of them in the room. */
 export const LOUDNESS = 0.05;
-/** Speech has high peaks: louder by this it is as loud as a tone. Fitted to the loudness of "hello world". */
+/** Gain of speech: its peaks are high, so it needs this much to sound as loud as a tone. Fitted to "hello world". */
 export const SPEECH_GAIN = 5;
 /** Samples of a program are seldom as loud as a full square wave. Chosen. */
 const SAMPLES_GAIN = 2;
@@ -38,7 +38,7 @@ export function playTone(context: BaseAudioContext, to: AudioNode, hz: number, a
   };
 }
 
-/** Samples that are known from the begin to the end. */
+/** Samples that are known from beginning to end. */
 export function playSamples(
   context: BaseAudioContext,
   to: AudioNode,
@@ -51,7 +51,7 @@ export function playSamples(
   if (samples.length > 0) {
     const buffer = context.createBuffer(1, samples.length, rate);
     buffer.getChannelData(0).set(samples);
-    source.buffer = buffer; // filled before: Firefox plays what is in it at this moment
+    source.buffer = buffer; // filled first: Firefox plays what the buffer holds at this moment
   }
   source.connect(gain).connect(to);
   source.start(atS);

@@ -55,7 +55,7 @@ export class Runner {
   private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
   private frameWanted = false;
   private changed = true;
-  /** The end of the program that the page knows of. */
+  /** How the program ended, as far as the page has been told. */
   private toldEnd: Ended | null = null;
   private ticking = false;
   private aliveAtMs = 0;
@@ -151,7 +151,7 @@ export class Runner {
         run.input(action);
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
-        // Refused: nothing of it is done, and the run is as good as before.
+        // Refused: none of it was done, and the run goes on as if it had not come.
         this.at.post({ type: 'refused', message: error.message });
       }
     });
@@ -220,7 +220,7 @@ export class Runner {
     return this.paused ? this.stepUntilUs : dueUs(this.anchor, this.at.nowMs());
   }
 
-  /** Tells the page what it waits for. */
+  /** Tells the page what it is waiting for. */
   private tell(run: Run, nowMs: number): void {
     if (this.frameWanted && this.changed) {
       this.frameWanted = this.changed = false;
@@ -247,7 +247,7 @@ export class Runner {
     if (run.ended === this.toldEnd || !this.outbox.isEmpty) return;
     this.toldEnd = run.ended;
     if (this.speed === 'max') this.anchorHere();
-    // Whoever hears of the end must see how the program left the robot, not the picture before.
+    // A listener of the end must see the robot as the program left it, not the picture before.
     this.tellPicture(run);
     this.at.post(run.ended ? { type: 'program-ended', ended: run.ended } : { type: 'program-restarted' });
   }

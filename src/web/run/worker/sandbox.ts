@@ -6,13 +6,13 @@ const FORBIDDEN_GLOBALS = [
   ...['indexedDB', 'caches', 'cookieStore'],
 ] as const;
 
-/** Likewise on the worker's navigator. */
+/** The same, on the worker's navigator. */
 const FORBIDDEN_ON_NAVIGATOR = ['storage', 'storageBuckets', 'serviceWorker', 'locks'] as const;
 
 /**
  * Removes from a worker's global everything that could reach the network or the disk, before the VM is loaded.
  * A program cannot reach JavaScript anyway (it sees numbers and short texts only); this is the second line of defence.
- * `import()` is no global and stays: only the header of the worker's file closes it (docs/hosting.md).
+ * `import()` is not a global and stays: only the HTTP header of the worker's file can forbid it (docs/hosting.md).
  */
 export function sealSandbox(scope: { readonly navigator?: object }): void {
   for (const name of FORBIDDEN_GLOBALS) takeAway(scope, name);

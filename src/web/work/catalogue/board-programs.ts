@@ -23,7 +23,9 @@ export interface BoardProgram {
 /** In the order of the lessons: what is seen, what is pressed, what is felt, what is sent and kept. */
 const lessons = [heart, counter, dice, light, thermometer, compass, melody, radio, dataLog, calliope];
 
-/** Every sample program for the microcomputer alone. Imported only where they are offered: they are of no use before. */
+/**
+ * Every sample program for the microcomputer alone. Imported only where they are offered; nothing needs them before.
+ */
 export const boardPrograms: readonly BoardProgram[] = lessons.map((program) => ({
   id: program.file.replace('.py', ''),
   title: program.title,

@@ -12,17 +12,17 @@ export interface RandomWish {
   readonly seed: number;
 }
 
-/** Numbers that are dictated in a classroom. */
+/** Numbers short enough to be dictated in a classroom. */
 export const seedRange = { min: 1, max: 999_999 } as const;
 
-/** Reads a number as it is typed; `null`: none of `seedRange`. */
+/** Reads a typed number; `null` when it is not one of `seedRange`. */
 export function readSeed(text: string): number | null {
   const digits = text.trim();
   const seed = Number(digits);
   return /^\d+$/.test(digits) && seed >= seedRange.min && seed <= seedRange.max ? seed : null;
 }
 
-/** A number with four digits, another one than `before`. For the page only: no run depends on it. */
+/** A four-digit number other than `before`. For the page only: no run depends on it. */
 export function newSeed(before = 0): number {
   const seed = 1000 + Math.floor(Math.random() * 8999);
   return seed < before || before < 1000 ? seed : seed + 1;

@@ -14,7 +14,7 @@ export const deviceSettings = (settings: Settings): readonly unknown[] => {
   return [device, firmware, robot, robotOptions, reality, seedOf(settings)];
 };
 
-/** Where chance begins. The ideal robot has no number: whatever was chosen for a used one is out of sight then. */
+/** The seed of the run. It is 1 for the ideal robot, whatever was chosen for a used one. */
 export const seedOf = ({ reality, seed }: Pick<Settings, 'reality' | 'seed'>): number => (reality > 0 ? seed : 1);
 
 /** The surroundings of a program: they decide wherever a setting says `auto`. */
@@ -37,7 +37,7 @@ export function hardwareOf({ scene, files }: Surroundings, settings: HardwareSet
   return { board, robot, options, firmware: firmwareOf(board, settings.firmware) };
 }
 
-/** A robot's options before anything is changed by hand: as the course has them, else as usual. */
+/** A robot's options before anything is changed by hand: as the course has them, else the defaults. */
 export function startOptions(robot: RobotType, scene: Scene): OptionValues {
   return completeOptions(robot.options, scene.robot.options);
 }

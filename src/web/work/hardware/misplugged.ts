@@ -9,7 +9,7 @@ import { hardwareOf, settingsFor } from './hardware';
 import type { Settings } from '../settings/settings';
 import type { Notice } from '../../page/notices';
 
-/** What is plugged in, as far as an error may come of it. */
+/** What is plugged in, as far as it can cause an error. */
 export interface OnTable {
   /** Name of the robot; `null`: none. */
   readonly robot: string | null;
@@ -39,7 +39,7 @@ export function mispluggedNotice(
   };
 }
 
-/** What an error must know of the robot, if it is one of a robot that does not answer. */
+/** What the explanation of an error must know about the robot, if the error comes from a robot that does not answer. */
 export function tableOf(project: Project, now: Settings): OnTable {
   const fault = faultOf(project, now);
   const robot = hardwareOf(project, now)?.robot ?? null;

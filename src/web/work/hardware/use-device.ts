@@ -47,7 +47,7 @@ export function useDevice(app: Parts): DeviceModel {
   const hardware = useHardware(app);
   const change = changing(app);
   const now = (): Settings => settings.current.value;
-  /** Changes something about the robot in use, if there is one: of what the pupil has chosen and of what holds now. */
+  /** Changes options of the robot in use, if there is one: in the pupil's own choice and in what holds now. */
   function changeRobot(wish: (settings: Settings, robot: RobotType) => Partial<Settings>): void {
     const robot = hardware.value?.robot ?? null;
     if (robot !== null) change(wish(now(), robot), wish(settings.own.value, robot));
@@ -75,7 +75,7 @@ export function useDevice(app: Parts): DeviceModel {
   };
 }
 
-/** What opening a program or a course does to the choice. It speaks for itself: no notice. */
+/** What opening a program or a course does to the choice. It is plain to see, so there is no notice. */
 function useBringing(
   { settings, work }: Parts,
   hardware: ComputedRef<Hardware | null>,

@@ -13,6 +13,6 @@ export const useHardware = (parts: WorkParts): ComputedRef<Hardware | null> => c
 export const hardwareNow = ({ work: { work }, settings }: WorkParts): Hardware | null =>
   hardwareOf(work.value.project, settings.current.value);
 
-/** What an error must know of the robot that is plugged in now. */
+/** What the explanation of an error must know about the robot that is plugged in now. */
 export const tableNow = ({ work: { work }, settings }: WorkParts): OnTable =>
   tableOf(work.value.project, settings.current.value);

@@ -14,8 +14,8 @@ import {
 } from '../storage/tab-storage';
 import type { WorkModel } from './work-model';
 
-/** How long after a change the work is saved at the latest, in ms, also while more changes follow. */
-const SAVE_AFTER_MS = 600; // chosen: a crash costs less than a second, the writing of a copy included
+/** Longest time from a change until the work is saved, in ms, even while more changes follow. */
+const SAVE_AFTER_MS = 600; // chosen: a crash costs less than a second, including the time to write a copy
 
 /** How long the page waits for the copy on the disk when it opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
 const PATIENCE_MS = 2000;
@@ -57,7 +57,7 @@ const APART = '"parcours.piece":';
 async function withPieces(storage: TabStorage): Promise<TabStorage> {
   const text = storage.load();
   if (text?.includes(APART) !== true) return storage;
-  // Where that part of the app does not come, the work opens all the same, with a bare floor.
+  // If that part of the app cannot be loaded, the work still opens, with a bare floor.
   const late = await fetchLate().catch(() => null);
   const whole = (await late?.wholeWork(text, Date.now())) ?? text.replace(/\{"parcours\.piece":"[\w-]+"\}/g, 'null');
   return { ...storage, load: () => whole };
@@ -66,7 +66,7 @@ async function withPieces(storage: TabStorage): Promise<TabStorage> {
 /**
  * Saves the work shortly after every change, also while it goes on changing, and at once when the page is left.
  *
- * @param onLost called when it can be saved nowhere, once until it can be saved again
+ * @param onLost called when it can be saved nowhere; not again until saving has worked in between
  */
 export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => void): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -96,7 +96,7 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
         kept = await (late ??= saver).keep(work, text, isSaved);
       }
     } catch {
-      // That part of the app does not come: the storage for text has to do.
+      // That part of the app cannot be loaded: the storage for text has to do.
     }
     if (kept === 'again') saveSoon();
     if (kept === 'lost' && !isLost) onLost();
@@ -122,7 +122,7 @@ function newTabName(): string {
  * store, finds the lock taken and must take another name; so two tabs never write the same copy.
  */
 function holdsName(name: string): Promise<boolean> {
-  // Web Locks are missing on plain http: duplicated tabs then share their copy, their sessions stay apart all the same.
+  // Web Locks are missing on plain http: duplicated tabs then share their copy, but their sessions still stay apart.
   const locks = (navigator as Partial<Navigator>).locks;
   if (locks === undefined) return Promise.resolve(true);
   return new Promise((resolve) => {

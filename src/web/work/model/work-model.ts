@@ -31,7 +31,7 @@ export class WorkModel {
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
-  /** What a gesture that is still going on in the arena amounts to; `null`: none goes on. It is saved with the work. */
+  /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
@@ -96,7 +96,7 @@ export class WorkModel {
     );
   }
 
-  /** Takes a loaded file in under a name that is free; never over another one. Returns the name. */
+  /** Adds a loaded file under a free name, never over another file. Returns the name. */
   takeIn(file: SourceFile): string {
     const name = this.find(file.name) === undefined ? file.name : freeName(file.name, this.files.value);
     this.create(name, file.text);
@@ -122,7 +122,7 @@ export class WorkModel {
     return this.go('undo', history, history.future[0]);
   }
 
-  /** Does again what was taken back last. Returns whether there was something. */
+  /** Redoes what was last taken back. Returns whether there was anything. */
   redo(): boolean {
     const history = redone(this.history.value);
     return this.go('redo', history, history.past.at(-1));

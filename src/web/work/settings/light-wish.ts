@@ -6,7 +6,7 @@ export type LightForm = (typeof LIGHT_FORMS)[number];
 export const LIGHT_PLACES = ['board', 'robot'] as const;
 export type LightPlace = (typeof LIGHT_PLACES)[number];
 
-/** What was chosen for the chain on a pin; left out: as usual. */
+/** What was chosen for the chain on a pin; whatever is left out has its default. */
 export interface LightWish {
   readonly form?: LightForm;
   readonly place?: LightPlace;
@@ -15,7 +15,7 @@ export interface LightWish {
 /** Choices by the name of the pin's wire, e.g. `P2`. */
 export type LightWishes = Readonly<Record<string, LightWish>>;
 
-/** Usual numbers of lights of rings. */
+/** Numbers of lights that rings usually have. */
 const RING_COUNTS: readonly number[] = [8, 12, 16, 24];
 
 /** The most likely form of a chain of this many lights. */
@@ -24,7 +24,7 @@ export function usualForm(count: number): LightForm {
   return count === 256 ? 'zigzag' : 'strip';
 }
 
-/** Reads stored choices; what makes no sense is left out. */
+/** Reads stored choices; invalid ones are left out. */
 export function readLightWishes(value: unknown): LightWishes {
   if (typeof value !== 'object' || value === null) return {};
   return Object.fromEntries(

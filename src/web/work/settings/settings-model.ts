@@ -12,7 +12,8 @@ export interface SettingsModel {
   /** The pupil's own, without what only this visit has. */
   readonly own: Readonly<Ref<Settings>>;
   /**
-   * The pupil chooses something: it holds from now on and is stored. What is as it was stays the host's, where it was that.
+   * The pupil chooses something: it holds from now on and is stored. A value left as it was stays the host's if it was
+   * the host's.
    *
    * @param own what is stored, where the pupil has chosen only a part of a value whose rest is the host's
    */
@@ -46,7 +47,7 @@ export function createSettings(held: Partial<Settings> = {}): SettingsModel {
       if (chosen.length === 0) return;
       const isChosen = ([name]: readonly [string, unknown]): boolean => chosen.includes(name);
       const before = visit.value;
-      // In this order observers see no value between the old one and the new one.
+      // In this order observers never see a value that is neither the old one nor the new one.
       visit.value = { ...before, ...Object.fromEntries(Object.entries(part).filter(isChosen)) };
       own.value = { ...own.value, ...Object.fromEntries(Object.entries(stored).filter(isChosen)) };
       const rest = Object.entries(visit.value).filter(
@@ -71,7 +72,7 @@ function stored(): string | null {
       const text = store.getItem(KEY);
       if (text !== null) return text;
     } catch {
-      // It may be there and not to be read: then as on a first visit.
+      // There may be settings that cannot be read: then the page behaves as on a first visit.
     }
   }
   return null;

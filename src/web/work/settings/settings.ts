@@ -24,7 +24,7 @@ export interface Settings {
   /** What the arena shows of the robot's senses: the beam of its distance sensor, what its line sensors see, … */
   readonly cone: boolean;
   readonly spots: boolean;
-  /** … the point around which it turns, and where it has come by. */
+  /** … the point around which it turns, and its trail. */
   readonly centre: boolean;
   readonly trace: boolean;
   /** Form and place of chains of lights, as far as they were chosen. */
@@ -70,7 +70,7 @@ export interface Settings {
 /** Chosen options by the robot's id. */
 export type RobotOptions = Readonly<Record<string, OptionValues>>;
 
-/** So many used robots there are to choose from. */
+/** How many used robots there are to choose from. */
 export const LAST_SEED = 9999;
 
 /** The number of one of them. */
@@ -166,7 +166,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
     follow: flag('follow'),
     celebrate: flag('celebrate'),
-    // Whoever has settings from before there was a greeting knows the app.
+    // Anyone whose settings are older than the greeting knows the app.
     welcomed: read.welcomed !== false,
     tourStep: typeof read.tourStep === 'string' ? read.tourStep : null,
     codePx: size('codePx'),

@@ -8,7 +8,7 @@ export function travelling(settings: Settings): ProjectSettings {
   return { device, firmware, robot, robotOptions, reality, seed, arenaSenses };
 }
 
-/** The settings with those of a project; where it names what this app does not have, as usual. */
+/** The settings with those of a project; where it names something this app does not have, the default. */
 export function withTravelling(settings: Settings, brought: ProjectSettings): Settings {
   const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = brought;
   const text = JSON.stringify({ ...settings, device, firmware, robot, robotOptions, reality, seed, arenaSenses });

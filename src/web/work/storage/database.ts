@@ -10,8 +10,8 @@ export interface Entry {
 }
 
 /**
- * Does something with the stored entries; done once what it writes is on the disk itself, as far as the browser can do
- * that. Rejects where the browser has no database or no room.
+ * Does something with the stored entries; done once what it writes is on the disk itself, as far as the browser can
+ * ensure that. Rejects where the browser has no database or no room.
  */
 export async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
   const database = await openDatabase();

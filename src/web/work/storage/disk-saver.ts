@@ -1,11 +1,14 @@
-/** What of saving comes late, with the first change: what writes to the disk, and large parts of the work. */
+/**
+ * The part of saving that is loaded late, with the first change: writing to the disk, and storing large parts of the
+ * work.
+ */
 import { createDiskWriter } from './disk-writer';
 import { savedMsOf, type Work } from './history';
 import { LargeWork } from './large-work';
 
 export { wholeWork } from './large-work';
 
-/** What is longer (characters) than any program and its course has a picture as floor: its large parts are stored apart. */
+/** Work longer than this (characters) must have a picture as floor: its large parts are stored apart. */
 const LARGE = 100_000;
 
 /** `again`: large parts were put apart, and the rest is to be saved without them. */

@@ -12,7 +12,9 @@ import { packed, packedText, sceneText } from './stored-project';
 /** The name of a piece: `{ "parcours.piece": name }` stands in its place. */
 const KEY = 'parcours.piece';
 
-/** What is shorter stays with the work. Chosen: five earlier projects of this size take little room. */
+/**
+ * Parts shorter than this (characters) stay with the work. Chosen: five earlier projects of this size take little room.
+ */
 const PIECE_CHARACTERS = 20_000;
 
 /** A part of the work that may stand apart. */

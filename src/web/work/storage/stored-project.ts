@@ -7,7 +7,7 @@ import { objectText, serializeScene } from '#scene/serialize';
 /** A project as text for the browser's storage. It is saved while somebody types, so what has not changed is remembered. */
 export const packedText = remembered((project: Project): string => packed(project, sceneText(project.scene)));
 
-/** The same with a text of one's own for the course. */
+/** The same, with the course's text given by the caller. */
 export function packed({ files, course, settings }: Project, scene: string): string {
   const rest = JSON.stringify({ course, settings });
   return `{"files":${JSON.stringify(files)},"scene":${scene},${rest.slice(1)}`;
@@ -57,7 +57,7 @@ function readFile(value: unknown): SourceFile | null {
   return typeof name === 'string' && typeof text === 'string' ? { name, text } : null;
 }
 
-/** What this app itself stored: what the settings name is looked at when they are used. */
+/** Checks the shape of settings that this app itself stored; the names in them are checked when they are used. */
 function isSettings(value: unknown): value is ProjectSettings {
   if (!isRecord(value)) return false;
   const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = value;

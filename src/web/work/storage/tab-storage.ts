@@ -25,7 +25,7 @@ const LAST = 'parcours.last';
 export const COPIES = 5;
 /** A longer text (characters) takes the tab's own storage a while: 270,000 took 5 ms, and the shared one 1 ms (Chromium). */
 export const SLOW = 30_000;
-/** Longer than this (characters) no work of a pupil is; a browser gives a page about five million. */
+/** No pupil's work is longer than this (characters); a browser gives a page about five million. */
 const HUGE = 1_000_000;
 
 /**
@@ -82,7 +82,10 @@ function copyOf(local: TextStore, name: string | null): string | null {
   return name === null ? null : get(local, COPY + name);
 }
 
-/** Gives up copies of other tabs, the oldest first, until `text` has room. For a huge text none is given up: it might not fit even then. */
+/**
+ * Gives up copies of other tabs, the oldest first, until `text` has room. For a huge text none is given up, since it
+ * might still not fit.
+ */
 function makeRoom(local: TextStore, name: string, text: string): boolean {
   if (text.length > HUGE) return false;
   for (let left = COPIES - 1; left >= 1; left -= 1) {
