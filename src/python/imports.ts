@@ -2,14 +2,14 @@ import { childrenOf, parsePython, readPython, splitBy, textOf, type PythonText, 
 
 /** One imported name. */
 export interface Import {
-  /** The module as it is written: `math`, `os.path`, `.drive`; `.` for `from . import x`. */
+  /** The module as written: `math`, `os.path`, `.drive`; `.` for `from . import x`. */
   readonly module: string;
   /** Where the module's name stands. */
   readonly moduleNode: SyntaxNode | null;
-  /** What is taken out of the module; `*` for everything, `null` for the module itself. */
+  /** The name imported from the module; `*` for all names, `null` for the module itself. */
   readonly symbol: string | null;
   readonly symbolNode: SyntaxNode | null;
-  /** The name that it gets in the program; `null` for `*`. */
+  /** Its name in the program; `null` for `*`. */
   readonly nameNode: SyntaxNode | null;
 }
 
@@ -37,8 +37,8 @@ export function importsIn(source: PythonText, statement: SyntaxNode): readonly I
 const known = new WeakMap<PythonText, readonly string[]>();
 
 /**
- * The modules that a program imports, by the first part of their names; those that are being typed too. Files beside it
- * (`from .drive import go`) are none of them.
+ * The modules that a program imports, by the first part of their names, even while they are being typed. Files beside it
+ * (`from .drive import go`) do not count.
  */
 export function importedModules(text: string): readonly string[] {
   const source = readPython(text);
@@ -62,7 +62,7 @@ function modulesIn(source: PythonText): readonly string[] {
   return modules;
 }
 
-/** `from mbrobot`, still without its `import`, already names a module. */
+/** `from mbrobot` names a module even before its `import` is typed. */
 function moduleNames(source: PythonText, statement: SyntaxNode): readonly string[] {
   const { firstChild: first } = statement;
   const module = first?.name === 'from' ? first.nextSibling : null;
@@ -70,7 +70,7 @@ function moduleNames(source: PythonText, statement: SyntaxNode): readonly string
   return importsIn(source, statement).map(({ module: path }) => path.split('.')[0] ?? '');
 }
 
-/** The modules that the programs of a project import. Files that do not end in `.py` are not programs. */
+/** The modules that the programs of a project import. Files that do not end in `.py` are no programs. */
 export function modulesImportedBy(files: Readonly<Record<string, string>>): ReadonlySet<string> {
   const programs = Object.entries(files).filter(([name]) => name.endsWith('.py'));
   return new Set(programs.flatMap(([, text]) => importedModules(text)));

@@ -2,13 +2,13 @@ import { attributeOf } from './expressions';
 import { importsIn, type Import } from './imports';
 import { childrenOf, splitBy, textOf, type PythonText, type SyntaxNode } from './tree';
 
-/** How a name came into a scope. */
+/** How a name is bound in a scope. */
 export type Binding =
-  /** `symbol` is what was taken out of the module; `null` for the module itself. */
+  /** `symbol` is the name imported from the module; `null` for the module itself. */
   | { readonly kind: 'import'; readonly module: string; readonly symbol: string | null }
   | { readonly kind: 'function' | 'class'; readonly scope: Scope }
   | { readonly kind: 'parameter'; readonly annotation: SyntaxNode | null; readonly given: SyntaxNode | null }
-  /** The value of an expression; `element`: what `for` takes out of it, `error`: what `except` caught. */
+  /** The value of an expression; `element`: one of its elements, by `for`; `error`: what `except` caught. */
   | { readonly kind: 'value'; readonly of: 'itself' | 'element' | 'error'; readonly node: SyntaxNode }
   | { readonly kind: 'unknown' };
 
@@ -24,16 +24,16 @@ export interface Scope {
   readonly kind: 'module' | 'function' | 'class' | 'lambda' | 'comprehension';
   readonly name: string;
   readonly node: SyntaxNode;
-  /** How far its first line is indented. */
+  /** Indentation of its first line. */
   readonly indent: number;
   /** Where the first statement after it begins. */
   to: number;
   readonly parent: Scope | null;
   readonly inner: Scope[];
   readonly names: Bound[];
-  /** Names of instances: what methods assign to `self.x`. */
+  /** Instance attributes: what methods assign to `self.x`. */
   readonly fields: (Bound & { readonly scope: Scope })[];
-  /** Names that a function takes from the module by `global`. */
+  /** Names that a function declares `global`. */
   readonly globals: Set<string>;
   /** Modules imported by `from … import *`. */
   readonly stars: string[];
@@ -43,23 +43,23 @@ export interface Scope {
 export interface ProgramNames {
   /** The scope of the module. */
   readonly root: Scope;
-  /** Everything that each name is bound to, in any scope. */
+  /** Every binding of each name, in any scope. */
   readonly bindings: ReadonlyMap<string, readonly Binding[]>;
   readonly imports: readonly Import[];
-  /** Names after a dot that the program itself gives a meaning: methods, class attributes, `self.name = …`. */
+  /** Attributes that the program itself defines: methods, class attributes, `self.name = …`. */
   readonly attributes: ReadonlySet<string>;
 }
 
 const known = new WeakMap<PythonText, ProgramNames>();
 
-/** Finds out which names a program has and where they come from. Anything it does not understand is left out. */
+/** Works out which names a program has and where they come from. What it does not understand is left out. */
 export function namesOf(source: PythonText): ProgramNames {
   const names = known.get(source) ?? new Collector(source);
   known.set(source, names);
   return names;
 }
 
-/** The innermost scope at a place: a line indented no further than `def` is outside it. */
+/** The innermost scope at a place: a line that is not indented more than `def` is outside of it. */
 export function scopeAt(root: Scope, text: string, offset: number): Scope {
   const indent = indentAt(text, offset);
   const lineStart = text.lastIndexOf('\n', offset - 1) + 1;
@@ -80,7 +80,7 @@ export function classAround(scope: Scope): Scope | null {
   return scope.parent === null ? null : classAround(scope.parent);
 }
 
-/** How far the line at a place is indented; tabs count to the next four. */
+/** Indentation of the line at a place; a tab counts up to the next multiple of four. */
 function indentAt(text: string, offset: number): number {
   const start = text.lastIndexOf('\n', offset - 1) + 1;
   let indent = 0;
@@ -117,10 +117,7 @@ class Collector implements ProgramNames {
     });
   }
 
-  /**
-   * In the tree a badly indented line ends a function; here the function lasts as long as its lines are indented
-   * further.
-   */
+  /** A line indented wrongly ends a function in the tree; here the function goes on as far as lines are indented more. */
   private leaveScopes(from: number): void {
     const indent = indentAt(this.source.text, from);
     while (this.scope.parent !== null && from >= this.scope.node.to && indent <= this.scope.indent) {
@@ -141,7 +138,7 @@ class Collector implements ProgramNames {
     return textOf(this.source, node);
   }
 
-  /** Adds a name to its scope: to the module when the function said `global`. */
+  /** Adds a name to its scope, or to the module's if the function declared it `global`. */
   private declare(node: SyntaxNode, binding: Binding): void {
     const name = this.textOf(node);
     const scope = this.scope.globals.has(name) ? this.root : this.scope;
@@ -171,7 +168,7 @@ class Collector implements ProgramNames {
     this.scope = this.open('lambda', '', node);
   }
 
-  /** The names in brackets of `def` and after `lambda`. */
+  /** The parameters of `def` and `lambda`. */
   parameters(list: SyntaxNode): void {
     const inside = childrenOf(list).filter(({ name }) => !['(', ')', '*', '**', '/'].includes(name));
     for (const [name, ...rest] of splitBy(inside, ',')) {
@@ -189,7 +186,7 @@ class Collector implements ProgramNames {
     const parts = splitBy(written, 'AssignOp');
     const [first] = written;
     for (const part of parts.slice(0, -1)) this.targets(part, parts.at(-1) ?? []);
-    // `x: int` alone makes no name, nor does a similar line still being typed: it only makes x uncertain.
+    // `x: int` alone binds no name, and the line may be half typed: it only casts doubt on x.
     if (parts.length === 1 && first?.name === 'VariableName') this.note(this.textOf(first), UNKNOWN);
   }
 
@@ -214,7 +211,7 @@ class Collector implements ProgramNames {
     if (this.textOf(owner) === 'self') classAround(scope)?.fields.push({ name, at: property.from, binding, scope });
   }
 
-  /** `n += 1` does not bind a new name, but shows what type it may have afterwards. */
+  /** `n += 1` does not bind a new name, but shows what it may be afterwards. */
   update({ firstChild: target, lastChild: node }: SyntaxNode): void {
     if (target?.name !== 'VariableName' || node === null) return;
     const isDivision = node.prevSibling !== null && this.textOf(node.prevSibling) === '/='; // a float comes out
@@ -226,7 +223,7 @@ class Collector implements ProgramNames {
     if (target !== null && node !== null) this.target(target, { kind: 'value', of: 'itself', node });
   }
 
-  /** A comprehension, in brackets of its own or in those of a call. Brackets left open may have taken in a loop's line. */
+  /** A comprehension, in its own brackets or in a call's. An unclosed bracket may have swallowed the line of a loop. */
   comprehension(node: SyntaxNode): void {
     if (node.getChild('for') === null) return;
     if (node.getChild('⚠') === null) this.scope = this.open('comprehension', '', node);
@@ -259,7 +256,7 @@ class Collector implements ProgramNames {
       this.imports.push(it);
       if (symbol === '*') this.scope.stars.push(module);
       if (nameNode === null) continue;
-      // `import a.b` binds a; the part after the dot is found through it.
+      // `import a.b` binds a; what lies behind the dot is found through it.
       const isShort = symbolNode === null && nameNode.from === moduleNode?.from;
       this.declare(nameNode, { kind: 'import', module: isShort ? this.textOf(nameNode) : module, symbol });
     }

@@ -3,20 +3,17 @@ import { parser } from '@lezer/python';
 
 export type { SyntaxNode };
 
-/**
- * A Python text with its syntax tree. Whatever cannot be parsed is an error node `⚠`; the rest of the tree stands
- * around it.
- */
+/** A Python text with its syntax tree. Wrong code stands in the tree as an error node `⚠`, with the rest around it. */
 export interface PythonText {
   readonly text: string;
   readonly tree: Tree;
   readonly hasErrors: boolean;
 }
 
-/** How many texts are remembered. Chosen: more than a project has files. */
+/** Number of texts that are remembered. Chosen: more than a project has files. */
 const REMEMBERED = 32;
 
-/** The texts parsed most recently, the latest last. A mere cache: without it the trees are the same. */
+/** The texts read last, the latest at the end. It only saves time: a text gives the same tree without it. */
 const readings = new Map<string, PythonText>();
 
 /**
@@ -27,9 +24,7 @@ export function readPython(text: string): PythonText {
   return remember(readings.get(text) ?? parsePython(text, unchangedParts(text)));
 }
 
-/**
- * Parses the text before a place, with a one-letter name inserted there, so that what is being typed reads as a name.
- */
+/** Parses the text before a place, with a one-letter name put at the place, so that what is written there reads as a name. */
 export function readUpTo({ text, tree }: PythonText, place: number): PythonText {
   const change = { fromA: place, toA: text.length, fromB: place, toB: place + 1 };
   const before = `${text.slice(0, place)}_`;
@@ -52,10 +47,10 @@ function remember(reading: PythonText): PythonText {
   return reading;
 }
 
-/** The parts of an earlier text that stand in this one too, when they are more than half of it. */
+/** The parts that this text shares with an earlier one, if they are more than half of it. */
 function unchangedParts(text: string): readonly TreeFragment[] {
   for (const reading of Array.from(readings.values()).reverse()) {
-    // Near an error the parser guesses, and its guess may depend on where it starts: such parts are not reused.
+    // Around an error the parser has guessed: from there it might guess otherwise than it would from the start.
     if (reading.hasErrors) continue;
     const before = reading.text;
     const shorter = Math.min(text.length, before.length);
@@ -82,17 +77,17 @@ function hasErrors(tree: Tree): boolean {
   return false;
 }
 
-/** What is written at a node. */
+/** The text of a node. */
 export const textOf = ({ text }: PythonText, { from, to }: SyntaxNode): string => text.slice(from, to);
 
-/** The nodes right below a node, in the order of the text. */
+/** The children of a node, in the order of the text. */
 export function childrenOf(node: SyntaxNode): readonly SyntaxNode[] {
   const children: SyntaxNode[] = [];
   for (let child = node.firstChild; child !== null; child = child.nextSibling) children.push(child);
   return children;
 }
 
-/** The nodes around a node, the nearest first. */
+/** The ancestors of a node, nearest first. */
 export function* parentsOf(node: SyntaxNode): Generator<SyntaxNode> {
   for (let parent = node.parent; parent !== null; parent = parent.parent) yield parent;
 }
