@@ -125,10 +125,10 @@ test('a finger that rests on a tool reads what it is for; a tap chooses it, and 
 });
 
 test('the first line is drawn even where the code of the tools is still on its way', async ({ page }) => {
-  let fetchedLate = false;
+  let letCome = (): void => undefined;
+  const late = new Promise<void>((resolve) => (letCome = resolve));
   await page.route('**/arena-tools-*.js', async (route) => {
-    await new Promise((resolve) => setTimeout(resolve, 1500));
-    fetchedLate = true;
+    await late;
     await route.continue();
   });
   const { app, fingers } = await withFingers(page);
@@ -136,7 +136,6 @@ test('the first line is drawn even where the code of the tools is still on its w
   await clearAll(app);
   await fingers.tap(toolButton('pen'));
   await fingers.draw(await inWindow(app, SIZE, line([200, 450], [700, 450])));
-  expect(fetchedLate).toBe(false);
+  letCome();
   await expect.poll(() => listOf(app)).toHaveLength(2); // the robot’s start and the line
-  expect(fetchedLate).toBe(true);
 });
