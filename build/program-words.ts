@@ -2,7 +2,7 @@
 import { existsSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
-import { LANGUAGES, type Language } from '../src/core/texts.ts';
+import { LANGUAGES, type Language } from '../src/core/languages.ts';
 import { piecesOf, translate, wordsFile, wordsFor, type Translation, type Words } from './programs.ts';
 
 /** Strings with a word in them that a program knows and nobody reads: gestures, columns of a table, an order of bytes. */

@@ -3,7 +3,7 @@ import { mkdir, mkdtemp, readdir, rm, writeFile } from 'node:fs/promises';
 import { tmpdir } from 'node:os';
 import { dirname, join } from 'node:path';
 import { afterEach, beforeEach, describe, expect, it } from 'vitest';
-import { LANGUAGES } from '../src/core/texts.ts';
+import { LANGUAGES } from '../src/core/languages.ts';
 import { wordProblems } from './program-words.ts';
 import { readProgram, translate } from './programs.ts';
 

@@ -9,7 +9,7 @@
 import { readFile } from 'node:fs/promises';
 import { basename, dirname, join } from 'node:path';
 import type { Plugin } from 'vite';
-import { LANGUAGES, type Language, type Texts } from '../src/core/texts.ts';
+import { LANGUAGES, type Language, type Texts } from '../src/core/languages.ts';
 
 /** A program's comments and strings: English → translation. */
 export type Translation = Readonly<Record<string, string>>;

@@ -5,28 +5,28 @@ import type { Shown } from './page';
 
 const ARENA = '[data-testid=arena]';
 
-interface WithWay {
-  way?: [number, number, number][];
+interface WithTrail {
+  trail?: [number, number, number][];
 }
 
-/** Records the robot's path from now on; `wayOf` returns it. */
-export const watchWay = (app: App): Promise<void> =>
+/** Records the robot's path from now on; `trailOf` returns it. */
+export const watchTrail = (app: App): Promise<void> =>
   app.evaluate((css) => {
     const arena = document.querySelector<HTMLElement>(css);
     if (arena === null) throw new Error('There is no arena.');
-    const way: [number, number, number][] = ((window as WithWay).way = []);
+    const trail: [number, number, number][] = ((window as WithTrail).trail = []);
     const note = (): void => {
       const { xMm, yMm, headingDeg } = arena.dataset;
-      way.push([Number(xMm), Number(yMm), Number(headingDeg)]);
+      trail.push([Number(xMm), Number(yMm), Number(headingDeg)]);
     };
     new MutationObserver(note).observe(arena, { attributeFilter: ['data-x-mm', 'data-y-mm', 'data-heading-deg'] });
     note();
   }, ARENA);
 
-/** Where the robot came by since `watchWay`, about ten times a second, the newest last. */
-export async function wayOf(app: App): Promise<readonly Shown[]> {
-  const way = await app.evaluate(() => (window as WithWay).way ?? []);
-  return way.map(([xMm, yMm, headingDeg]) => ({ xMm, yMm, headingDeg }));
+/** Where the robot came by since `watchTrail`, about ten times a second, the newest last. */
+export async function trailOf(app: App): Promise<readonly Shown[]> {
+  const trail = await app.evaluate(() => (window as WithTrail).trail ?? []);
+  return trail.map(([xMm, yMm, headingDeg]) => ({ xMm, yMm, headingDeg }));
 }
 
 /** Where the robot stands, to a tenth of a mm: what the arena has written on it. */

@@ -1,5 +1,5 @@
 import type { Point } from '../src/scene/scene';
-import { robotAt, watchWay, wayOf } from './arena';
+import { robotAt, watchTrail, trailOf } from './arena';
 import { expect, type App } from './app';
 import { distance, PATIENCE } from './course';
 import { consoleIn, isEnabled, on, pasteProgram, programIn, robotIn } from './page';
@@ -39,7 +39,7 @@ export async function drawTrackAndFollow(pupil: Pupil): Promise<void> {
   await pupil.draw(TRACK);
   await expect.poll(() => app.text(by('editor-said'))).toMatch(/^Line drawn, 1\d\d/);
   expect(await listOf(app)).toHaveLength(2); // the robot's start and the line
-  await watchWay(app);
+  await watchTrail(app);
   await app.click(on('run'));
   const sides: readonly Point[] = [
     [640, 370],
@@ -48,11 +48,11 @@ export async function drawTrackAndFollow(pupil: Pupil): Promise<void> {
   ];
   await expect
     .poll(async () => {
-      const way = await wayOf(app);
+      const way = await trailOf(app);
       return sides.filter((side) => way.every((at) => distance(at, side) > 80));
     }, PATIENCE)
     .toEqual([]);
-  const far = (await wayOf(app)).filter((at) => fromTrack([at.xMm, at.yMm]) > 45);
+  const far = (await trailOf(app)).filter((at) => fromTrack([at.xMm, at.yMm]) > 45);
   expect(far).toEqual([]);
   expect(await consoleIn(app)).not.toContain('Traceback');
 }

@@ -1,7 +1,7 @@
 import { existsSync, readFileSync } from 'node:fs';
 import { parseScene } from '../src/scene/parse';
 import type { Point, Scene } from '../src/scene/scene';
-import { robotAt, watchWay } from './arena';
+import { robotAt, watchTrail } from './arena';
 import { expect, type App } from './app';
 import { attribute, consoleIn, isThere, on, openApp, programIn, type Shown } from './page';
 import { by, gone, until } from './parts';
@@ -39,7 +39,7 @@ export async function drive(app: App, folder: string, robot: string): Promise<vo
   await expect.poll(() => attribute(app, '.pane-arena .robot .name', 'title')).toBe(robot); // the name itself may be cut off
   expect(await isThere(app, '[data-testid=misplugged]')).toBe(false);
   await expect.poll(async () => distance(await robotAt(app), sceneOf(folder).robot.at)).toBeLessThan(1); // no longer where the course before began
-  await watchWay(app);
+  await watchTrail(app);
   await app.click(on('run'));
 }
 

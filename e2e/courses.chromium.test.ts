@@ -1,5 +1,5 @@
 import type { Point } from '../src/scene/scene';
-import { paintOf, wayOf } from './arena';
+import { paintOf, trailOf } from './arena';
 import { expect, test, type App } from './app';
 import { distance, drive, ends, PATIENCE, sceneOf } from './course';
 import { consoleIn, isThere, type Shown } from './page';
@@ -8,11 +8,11 @@ import { consoleIn, isThere, type Shown } from './page';
 async function comesBy(app: App, places: readonly Point[], nearMm: number, always: (at: Shown) => void): Promise<void> {
   await expect
     .poll(async () => {
-      const way = await wayOf(app);
+      const way = await trailOf(app);
       return places.filter((place) => way.every((at) => distance(at, place) > nearMm));
     }, PATIENCE)
     .toEqual([]);
-  (await wayOf(app)).forEach(always);
+  (await trailOf(app)).forEach(always);
   expect(await consoleIn(app)).not.toContain('Traceback');
 }
 
@@ -39,12 +39,12 @@ test('the empty arena: the robot keeps clear of all four walls', async ({ app })
   const [width, height] = sceneOf('empty').size;
   await expect
     .poll(async () => {
-      const way = await wayOf(app);
+      const way = await trailOf(app);
       const reach = (of: (at: Shown) => number): number => Math.max(...way.map(of)) - Math.min(...way.map(of));
       return reach(({ xMm }) => xMm) > width / 3 && reach(({ yMm }) => yMm) > height / 3;
     }, PATIENCE)
     .toBe(true);
-  for (const { xMm, yMm } of await wayOf(app))
+  for (const { xMm, yMm } of await trailOf(app))
     expect(Math.min(xMm, width - xMm, yMm, height - yMm)).toBeGreaterThan(80);
   expect(await consoleIn(app)).not.toContain('Traceback');
 });

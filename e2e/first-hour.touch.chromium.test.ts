@@ -1,6 +1,6 @@
 import { readFileSync } from 'node:fs';
 import type { Page } from '@playwright/test';
-import { LANGUAGES, type Language } from '../src/core/texts';
+import { LANGUAGES, type Language } from '../src/core/languages';
 import { localeOf } from '../src/web/page/i18n/locale';
 import { expect, test } from './app';
 import { driveFirst, passFirstCourse, shareIt, takeTour, writeFirstProgram, type Beginner } from './first-hour';

@@ -1,4 +1,4 @@
-import type { Language } from '../src/core/texts';
+import type { Language } from '../src/core/languages';
 import { robotAt } from './arena';
 import { expect, type App } from './app';
 import { distance } from './course';

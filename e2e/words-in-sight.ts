@@ -1,5 +1,5 @@
 import { allTexts } from '../scripts/texts.mjs';
-import { LANGUAGES, languages, type Language } from '../src/core/texts';
+import { LANGUAGES, languages, type Language } from '../src/core/languages';
 import type { App } from './app';
 
 /** What the app says in one language: as it stands, and as patterns where values have places in a text. */

@@ -35,7 +35,7 @@ beforeAll(async () => {
   await cp('src', join(place, 'src'), { recursive: true });
   await cp('package.json', join(place, 'package.json'));
   for (const [path, text] of await newFiles(join(place, 'src'))) await writeFile(path, text);
-  const list = join(place, 'src/core/texts.ts');
+  const list = join(place, 'src/core/languages.ts');
   await writeFile(list, withLine(await readFile(list, 'utf8')));
 });
 
@@ -53,7 +53,7 @@ describe('a fifth language', () => {
     const files = new Map(await filesWithTexts());
     for (const folder of ['src', 'courses', 'scripts/robot-template'])
       for (const [path, text] of await newFiles(folder)) files.set(path.replaceAll('\\', '/'), text);
-    files.set('src/core/texts.ts', withLine(files.get('src/core/texts.ts')));
+    files.set('src/core/languages.ts', withLine(files.get('src/core/languages.ts')));
     expect(problemsOf(files, sameWords)).toEqual([]);
     files.delete(`src/web/page/words/${NEW}.json`);
     expect(problemsOf(files)).toContain(`src/web/page/words/*.json bar.run: no text in ${NEW}`);
@@ -105,7 +105,7 @@ describe('a fifth language', () => {
   it('is offered and understood: by the page, the command line and hosts', async () => {
     const { preferredLanguage } = await inPlace('web/page/i18n/index.ts');
     expect(preferredLanguage(['eo', 'de'])).toBe(NEW);
-    const { LANGUAGES } = await inPlace('core/texts.ts');
+    const { LANGUAGES } = await inPlace('core/languages.ts');
     expect(LANGUAGES).toContain(NEW);
   });
 });

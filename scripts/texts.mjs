@@ -5,7 +5,7 @@ import { Failure, main, note, root } from './progress.mjs';
 import { sameWords } from './texts-same.mjs';
 
 /** The list of languages. */
-const LIST = 'src/core/texts.ts';
+const LIST = 'src/core/languages.ts';
 const languagesOf = (list) => Array.from(list.matchAll(/^ {2}(\w+): \{ name: /gm), ([, language]) => language);
 /** The words of a part: a file per language, such as `src/attachments/words/fr.json` or, of a piece that comes late, `words/about/fr.json`. */
 const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;

@@ -3,7 +3,7 @@ import { problemsOf } from './texts.mjs';
 
 const same = { fr: new Set(['radio']), it: new Set(['radio']) };
 const languages = ['de', 'fr', 'it', 'en'].map((language) => `  ${language}: { name: '…' },`).join('\n');
-const problems = (files) => problemsOf(new Map(Object.entries({ 'src/core/texts.ts': languages, ...files })), same);
+const problems = (files) => problemsOf(new Map(Object.entries({ 'src/core/languages.ts': languages, ...files })), same);
 
 /** A text in its languages, as a part has it that names all its texts. */
 const inWords = (texts) => ({
@@ -93,7 +93,7 @@ describe('the words of a part', () => {
 
   it('may not be in a language that the app does not have', () => {
     expect(problems({ ...files, ...part({ rm: '{ "title": "Mir" }' }), ...reader, ...user })).toEqual([
-      'src/a/words/*.json title: rm is no language of src/core/texts.ts',
+      'src/a/words/*.json title: rm is no language of src/core/languages.ts',
     ]);
   });
 

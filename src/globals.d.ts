@@ -9,7 +9,7 @@ declare module '*?raw' {
 
 /** A program that comes with the app, in every language (`build/programs.ts`). */
 declare module '*.py?languages' {
-  import type { Texts } from '#core/texts';
+  import type { Texts } from '#core/languages';
   const program: { readonly file: string; readonly title: Texts; readonly source: Texts };
   export default program;
 }

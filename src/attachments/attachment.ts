@@ -4,7 +4,7 @@
  * Frame of an attachment: origin at the mount, x forward, y left, mm, at the size of the real robot.
  */
 import type { Stop } from '#core/stop';
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import type { Vec } from '#core/geometry';
 import type { Chassis } from '#world/chassis';
 

@@ -1,6 +1,6 @@
 import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
-import { LANGUAGES, type Language } from '#core/texts';
+import { LANGUAGES, type Language } from '#core/languages';
 import { parseDuration } from './duration';
 
 /** The request to `parcours run`. */

@@ -1,4 +1,4 @@
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 import { wordsOf } from '#core/words';
 import { checkForDevice } from '#device-check/check-for-device';
 import { explain } from '#device-check/explain';

@@ -1,4 +1,4 @@
-import type { Texts } from './texts';
+import type { Texts } from './languages';
 
 /** A property of a robot that can be chosen: what is on a servo port, how a sensor of its series behaves. */
 export interface Option {

@@ -1,4 +1,4 @@
-import { LANGUAGES, type Language, type Texts } from './texts';
+import { LANGUAGES, type Language, type Texts } from './languages';
 
 /** A catalogue in all languages: each of its texts is the same text in every language. */
 export type Words<T> = T extends string ? Texts : { readonly [K in keyof T]: Words<T[K]> };

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 import { mistakesIn } from '#reference/testing/catalogues';
 import { checkForDevice } from './check-for-device';
 import { explain } from './explain';

@@ -1,4 +1,4 @@
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 import { byLanguage } from '#core/words';
 import type de from './words/de.json';
 

@@ -1,5 +1,5 @@
 import type { BoardApi, Feature } from '#core/board-api';
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 
 /** What a name stands for. An `object` has its own names and no class that programs could call (`display`, `i2c`). */
 export type EntryKind = 'function' | 'type' | 'exception' | 'value' | 'object' | 'module' | 'keyword';

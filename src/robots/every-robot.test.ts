@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { Board } from '#board/board';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
-import { LANGUAGES, type Texts } from '#core/texts';
+import { LANGUAGES, type Texts } from '#core/languages';
 import { robotBuilds } from './builds';
 import { findRobot, robotTypes } from './index';
 import { robotSheets } from './sheets';

@@ -27,7 +27,7 @@ import type { Vec } from '#core/geometry';
 import type { Option, OptionValues } from '#core/option';
 import type { Rgb } from '#core/rgb';
 import type { Stop } from '#core/stop';
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
 

@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { LogEvent } from '#board/data-log';
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { Clock } from '#core/clock';
-import type { WayPoint } from './way';
+import type { TrailPoint } from './trail';
 
 /** A packet that the program sent by radio. */
 export interface RadioPacket {
@@ -28,7 +28,7 @@ export interface RunOutlets {
   readonly radio?: (packet: RadioPacket) => void;
   readonly log?: (event: TimedLogEvent) => void;
   /** The robot's path, a point every few mm. */
-  readonly way?: (point: WayPoint) => void;
+  readonly trail?: (point: TrailPoint) => void;
 }
 
 /** Passes on the board's events to those who listen. */

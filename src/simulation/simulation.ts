@@ -26,7 +26,7 @@ import type { TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
 import { spikedIds } from './task-brief';
 import type { Verdict } from './verdict';
-import { createWayTeller } from './way';
+import { createTrailSender } from './trail';
 
 /** How and when the program ended. */
 export interface Ended extends VmEnd {
@@ -46,7 +46,7 @@ export class Simulation {
   private readonly mounted: Mounted | null;
   private readonly judge: Judge | null;
   private readonly lights: LedChains;
-  private readonly tellWay: () => void;
+  private readonly sendTrail: () => void;
   private readonly vm: Vm;
   private readonly recorder: TraceRecorder;
   private readonly inputs: RunInputs;
@@ -92,7 +92,8 @@ export class Simulation {
     });
     this.recorder = new TraceRecorder(this.mounted, setup.keepTrace === true);
     this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);
-    this.tellWay = this.mounted && outlets.way ? createWayTeller(this.mounted.chassis, outlets.way) : () => undefined;
+    this.sendTrail =
+      this.mounted && outlets.trail ? createTrailSender(this.mounted.chassis, outlets.trail) : () => undefined;
     this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
     this.vm = createVm({
       firmware,
@@ -236,7 +237,7 @@ export class Simulation {
     this.takeInputs();
     this.judge?.step(this.nowUs);
     this.recorder.step(this.nowUs);
-    this.tellWay();
+    this.sendTrail();
   }
 
   private step(): void {
@@ -244,7 +245,7 @@ export class Simulation {
     this.world.step();
     this.mounted?.step();
     this.judge?.step(this.nowUs);
-    this.tellWay();
+    this.sendTrail();
     this.recorder.step(this.nowUs);
   }
 

@@ -2,7 +2,7 @@
  * The simulator as a device of WebTigerPython, or of any page with the same device interface: the device's buttons
  * there act on a frame with Parcours.
  */
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 import { HOLD_MS, Printing } from '../webtigerpython/printing';
 import { connect } from './connect';
 import { ParcoursError } from './parcours-error';

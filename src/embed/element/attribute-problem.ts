@@ -1,4 +1,4 @@
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { SPEEDS } from '#simulation/pace';
 import { ParcoursError } from '../client/parcours-error';
 import type { Abilities } from '../client/types';

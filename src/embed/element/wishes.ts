@@ -1,4 +1,4 @@
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { SPEEDS } from '#simulation/pace';
 import type { Parcours } from '../client/types';
 import { limits } from '../parcours/limits';

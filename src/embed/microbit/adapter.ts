@@ -1,6 +1,6 @@
 import * as v from 'valibot';
 
-import { LANGUAGES, type Language } from '#core/texts';
+import { LANGUAGES, type Language } from '#core/languages';
 import { filesByName, MAIN, type SourceFile } from '#project/project';
 import { foreignModules } from '#python/imports';
 import { NO_ROBOT, robotMeant } from '#simulation/hardware';

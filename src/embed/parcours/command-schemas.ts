@@ -1,7 +1,7 @@
 /** The fields of every command, validated by valibot. An unknown field is refused: it is usually a typing mistake. */
 import * as v from 'valibot';
 
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { FILE_BYTES, NAME_CHARACTERS, projectLimits } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 

@@ -1,4 +1,4 @@
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { parseProject, parseProjectValue, projectToText } from '#project/file';
 import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
 import { parseEdit } from '#scene/check-edit';

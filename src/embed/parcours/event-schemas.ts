@@ -1,7 +1,7 @@
 /** The fields of every event and of every answer: for the manual, and to check the page's messages in tests. */
 import * as v from 'valibot';
 
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 
 import { SPEEDS } from '#simulation/pace';
 import { PARTS } from '../simulator';

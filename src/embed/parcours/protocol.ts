@@ -7,7 +7,7 @@
  * parcours: 1, reply: id, ok: true, … }` or `{ parcours: 1, reply: id, ok: false, code, message, path }`.
  */
 import type { Rgb } from '#core/rgb';
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 import type { ProjectSettings, SourceFile } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';

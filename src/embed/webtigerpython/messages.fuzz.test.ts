@@ -2,7 +2,7 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
 import { mutatedTree } from '#scene/testing/mutate';
 

@@ -1,5 +1,5 @@
 /** The meaning of WebTigerPython's settings here, whether they come in an address or in a message. */
-import { LANGUAGES, type Language } from '#core/texts';
+import { LANGUAGES, type Language } from '#core/languages';
 
 import { PARTS, type Part } from '../simulator';
 

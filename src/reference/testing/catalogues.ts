@@ -1,4 +1,4 @@
-import { LANGUAGES, type Language } from '#core/texts';
+import { LANGUAGES, type Language } from '#core/languages';
 
 /** The same short texts in every language, by key. */
 export type Catalogues = Readonly<Record<Language, Readonly<Record<string, string>>>>;

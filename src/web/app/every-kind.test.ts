@@ -1,7 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { afterAll, beforeAll, describe, expect, expectTypeOf, it } from 'vitest';
 
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { distanceTo, editorKinds, fieldsOf, kindOf, middleOf, movedBy, newObject, placeOf } from '#editor/kinds/index';
 import type { EditorKind } from '#editor/kinds/kind';
 import { withField } from '#editor/object-edits';

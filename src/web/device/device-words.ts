@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import { wordsOf } from '#core/words';
 import type de from './words/de.json';
 

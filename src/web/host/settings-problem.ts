@@ -1,4 +1,4 @@
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { PARTS, type HostSettings, type Refusal } from '#embed/simulator';
 import { robotTypes } from '#robots/index';
 import { NO_ROBOT } from '#simulation/hardware';

@@ -191,7 +191,7 @@ export class RunModel {
         break;
       case 'snapshot':
         this.frameAsked = false;
-        this.trail.add(message.way);
+        this.trail.add(message.trail);
         this.snapshot.value = message.snapshot;
         this.nowUs.value = message.snapshot.timeUs;
         break;

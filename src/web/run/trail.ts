@@ -10,15 +10,15 @@ export class Trail {
   generation = 0;
 
   /** Takes in points as a picture of the run brings them: x and y alternately. */
-  add(way: readonly number[]): void {
-    const added = Math.min(way.length / 2, MOST_POINTS / 2);
+  add(xyMm: readonly number[]): void {
+    const added = Math.min(xyMm.length / 2, MOST_POINTS / 2);
     if (this.count + added > MOST_POINTS) this.forget(Math.max(MOST_POINTS / 4, added));
     if (2 * (this.count + added) > this.xyMm.length) {
       const larger = new Float32Array(Math.max(2 * this.xyMm.length, 4 * added));
       larger.set(this.xyMm.subarray(0, 2 * this.count));
       this.xyMm = larger;
     }
-    this.xyMm.set(way.slice(way.length - 2 * added), 2 * this.count);
+    this.xyMm.set(xyMm.slice(xyMm.length - 2 * added), 2 * this.count);
     this.count += added;
   }
 

@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import type { LinkProblem } from '#project/link/link';
 import type { ProjectProblem } from '#project/problem';
 import type { ProgramLinkProblem } from '#project/webtigerpython/program-link';

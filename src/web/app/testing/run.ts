@@ -43,7 +43,7 @@ export async function startRun(page: TestPage): Promise<void> {
 
 /** The worker's next picture; `changes` says what is different from the start. */
 export async function show(page: TestPage, changes: Partial<Snapshot> = {}): Promise<void> {
-  page.say({ type: 'snapshot', snapshot: pictureOf(changes), way: [] });
+  page.say({ type: 'snapshot', snapshot: pictureOf(changes), trail: [] });
   await nextTick();
 }
 

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import { nothingSelected } from '#editor/tools/tool';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';

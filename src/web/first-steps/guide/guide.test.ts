@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { toolGroups } from '../../course-editor/palette/tool-list';
 import { MENU, stepsFor } from '../tour/tour-steps';
 import type { GuideContent } from './content/content';

@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 
 import type { RunParts } from '../../run/parts';
 import type { CourseEditorParts } from '../../course-editor/state/parts';

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import { parseScene } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import { LANGUAGES } from '../../page/i18n/texts';

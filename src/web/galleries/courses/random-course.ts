@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import { randomMaze } from '#scene/random/maze';
 import { randomTrack } from '#scene/random/track';
 import type { Scene } from '#scene/scene';

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 
 import { attachmentDrawings } from '#attachments/drawings';
 import { attachmentTypes } from '#attachments/types';
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 import { fn, module, type, value, absent } from '#reference/table';
 import { robotTypes } from '#robots/index';
 import { robotReferences } from '#robots/references';

@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 
 /** A message about the page itself, at its foot; one that asks something stays until it is answered. */
 export interface PageMessage {

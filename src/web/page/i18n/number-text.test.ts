@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { LANGUAGES } from '#core/texts';
+import { LANGUAGES } from '#core/languages';
 import { dateText, decimalSign, numberText, readNumber } from './number-text';
 
 describe('a number in a language', () => {

@@ -1,4 +1,4 @@
-import type { Language } from '#core/texts';
+import type { Language } from '#core/languages';
 
 import { localeOf } from './locale';
 

@@ -1,4 +1,4 @@
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 
 import { shownLanguage } from '.';
 import { filled } from './filled';

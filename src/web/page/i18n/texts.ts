@@ -18,4 +18,4 @@ export type TextValues = Readonly<Record<string, string | number>>;
 /** Looks a text up in the chosen language. */
 export type Translate = (key: TextKey, values?: TextValues) => string;
 
-export { LANGUAGES, type Language } from '#core/texts';
+export { LANGUAGES, type Language } from '#core/languages';

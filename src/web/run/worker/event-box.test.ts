@@ -23,22 +23,22 @@ describe('the box of events', () => {
     expect((events?.radioDropped ?? 0) + (events?.radio.length ?? 0)).toBe(100_000);
   });
 
-  it('gives the way of the robot once, x and y alternately, with two NaN where it was lifted', () => {
+  it('gives the trail of the robot once, x and y alternately, with two NaN where it was lifted', () => {
     const box = createEventBox();
-    box.outlets.way?.({ x: 1, y: 2 });
-    box.outlets.way?.(null);
-    box.outlets.way?.({ x: 30, y: 40 });
+    box.outlets.trail?.({ x: 1, y: 2 });
+    box.outlets.trail?.(null);
+    box.outlets.trail?.({ x: 30, y: 40 });
     expect(box.take()).toBeNull();
-    expect(box.takeWay()).toEqual([1, 2, NaN, NaN, 30, 40]);
-    expect(box.takeWay()).toEqual([]);
+    expect(box.takeTrail()).toEqual([1, 2, NaN, NaN, 30, 40]);
+    expect(box.takeTrail()).toEqual([]);
   });
 
-  it('keeps the newest 60 m of a way that nobody asks for', () => {
+  it('keeps the newest 60 m of a trail that nobody asks for', () => {
     const box = createEventBox();
-    for (let i = 1; i <= 100_000; i++) box.outlets.way?.({ x: i, y: 0 });
-    const way = box.takeWay();
-    expect(way.length).toBeLessThanOrEqual(60_000);
-    expect(way.slice(-2)).toEqual([100_000, 0]);
+    for (let i = 1; i <= 100_000; i++) box.outlets.trail?.({ x: i, y: 0 });
+    const trail = box.takeTrail();
+    expect(trail.length).toBeLessThanOrEqual(60_000);
+    expect(trail.slice(-2)).toEqual([100_000, 0]);
   });
 
   it('forgets rows of the data log that were deleted before anyone saw them', () => {

@@ -14,7 +14,7 @@ export interface RunEvents {
 export interface EventBox {
   readonly outlets: RunOutlets;
   /** Takes out the robot's path: x and y in mm alternately, two `NaN` where the hand tool lifted it. */
-  takeWay(): readonly number[];
+  takeTrail(): readonly number[];
   /** Takes out everything else, or `null` when there is nothing. */
   take(): RunEvents | null;
 }
@@ -36,7 +36,7 @@ export function createEventBox(): EventBox {
   let radio: RadioPacket[] = [];
   let radioDropped = 0;
   let log: TimedLogEvent[] = [];
-  let way: number[] = [];
+  let trail: number[] = [];
   return {
     outlets: {
       sound: (event) => {
@@ -53,14 +53,14 @@ export function createEventBox(): EventBox {
         if (event.type === 'clear') log = [];
         log.push(event);
       },
-      way: (point) => {
-        way.push(point?.x ?? NaN, point?.y ?? NaN);
-        if (way.length > 4 * MAX_POINTS) way = way.slice(-2 * MAX_POINTS);
+      trail: (point) => {
+        trail.push(point?.x ?? NaN, point?.y ?? NaN);
+        if (trail.length > 4 * MAX_POINTS) trail = trail.slice(-2 * MAX_POINTS);
       },
     },
-    takeWay() {
-      const taken = way;
-      way = [];
+    takeTrail() {
+      const taken = trail;
+      trail = [];
       return taken;
     },
     take() {

@@ -53,8 +53,8 @@ export type FromWorker =
   /** The VM is there; `run` starts at once. */
   | { readonly type: 'prepared' }
   | { readonly type: 'started' }
-  /** `way`: the robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
-  | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly way: readonly number[] }
+  /** `trail`: the robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
+  | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly trail: readonly number[] }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
   /** What sounded, was sent by radio and was logged since the last such message; about once a frame. */

@@ -235,7 +235,7 @@ export class Runner {
   }
 
   private tellPicture(run: Run): void {
-    this.at.post({ type: 'snapshot', snapshot: run.snapshot(), way: this.events.takeWay() });
+    this.at.post({ type: 'snapshot', snapshot: run.snapshot(), trail: this.events.takeTrail() });
   }
 
   private tellEvents(): void {

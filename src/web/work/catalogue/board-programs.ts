@@ -8,7 +8,7 @@ import light from '../../../../courses/board/light.py?languages';
 import melody from '../../../../courses/board/melody.py?languages';
 import radio from '../../../../courses/board/radio.py?languages';
 import thermometer from '../../../../courses/board/thermometer.py?languages';
-import type { Texts } from '#core/texts';
+import type { Texts } from '#core/languages';
 
 /** A sample program for the microcomputer alone: no course, no robot. Its comments and words are in the pupil's language. */
 export interface BoardProgram {

@@ -1,4 +1,4 @@
-import type { Language, Texts } from '#core/texts';
+import type { Language, Texts } from '#core/languages';
 import { inEvery } from '#core/words';
 import { MAIN, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';

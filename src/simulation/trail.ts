@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { Chassis } from '#world/chassis';
 
 /** A point of a robot's path, or `null` where the hand tool lifted it: the next point is where it was set down. */
-export type WayPoint = Vec | null;
+export type TrailPoint = Vec | null;
 
 /** Chosen: points at this distance, in mm, show the narrowest curve (the wheels' own track) within a fifth of a mm. */
 const APART_MM = 4;
@@ -15,7 +15,7 @@ const CARRIED_MM = 0.5;
  *
  * @returns a function to call after each step of the world
  */
-export function createWayTeller(chassis: Chassis, tell: (point: WayPoint) => void): () => void {
+export function createTrailSender(chassis: Chassis, tell: (point: TrailPoint) => void): () => void {
   let last: Vec | null = null;
   let lastPathMm = 0;
   return () => {

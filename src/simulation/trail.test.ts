@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
 import { createRig } from '#world/testing/rig';
-import { createWayTeller, type WayPoint } from './way';
+import { createTrailSender, type TrailPoint } from './trail';
 
 /** A robot at (300 | 1000) that looks along x, with its recorded path. */
 function setUp() {
   const { robot, world } = createRig({ xMm: 300, yMm: 1000, headingRad: 0 });
-  const points: WayPoint[] = [];
-  const step = createWayTeller(robot, (point) => points.push(point));
+  const points: TrailPoint[] = [];
+  const step = createTrailSender(robot, (point) => points.push(point));
   step();
   const drive = (left: number, right: number, seconds: number): void => {
     robot.setDuty(0, left);
@@ -19,7 +19,7 @@ function setUp() {
   return { robot, points, drive };
 }
 
-describe('the way of a robot', () => {
+describe('the trail of a robot', () => {
   it('begins where it stands and has no more points while it stands still', () => {
     const { points, drive } = setUp();
     drive(0, 0, 1);
