@@ -63,6 +63,9 @@ describe('the line about the task', () => {
     atMs: null,
     reason: null,
     by: null,
+    place: null,
+    help: [],
+    early: null,
     checkpoints: { passed: 1, of: 3 },
     targets: { reached: 0, of: 1 },
     blocks: { delivered: 0, of: 0 },
@@ -72,6 +75,22 @@ describe('the line about the task', () => {
 
   it.each([
     [{ ...open, state: 'passed', atMs: 12_400 } as const, 'Task: passed after 12.4 s.'],
+    [
+      { ...open, state: 'passed', atMs: 12_400, help: ['hand'] } as const,
+      'Task: passed after 12.4 s, with help by hand.',
+    ],
+    [
+      { ...open, state: 'helped', atMs: 12_400, help: ['hand', 'edits'] } as const,
+      'Task: done after 12.4 s, with help by hand, with a course that was changed: does not count as passed.',
+    ],
+    [
+      { ...open, early: { id: 'c', number: 2, before: 1 } } as const,
+      'Task: not done (1 of 3 checkpoints, 0 of 1 target); checkpoint 2 came before checkpoint 1.',
+    ],
+    [
+      { ...failed, reason: 'time', early: { id: 't', number: 0, before: 3 } } as const,
+      'Task: failed after 4.2 s: the time was over (1 of 3 checkpoints, 0 of 1 target); a target came before checkpoint 3.',
+    ],
     [open, 'Task: not done (1 of 3 checkpoints, 0 of 1 target).'],
     [
       { ...failed, reason: 'time' } as const,

@@ -1,3 +1,4 @@
+import type { Help } from '#scene/scene';
 import {
   displayText,
   endedWord,
@@ -79,11 +80,13 @@ export function verdictLine(verdict: Verdict | null): string | null {
   const seconds = `${((atMs ?? 0) / 1000).toFixed(1)} s`;
   switch (state) {
     case 'passed':
-      return `Task: passed after ${seconds}.`;
+      return `Task: passed after ${seconds}${withHelp(verdict)}.`;
+    case 'helped':
+      return `Task: done after ${seconds}${withHelp(verdict)}: does not count as passed.`;
     case 'failed':
-      return `Task: failed after ${seconds}: ${failureInWords(verdict)}.`;
+      return `Task: failed after ${seconds}${withHelp(verdict)}: ${failureInWords(verdict)}.`;
     case 'open':
-      return `Task: not done${progressInWords(verdict)}.`;
+      return `Task: not done${progressInWords(verdict)}${earlyInWords(verdict)}${withHelp(verdict)}.`;
     default:
       return state satisfies never;
   }
@@ -93,7 +96,7 @@ function failureInWords(verdict: Verdict): string {
   const { reason, by } = verdict;
   switch (reason) {
     case 'time':
-      return `the time was over${progressInWords(verdict)}`;
+      return `the time was over${progressInWords(verdict)}${earlyInWords(verdict)}`;
     case 'forbidden':
       return `the robot came into the forbidden zone "${by ?? ''}"`;
     case 'spikes':
@@ -105,6 +108,21 @@ function failureInWords(verdict: Verdict): string {
     default:
       return reason satisfies never;
   }
+}
+
+const helpWords: Readonly<Record<Help, string>> = {
+  hand: 'with help by hand',
+  edits: 'with a course that was changed',
+};
+
+/** `, with help by hand`, or nothing. */
+const withHelp = ({ help }: Verdict): string => help.map((one) => `, ${helpWords[one]}`).join('');
+
+/** `; checkpoint 2 came before 1`, or nothing if all came in their order. */
+function earlyInWords({ early }: Verdict): string {
+  if (early === null) return '';
+  const what = early.number === 0 ? 'a target' : `checkpoint ${early.number}`;
+  return `; ${what} came before checkpoint ${early.before}`;
 }
 
 /** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing if there is nothing to reach. */

@@ -119,7 +119,13 @@ export interface Task {
   readonly seconds: number | null;
   /** Walls, blocks and the arena's edge must not be touched; spikes never may. */
   readonly noTouch: boolean;
+  /** The help with which it still counts as passed; left out: none. */
+  readonly allows?: readonly Help[];
 }
+
+/** Help during a run: the hand moves the robot or a block, or the course is edited. */
+export const helps = ['hand', 'edits'] as const;
+export type Help = (typeof helps)[number];
 
 /**
  * A picture that covers a part of the floor. What the sensors read of it is the grid of `levels`, made once when the

@@ -3,6 +3,17 @@ import { touchedBy, type Step } from '#scene/history';
 import type { Scene, SceneObject } from '#scene/scene';
 import { isLasting, isMovable } from './kinds';
 
+/** Whether a run feels the difference between two courses at once. What waits for the next start, and words, it does not. */
+export function changesRun(before: Scene, after: Scene): boolean {
+  if (before === after) return false;
+  const { seconds, noTouch } = before.task;
+  if (seconds !== after.task.seconds || noTouch !== after.task.noTouch) return true;
+  return !isSame(before.background, after.background) || !isSame(feltIn(before), feltIn(after));
+}
+
+const feltIn = ({ objects }: Scene): readonly SceneObject[] =>
+  objects.filter((object) => object.type !== 'label' && !isLasting(object));
+
 /** Whether a step changes anything solid, the robot's start or the arena: what a picture of an earlier run shows wrongly then. */
 export function movesBodies(step: Step): boolean {
   const { objects, robot, size } = touchedBy(step);

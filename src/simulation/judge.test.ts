@@ -244,6 +244,109 @@ describe('a task without touching', () => {
   });
 });
 
+describe('the order of the places', () => {
+  const three = [checkpoint(1, [600, 500]), checkpoint(2, [900, 500]), checkpoint(3, [1200, 500])];
+  const target = zone('target', 't', [1500, 500]);
+
+  it('is watched: 2 came before 1, until it comes in its turn', () => {
+    const { put, verdict } = start(three);
+    expect(verdict()?.early).toBeNull();
+    put(900, 500);
+    expect(verdict()?.early).toEqual({ id: 'c2', number: 2, before: 1 });
+    put(600, 500);
+    expect(verdict()?.early).toEqual({ id: 'c2', number: 2, before: 1 });
+    put(900, 500);
+    expect(verdict()).toMatchObject({ early: null, checkpoints: { passed: 2, of: 3 } });
+  });
+
+  it('names the last one that came too early, a target without a number', () => {
+    const { put, verdict } = start([...three, target]);
+    put(1200, 500);
+    put(1500, 500);
+    expect(verdict()?.early).toEqual({ id: 't', number: 0, before: 1 });
+  });
+
+  it('is kept by who starts in the target and drives a round', () => {
+    const { drive, put, verdict } = start([zone('target', 't', [300, 500]), ...three]);
+    drive(9);
+    expect(verdict()).toMatchObject({ state: 'open', early: null, checkpoints: { passed: 3, of: 3 } });
+    put(300, 500);
+    expect(verdict()).toMatchObject({ state: 'passed', early: null });
+  });
+
+  it('is not broken by a checkpoint that is drawn where the robot stands, nor by one that was taken away', () => {
+    const { put, verdict, judge } = start(three);
+    put(900, 500);
+    judge.take(courseOf([checkpoint(1, [600, 500])]));
+    expect(verdict()?.early).toBeNull();
+    judge.take(courseOf(three));
+    put(901, 500);
+    expect(verdict()?.early).toBeNull();
+  });
+});
+
+describe('help', () => {
+  const target = zone('target', 't', [1000, 500]);
+  const other = zone('target', 'other', [1000, 800]);
+
+  it('by the hand is told, and what is done with it does not count as passed', () => {
+    const { put, verdict, judge } = start([target]);
+    expect(verdict()?.help).toEqual([]);
+    judge.takeHand();
+    expect(verdict()).toMatchObject({ state: 'open', help: ['hand'] });
+    put(1000, 500);
+    expect(verdict()).toMatchObject({ state: 'helped', help: ['hand'], targets: { reached: 1, of: 1 } });
+  });
+
+  it('that the task allows is told as well, and it is passed', () => {
+    const { put, verdict, judge } = start([target], { allows: ['hand'] });
+    judge.takeHand();
+    put(1000, 500);
+    expect(verdict()).toMatchObject({ state: 'passed', help: ['hand'] });
+  });
+
+  it('of one kind is not allowed with the other', () => {
+    const { put, verdict, judge } = start([target, other], { allows: ['hand'] });
+    judge.takeHand();
+    judge.take(courseOf([target], { allows: ['hand'] }));
+    put(1000, 500);
+    expect(verdict()).toMatchObject({ state: 'helped', help: ['hand', 'edits'] });
+  });
+
+  it('is no reason to have failed less', () => {
+    const { put, verdict, judge } = start([target, zone('forbidden', 'no', [1500, 500])]);
+    judge.takeHand();
+    put(1500, 500);
+    expect(verdict()).toMatchObject({ state: 'failed', reason: 'forbidden', help: ['hand'] });
+  });
+
+  it('after the decision changes nothing', () => {
+    const { put, verdict, judge } = start([target]);
+    put(1000, 500);
+    judge.takeHand();
+    expect(verdict()).toMatchObject({ state: 'passed', help: [] });
+  });
+
+  it('is not a change of the course that the run does not feel: its name, words on the floor, a wall', () => {
+    const label: SceneObject = { type: 'label', id: 'l', at: [9, 9], text: 'Start', height: 30, turn: 0 };
+    const wall: SceneObject = { type: 'wall', id: 'w', from: [800, 900], to: [900, 900], thickness: 10 };
+    const { verdict, judge } = start([target]);
+    judge.take({ ...courseOf([target, label, wall]), name: 'Other', description: 'Drive.' });
+    expect(verdict()?.help).toEqual([]);
+    judge.take(courseOf([target, label, wall], { seconds: 60 }));
+    expect(verdict()?.help).toEqual(['edits']);
+  });
+});
+
+describe('the place of the decision', () => {
+  it('is where the robot was, to a tenth of a millimetre', () => {
+    const { put, verdict } = start([zone('forbidden', 'no', [1500, 500])]);
+    expect(verdict()?.place).toBeNull();
+    put(1499.96, 503.21);
+    expect(verdict()?.place).toEqual({ xMm: 1500, yMm: 503.2 });
+  });
+});
+
 describe('a time limit', () => {
   it('fails the task at its end, to the millisecond', () => {
     const { drive, verdict } = start([zone('target', 't', [1500, 500])], { seconds: 2 });
@@ -278,7 +381,7 @@ describe('a verdict', () => {
     expect(verdict()?.checkpoints).toEqual({ passed: 1, of: 3 });
     judge.take(courseOf([checkpoint(1, [600, 500]), checkpoint(2, [800, 500])]));
     put(800, 500);
-    expect(verdict()?.state).toBe('passed');
+    expect(verdict()).toMatchObject({ state: 'helped', checkpoints: { passed: 2, of: 2 } });
   });
 
   it('comes when a task is set while the robot drives; touches before it do not count', () => {

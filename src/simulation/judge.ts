@@ -1,13 +1,14 @@
 import { exactCos, exactSin } from '#core/exact-math';
-import type { Pose } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import { zoneHolds, zoneOverlaps } from '#scene/kinds/zone';
 import { lengthOf, movedOutline, type Outline } from '#scene/outline';
-import type { Scene, Zone } from '#scene/scene';
+import { helps, type Help, type Scene, type Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { BlockHandle } from '#world/shapes';
+import { changesRun } from './at-once';
 import { createDeliveries, isSame, type Deliveries } from './deliveries';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
-import type { Verdict } from './verdict';
+import type { EarlyArrival, Verdict } from './verdict';
 
 /** The judge's view of the run. */
 export interface Watched {
@@ -34,12 +35,18 @@ type Failure = Pick<Verdict, 'reason' | 'by'>;
  * - *Failed*: a part of the robot's body is over a forbidden zone; it touches spikes; with `noTouch` it touches
  *   anything solid (except blocks, if blocks are to be delivered); the time is over. If a task passes and fails in the
  *   same step, it has failed.
+ * - *Helped*: what would have been passed, had neither the hand moved anything nor the course been edited. Help that the
+ *   task allows is told, and it is passed.
  */
 export class Judge {
   private brief: TaskBrief;
   private deliveries: Deliveries;
   /** Ids of the zones that the robot has reached. */
   private readonly reached = new Set<string>();
+  private readonly help = new Set<Help>();
+  private early: EarlyArrival | null = null;
+  /** Ids of the zones in which the robot is before their turn; `null` before the first look. */
+  private waiting: ReadonlySet<string> | null = null;
   private delivered = 0;
   private touches = 0;
   private lastPose: Pose | null = null;
@@ -47,7 +54,7 @@ export class Judge {
   private forbidden: readonly Forbidden[];
 
   constructor(
-    course: Scene,
+    private course: Scene,
     private readonly watched: Watched,
   ) {
     this.brief = briefOf(course);
@@ -57,11 +64,20 @@ export class Judge {
 
   /** Uses another course from now on. What was reached stays reached, and a decision stays. */
   take(course: Scene): void {
+    if (changesRun(this.course, course)) this.help.add('edits');
+    this.course = course;
     if (!this.isAsked()) this.touches = this.watched.chassis.collisions();
     this.brief = briefOf(course);
     this.forbidden = forbiddenIn(this.brief, this.watched.body);
     this.deliveries = createDeliveries(this.brief, this.watched.block);
     this.lastPose = null;
+    this.waiting = null;
+    if (this.early !== null && this.numberOf(this.early.id) !== this.early.number) this.early = null;
+  }
+
+  /** The hand has moved the robot or a block. */
+  takeHand(): void {
+    this.help.add('hand');
   }
 
   /** The state of the task, or `null` if the course has none. */
@@ -83,9 +99,9 @@ export class Judge {
     const isLate = seconds !== null && timeUs >= seconds * 1_000_000;
     if (failure !== null) this.decide('failed', timeUs, failure);
     else if (hasGoal(brief)) {
-      if (this.isDone()) this.decide('passed', timeUs);
+      if (this.isDone()) this.pass(timeUs);
       else if (isLate) this.decide('failed', timeUs, { reason: 'time', by: null });
-    } else if (isLate) this.decide('passed', timeUs);
+    } else if (isLate) this.pass(timeUs);
   }
 
   private isAsked(): boolean {
@@ -99,6 +115,9 @@ export class Judge {
       atMs: null,
       reason: null,
       by: null,
+      place: null,
+      help: helps.filter((one) => this.help.has(one)),
+      early: this.early,
       checkpoints: { passed: this.countReached(checkpoints), of: checkpoints.length },
       targets: { reached: this.countReached(robotTargets), of: robotTargets.length },
       blocks: { delivered: this.delivered, of: blocksWanted },
@@ -106,8 +125,20 @@ export class Judge {
     };
   }
 
-  private decide(state: 'passed' | 'failed', timeUs: number, failure: Failure = { reason: null, by: null }): void {
-    this.final = { ...this.openVerdict(), ...failure, state, atMs: timeUs / 1000 };
+  private pass(timeUs: number): void {
+    const { allows = [] } = this.brief.task;
+    const isOwn = [...this.help].every((one) => allows.includes(one));
+    this.decide(isOwn ? 'passed' : 'helped', timeUs);
+  }
+
+  private decide(
+    state: Exclude<Verdict['state'], 'open'>,
+    timeUs: number,
+    failure: Failure = { reason: null, by: null },
+  ): void {
+    const { xMm, yMm } = this.watched.chassis.pose();
+    const place = { xMm: tenths(xMm), yMm: tenths(yMm) };
+    this.final = { ...this.openVerdict(), ...failure, state, atMs: timeUs / 1000, place };
   }
 
   private isDone(): boolean {
@@ -126,12 +157,39 @@ export class Judge {
     let next = Infinity;
     for (const zone of this.brief.checkpoints) {
       if (this.reached.has(zone.id)) continue;
-      if (zone.number > next) return;
-      if (zoneHolds(zone, at)) this.reached.add(zone.id);
+      if (zone.number > next) break;
+      if (zoneHolds(zone, at)) this.arrive(zone);
       else next = zone.number;
     }
-    if (next !== Infinity) return;
-    for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.reached.add(zone.id);
+    if (next === Infinity) for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.arrive(zone);
+    this.noteEarly(at, next);
+  }
+
+  private arrive({ id }: Zone): void {
+    this.reached.add(id);
+    if (this.early?.id === id) this.early = null;
+  }
+
+  /** Notes a place that the robot enters before its turn. Where it stands from the start, it has not come to. */
+  private noteEarly(at: Vec, next: number): void {
+    const inside = next === Infinity ? [] : this.later(next).filter((zone) => zoneHolds(zone, at));
+    const entered = this.waiting === null ? [] : inside.filter(({ id }) => this.waiting?.has(id) !== true);
+    const [first] = entered;
+    if (first !== undefined) this.early = { id: first.id, number: first.number, before: next };
+    this.waiting = inside.length === 0 ? NOWHERE : new Set(inside.map(({ id }) => id));
+  }
+
+  /** The zones after the checkpoint of this number. */
+  private later(next: number): readonly Zone[] {
+    const { checkpoints, robotTargets } = this.brief;
+    const isLater = ({ id, number }: Zone): boolean => number > next && !this.reached.has(id);
+    return [...checkpoints.filter(isLater), ...robotTargets];
+  }
+
+  /** The number of a checkpoint, 0 for a target, `undefined` for what is not there. */
+  private numberOf(id: string): number | undefined {
+    const { checkpoints, robotTargets } = this.brief;
+    return [...checkpoints, ...robotTargets].find((zone) => zone.id === id)?.number;
   }
 
   /** Touched things are looked up only when a touch has begun. */
@@ -160,6 +218,10 @@ export class Judge {
     return null;
   }
 }
+
+const tenths = (mm: number): number => Math.round(mm * 10) / 10;
+
+const NOWHERE: ReadonlySet<string> = new Set();
 
 /** A forbidden zone, and the distance within which the robot can be over it. */
 interface Forbidden {

@@ -271,8 +271,10 @@ export class Simulation {
         // Beyond the range that the program has set, the sensor reports its limit.
         return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
       case 'place':
+        this.judge?.takeHand();
         return this.mounted?.chassis.place(poseOf(action.pose));
       case 'place-block':
+        this.judge?.takeHand();
         return this.courseWorld.block(action.id)?.place(poseOf(action.pose));
       case 'edit':
         return this.edit(action.edit);

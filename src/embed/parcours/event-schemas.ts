@@ -3,6 +3,7 @@ import * as v from 'valibot';
 
 import { LANGUAGES } from '#core/languages';
 
+import { helps } from '#scene/scene';
 import { SPEEDS } from '#simulation/pace';
 import { PARTS } from '../simulator';
 import { flag, numberOf, poseFields, THEMES } from './schema-parts';
@@ -29,12 +30,27 @@ const colours = (about: string) => pipe(v.array(colour), description(about));
 const verdict = pipe(
   v.nullable(
     v.strictObject({
-      state: pipe(v.picklist(['open', 'passed', 'failed']), description('`passed` and `failed` are final.')),
+      state: pipe(
+        v.picklist(['open', 'passed', 'failed', 'helped']),
+        description('All but `open` are final. `helped`: done, but with help that the task does not allow; it does not count as passed.'), // prettier-ignore
+      ),
       atMs: pipe(v.nullable(v.number()), description('Time of the decision.')),
       reason: pipe(v.nullable(v.picklist(['time', 'forbidden', 'spikes', 'touched'])), description('Why it failed.')),
       by: pipe(
         v.nullable(v.string()),
         description('Id of the object that was touched; `null` for the edge or nothing.'),
+      ),
+      place: pipe(
+        v.nullable(v.strictObject({ xMm: v.number(), yMm: v.number() })),
+        description('Where the robot was when it was decided.'),
+      ),
+      help: pipe(
+        v.array(v.picklist(helps)),
+        description('Help until the decision: `hand` moved the robot or a block, `edits` changed the course.'),
+      ),
+      early: pipe(
+        v.nullable(v.strictObject({ id: v.string(), number: v.number(), before: v.number() })),
+        description('A place that the robot came to before its turn: its id, its number (0: a target), and the number of the checkpoint that is next.'), // prettier-ignore
       ),
       checkpoints: v.strictObject({ passed: v.number(), of: v.number() }),
       targets: v.strictObject({ reached: v.number(), of: v.number() }),

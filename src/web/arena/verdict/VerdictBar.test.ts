@@ -103,6 +103,41 @@ describe('the bar with the verdict', () => {
     expect([page.said().includes(what), page.said().includes(todo)]).toEqual([true, true]);
   });
 
+  it('says that checkpoint 2 came before 1, and shows it when the program is over', async () => {
+    const page = await bar([samples.checkpoint, two]);
+    await startRun(page);
+    await page.tell({});
+    await page.tell({ early: { id: 'two', number: 2, before: 1 } });
+    expect(textOf(page.mounted.get('[data-testid="early"]').element)).toBe('Kontrollpunkt 2 kam vor 1.');
+    expect(page.said()).toBe('Kontrollpunkt 2 kam vor 1.');
+    expect(page.mounted.find('[data-testid="verdict-show"]').exists()).toBe(false);
+    await page.tell({ state: 'failed', atMs: 4000, reason: 'time', early: { id: 'two', number: 2, before: 1 } });
+    expect(page.text()).toContain('Die Zeit ist um. Kontrollpunkt 2 kam vor 1.');
+    await press('Zeigen, was zu früh kam');
+    expect(page.shown).toEqual([{ x: 700, y: 200 }]);
+  });
+
+  it('does not praise what the hand has done, nor what a changed course has made easy', async () => {
+    const page = await bar([samples.target]);
+    await startRun(page);
+    await page.tell({ help: ['hand'] });
+    expect(textOf(page.mounted.get('[data-testid="help-note"]').element)).toBe('mit Hilfe der Hand');
+    await page.tell({ state: 'helped', atMs: 2200, help: ['hand'], targets: { reached: 1, of: 1 } });
+    expect(page.mounted.attributes('data-state')).toBe('helped');
+    expect(page.text()).toContain('Mit Hilfe der Hand Aufgabe gelöst in 2.2 s. Das zählt nicht');
+    expect(page.said()).toBe('Mit Hilfe der Hand: Aufgabe gelöst in 2.2 s. Das zählt nicht: Versuche es ohne Hilfe.');
+    expect(page.text()).not.toContain('Geschafft');
+    await page.tell({ state: 'helped', atMs: 2200, help: ['hand', 'edits'] });
+    expect(page.text()).toContain('Mit Hilfe der Hand, Parcours verändert');
+  });
+
+  it('tells help that the task allows beside the praise', async () => {
+    const page = await bar([samples.target]);
+    await startRun(page);
+    await page.tell({ state: 'passed', atMs: 2200, help: ['edits'], targets: { reached: 1, of: 1 } });
+    expect(page.text()).toContain('Geschafft! Aufgabe gelöst in 2.2 s. Parcours verändert');
+  });
+
   it('shows where it was, and offers nothing to show where it was the edge or the time', async () => {
     const page = await bar([samples.spikes, samples.target]);
     await startRun(page);

@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import type { Scene, SceneObject } from '#scene/scene';
+import type { Point, Scene, SceneObject, Wall } from '#scene/scene';
 import { isSpiked } from '#simulation/kinds';
 import { briefOf } from '#simulation/task-brief';
 import type { Verdict } from '#simulation/verdict';
@@ -19,6 +19,9 @@ export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict 
     atMs: null,
     reason: null,
     by: null,
+    place: null,
+    help: [],
+    early: null,
     checkpoints: { passed: 0, of: checkpoints.length },
     targets: { reached: 0, of: robotTargets.length },
     blocks: { delivered: 0, of: blocksWanted },
@@ -54,11 +57,47 @@ export function secondsLeft(seconds: number | null, timeUs: number): number | nu
   return seconds === null ? null : Math.max(0, Math.ceil(seconds - timeUs / 1_000_000));
 }
 
-/** Where to look for what was touched: its middle, in world mm; `null` where nothing is known of it. */
-export function placeOf(objects: readonly SceneObject[], id: string | null): Vec | null {
+/**
+ * Where to look for what decided or hinders, in world mm; `null` where nothing is known of it. What was touched is
+ * pointed at where the robot was: on a wall and on the edge at the nearest point, otherwise in the middle.
+ */
+export function placeToShow({ objects, size }: Pick<Scene, 'objects' | 'size'>, verdict: Verdict): Vec | null {
+  const { state, reason, by, place, early } = verdict;
+  const robot = place === null ? null : { x: place.xMm, y: place.yMm };
+  const isLate = state === 'open' || reason === 'time';
+  if (isLate) return early === null ? null : placeOf(objects, early.id, robot);
+  if (state !== 'failed') return null;
+  return by === null && robot !== null ? edgeNear(size, robot) : placeOf(objects, by, robot);
+}
+
+/** The point of the arena's edge that is nearest to a place. */
+function edgeNear([width, height]: Point, { x, y }: Vec): Vec {
+  const [atX, atY] = [Math.min(width, Math.max(0, x)), Math.min(height, Math.max(0, y))];
+  const sides: readonly Vec[] = [
+    { x: 0, y: atY },
+    { x: width, y: atY },
+    { x: atX, y: 0 },
+    { x: atX, y: height },
+  ];
+  const farOf = (side: Vec): number => Math.abs(side.x - atX) + Math.abs(side.y - atY);
+  return sides.reduce((best, side) => (farOf(side) < farOf(best) ? side : best));
+}
+
+function wallNear({ from, to }: Wall, { x, y }: Vec): Vec {
+  const [alongX, alongY] = [to[0] - from[0], to[1] - from[1]];
+  const squared = alongX * alongX + alongY * alongY;
+  const share = squared === 0 ? 0 : ((x - from[0]) * alongX + (y - from[1]) * alongY) / squared;
+  const within = Math.min(1, Math.max(0, share));
+  return { x: from[0] + within * alongX, y: from[1] + within * alongY };
+}
+
+function placeOf(objects: readonly SceneObject[], id: string | null, robot: Vec | null): Vec | null {
   const object = objects.find((one) => one.id === id);
   if (object === undefined) return null;
-  if (object.type === 'wall') return { x: (object.from[0] + object.to[0]) / 2, y: (object.from[1] + object.to[1]) / 2 };
+  if (object.type === 'wall') {
+    const middle = { x: (object.from[0] + object.to[0]) / 2, y: (object.from[1] + object.to[1]) / 2 };
+    return wallNear(object, robot ?? middle);
+  }
   if (object.type === 'stroke') {
     const middle = object.points[Math.floor(object.points.length / 2)];
     return middle === undefined ? null : { x: middle[0], y: middle[1] };

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { hasTask } from '#simulation/task-brief';
 import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
-import { goalsOf, placeOf, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
+import { goalsOf, placeToShow, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
 
 const zone = (part: Partial<Zone>): Zone => ({
   type: 'target',
@@ -65,10 +65,27 @@ describe('the time that is left', () => {
 });
 
 describe('what was touched', () => {
-  it('is shown at its middle; the edge and what has been removed are nowhere', () => {
-    expect(placeOf([wall], 'w')).toEqual({ x: 100, y: 100 });
-    expect(placeOf([zone({ id: 'z' })], 'z')).toEqual({ x: 100, y: 200 });
-    expect(placeOf([wall], null)).toBeNull();
-    expect(placeOf([wall], 'gone')).toBeNull();
+  const scene = course([wall, zone({ id: 'z' })]);
+  const failed = { ...verdictAtStart(scene), state: 'failed', reason: 'touched' } as const;
+  const at = (xMm: number, yMm: number) => ({ place: { xMm, yMm } });
+
+  it('is shown in its middle, a wall where the robot was; what has been removed is nowhere', () => {
+    expect(placeToShow(scene, { ...failed, by: 'z', ...at(5, 5) })).toEqual({ x: 100, y: 200 });
+    expect(placeToShow(scene, { ...failed, by: 'w', ...at(150, 130) })).toEqual({ x: 150, y: 100 });
+    expect(placeToShow(scene, { ...failed, by: 'w', ...at(900, 130) })).toEqual({ x: 200, y: 100 });
+    expect(placeToShow(scene, { ...failed, by: 'gone', ...at(5, 5) })).toBeNull();
+  });
+
+  it('is the nearest point of the edge where it was the edge', () => {
+    expect(placeToShow(scene, { ...failed, by: null, ...at(1150, 300) })).toEqual({ x: 1200, y: 300 });
+    expect(placeToShow(scene, { ...failed, by: null, ...at(600, 40) })).toEqual({ x: 600, y: 0 });
+  });
+
+  it('is what came too early where the task is not done or the time is over, else nothing', () => {
+    const early = { id: 'z', number: 2, before: 1 };
+    expect(placeToShow(scene, { ...verdictAtStart(scene), early })).toEqual({ x: 100, y: 200 });
+    expect(placeToShow(scene, { ...failed, reason: 'time', early, ...at(5, 5) })).toEqual({ x: 100, y: 200 });
+    expect(placeToShow(scene, { ...failed, reason: 'time', ...at(5, 5) })).toBeNull();
+    expect(placeToShow(scene, { ...failed, state: 'passed', reason: null, ...at(5, 5) })).toBeNull();
   });
 });
