@@ -92,10 +92,36 @@ const version2: Scene = {
   ],
 };
 
+const version3: Scene = {
+  ...version2,
+  name: 'Alles der dritten Fassung',
+  task: {
+    seconds: 62.5,
+    noTouch: true,
+    allows: ['hand', 'edits'],
+    stars: [40, 25.5],
+    card: {
+      language: 'de',
+      title: 'Bis ins Ziel',
+      hints: ['Schau auf die **Linie**.', '`irLeft` gibt 0 auf Schwarz.\n\n- links\n- rechts'],
+      translations: [
+        { language: 'fr', title: 'Jusqu’au but', hints: ['Regarde la ligne.'], text: 'Suis la **ligne**.' },
+        { language: 'en', title: '', hints: [], text: '' },
+      ],
+      picture: 'data:image/png;base64,iVBORw0KGgo=',
+      solution: true,
+    },
+  },
+  objects: [
+    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], turn: 0, round: false, number: 0, blocks: 0 },
+  ],
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
     [2, version2],
+    [3, version3],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });
@@ -104,9 +130,10 @@ describe('a course file of an older version', () => {
     for (let version = 1; version <= SCENE_VERSION; version++) expect(kept(version)).toContain(`"version": ${version}`);
   });
 
-  it('is written in the newest version, letter by letter as it was if it was that', () => {
+  it('is written in version 2, which older apps read, unless it says what is new in 3; letter by letter as it was', () => {
     expect(serializeScene(sceneOf(kept(1)))).toContain('"version": 2');
     expect(sceneOf(serializeScene(sceneOf(kept(1))))).toEqual(version1);
+    expect(serializeScene(sceneOf(kept(2)))).toBe(kept(2));
     expect(serializeScene(sceneOf(kept(SCENE_VERSION)))).toBe(kept(SCENE_VERSION));
   });
 });

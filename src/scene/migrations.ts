@@ -8,6 +8,8 @@ import { SCENE_VERSION } from './scene';
 const steps: readonly ((file: Fields) => Fields)[] = [
   // 1 → 2: zones, spikes, movers, labels, colours, task and background are new; what there was means the same.
   (file) => file,
+  // 2 → 3: what a task allows, its stars and its card are new; what there was means the same.
+  (file) => file,
 ];
 
 /** The oldest version that is still read. */

@@ -1,6 +1,8 @@
 import type { CourseChanges } from './edit';
+import { PICTURE, readBase64 } from './read-base64';
+import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
-import { sceneDefaults, sceneLimits, type Background, type RobotStart, type Task } from './scene';
+import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The names of what `readCourseChanges` reads. */
 export const courseKeys = ['name', 'description', 'size', 'task', 'background'] as const;
@@ -58,18 +60,6 @@ function readOptions(value: unknown, path: string, reader: Reader): RobotStart['
   return Object.fromEntries(choices);
 }
 
-function readTask(value: unknown, path: string, reader: Reader): Task {
-  const { seconds, noTouch } = reader.fields(value, path, ['seconds', 'noTouch']);
-  const standard = sceneDefaults.task;
-  return {
-    seconds:
-      seconds === undefined || seconds === null
-        ? standard.seconds
-        : reader.number(seconds, `${path}.seconds`, sceneLimits.seconds),
-    noTouch: reader.flag(noTouch, `${path}.noTouch`, standard.noTouch),
-  };
-}
-
 /** Looks at the shape only: whether the levels can be inflated shows when they are (`background.ts`). */
 function readBackground(value: unknown, path: string, reader: Reader): Background | null {
   if (value === null) return null;
@@ -93,20 +83,4 @@ function readBackground(value: unknown, path: string, reader: Reader): Backgroun
         ? ''
         : readBase64(fields.picture, `${path}.picture`, PICTURE, reader),
   };
-}
-
-/** How the address of a picture begins; what follows is base64. */
-const PICTURE = /^data:image\/(?:png|jpeg|webp);base64,/;
-
-/** A text of base64 after a beginning. Looks for what must not be there, one pass without going back. */
-function readBase64(value: unknown, path: string, beginning: RegExp, reader: Reader): string {
-  const text = reader.text(value, path, sceneLimits.pictureCharacters);
-  if (typeof value !== 'string' || (text === '' && value !== '')) return '';
-  const start = beginning.exec(text)?.[0].length;
-  const content = text.slice(start);
-  const isBase64 = content !== '' && content.length % 4 === 0 && !/[^A-Za-z0-9+/=]|=[^=]|===/.test(content);
-  if (start !== undefined && isBase64) return text;
-  const wanted = beginning === PICTURE ? 'data:image/png, jpeg or webp in base64' : 'base64';
-  reader.report('damaged', path, text, `is damaged: it must be ${wanted}.`, { wanted });
-  return '';
 }

@@ -121,6 +121,35 @@ export interface Task {
   readonly noTouch: boolean;
   /** The help with which it still counts as passed; left out: none. */
   readonly allows?: readonly Help[];
+  /** Passed within so many seconds of simulated time: two stars, three stars. Left out: there are no stars. */
+  readonly stars?: readonly [two: number, three: number];
+  /** What the task's card says besides the course's `description`; left out: nothing. */
+  readonly card?: TaskCard;
+}
+
+/** Title, hints and picture of a task, and its words in further languages. The text is the course's `description`. */
+export interface TaskCard {
+  /** Language of title, description and hints, as its two letters; empty: not said. */
+  readonly language: string;
+  /** Empty: the name of the course. */
+  readonly title: string;
+  /** Shown one after the other, on demand. */
+  readonly hints: readonly string[];
+  /** The same in other languages. */
+  readonly translations: readonly TaskText[];
+  /** A `data:image/…` address (PNG, JPEG or WebP), or empty. */
+  readonly picture: string;
+  /** Whether pupils may see the solution of the ready course from which the task was made. */
+  readonly solution: boolean;
+}
+
+/** A task in words, in one language. */
+export interface TaskText {
+  readonly language: string;
+  readonly title: string;
+  /** Paragraphs, lists, bold and code: see `FORMAT.md`. */
+  readonly text: string;
+  readonly hints: readonly string[];
 }
 
 /** Help during a run: the hand moves the robot or a block, or the course is edited. */
@@ -174,8 +203,8 @@ export interface Scene {
 /** The name of the format in a course file. */
 export const SCENE_FORMAT = 'parcours-scene';
 
-/** The version this app writes, and the newest it reads. */
-export const SCENE_VERSION = 2;
+/** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
+export const SCENE_VERSION = 3;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
@@ -191,6 +220,7 @@ export const sceneDefaults = {
   blocks: 0,
   speed: 100, // chosen: half as fast as the robots drive
   spiked: false,
+  card: { language: '', title: '', hints: [], translations: [], picture: '', solution: false } as TaskCard,
   labelHeight: 30, // chosen: read on a projector from the last row
 } as const;
 
@@ -213,6 +243,13 @@ export const sceneLimits = {
   headingDeg: { min: -360, max: 360 },
   options: 50,
   seconds: { min: 1, max: 3600 },
+  titleCharacters: 200,
+  hints: 5,
+  hintCharacters: 1_000,
+  translations: 10,
+  languageCharacters: 20,
+  /** For the picture of a task: about 300 kB. */
+  taskPictureCharacters: 400_000,
   checkpoint: { min: 1, max: 99 },
   blocks: { min: 0, max: 50 },
   speedMmS: { min: 5, max: 500 },

@@ -9,16 +9,19 @@ import {
   type Scene,
   type SceneObject,
   type Task,
+  type TaskCard,
+  type TaskText,
 } from './scene';
 
 /**
  * A course as its file: fixed order of properties, defaults left out, one object per line, ending in a newline.
- * Reading it back gives an equal scene, and the same scene always gives the same text.
+ * Reading it back gives an equal scene, and the same scene always gives the same text. A course that version 2 can say is
+ * written in it, so that apps before version 3 open it as well.
  */
 export function serializeScene(scene: Scene): string {
   const lines = [
     `"format": ${JSON.stringify(SCENE_FORMAT)}`,
-    `"version": ${SCENE_VERSION}`,
+    `"version": ${versionFor(scene)}`,
     ...property('name', scene.name, ''),
     ...property('description', scene.description, ''),
     `"size": ${pair(scene.size)}`,
@@ -30,6 +33,10 @@ export function serializeScene(scene: Scene): string {
   const objects = scene.objects.map((object) => `    ${objectText(object)}`).join(',\n');
   lines.push(objects === '' ? '"objects": []' : `"objects": [\n${objects}\n  ]`);
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
+}
+
+function versionFor({ task }: Scene): number {
+  return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : SCENE_VERSION;
 }
 
 function robotText(robot: RobotStart): string {
@@ -49,10 +56,41 @@ function optionsProperty(options: RobotStart['options']): string[] {
   return [`"options": ${braces(entries.map(([id, choice]) => `${JSON.stringify(id)}: ${JSON.stringify(choice)}`))}`];
 }
 
-function taskProperty({ seconds, noTouch }: Task): string[] {
+/** A card has long texts, and lines for them. */
+function taskProperty({ seconds, noTouch, allows, stars, card }: Task): string[] {
   const standard = sceneDefaults.task;
-  const task = [...property('seconds', seconds, standard.seconds), ...property('noTouch', noTouch, standard.noTouch)];
+  const task = [
+    ...property('seconds', seconds, standard.seconds),
+    ...property('noTouch', noTouch, standard.noTouch),
+    ...(allows === undefined ? [] : [`"allows": ${JSON.stringify(allows)}`]),
+    ...(stars === undefined ? [] : [`"stars": ${pair(stars)}`]),
+  ];
+  if (card !== undefined) return [`"task": {\n    ${[...task, `"card": ${cardText(card)}`].join(',\n    ')}\n  }`];
   return task.length === 0 ? [] : [`"task": ${braces(task)}`];
+}
+
+function cardText(card: TaskCard): string {
+  const lines = [
+    ...wordsText(card),
+    ...(card.translations.length === 0
+      ? []
+      : [`"translations": [\n        ${card.translations.map(textText).join(',\n        ')}\n      ]`]),
+    ...property('picture', card.picture, ''),
+    ...property('solution', card.solution, false),
+  ];
+  return lines.length === 0 ? '{}' : `{\n      ${lines.join(',\n      ')}\n    }`;
+}
+
+const wordsText = ({ language, title, hints }: Pick<TaskText, 'language' | 'title' | 'hints'>): string[] => [
+  ...property('language', language, ''),
+  ...property('title', title, ''),
+  ...(hints.length === 0 ? [] : [`"hints": ${JSON.stringify(hints)}`]),
+];
+
+/** Its language is always said. */
+function textText({ language, title, text, hints }: TaskText): string {
+  const words = wordsText({ language: '', title, hints });
+  return braces([`"language": ${JSON.stringify(language)}`, ...words, ...property('text', text, '')]);
 }
 
 /** The long texts get lines of their own. */

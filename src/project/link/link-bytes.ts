@@ -4,13 +4,22 @@
  *     1   length of the deflated figures (3 bytes, lowest first), figures and words (`columns.ts`), each deflated (RFC 1951)
  *     2   the values one after the other, arithmetically coded by how likely a model finds them (`modelled.ts`)
  *
+ *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
+ *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
- * version 1.
+ * the way of version 1.
  */
 import { packed, unpacked } from '#core/deflate';
 import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
-import { deflatedContent, modelledContent, type Content } from './link-content';
+import {
+  deflatedContent,
+  deflatedTask,
+  modelledContent,
+  modelledTask,
+  type Content,
+  type ContentCodec,
+} from './link-content';
 import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './model-coder';
 import { LIKELY_WORDS } from './likely-text';
 
@@ -19,27 +28,38 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2;
+  readonly version: 1 | 2 | 3;
   readonly bytes: Uint8Array;
 }
 
 /** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
 export function bytesOfContent(content: Content): LinkBytes | null {
+  const hasExtras = Object.keys(content.extras).length > 0;
+  const { way, bytes } = packedContent(content, hasExtras) ?? {};
+  if (way === undefined || bytes === undefined) return null;
+  return hasExtras ? { version: 3, bytes: Uint8Array.from([way, ...bytes]) } : { version: way, bytes };
+}
+
+function packedContent(content: Content, hasExtras: boolean): { way: 1 | 2; bytes: Uint8Array } | null {
   const columns = new ColumnWriter();
-  deflatedContent.codec.write(columns, content);
+  (hasExtras ? deflatedTask : deflatedContent).codec.write(columns, content);
   const inColumns = columns.bytes();
   const length = inColumns.figures.length + inColumns.words.length;
   if (length > UNPACKED_BYTES) return null;
-  if (length > MODELLED_BYTES) return { version: 1, bytes: deflatedBytes(inColumns) };
+  if (length > MODELLED_BYTES) return { way: 1, bytes: deflatedBytes(inColumns) };
   const modelled = new ModelWriter();
-  modelledContent.codec.write(modelled, content);
-  return { version: 2, bytes: modelled.bytes() };
+  (hasExtras ? modelledTask : modelledContent).codec.write(modelled, content);
+  return { way: 2, bytes: modelled.bytes() };
 }
 
 /** The content of the bytes; never throws. */
 export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
   try {
-    return version === 1 ? contentOfColumns(bytes) : contentOfModel(bytes);
+    const hasExtras = version === 3;
+    const way = hasExtras ? bytes[0] : version;
+    const rest = hasExtras ? bytes.subarray(1) : bytes;
+    if (way === 1) return contentOfColumns(rest, hasExtras ? deflatedTask : deflatedContent);
+    return way === 2 ? contentOfModel(rest, hasExtras ? modelledTask : modelledContent) : 'damaged';
   } catch (error) {
     if (error instanceof DamagedBytes) return 'damaged';
     if (error instanceof TooManyBytes) return 'too-large';
@@ -47,17 +67,20 @@ export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damage
   }
 }
 
-function contentOfModel(bytes: Uint8Array): Content | 'damaged' {
+function contentOfModel(bytes: Uint8Array, { codec }: ContentCodec): Content | 'damaged' {
   const reader = new ModelReader(bytes);
-  const content = modelledContent.codec.read(reader);
+  const content = codec.read(reader);
   return reader.isAtEnd ? content : 'damaged';
 }
 
-function contentOfColumns(bytes: Uint8Array): Content | 'damaged' | 'too-large' {
+function contentOfColumns(
+  bytes: Uint8Array,
+  { codec, columns: count }: ContentCodec,
+): Content | 'damaged' | 'too-large' {
   const columns = columnsOf(bytes);
   if (typeof columns === 'string') return columns;
-  const reader = new ColumnReader(columns, deflatedContent.columns);
-  const content = deflatedContent.codec.read(reader);
+  const reader = new ColumnReader(columns, count);
+  const content = codec.read(reader);
   return reader.isAtEnd ? content : 'damaged';
 }
 

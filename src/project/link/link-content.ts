@@ -1,12 +1,20 @@
 import { fnvOfBytes } from '#core/fnv';
 import type { Scene } from '#scene/scene';
 
-import { mapped, record, type Codec } from './codec';
+import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
 import { handCodec } from './hand-codec';
 import { pathCodec } from './path-codec';
 import { defaultProjectSettings, projectLimits, type ProjectSettings, type SourceFile } from '../project';
-import { dictionary, sceneCodec, sharedCodecs, type PathCodec, type SharedCodecs } from './scene-codec';
+import {
+  dictionary,
+  sceneCodec,
+  sharedCodecs,
+  taskExtrasCodec,
+  type PathCodec,
+  type SharedCodecs,
+  type TaskExtras,
+} from './scene-codec';
 
 /** The course in a link: the whole course, or the ready course of the project's `course` with its checksum. */
 export type LinkScene = { readonly ready: number } | { readonly whole: Scene };
@@ -17,6 +25,8 @@ export interface Content {
   readonly course: string | null;
   readonly settings: ProjectSettings | null;
   readonly scene: LinkScene;
+  /** What the task of a whole course has besides its rules; nothing before version 3. */
+  readonly extras: TaskExtras;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -32,7 +42,18 @@ export const deflatedContent = contentCodec(pathCodec);
 /** Version 2: for an adaptive model. */
 export const modelledContent = contentCodec(handCodec);
 
-function contentCodec(paths: PathCodec): ContentCodec {
+/** Version 3: with the extras of a task, for either. */
+export const deflatedTask = contentCodec(pathCodec, taskExtrasCodec);
+export const modelledTask = contentCodec(handCodec, taskExtrasCodec);
+
+function noExtras(): Codec<TaskExtras> {
+  return constant({});
+}
+
+function contentCodec(
+  paths: PathCodec,
+  extrasCodec: (shared: SharedCodecs) => Codec<TaskExtras> = noExtras,
+): ContentCodec {
   const shared = sharedCodecs();
   const { columns, text, word } = shared;
   const scene = linkSceneCodec(shared, paths);
@@ -42,6 +63,7 @@ function contentCodec(paths: PathCodec): ContentCodec {
     scene,
     settings: columns.optional(settingsCodec(shared)),
     files: columns.list(file, projectLimits.files),
+    extras: extrasCodec(shared),
   });
   return { codec, columns: columns.used };
 }

@@ -3,7 +3,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
-import { defaultScene, type Scene } from '#scene/scene';
+import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 
 import { ColumnWriter, type Bytes } from './columns';
 import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, projectOfLink, type ReadLink } from './link';
@@ -12,7 +12,7 @@ import { deflatedContent, modelledContent } from './link-content';
 import { MODELLED_BYTES, ModelWriter } from './model-coder';
 import type { Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
-import { FORTY_LINES, fortyObjects, fullProject, largeProject } from '../testing/projects';
+import { FORTY_LINES, fortyObjects, fullProject, largeProject, taskProject } from '../testing/projects';
 
 const none = (): null => null;
 const ready: Scene = { ...defaultScene(), name: 'Fertig', objects: [{ type: 'wall', id: 'w', from: [0, 0], to: [9, 9], thickness: 10 }] }; // prettier-ignore
@@ -37,6 +37,7 @@ describe('a link', () => {
     for (const project of [
       small,
       fullProject(),
+      taskProject(),
       { ...fullProject(), scene: { ...fullProject().scene, robot: largest, background: null } },
       { ...small, course: 'gone' },
       { ...small, course: null, scene: { ...ready, objects: [] } },
@@ -46,6 +47,7 @@ describe('a link', () => {
   });
 
   it('has only characters that collectors of links accept', () => {
+    expect(link(taskProject())).toMatch(/^p=3\.[A-Za-z0-9_-]+$/);
     expect(link(fullProject())).toMatch(/^p=2\.[A-Za-z0-9_-]+$/);
     expect(isProjectLink(`#${link(small)}`)).toBe(true);
     expect(isProjectLink('#robots')).toBe(false);
@@ -157,8 +159,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=3.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 3; this app reads version 2. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=4.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 4; this app reads version 3. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -178,7 +180,7 @@ describe('a hostile link', () => {
     const endless = new ModelWriter();
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
-    const content = { files: [], course: null, settings: null, scene: { whole: { ...ready, objects } } };
+    const content = { files: [], course: null, settings: null, scene: { whole: { ...ready, objects } }, extras: {} };
     modelledContent.codec.write(endless, content);
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
@@ -220,7 +222,13 @@ describe('a link of version 1', () => {
   it('is still made so: the order of columns and the likely words are the format', () => {
     const { files, course, scene, settings } = fullProject();
     const out = new ColumnWriter();
-    deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+    deflatedContent.codec.write(out, {
+      files,
+      course,
+      settings: settings ?? null,
+      scene: { whole: scene },
+      extras: {},
+    });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
 
@@ -246,6 +254,70 @@ describe('a link of version 2', () => {
     expect(kept.length).toBeLessThan(0.9 * keptLink(1).length);
   });
 });
+
+describe('a link of version 3', () => {
+  const kept = keptLink(3);
+
+  it('opens as it always did, with all that there is to read about the task', () => {
+    expect(projectIn(kept)).toEqual(taskProject());
+  });
+
+  it('is still made so', () => {
+    expect(link(taskProject())).toBe(kept);
+  });
+
+  it('is made only where an older app would lose something', () => {
+    const { scene } = taskProject();
+    const { seconds, noTouch } = scene.task;
+    expect(link({ ...taskProject(), scene: { ...scene, task: { seconds, noTouch } } })).toMatch(/^p=2\./);
+  });
+
+  it('is made for what is too large for a model, too', () => {
+    const project = { ...taskProject(), files: [{ name: 'main.py', text: 'x = 1\n'.repeat(MODELLED_BYTES / 6) }] };
+    expect(link(project)).toMatch(/^p=3\./);
+    expect(projectIn(link(project))).toEqual(project);
+  });
+
+  it('whose packing is unknown is damaged', () => {
+    expect(codeOf(projectOfLink(linkOfBytes({ version: 3, bytes: Uint8Array.of(7, 1, 2) }), courses))).toBe('damaged');
+  });
+
+  it('names a course that has such a task itself', () => {
+    const { scene } = taskProject();
+    const made = linkOf({ ...taskProject(), course: 'own' }, { courses: () => scene, program: false });
+    expect(made?.fragment).toMatch(/^p=2\./);
+    expect(projectOfLink(made?.fragment ?? '', () => scene)).toMatchObject({
+      project: { scene },
+      isCourseChanged: false,
+    });
+  });
+});
+
+describe('the picture of a task in a link', () => {
+  const project = taskProject();
+  const withPicture = (bytes: number): Project => {
+    const { task } = project.scene;
+    const card = { ...sceneDefaults.card, ...task.card, picture: `data:image/png;base64,${noiseOf(bytes)}` };
+    return { ...project, scene: { ...project.scene, task: { ...task, card } } };
+  };
+
+  it('comes along as long as the link has at most 8,000 characters, and then stays behind', () => {
+    const small = linkOf(withPicture(3_000), { courses, program: true });
+    expect(small?.omitted).toEqual([]);
+    expect(projectIn(small?.fragment ?? '')).toEqual(withPicture(3_000));
+    const large = linkOf(withPicture(90_000), { courses, program: true });
+    expect(large?.omitted).toEqual(['task-picture']);
+    expect(projectIn(large?.fragment ?? '')).toEqual({
+      ...project,
+      scene: { ...project.scene, task: { ...project.scene.task, card: { ...project.scene.task.card, picture: '' } } },
+    });
+  });
+});
+
+const noiseOf = (bytes: number): string => {
+  const rng = createRng(5);
+  return Buffer.from(Uint8Array.from({ length: bytes }, () => rng.u32() & 255)).toString('base64');
+};
 
 function keptLink(version: number): string {
   return readFileSync(new URL(`kept/link-v${String(version)}.txt`, import.meta.url), 'utf8').trim();

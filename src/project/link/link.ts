@@ -2,7 +2,7 @@
  * A project as the part of an address behind `#`: it opens on another device without any server, because browsers do
  * not send that part.
  *
- *     p=2.<base64url>        2: version of all that follows; 1 for what is large
+ *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -20,7 +20,7 @@ import type { ProjectProblem } from '../problem';
 import { MAIN, type Project } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 2;
+export const LINK_VERSION = 3;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -28,17 +28,20 @@ export const LINK_NAME = 'p';
 /** Longest link that is made and read. Chosen: Chromium accepts two million characters, others less. */
 export const LINK_CHARACTERS = 500_000;
 
-/** A background is included only while the link stays this short. Chosen: chats and mail programs cut longer ones. */
+/** A background, and the picture of a task, are included only while the link stays this short. Chosen: chats and mail programs cut longer ones. */
 export const BACKGROUND_LINK_CHARACTERS = 8_000;
 
 /** The ready courses by their ids; `null` for an unknown id. */
 export type ReadyCourses = (id: string) => Scene | null;
 
-/** A link, and what did not fit: the background's picture (sensors do not need it), or the whole background. */
+/** What did not fit into a link: the background's picture (sensors do not need it), the whole background, the task's picture. */
+export type Omitted = 'picture' | 'background' | 'task-picture';
+
+/** A link, and what did not fit. */
 export interface MadeLink {
   /** The part of the address behind `#`. */
   readonly fragment: string;
-  readonly omitted: readonly ('picture' | 'background')[];
+  readonly omitted: readonly Omitted[];
 }
 
 /** The content of a link, or why it cannot be opened. */
@@ -70,31 +73,53 @@ export function linkOf(
   project: Project,
   { courses, program }: { readonly courses: ReadyCourses; readonly program: boolean },
 ): MadeLink | null {
-  const { background } = project.scene;
-  const whole = makeLink(project, courses, program);
-  if (background === null || isShort(whole, BACKGROUND_LINK_CHARACTERS))
-    return whole === null ? null : { fragment: whole, omitted: [] };
-  const grid = makeLink(withBackground(project, { ...background, picture: '' }), courses, program);
-  if (background.picture !== '' && isShort(grid, BACKGROUND_LINK_CHARACTERS))
-    return { fragment: grid, omitted: ['picture'] };
-  const bare = makeLink(withBackground(project, null), courses, program);
-  return bare === null ? null : { fragment: bare, omitted: ['background'] };
+  let last: MadeLink | null = null;
+  for (const omitted of omissions(project.scene)) {
+    const scene = omitted.reduce((left, part) => without[part](left), project.scene);
+    const fragment = makeLink({ ...project, scene }, courses, program);
+    last = fragment === null ? null : { fragment, omitted };
+    if (fragment !== null && fragment.length <= BACKGROUND_LINK_CHARACTERS) break;
+  }
+  return last;
 }
 
-const isShort = (link: string | null, max: number): link is string => link !== null && link.length <= max;
+/** What may be left out of a course, the least first; the last is made however long the link is. */
+function omissions({ background, task }: Scene): readonly (readonly Omitted[])[] {
+  const ways: readonly (readonly Omitted[])[] = [
+    [],
+    ['picture'],
+    ['task-picture'],
+    ['picture', 'task-picture'],
+    ['background'],
+    ['background', 'task-picture'],
+  ];
+  const has: Readonly<Record<Omitted, boolean>> = {
+    picture: background !== null && background.picture !== '',
+    background: background !== null,
+    'task-picture': task.card !== undefined && task.card.picture !== '',
+  };
+  return ways.filter((way) => way.every((part) => has[part]));
+}
 
-const withBackground = (project: Project, background: Scene['background']): Project => ({
-  ...project,
-  scene: { ...project.scene, background },
-});
+const without: Readonly<Record<Omitted, (scene: Scene) => Scene>> = {
+  picture: (scene) => ({ ...scene, background: scene.background && { ...scene.background, picture: '' } }),
+  background: (scene) => ({ ...scene, background: null }),
+  'task-picture': (scene) => {
+    const { card } = scene.task;
+    return card === undefined ? scene : { ...scene, task: { ...scene.task, card: { ...card, picture: '' } } };
+  },
+};
 
 function makeLink({ files, scene, course, settings }: Project, courses: ReadyCourses, program: boolean): string | null {
   const ready = course === null ? null : courses(course);
+  const isReady = ready !== null && isSame(ready, scene);
+  const { seconds, noTouch, ...extras } = scene.task;
   const content: Content = {
     files: program ? files : [],
     course,
     settings: settings ?? null,
-    scene: ready !== null && isSame(ready, scene) ? { ready: sceneChecksum(scene) } : { whole: scene },
+    scene: isReady ? { ready: sceneChecksum(scene) } : { whole: { ...scene, task: { seconds, noTouch } } },
+    extras: isReady ? {} : extras,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -128,11 +153,13 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const all = version === '1' || version === '2' ? fromBase64Url(data) : null;
-  if (all === null || !isWhole(all)) return damaged();
-  const isModelled = version === '2';
-  const content = contentOfBytes({ version: isModelled ? 2 : 1, bytes: all.subarray(SUM_BYTES) });
+  const known = ([1, 2, 3] as const).find((one) => String(one) === version);
+  const all = known === undefined ? null : fromBase64Url(data);
+  if (known === undefined || all === null || !isWhole(all)) return damaged();
+  const bytes = all.subarray(SUM_BYTES);
+  const content = contentOfBytes({ version: known, bytes });
   if (content === 'too-large') {
+    const isModelled = known === 2 || (known === 3 && bytes[0] === 2);
     const max = isModelled ? MODELLED_BYTES : UNPACKED_BYTES;
     return failed('too-large', `The link unpacks to more than ${String(max)} bytes. It is not opened.`, { max });
   }
@@ -145,7 +172,7 @@ function isWhole(all: Uint8Array): boolean {
   return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
 }
 
-function readContent({ files, course, settings, scene }: Content, courses: ReadyCourses): ReadLink {
+function readContent({ files, course, settings, scene, extras }: Content, courses: ReadyCourses): ReadLink {
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
@@ -158,7 +185,10 @@ function readContent({ files, course, settings, scene }: Content, courses: Ready
     course,
     ...(settings === null ? {} : { settings }),
     files: files.length === 0 ? [{ name: MAIN, text: '' }] : files,
-    scene: ready !== null || 'ready' in scene ? valueOf(defaultScene()) : valueOf(scene.whole),
+    scene:
+      ready !== null || 'ready' in scene
+        ? valueOf(defaultScene())
+        : valueOf({ ...scene.whole, task: { ...scene.whole.task, ...extras } }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);

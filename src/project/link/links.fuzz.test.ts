@@ -33,7 +33,7 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene } });
+  deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {} });
   return out.bytes();
 }
 

@@ -4,6 +4,7 @@
  */
 import { fromBase64, toBase64 } from '#core/base64';
 import {
+  helps,
   sceneLimits,
   strokeColors,
   type Background,
@@ -15,6 +16,8 @@ import {
   type SceneObject,
   type Stroke,
   type Task,
+  type TaskCard,
+  type TaskText,
   type Wall,
   type Zone,
 } from '#scene/scene';
@@ -216,6 +219,38 @@ function base64Codec(columns: Columns, text: Codec<string>): Codec<string> {
     },
     read: (from) => (isBytes.read(from) ? toBase64(bytes.read(from)) : text.read(from)),
   };
+}
+
+/** What version 3 of links adds to a task; in the versions before it, a task has none of it. */
+export type TaskExtras = Pick<Task, 'allows' | 'stars' | 'card'>;
+
+/** The codec of what a task has besides its rules. */
+export function taskExtrasCodec({ columns, text, word }: SharedCodecs): Codec<TaskExtras> {
+  const hints = columns.list(text, sceneLimits.hints);
+  const translation = record<TaskText>({ language: word, title: text, text, hints });
+  const extras = record<{ readonly [K in keyof Required<TaskExtras>]: NonNullable<TaskExtras[K]> | null }>({
+    allows: columns.optional(columns.list(columns.choice(helps), helps.length)),
+    stars: columns.optional(pairOf(columns.number(), columns.number())),
+    card: columns.optional(
+      record<TaskCard>({
+        language: word,
+        title: text,
+        hints,
+        translations: columns.list(translation, sceneLimits.translations),
+        picture: pictureCodec(columns, text),
+        solution: columns.flag(),
+      }),
+    ),
+  });
+  return mapped(
+    extras,
+    ({ allows = null, stars = null, card = null }) => ({ allows, stars, card }),
+    ({ allows, stars, card }) => ({
+      ...(allows === null ? {} : { allows }),
+      ...(stars === null ? {} : { stars }),
+      ...(card === null ? {} : { card }),
+    }),
+  );
 }
 
 /** `data:image/png;base64,…`: the part before the comma as text, the rest as base64. Empty: no picture. */

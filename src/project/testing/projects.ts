@@ -149,3 +149,28 @@ export function fullProject(): Project {
   ];
   return { files, scene, course: null, settings };
 }
+
+/** A project whose task has everything: rules, allowances, stars and a card in two languages. */
+export function taskProject(): Project {
+  const scene: Scene = {
+    ...defaultScene(),
+    name: 'Parkieren',
+    description: 'Fahr ins **grüne** Feld.\n\n- ohne die Wand\n- ohne Hilfe',
+    task: {
+      seconds: 60,
+      noTouch: true,
+      allows: ['edits'],
+      stars: [30, 20.5],
+      card: {
+        language: 'de',
+        title: 'Rückwärts einparken',
+        hints: ['Wie weit ist es?', '`backward()` fährt rückwärts.'],
+        translations: [{ language: 'fr', title: 'Se garer', text: 'Va dans le **champ** vert.', hints: ['Recule.'] }],
+        picture: 'data:image/png;base64,iVBORw0KGgo=',
+        solution: true,
+      },
+    },
+    objects: [{ type: 'target', id: 't', at: [900, 450], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 }], // prettier-ignore
+  };
+  return { files: [{ name: 'main.py', text: 'print("los")\n' }], scene, course: null };
+}

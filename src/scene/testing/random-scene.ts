@@ -1,6 +1,6 @@
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
-import { strokeColors, type Point, type Scene, type SceneObject } from '../scene';
+import { strokeColors, type Point, type Scene, type SceneObject, type TaskCard } from '../scene';
 import { inPercent, oneOf, wholeFrom } from './fuzz';
 
 const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
@@ -104,6 +104,13 @@ function randomRobotEdit(rng: Rng): SceneEdit {
   return { type: 'robot', robot };
 }
 
+function randomCard(rng: Rng): TaskCard {
+  const text = oneOf(rng, ['', '**a** `b`', '«é»\n\n- "x"']);
+  const hints = text === '' ? [] : [text, ''];
+  const translations = inPercent(rng, 50) ? [{ language: 'fr', title: text, text, hints }] : [];
+  return { language: oneOf(rng, ['', 'de']), title: text, hints, translations, picture: '', solution: text === '' };
+}
+
 function randomCourseEdit(rng: Rng): SceneEdit {
   const { changes }: Extract<SceneEdit, { type: 'course' }> = oneOf(rng, [
     { type: 'course', changes: { name: oneOf(rng, ['', 'Slalom', '«é»\n"']) } },
@@ -114,6 +121,8 @@ function randomCourseEdit(rng: Rng): SceneEdit {
       changes: { background: { at: point(rng), size: [400, 300], cells: [4, 3], levels: 'AAAA', picture: '' } },
     },
     { type: 'course', changes: { background: null, description: 'x' } },
+    { type: 'course', changes: { task: { seconds: 9, noTouch: true, allows: ['hand'], stars: [30, 20.5] } } },
+    { type: 'course', changes: { task: { seconds: null, noTouch: false, card: randomCard(rng) } } },
   ]);
   return { type: 'course', changes };
 }

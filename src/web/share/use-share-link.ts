@@ -1,6 +1,6 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-import { linkOf } from '#project/link/link';
+import { linkOf, type Omitted } from '#project/link/link';
 
 import { useWork } from '../work/model/parts';
 import { readyCourses } from './open-address';
@@ -12,8 +12,8 @@ export interface ShareLink {
   readonly program: ShallowRef<boolean>;
   /** The whole address; `null`: the project is too large for one. */
   readonly link: ComputedRef<string | null>;
-  /** Which part of the background was left out because there was no room. */
-  readonly omitted: ComputedRef<'picture' | 'background' | null>;
+  /** The pictures that were left out because there was no room. */
+  readonly omitted: ComputedRef<readonly Omitted[]>;
 }
 
 export function useShareLink(): ShareLink {
@@ -23,6 +23,6 @@ export function useShareLink(): ShareLink {
   return {
     program,
     link: computed(() => made.value && `${location.origin}${location.pathname}#${made.value.fragment}`),
-    omitted: computed(() => made.value?.omitted[0] ?? null),
+    omitted: computed(() => made.value?.omitted ?? []),
   };
 }
