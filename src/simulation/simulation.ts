@@ -201,6 +201,7 @@ export class Simulation {
       ...boardSnapshot(this.board),
       timeUs: this.nowUs,
       running: this.end === null ? 'program' : 'world',
+      awaitsInput: this.vm.awaitsInput,
       repl: this.vm.isInRepl,
       robot: this.mounted && robotSnapshot(this.mounted, this.scene.robot.scale),
       blocks: this.courseWorld.blockPoses(),

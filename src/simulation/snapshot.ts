@@ -41,6 +41,8 @@ export interface Snapshot extends BoardSnapshot {
   readonly timeUs: number;
   /** `program` until its end, then `world`, in which the REPL waits. */
   readonly running: 'program' | 'world';
+  /** The program waits in `input()` for a line. */
+  readonly awaitsInput: boolean;
   /** The REPL has greeted: it then receives the input. */
   readonly repl: boolean;
   /** `null` for the bare board. */

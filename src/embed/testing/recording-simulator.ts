@@ -99,7 +99,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     if (this.now === 'ready') return null;
     return {
       ...boardSnapshot(this.rehearsal),
-      ...{ timeUs: 0, running: 'program', repl: false, robot: null, blocks: {}, movers: {} },
+      ...{ timeUs: 0, running: 'program', awaitsInput: false, repl: false, robot: null, blocks: {}, movers: {} },
       ...{ verdict: null, lights: [], arenaSenses: false },
     };
   }

@@ -105,6 +105,22 @@ describe('input', () => {
     expect(run.until(200).printed()).toBe('Name? Ada\nHallo Ada\n');
   });
 
+  it('says that it waits, until the line has come', () => {
+    const run = play("from microbit import sleep\nsleep(10)\nname = input('Name? ')\nsleep(1000)");
+    expect(run.until(5).vm.awaitsInput).toBe(false);
+    expect(run.until(100).vm.awaitsInput).toBe(true);
+    run.vm.feed('Ad');
+    expect(run.until(200).vm.awaitsInput).toBe(true);
+    run.vm.feed('a\r');
+    expect(run.until(300).vm.awaitsInput).toBe(false);
+  });
+
+  it('waits no more once it is interrupted', () => {
+    const run = play('try:\n    input()\nexcept KeyboardInterrupt:\n    while True: pass').until(10);
+    run.vm.interrupt();
+    expect(run.until(20).vm.awaitsInput).toBe(false);
+  });
+
   it('raises EOFError at Ctrl-D', () => {
     const run = play("try:\n    input()\nexcept EOFError:\n    print('end')").until(10);
     run.vm.feed('\x04');

@@ -6,6 +6,8 @@ export class ConsolePort {
   interruptByte: number | null = CTRL_C;
   /** Called when that byte comes. */
   onInterrupt: () => void = () => undefined;
+  /** A program waits in `input()` for a line. */
+  awaitsLine = false;
   private line: number[] = [];
   /** Index in `line` of the first byte that was not taken. */
   private next = 0;
@@ -61,6 +63,7 @@ export class ConsolePort {
   /** main.py begins: Ctrl-C interrupts, whatever the program before or the REPL made of it. */
   watchForInterrupt(): void {
     this.interruptByte = CTRL_C;
+    this.awaitsLine = false;
   }
 
   /** As after a reset: nothing received. */

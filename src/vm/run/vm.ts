@@ -19,6 +19,8 @@ export interface Vm {
   readonly ended: VmEnd | null;
   /** True once the REPL has greeted: it then receives the input. */
   readonly isInRepl: boolean;
+  /** True while main.py waits in `input()`. */
+  readonly awaitsInput: boolean;
   /** Raises KeyboardInterrupt in the program; in the REPL it is Ctrl-C. */
   interrupt(): void;
   /** The same for good: the traceback of this interrupt is not shown to the user. Any other one is printed. */
@@ -51,7 +53,6 @@ export function createVm(setup: VmSetup): Vm {
   let isOver = false;
   const restart = (kind: 'reset' | 'reboot'): void => {
     // Like the device: files stay, everything else starts again. Only a reset also restarts its clock.
-    const { startUs } = session;
     if (kind === 'reboot') report.write(REBOOT);
     session.dispose();
     board.reset();
@@ -61,7 +62,7 @@ export function createVm(setup: VmSetup): Vm {
       clock.advanceTo(clock.nowUs + RESET_US);
     }
     report.restart();
-    session = start(kind === 'reset' ? clock.nowUs : startUs);
+    session = start(kind === 'reset' ? clock.nowUs : session.startUs);
   };
   const interrupt = (): void => {
     if (port.interruptByte !== null || report.ended === null) session.interrupt();
@@ -84,6 +85,9 @@ export function createVm(setup: VmSetup): Vm {
     },
     get isInRepl() {
       return report.ended !== null && !isOver && !repl.isAsleep;
+    },
+    get awaitsInput() {
+      return report.ended === null && port.awaitsLine;
     },
     interrupt,
     stop: () => {

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from 'vitest';
+import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import type { Ended } from '#simulation/simulation';
@@ -139,6 +139,69 @@ describe('the console’s line while the program runs', () => {
     const before = page.console.sent.value;
     await enter('x');
     expect(page.console.sent.value).toBe(before + 1);
+  });
+});
+
+describe('the console’s line while the program waits in input()', () => {
+  afterEach(() => void vi.unstubAllGlobals());
+
+  const waits = async (before: (page: Awaited<ReturnType<typeof running>>['page']) => void = () => undefined) => {
+    const all = await running();
+    before(all.page);
+    await show(all.page, { awaitsInput: true });
+    await nextTick();
+    return all;
+  };
+  const beside = (html: string): HTMLElement => {
+    document.body.insertAdjacentHTML('beforeend', html);
+    const element = document.body.lastElementChild?.querySelector<HTMLElement>('[tabindex]');
+    element?.focus();
+    return element ?? document.body;
+  };
+
+  it('is marked and has the keyboard', async () => {
+    const { field, line } = await waits();
+    expect(document.activeElement).toBe(field.element);
+    expect(line.classes()).toContain('line--waiting');
+    expect(field.attributes('placeholder')).toBe('Eingabe für input()');
+  });
+
+  it('is an ordinary field again when the program goes on', async () => {
+    const { page, line } = await waits();
+    await show(page, { awaitsInput: false });
+    expect(line.classes()).not.toContain('line--waiting');
+  });
+
+  it('takes the keyboard from the editor, where Ctrl+Enter was pressed', async () => {
+    const { field } = await waits(() => beside('<div class="cm-editor"><i tabindex="0"></i></div>'));
+    expect(document.activeElement).toBe(field.element);
+  });
+
+  it('leaves it to whoever has gone on writing the program, but is marked', async () => {
+    let editor: HTMLElement | null = null;
+    const { line } = await waits((page) => {
+      editor = beside('<div class="cm-editor"><i tabindex="0"></i></div>');
+      page.work.setText('main.py', 'name = input()');
+    });
+    expect(document.activeElement).toBe(editor);
+    expect(line.classes()).toContain('line--waiting');
+  });
+
+  it.each(['<p role="dialog"><i tabindex="0"></i></p>', '<p role="menu"><i tabindex="0"></i></p>'])(
+    'leaves it to %s',
+    async (html) => {
+      let other: HTMLElement | null = null;
+      await waits(() => (other = beside(html)));
+      expect(document.activeElement).toBe(other);
+    },
+  );
+
+  it('does not bring up the keyboard of a touch screen', async () => {
+    const isCoarse = (query: string) => Object.assign(new EventTarget(), { matches: query === '(pointer: coarse)' });
+    vi.stubGlobal('matchMedia', isCoarse);
+    const { field, line } = await waits();
+    expect(document.activeElement).not.toBe(field.element);
+    expect(line.classes()).toContain('line--waiting');
   });
 });
 

@@ -92,6 +92,8 @@ describe('the pane of the console', () => {
     await show(page, { timeUs: 61_500_000 });
     expect(tags(pane)).toEqual(['läuft']);
     expect(pane.get('.clock').text()).toContain('simuliert');
+    await show(page, { timeUs: 61_500_000, awaitsInput: true });
+    expect(tags(pane)).toEqual(['wartet auf dich']);
     await page.run.stop();
     await nextTick();
     expect(tags(pane)).toEqual(['gestoppt']);

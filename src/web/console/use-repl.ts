@@ -23,6 +23,7 @@ export function useRepl({
     mark: computed(() => (isRepl.value ? promptOf(console.entries.value) : '>')),
     /** Says in the field what it is for. */
     hint: computed((): TextKey => {
+      if (run.isWaitingForInput.value) return 'console.input';
       if (ended.value?.kind === 'exception' && !isRepl.value) return 'console.errorShown';
       if (ended.value !== null) return 'console.replInput';
       return readsInput.value ? 'console.input' : 'console.sendInput';

@@ -49,6 +49,13 @@ export class RunModel {
   /** What every Run button does instead of starting, for a host that brings its program first; `null`: it starts. */
   readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
   readonly isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(this.phase.value));
+  /** The program stands in `input()`: only the person can go on. */
+  readonly isWaitingForInput = computed(
+    () =>
+      (this.phase.value === 'running' || this.phase.value === 'paused') &&
+      this.ended.value === null &&
+      this.snapshot.value?.awaitsInput === true,
+  );
   private speed: Speed = 1;
   private frameAsked = false;
   private heardMs = 0;

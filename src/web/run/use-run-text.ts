@@ -23,6 +23,7 @@ export function useRunText({ run }: Pick<RunParts, 'run'>) {
       case 'starting':
         return { key: 'state.starting', tone: 'run' };
       case 'running':
+        if (run.isWaitingForInput.value) return { key: 'state.waiting', tone: 'warn' };
         return { key: ended === null ? 'state.running' : 'state.finished', tone: 'run' };
       case 'paused':
         return { key: 'state.paused', tone: 'warn' };

@@ -33,7 +33,15 @@ export function createConsoleCalls(port: ConsolePort): SyscallTable {
         done = null;
         editor.begin('');
       }
-      return { untilUs: Infinity, ready: isDone, result: () => done };
+      port.awaitsLine = true;
+      return {
+        untilUs: Infinity,
+        ready: isDone,
+        result: () => {
+          port.awaitsLine = false;
+          return done;
+        },
+      };
     },
   };
 }

@@ -24,6 +24,7 @@ export const pictureOf = (changes: Partial<Snapshot> = {}): Snapshot => ({
   isSounding: false,
   timeUs: 0,
   running: 'program',
+  awaitsInput: false,
   repl: false,
   robot: null,
   blocks: {},
