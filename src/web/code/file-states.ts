@@ -12,7 +12,7 @@ export interface Shown {
 
 /** One editor for all tabs: every file keeps its own undo steps, cursor and scroll place while another one is shown. */
 export class FileStates {
-  private readonly view: EditorView;
+  readonly view: EditorView;
   private readonly hidden = new Map<string, { state: EditorState; top: number }>();
   private name: string;
 
@@ -60,6 +60,12 @@ export class FileStates {
     const { from } = view.state.doc.line(Math.min(Math.max(1, line), view.state.doc.lines));
     view.dispatch({ selection: { anchor: from }, effects: EditorView.scrollIntoView(from, { y: 'center' }) });
     view.focus();
+  }
+
+  /** Keeps the cursor in sight when the editor has become smaller while somebody types. */
+  showCursor(): void {
+    const { view } = this;
+    if (view.hasFocus) view.dispatch({ effects: EditorView.scrollIntoView(view.state.selection.main.head) });
   }
 
   /** Changes one text into another where they differ, as one step to undo; nothing if the text has changed since. */
