@@ -26,9 +26,10 @@ test('after the program’s end its names can be asked for, line by line and wit
   await openApp(app);
   await typeProgram(app, 'n = 20\nprint("end")');
   await app.click(on('run'));
-  await expect.poll(() => app.text('.pane-console .pane-head')).toContain('REPL');
+  await expect.poll(() => app.text(on('run'))).toContain('Again');
   const field = '[data-testid=console-input]';
   await app.click(field);
+  await expect.poll(() => app.text('.pane-console .pane-head')).toContain('REPL');
   await app.type('n = n + 1');
   await app.press('Enter');
   await app.press('ArrowUp');

@@ -22,8 +22,10 @@ async function line(app: App, text: string): Promise<void> {
 
 test('after the program the REPL greets as the device does, calculates, and shows an error', async ({ app }) => {
   await start(app, 'total = 20\nprint("end")');
-  await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
+  await expect.poll(() => app.text(on('run'))).toContain('Again');
+  expect(await consoleIn(app), 'until one goes to it').not.toContain('>>>');
   await app.click(FIELD);
+  await says(app, /end\s[^]*MicroPython v1\.18 on .*micro:bit v2\.1\.2 with nRF52833\s+Type "help\(\)"[^\n]*\s+>>>/);
   await line(app, 'total * 2 + 2');
   await says(app, /\+ 2\s+42\s+>>>/);
   await line(app, 'totl');
@@ -32,8 +34,9 @@ test('after the program the REPL greets as the device does, calculates, and show
 
 test('a function of several lines is written at the REPL and called', async ({ app }) => {
   await start(app, 'print("end")');
-  await says(app, '>>>');
+  await expect.poll(() => app.text(on('run'))).toContain('Again');
   await app.click(FIELD);
+  await says(app, '>>>');
   await line(app, 'def twice(x):');
   await line(app, 'y = x + x');
   await line(app, 'return y'); // the field keeps the indentation of the block by itself

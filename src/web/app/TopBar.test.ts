@@ -74,6 +74,27 @@ describe('the bar at the top', () => {
     expect(page.run.phase.value).toBe('ready');
   });
 
+  it('offers another run once the program has ended; the world goes on and can still be stopped', async () => {
+    const { page, bar } = topBar(1400);
+    await startRun(page);
+    expect(bar.get('.run').classes()).toContain('ctl--again');
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
+    await nextTick();
+    expect(names()).toContain('Nochmals');
+    expect(bar.get('.run').classes()).toContain('ctl--run');
+    expect(bar.get('.stop').classes()).not.toContain('ctl--stop');
+    await press('Stopp', 'button');
+    await flushPromises();
+    expect(page.run.phase.value).toBe('stopped');
+    expect(names()).toContain('Simulieren');
+  });
+
+  it('names the keys that run and stop', () => {
+    topBar(1400);
+    expect(named('Simulieren', 'button').title).toBe('Simulieren (Ctrl+Enter)');
+    expect(named('Stopp', 'button').title).toBe('Stopp (Ctrl+Shift+Enter)');
+  });
+
   it('turns the sound off and on; the button is named by what it does', async () => {
     const { page } = topBar(1400);
     await press('Ton ausschalten', 'button');

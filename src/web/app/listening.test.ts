@@ -48,6 +48,7 @@ describe('keys on the page', () => {
       useKeys(page, {
         press: (name, down) => pressBoard(page.run, name, down),
         run: () => commands.push('run'),
+        stop: () => commands.push('stop'),
         save: () => commands.push('save'),
       });
     });

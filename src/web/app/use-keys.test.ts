@@ -6,7 +6,10 @@ import { command, type CommandKey } from './use-keys';
 function pressed(key: string, held: Partial<CommandKey> = {}): readonly string[] {
   const done: string[] = [];
   const plain = { altKey: false, shiftKey: false, repeat: false, preventDefault: () => done.push('kept') };
-  command({ ...plain, key, ...held }, { run: () => done.push('run'), save: () => done.push('save') });
+  command(
+    { ...plain, key, ...held },
+    { run: () => done.push('run'), stop: () => done.push('stop'), save: () => done.push('save') },
+  );
   return done;
 }
 
@@ -14,6 +17,10 @@ describe('keys with Ctrl', () => {
   it('run with Enter and save with S, and keep the browser from saving the page', () => {
     expect(pressed('Enter')).toEqual(['run', 'kept']);
     expect(pressed('s')).toEqual(['save', 'kept']);
+  });
+
+  it('stop with Shift and Enter', () => {
+    expect(pressed('Enter', { shiftKey: true })).toEqual(['stop', 'kept']);
   });
 
   it('save while Caps Lock is on, too', () => {

@@ -10,10 +10,14 @@ const BOARD_KEYS: Readonly<Record<string, BoardKey>> = { a: 'a', b: 'b', l: 'pin
 export interface KeyActions {
   press(key: BoardKey, down: boolean): void;
   run(): void;
+  stop(): void;
   save(): void;
 }
 
-/** Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs, Ctrl+S saves. */
+/**
+ * Listens to the page's keys: a, b and l press the board while no text is being written; Ctrl+Enter runs,
+ * Ctrl+Shift+Enter stops, Ctrl+S saves.
+ */
 export function useKeys({ run }: Pick<RunParts, 'run'>, actions: KeyActions): void {
   const presses = new Presses({
     press: (key) => actions.press(key, true),
@@ -45,10 +49,12 @@ export function useKeys({ run }: Pick<RunParts, 'run'>, actions: KeyActions): vo
 export type CommandKey = Pick<KeyboardEvent, 'key' | 'altKey' | 'shiftKey' | 'repeat' | 'preventDefault'>;
 
 /** Does what a key means together with Ctrl or ⌘; the others stay the browser's. */
-export function command(event: CommandKey, actions: Pick<KeyActions, 'run' | 'save'>): void {
-  if (event.altKey || event.shiftKey || event.repeat) return;
+export function command(event: CommandKey, actions: Pick<KeyActions, 'run' | 'stop' | 'save'>): void {
+  if (event.altKey || event.repeat) return;
   const key = event.key.toLowerCase(); // with Caps Lock it is an S
-  if (key === 'enter') actions.run();
+  if (key === 'enter' && event.shiftKey) actions.stop();
+  else if (event.shiftKey) return;
+  else if (key === 'enter') actions.run();
   else if (key === 's') actions.save();
   else return;
   event.preventDefault();

@@ -215,6 +215,23 @@ describe('the console’s line at the REPL', () => {
     expect(textOf(line.get('.mark').element)).toBe('>>>');
   });
 
+  it('is not gone to by answering input(), but by a click, a key or an interrupt', async () => {
+    const { page, field, press } = await running();
+    await field.trigger('focus');
+    await press('5');
+    page.say({ type: 'program-ended', ended: finished });
+    await show(page, { repl: true, running: 'world' });
+    expect(page.console.isReplVisited.value).toBe(false);
+    await press('p');
+    expect(page.console.isReplVisited.value).toBe(true);
+    await page.run.start();
+    expect(page.console.isReplVisited.value).toBe(false);
+    await field.trigger('pointerdown'); // its program is still starting
+    expect(page.console.isReplVisited.value).toBe(false);
+    named('Unterbrechen').click();
+    expect(page.console.isReplVisited.value).toBe(true);
+  });
+
   it('keeps the indentation of a block for its next line', async () => {
     const { field, enter } = await atRepl();
     await enter('for i in range(3):');

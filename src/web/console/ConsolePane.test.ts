@@ -116,6 +116,8 @@ describe('the pane of the console', () => {
     await startRun(page);
     page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
     await show(page, { repl: true });
+    expect(tags(pane)).toHaveLength(1); // nobody has gone there yet
+    await pane.get('input').trigger('focus');
     const tag = pane.findAll('.tag').at(1);
     expect(tag?.text()).toBe('REPL: Das Programm ist zu Ende, Python wartet auf eine Zeile.');
   });

@@ -1,6 +1,7 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from './log/console-log';
+import { foldGreetings } from './log/fold-greeting';
 import type { OnTable } from '../work/hardware/misplugged';
 import type { ErrorReport } from './advice/error-advice';
 import type { TextKey } from '../page/i18n/texts';
@@ -16,6 +17,15 @@ export class ConsoleModel {
   readonly isNew = shallowRef(false);
   /** Counts what the pupil has sent: from then on the console shows its end. */
   readonly sent = shallowRef(0);
+  /** Somebody has been at the REPL of the last run: from then on the console shows what the REPL says. */
+  readonly isReplVisited: ComputedRef<boolean> = computed(() => this.visited.value.has(this.run.value));
+  /** Numbers of the runs of which this is so. */
+  private readonly visited = shallowRef<ReadonlySet<number>>(new Set());
+  private readonly run = shallowRef(0);
+  /** What is shown of `entries`. */
+  readonly shown: ComputedRef<readonly ConsoleEntry[]> = computed(() =>
+    foldGreetings(this.entries.value, this.visited.value, this.run.value),
+  );
   private readonly log: ConsoleLog;
   private pending = '';
   private timer: ReturnType<typeof setTimeout> | undefined;
@@ -33,6 +43,7 @@ export class ConsoleModel {
 
   startRun(number: number): void {
     this.show();
+    this.run.value = number;
     this.log.add({ kind: 'run', number });
     this.show();
   }
@@ -63,6 +74,11 @@ export class ConsoleModel {
     this.log.clear();
     this.show();
     this.isNew.value = false;
+  }
+
+  /** The pupil goes to the REPL. */
+  visitRepl(): void {
+    if (!this.isReplVisited.value) this.visited.value = new Set([...this.visited.value, this.run.value]);
   }
 
   /** Everything that is kept, as text. */

@@ -49,6 +49,8 @@ export class RunModel {
   /** What every Run button does instead of starting, for a host that brings its program first; `null`: it starts. */
   readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
   readonly isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(this.phase.value));
+  /** The program has ended, and the world goes on. */
+  readonly isOver = computed(() => this.isActive.value && this.ended.value !== null);
   /** The program stands in `input()`: only the person can go on. */
   readonly isWaitingForInput = computed(
     () =>

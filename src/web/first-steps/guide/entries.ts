@@ -105,7 +105,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'step-course': step('step-course', mdiMapMarkerPath),
   'step-build': step('step-build', mdiPencilRuler),
   'step-share': step('step-share', mdiShareVariant),
-  run: ofKey(mdiPlay, 'bar.run', 'run', 'bar.runAgain'),
+  run: ofKey(mdiPlay, 'bar.run', 'run', 'bar.runAgain', 'bar.again'),
   stop: ofKey(mdiStop, 'bar.stop', 'stop'),
   pause: ofKey(mdiPause, 'bar.pause', 'pause', 'bar.resume'),
   step: ofKey(mdiSkipNext, 'bar.step', 'step'),
@@ -179,6 +179,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
 /** The keys of a shortcut; `/` parts keys that do several things, one each. */
 export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-run': ['Ctrl', 'Enter'],
+  'key-stop': ['Ctrl', 'Shift', 'Enter'],
   'key-save': ['Ctrl', 'S'],
   'key-help': ['F1'],
   'key-explain': ['F1'],

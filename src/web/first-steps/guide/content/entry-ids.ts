@@ -83,6 +83,7 @@ export const CONSOLE_IDS = ['output', 'copy', 'clear', 'input', 'interrupt', 're
 /** Keys of the keyboard. */
 export const KEY_IDS = [
   'key-run',
+  'key-stop',
   'key-save',
   'key-help',
   'key-explain',
