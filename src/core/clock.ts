@@ -28,6 +28,11 @@ export class Clock {
     return this.heap[0]?.timeUs ?? Infinity;
   }
 
+  /** How many alarms are set; one that rings again and again is one. */
+  get alarms(): number {
+    return this.heap.reduce((count, alarm) => (alarm.cancelled ? count : count + 1), 0);
+  }
+
   /**
    * Sets an alarm. One set for the past or for now rings at the next `advanceTo`, at the time it is then.
    *

@@ -34,6 +34,10 @@ export class InputQueue {
     this.waiting = [...inputs].sort((a, b) => a.timeUs - b.timeUs);
   }
 
+  get isEmpty(): boolean {
+    return this.waiting.length === 0;
+  }
+
   /** What takes effect at `timeUs` or before, in order of time. */
   until(timeUs: number): readonly InputEvent[] {
     const later = this.waiting.findIndex((event) => event.timeUs > timeUs);

@@ -85,6 +85,11 @@ export class Judge {
     return this.final ?? (this.isAsked() ? this.openVerdict() : null);
   }
 
+  /** The task is open, and time alone will decide it. */
+  get awaitsTime(): boolean {
+    return this.final === null && this.isAsked() && this.brief.task.seconds !== null;
+  }
+
   /** Call it before the first step of the world and after each, at simulated time `timeUs`. */
   step(timeUs: number): void {
     if (this.final !== null || !this.isAsked()) return;

@@ -28,6 +28,11 @@ export class RunInputs {
     this.waiting = new InputQueue(replayed);
   }
 
+  /** Nothing waits for its time. */
+  get isEmpty(): boolean {
+    return this.waiting.isEmpty;
+  }
+
   /** @throws RangeError for what is impossible when the action takes effect; then nothing is done */
   add(action: InputAction): void {
     const problem = this.problemOf(action);

@@ -128,6 +128,14 @@ export class Simulation {
   }
 
   /**
+   * The program has ended, and nothing is set for later: no callback, tone, moving picture or time limit. While the
+   * world does not move either, nothing happens until the next input.
+   */
+  get isIdle(): boolean {
+    return this.end !== null && this.clock.alarms <= 1 && this.inputs.isEmpty && this.judge?.awaitsTime !== true;
+  }
+
+  /**
    * Every action so far with the time at which it took effect: as `inputs` of an equal set-up, they repeat this run.
    */
   get inputLog(): readonly InputEvent[] {

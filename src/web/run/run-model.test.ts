@@ -20,7 +20,7 @@ class QuickWorker implements WorkerPort {
   terminate(): void {
     this.onmessage = null;
   }
-  private say(data: FromWorker): void {
+  say(data: FromWorker): void {
     this.onmessage?.({ data } as MessageEvent<FromWorker>);
   }
 }
@@ -151,5 +151,31 @@ describe('a run whose VM is on its way', () => {
     fail();
     await aMoment();
     expect([run.phase.value, told]).toEqual(['stopped', []]);
+  });
+});
+
+describe('a run in which nothing happens any more', () => {
+  let ask: (() => void) | null = null;
+  beforeEach(() => {
+    QuickWorker.sent.length = 0;
+    vi.stubGlobal('requestAnimationFrame', (next: () => void) => {
+      ask = next;
+      return 1;
+    });
+    vi.stubGlobal('cancelAnimationFrame', () => (ask = null));
+  });
+  afterEach(() => void vi.unstubAllGlobals());
+
+  it('is asked for no more pictures, until something is done to it', async () => {
+    let worker: QuickWorker | null = null;
+    const run = newRun({ createWorker: () => (worker ??= new QuickWorker()) });
+    void run.start();
+    await aMoment();
+    expect(ask).not.toBeNull();
+    (worker as QuickWorker | null)?.say({ type: 'resting' });
+    expect(ask).toBeNull();
+    run.input({ type: 'button', button: 'a', down: true });
+    expect(ask).not.toBeNull();
+    expect(QuickWorker.sent.at(-1)).toMatchObject({ type: 'input' });
   });
 });

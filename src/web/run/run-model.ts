@@ -8,7 +8,7 @@ import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
 import { Trail } from './trail';
 import type { FromWorker, RunEvents } from './worker/protocol';
-import { RunClient, type ClientOptions } from './run-client';
+import { RunClient, type ClientOptions, type ToRun } from './run-client';
 
 /** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
 const BUSY_AFTER_MS = 1000;
@@ -98,7 +98,7 @@ export class RunModel {
     this.ended.value = null;
     this.nowUs.value = 0;
     this.achieved.value = null;
-    this.frameAsked = false;
+    this.frameAsked = this.rests = false;
     this.startsPaused = paused;
     this.host.onStart();
     const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
@@ -146,14 +146,14 @@ export class RunModel {
 
   pause(): void {
     if (this.phase.value !== 'running') return;
-    this.client.send({ type: 'pause' });
+    this.send({ type: 'pause' });
     this.phase.value = 'paused';
     this.achieved.value = null;
   }
 
   resume(): void {
     if (this.phase.value !== 'paused') return;
-    this.client.send({ type: 'resume' });
+    this.send({ type: 'resume' });
     this.phase.value = 'running';
   }
 
@@ -161,11 +161,11 @@ export class RunModel {
   step(): void {
     if (!this.isActive.value) {
       void this.start(true);
-      this.client.send({ type: 'step' });
+      this.send({ type: 'step' });
       return;
     }
     if (this.phase.value === 'stopping') return;
-    this.client.send({ type: 'step' });
+    this.send({ type: 'step' });
     this.startsPaused = true;
     if (this.phase.value !== 'starting') this.phase.value = 'paused';
     this.achieved.value = null;
@@ -174,7 +174,7 @@ export class RunModel {
   setSpeed(speed: Speed): void {
     this.speed = SPEEDS.includes(speed) ? speed : 1;
     this.achieved.value = null;
-    this.client.send({ type: 'speed', speed: this.speed });
+    this.send({ type: 'speed', speed: this.speed });
   }
 
   /**
@@ -183,13 +183,14 @@ export class RunModel {
    */
   input(action: InputAction): void {
     this.host.onInput(action);
-    if (this.isActive.value && !this.client.send({ type: 'input', action }))
+    if (this.isActive.value && !this.send({ type: 'input', action }))
       this.host.onRefused('Too much is done before the program begins.');
   }
 
   private hear(message: FromWorker): void {
     this.heardMs = performance.now();
     this.isBusy.value = false;
+    if (message.type !== 'prepared') this.followRest(message.type === 'resting');
     switch (message.type) {
       case 'prepared':
         break;
@@ -206,6 +207,9 @@ export class RunModel {
         break;
       case 'alive':
         this.achieved.value = this.phase.value === 'running' ? message.achieved : null;
+        break;
+      case 'resting':
+        this.achieved.value = null;
         break;
       case 'console':
         this.host.onOutput(message.text);
@@ -236,6 +240,21 @@ export class RunModel {
         message satisfies never;
     }
   }
+
+  /** Something is done to the run, which may wake it. @returns whether it was sent */
+  private send(message: ToRun): boolean {
+    this.followRest(false);
+    return this.client.send(message);
+  }
+
+  /** While nothing happens in the run, the page asks for no pictures either. */
+  private followRest(rests: boolean): void {
+    if (rests === this.rests) return;
+    this.rests = rests;
+    if (rests) cancelAnimationFrame(this.frame);
+    else if (this.isActive.value) this.askFrames();
+  }
+  private rests = false;
 
   /** Asks for one picture per animation frame, and watches whether the worker still answers. */
   private askFrames(): void {

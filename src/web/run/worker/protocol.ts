@@ -57,6 +57,8 @@ export type FromWorker =
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly trail: readonly number[] }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
+  /** Nothing happens any more until the next input: simulated time stands still, and no heartbeat comes. */
+  | { readonly type: 'resting' }
   /** What sounded, was sent by radio and was logged since the last such message; about once a frame. */
   | { readonly type: 'events'; readonly events: RunEvents }
   /** Output of the program, at most one batch in transit. */

@@ -9,7 +9,14 @@ import { Runner, type Run } from './runner';
 
 /** A run whose simulated time costs `costMs` of wall time per simulated ms, printing `perMs` characters in each. */
 function bench(
-  options: { costMs?: number; perMs?: number; endsAtUs?: number; minds?: boolean; inputError?: Error } = {},
+  options: {
+    costMs?: number;
+    perMs?: number;
+    endsAtUs?: number;
+    minds?: boolean;
+    inputError?: Error;
+    idle?: boolean;
+  } = {},
 ) {
   let wallMs = 0;
   const posted: FromWorker[] = [];
@@ -17,6 +24,7 @@ function bench(
   const run = {
     nowUs: 0,
     ended: null as Ended | null,
+    isIdle: options.idle === true,
     printed: '',
     inputs: [] as unknown[],
     disposed: false,
@@ -179,6 +187,47 @@ describe('the runner', () => {
     await b.start(2);
     await b.pass(1000);
     expect(b.run.nowUs / 1e6).toBeCloseTo(2, 1);
+  });
+
+  it('rests once the program has ended, nothing is set for later and nothing has moved for half a second', async () => {
+    for (const speed of [1, 'max'] as const) {
+      const b = bench({ endsAtUs: 100_000, idle: true });
+      await b.start(speed);
+      await b.pass(1000);
+      expect(b.types().slice(-2)).toEqual(['snapshot', 'resting']);
+      const { nowUs } = b.run;
+      const said = b.posted.length;
+      await b.pass(10_000);
+      expect(b.run.nowUs).toBe(nowUs);
+      expect(b.posted).toHaveLength(said);
+    }
+  });
+
+  it('goes on from there, not from later, when something is done, and rests again', async () => {
+    const b = bench({ endsAtUs: 100_000, idle: true });
+    await b.start();
+    await b.pass(60_000);
+    const { nowUs } = b.run;
+    b.send({ type: 'input', action: { type: 'button', button: 'a', down: true } });
+    await b.pass(200);
+    expect((b.run.nowUs - nowUs) / 1000).toBeCloseTo(200, -2);
+    expect(b.types().slice(-2)).not.toContain('resting');
+    await b.pass(1000);
+    expect(b.types().filter((type) => type === 'resting')).toHaveLength(2);
+  });
+
+  it('does not rest while something is set for later, nor while the program runs, nor while anything moves', async () => {
+    const later = bench({ endsAtUs: 100_000 });
+    const running = bench({ idle: true });
+    const moving = bench({ endsAtUs: 100_000, idle: true });
+    moving.run.snapshot = () =>
+      ({ timeUs: moving.run.nowUs, movers: { fan: moving.run.nowUs } }) as unknown as Snapshot;
+    for (const b of [later, running, moving]) {
+      await b.start();
+      await b.pass(3000);
+      expect(b.types()).not.toContain('resting');
+      expect(b.run.nowUs / 1e6).toBeCloseTo(3, 1);
+    }
   });
 
   it('tells the end of the program after its output, and lets the world go on', async () => {

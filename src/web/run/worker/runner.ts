@@ -9,12 +9,15 @@ import { createEventBox } from './event-box';
 import { createOutbox } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
+import { createStillness } from './stillness';
 import { FAREWELL_MS } from './stop-limits';
 
 /** What the runner needs of a `Simulation`. */
 export interface Run {
   readonly nowUs: number;
   readonly ended: Ended | null;
+  /** Nothing is set for later; while nothing moves either, nothing happens until the next input. */
+  readonly isIdle: boolean;
   advanceTo(us: number): void;
   /** Like `advanceTo`, but stops at once when the program ends. */
   advanceProgramTo(us: number): void;
@@ -58,10 +61,12 @@ export class Runner {
   /** How the program ended, as far as the page has been told. */
   private toldEnd: Ended | null = null;
   private ticking = false;
+  private resting = false;
   private aliveAtMs = 0;
   /** What was done while the run was being created. */
   private readonly early: InputAction[] = [];
   private readonly events = createEventBox();
+  private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
   private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
 
@@ -188,6 +193,7 @@ export class Runner {
     const run = this.run;
     if (run === null || this.stopped) return;
     this.guarded(() => {
+      if (this.resting) this.wake();
       this.advance(run, this.at.nowMs() + SLICE_MS);
       const nowMs = this.at.nowMs();
       this.meter.note(nowMs, run.nowUs);
@@ -195,8 +201,28 @@ export class Runner {
       this.tell(run, nowMs);
       const behind = run.nowUs < this.limitUs(run);
       if (behind) this.schedule(0);
+      else if (this.mayRest(run)) this.rest(run);
       else if (!this.paused) this.schedule(REST_MS);
     });
+  }
+
+  /** The program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
+  private mayRest(run: Run): boolean {
+    const isIdle = !this.paused && this.toldEnd !== null && run.isIdle && this.outbox.isEmpty;
+    return isIdle ? this.stillness.look(run.snapshot()) : this.stillness.forget();
+  }
+
+  private rest(run: Run): void {
+    this.resting = true;
+    this.tellPicture(run);
+    this.at.post({ type: 'resting' });
+  }
+
+  /** Time goes on from here, not from what the wall clock says by now. */
+  private wake(): void {
+    this.resting = false;
+    this.stillness.forget();
+    this.anchorHere();
   }
 
   private advance(run: Run, untilMs: number): void {

@@ -1,0 +1,29 @@
+import type { Snapshot } from '#simulation/snapshot';
+
+/** How long everything must have looked the same, in µs of simulated time. Chosen: a sinking fork moves in each step. */
+const STILL_US = 500_000;
+
+/** Sees whether anything in the run still moves. */
+export interface Stillness {
+  /** Takes the next picture. @returns whether all pictures of the last half second were the same */
+  look(snapshot: Snapshot): boolean;
+  /** Something is done or set for later: begins anew. @returns false */
+  forget(): false;
+}
+
+export function createStillness(): Stillness {
+  let last = '';
+  let sinceUs = 0;
+  return {
+    look({ timeUs, ...rest }) {
+      const now = JSON.stringify(rest);
+      if (now !== last) sinceUs = timeUs;
+      last = now;
+      return timeUs - sinceUs >= STILL_US;
+    },
+    forget() {
+      last = '';
+      return false;
+    },
+  };
+}
