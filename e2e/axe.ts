@@ -22,7 +22,8 @@ export const violationsOn = (app: App): Promise<readonly string[]> => violations
 export const violationsIn = (app: App, frame: string): Promise<readonly string[]> =>
   violationsBy((code) => app.inFrame(frame, code));
 
-async function violationsBy(
+/** The same by any way to run code in a page. */
+export async function violationsBy(
   evaluate: <R>(code: string | (() => R | Promise<R>)) => Promise<R>,
 ): Promise<readonly string[]> {
   if (!(await evaluate(() => 'axe' in window))) await evaluate(`(() => { ${source} })()`);

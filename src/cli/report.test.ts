@@ -66,6 +66,7 @@ describe('the line about the task', () => {
     place: null,
     help: [],
     early: null,
+    stars: null,
     checkpoints: { passed: 1, of: 3 },
     targets: { reached: 0, of: 1 },
     blocks: { delivered: 0, of: 0 },
@@ -91,6 +92,7 @@ describe('the line about the task', () => {
       { ...failed, reason: 'time', early: { id: 't', number: 0, before: 3 } } as const,
       'Task: failed after 4.2 s: the time was over (1 of 3 checkpoints, 0 of 1 target); a target came before checkpoint 3.',
     ],
+    [{ ...open, state: 'passed', atMs: 12_400, stars: 2 } as const, 'Task: passed after 12.4 s, 2 of 3 stars.'],
     [open, 'Task: not done (1 of 3 checkpoints, 0 of 1 target).'],
     [
       { ...failed, reason: 'time' } as const,

@@ -80,7 +80,7 @@ export function verdictLine(verdict: Verdict | null): string | null {
   const seconds = `${((atMs ?? 0) / 1000).toFixed(1)} s`;
   switch (state) {
     case 'passed':
-      return `Task: passed after ${seconds}${withHelp(verdict)}.`;
+      return `Task: passed after ${seconds}${withStars(verdict)}${withHelp(verdict)}.`;
     case 'helped':
       return `Task: done after ${seconds}${withHelp(verdict)}: does not count as passed.`;
     case 'failed':
@@ -114,6 +114,9 @@ const helpWords: Readonly<Record<Help, string>> = {
   hand: 'with help by hand',
   edits: 'with a course that was changed',
 };
+
+/** `, 2 of 3 stars`, or nothing where the task gives none. */
+const withStars = ({ stars }: Verdict): string => (stars === null ? '' : `, ${stars} of 3 stars`);
 
 /** `, with help by hand`, or nothing. */
 const withHelp = ({ help }: Verdict): string => help.map((one) => `, ${helpWords[one]}`).join('');

@@ -338,6 +338,30 @@ describe('help', () => {
   });
 });
 
+describe('stars', () => {
+  const target = zone('target', 't', [1000, 500]);
+  const passedAfter = (seconds: number, task: Partial<Task>) => {
+    const { drive, put, verdict } = start([target], task);
+    drive(seconds, 0);
+    put(1000, 500);
+    return verdict();
+  };
+
+  it('are one for passing and one more for each time that is kept', () => {
+    const stars: Partial<Task> = { stars: [4, 2] };
+    expect(passedAfter(1, stars)?.stars).toBe(3);
+    expect(passedAfter(1.996, stars)).toMatchObject({ atMs: 2000, stars: 3 });
+    expect(passedAfter(3, stars)?.stars).toBe(2);
+    expect(passedAfter(5, stars)?.stars).toBe(1);
+  });
+
+  it('are none for who has not passed, and not spoken of where the task gives none', () => {
+    expect(start([target], { stars: [4, 2] }).verdict()?.stars).toBe(0);
+    expect(passedAfter(3, { stars: [4, 2], seconds: 1 })).toMatchObject({ state: 'failed', stars: 0 });
+    expect(passedAfter(1, {})?.stars).toBeNull();
+  });
+});
+
 describe('the place of the decision', () => {
   it('is where the robot was, to a tenth of a millimetre', () => {
     const { put, verdict } = start([zone('forbidden', 'no', [1500, 500])]);

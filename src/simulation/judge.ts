@@ -2,7 +2,7 @@ import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose, Vec } from '#core/geometry';
 import { zoneHolds, zoneOverlaps } from '#scene/kinds/zone';
 import { lengthOf, movedOutline, type Outline } from '#scene/outline';
-import { helps, type Help, type Scene, type Zone } from '#scene/scene';
+import { helps, type Help, type Scene, type Task, type Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { BlockHandle } from '#world/shapes';
 import { changesRun } from './at-once';
@@ -126,6 +126,7 @@ export class Judge {
       checkpoints: { passed: this.countReached(checkpoints), of: checkpoints.length },
       targets: { reached: this.countReached(robotTargets), of: robotTargets.length },
       blocks: { delivered: this.delivered, of: blocksWanted },
+      stars: this.brief.task.stars === undefined ? null : 0,
       touches: this.watched.chassis.collisions(),
     };
   }
@@ -143,7 +144,8 @@ export class Judge {
   ): void {
     const { xMm, yMm } = this.watched.chassis.pose();
     const place = { xMm: tenths(xMm), yMm: tenths(yMm) };
-    this.final = { ...this.openVerdict(), ...failure, state, atMs: timeUs / 1000, place };
+    const stars = state === 'passed' ? starsWithin(this.brief.task.stars, timeUs) : {};
+    this.final = { ...this.openVerdict(), ...failure, state, atMs: timeUs / 1000, place, ...stars };
   }
 
   private isDone(): boolean {
@@ -222,6 +224,11 @@ export class Judge {
     }
     return null;
   }
+}
+
+/** One star for passing, and one for each time that was kept, in whichever order the two are given. */
+function starsWithin(times: Task['stars'], timeUs: number): Pick<Verdict, 'stars'> {
+  return { stars: times === undefined ? null : 1 + times.filter((seconds) => timeUs <= seconds * 1_000_000).length };
 }
 
 const tenths = (mm: number): number => Math.round(mm * 10) / 10;

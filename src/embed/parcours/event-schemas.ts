@@ -55,6 +55,10 @@ const verdict = pipe(
       checkpoints: v.strictObject({ passed: v.number(), of: v.number() }),
       targets: v.strictObject({ reached: v.number(), of: v.number() }),
       blocks: v.strictObject({ delivered: v.number(), of: v.number() }),
+      stars: pipe(
+        v.nullable(v.number()),
+        description('1 to 3 for who has passed, otherwise 0; `null` for a task that gives no stars.'),
+      ),
       touches: pipe(v.number(), description('Number of touches of walls, blocks, the edge or obstacles.')),
     }),
   ),

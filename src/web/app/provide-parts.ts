@@ -36,6 +36,8 @@ import { provideWork, type WorkParts } from '../work/model/parts';
 import { createSettings } from '../work/settings/settings-model';
 import type { Work } from '../work/storage/history';
 import type { TabStorage } from '../work/storage/tab-storage';
+import { provideTask } from '../task/parts';
+import { createTask } from '../task/task-model';
 import { useLiveEdits } from '../work/model/use-live-edits';
 import { WorkModel } from '../work/model/work-model';
 import { browserEngine, createRun, type RunEngine } from './create-run';
@@ -64,7 +66,8 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
   followSettings({ ...mine, ...running });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   const editing = { editor, panels: createEditorPanels() };
-  return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host };
+  const task = createTask({ ...mine, ...running }, window.parent === window);
+  return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task };
 }
 
 /** Hands each room's models to the components below. */
@@ -77,6 +80,7 @@ export function provideParts(parts: AllParts): void {
   provideConsole(parts);
   provideCourseEditor(parts);
   provideFirstSteps(parts);
+  provideTask(parts);
 }
 
 /** What the settings say reaches the run, and the open course's name comes. */

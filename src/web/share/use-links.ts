@@ -33,6 +33,7 @@ export function useLinks(app: Workplace & VisitParts): void {
         const problem = openAddress(app, href, 'held');
         hold();
         app.work.isBrought ||= problem === null;
+        if (problem === null) app.work.arrivals.value += 1;
         if (problem !== null) refuse(problem);
         else if (isProject || opened.some((name) => PROGRAMS.includes(name))) showSource();
         else clearAddress();

@@ -22,6 +22,7 @@ export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict 
     place: null,
     help: [],
     early: null,
+    stars: null,
     checkpoints: { passed: 0, of: checkpoints.length },
     targets: { reached: 0, of: robotTargets.length },
     blocks: { delivered: 0, of: blocksWanted },

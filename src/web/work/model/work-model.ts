@@ -27,6 +27,8 @@ export class WorkModel {
   readonly open: ComputedRef<SourceFile>;
   /** Counts the opened courses: each is a new start, with nothing to undo. */
   readonly openings: ShallowRef<number> = shallowRef(0);
+  /** Counts what came with an address, be it the course that is open already. */
+  readonly arrivals: ShallowRef<number> = shallowRef(0);
   readonly canUndo: ComputedRef<boolean>;
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */

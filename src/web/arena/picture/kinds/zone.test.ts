@@ -14,6 +14,7 @@ const open: Verdict = {
   place: null,
   help: [],
   early: null,
+  stars: null,
   checkpoints: { passed: 0, of: 3 },
   targets: { reached: 0, of: 1 },
   blocks: { delivered: 0, of: 2 },

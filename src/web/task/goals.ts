@@ -1,0 +1,82 @@
+import type { Scene } from '#scene/scene';
+import { isSpiked } from '#simulation/kinds';
+import { briefOf } from '#simulation/task-brief';
+import type { Verdict } from '#simulation/verdict';
+
+/** Which sentence says a goal. */
+export type GoalWords =
+  | 'checkpoint'
+  | 'checkpointsInOrder'
+  | 'checkpointsAny'
+  | 'target'
+  | 'targets'
+  | 'thenTarget'
+  | 'thenTargets'
+  | 'block'
+  | 'blocks'
+  | 'holdOut';
+
+/** Something to reach, in words made from the course, and how far it has come. */
+export interface TaskGoal {
+  readonly words: GoalWords;
+  readonly values: Readonly<Record<string, number>>;
+  readonly done: number;
+  readonly of: number;
+}
+
+/** Something to keep to; `broken`: that is why the task was failed. */
+export interface TaskRule {
+  readonly words: 'seconds' | 'noTouch' | 'forbidden' | 'spikes' | 'ownHands' | 'handMayHelp' | 'editsMayHelp';
+  readonly values: Readonly<Record<string, number>>;
+  readonly isBroken: boolean;
+}
+
+type Course = Pick<Scene, 'task' | 'objects'>;
+
+/** What is to be reached, in the order in which it is done. */
+export function goalsInWords(course: Course, verdict: Verdict | null): readonly TaskGoal[] {
+  const { checkpoints, robotTargets, blocksWanted, task } = briefOf(course);
+  const goals: TaskGoal[] = [];
+  const numbers = checkpoints.map(({ number }) => number);
+  const [first = 0] = numbers;
+  const last = numbers.at(-1) ?? 0;
+  const count = numbers.length;
+  if (count > 0) {
+    const words = count === 1 ? 'checkpoint' : first === last ? 'checkpointsAny' : 'checkpointsInOrder';
+    goals.push({ words, values: { first, last, count }, done: verdict?.checkpoints.passed ?? 0, of: count });
+  }
+  const targets = robotTargets.length;
+  if (targets > 0) {
+    const words = count > 0 ? (targets === 1 ? 'thenTarget' : 'thenTargets') : targets === 1 ? 'target' : 'targets';
+    goals.push({ words, values: { count: targets }, done: verdict?.targets.reached ?? 0, of: targets });
+  }
+  if (blocksWanted > 0) {
+    const words = blocksWanted === 1 ? 'block' : 'blocks';
+    goals.push({ words, values: { count: blocksWanted }, done: verdict?.blocks.delivered ?? 0, of: blocksWanted });
+  }
+  if (goals.length === 0 && task.seconds !== null) {
+    const isDone = verdict?.state === 'passed' || verdict?.state === 'helped';
+    goals.push({ words: 'holdOut', values: { seconds: task.seconds }, done: isDone ? 1 : 0, of: 1 });
+  }
+  return goals;
+}
+
+/** What is to be kept to while doing it, and what help is allowed. */
+export function rulesInWords(course: Course, verdict: Verdict | null): readonly TaskRule[] {
+  const { task, objects } = course;
+  const goals = goalsInWords(course, null);
+  const why = verdict?.state === 'failed' ? verdict.reason : null;
+  const help = verdict?.state === 'helped' ? verdict.help : [];
+  const rules: TaskRule[] = [];
+  const add = (words: TaskRule['words'], isBroken = false, values: TaskRule['values'] = {}): void =>
+    void rules.push({ words, values, isBroken });
+  if (task.seconds !== null && goals[0]?.words !== 'holdOut') add('seconds', why === 'time', { seconds: task.seconds });
+  if (task.noTouch) add('noTouch', why === 'touched' || why === 'spikes');
+  if (objects.some(({ type }) => type === 'forbidden')) add('forbidden', why === 'forbidden');
+  if (!task.noTouch && objects.some(isSpiked)) add('spikes', why === 'spikes');
+  if (goals.length === 0) return rules;
+  if (task.allows?.includes('hand') === true) add('handMayHelp');
+  else add('ownHands', help.includes('hand'));
+  if (task.allows?.includes('edits') === true) add('editsMayHelp');
+  return rules;
+}
