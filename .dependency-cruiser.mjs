@@ -99,9 +99,9 @@ export default {
     onlyIn('micropython-in-vm', ['@micropython'], '^src/vm/', 'MicroPython only in vm.'),
     onlyIn(
       'drawing-in-web',
-      ['vue', '@vue', 'vuetify', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
+      ['vue', '@vue', 'codemirror', '@codemirror', '@lezer/highlight', '@lezer/lr', '@mdi'],
       '^src/web/',
-      'Vue, Vuetify and the code editor only in web.',
+      'Vue and the code editor only in web.',
     ),
     onlyIn(
       'parser-in-python',
@@ -114,7 +114,7 @@ export default {
       comment: 'The import leads nowhere.',
       severity: 'error',
       from: { path: '^src/' },
-      to: { couldNotResolve: true, pathNot: ['^virtual:', '^single:', '^vuetify/styles$', '^w3c-web-serial$', MADE] },
+      to: { couldNotResolve: true, pathNot: ['^virtual:', '^single:', '^w3c-web-serial$', MADE] },
     },
   ],
   options: {

@@ -68,7 +68,7 @@ const sameness = {
 const foreign = (...patterns) => ({ 'no-restricted-imports': ['error', { patterns }] });
 const planck = { group: ['planck', 'planck/*'], message: 'The physics engine only in src/world/physics.' };
 const drawing = {
-  group: ['vue', 'vuetify', 'vuetify/*', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
+  group: ['vue', 'codemirror', '@codemirror/*', '@lezer/*', '@mdi/js'],
   message: 'Vue and the code editor only in src/web.',
 };
 /** What the room that reads programs may use of the editor. */

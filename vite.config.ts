@@ -6,7 +6,6 @@ import { gzipSync } from 'node:zlib';
 import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
 import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
-import vuetify from 'vite-plugin-vuetify';
 
 import { programs } from './build/programs.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
@@ -42,35 +41,6 @@ function iconsApart(): Plugin {
       );
       return { code: apart, map: null };
     },
-  };
-}
-
-/**
- * Leaves out what every app with Vuetify gets and this one does not use: its calendar, its own texts (`src/web/page/vuetify.ts`
- * has none), the spinners of buttons that load, and the ripple, which all our buttons switch off.
- */
-function vuetifyLighter(): Plugin {
-  const LEFT_OUT: Readonly<Record<string, string>> = {
-    'framework.js ./composables/date/date.js':
-      "export const DateOptionsSymbol = Symbol.for('vuetify:date-options');\n" +
-      "export const DateAdapterSymbol = Symbol.for('vuetify:date-adapter');\n" +
-      'export const createDate = () => ({ options: {}, instance: {} });',
-    'composables/locale.js ../locale/adapters/vuetify.js': 'export const createVuetifyAdapter = () => ({});',
-    'composables/loader.js ../components/VProgressLinear/index.js': 'export const VProgressLinear = null;',
-    'components/VBtn/VBtn.js ../VProgressCircular/index.js': 'export const VProgressCircular = null;',
-    'components/VBtn/VBtn.js ../../directives/ripple/index.js': 'export default {};',
-    'components/VList/VListItem.js ../../directives/ripple/index.js': 'export default {};',
-  };
-  const PREFIX = '\0left-out:';
-  return {
-    name: 'vuetify-lighter',
-    enforce: 'pre',
-    resolveId(asked, importer) {
-      const [, path] = (importer ?? '').split('/node_modules/vuetify/lib/');
-      const place = `${path ?? ''} ${asked}`;
-      return place in LEFT_OUT ? PREFIX + place : null;
-    },
-    load: (id) => (id.startsWith(PREFIX) ? (LEFT_OUT[id.slice(PREFIX.length)] ?? null) : null),
   };
 }
 
@@ -187,14 +157,7 @@ function drawingsLighter(): Plugin {
 }
 
 /** The plugins of both builds, made anew for each. */
-const commonPlugins = (): PluginOption[] => [
-  programs(),
-  vue(),
-  vuetify({ autoImport: true }),
-  iconsApart(),
-  drawingsLighter(),
-  vuetifyLighter(),
-];
+const commonPlugins = (): PluginOption[] => [programs(), vue(), iconsApart(), drawingsLighter()];
 
 /** The worker as one classic script. */
 async function workerCode(): Promise<string> {

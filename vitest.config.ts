@@ -1,7 +1,6 @@
 import { availableParallelism } from 'node:os';
 
 import vue from '@vitejs/plugin-vue';
-import vuetify from 'vite-plugin-vuetify';
 import { defineConfig } from 'vitest/config';
 
 import { programs } from './build/programs.ts';
@@ -14,7 +13,7 @@ const PAGE = 'src/web/**/*.test.ts';
  * `// @vitest-environment happy-dom`.
  */
 export default defineConfig({
-  plugins: [programs(), vue(), vuetify({ autoImport: true })],
+  plugins: [programs(), vue()],
   test: {
     projects: [
       {
@@ -29,7 +28,6 @@ export default defineConfig({
       { extends: true, test: { name: 'page', include: [PAGE] } },
     ],
     environment: 'node',
-    server: { deps: { inline: ['vuetify'] } },
     pool: 'threads',
     maxWorkers: availableParallelism(), // else one processor waits, which on two is half of the time
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time

@@ -36,7 +36,7 @@ describe('npm run packages', () => {
 
   it('names the licence of everything in the app', async () => {
     const text = await licencesOfApp();
-    const names = ['vue', 'vuetify', 'planck', '@micropython/micropython-webassembly-pyscript', '@codemirror/view'];
+    const names = ['vue', 'planck', '@micropython/micropython-webassembly-pyscript', '@codemirror/view'];
     for (const name of [...names, 'jspdf', 'pako', 'workbox-precaching'])
       expect(text).toMatch(new RegExp(`^${name} \\d+\\.\\d+\\.\\d+`, 'm'));
     expect(text).not.toContain('undefined');

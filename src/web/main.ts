@@ -1,4 +1,4 @@
-import 'vuetify/styles/core';
+import './page/styles/base.css';
 import './page/styles/tokens.css';
 import './page/styles/page.css';
 import './page/styles/controls.css';
@@ -11,7 +11,7 @@ import { storedSettings } from './work/settings/settings-model';
 import { hostWish } from './visit/address';
 import { keepEarlyMessages } from './host/listen-to-host';
 import { setLanguage } from './page/i18n';
-import { vuetify } from './page/vuetify';
+import { controls } from './page/controls/controls';
 
 /** When the page looks after visits without a network, in ms. Chosen: what the first run needs has come by then. */
 const OFFLINE_AFTER_MS = 4000;
@@ -26,7 +26,7 @@ async function start(): Promise<void> {
   document.documentElement.dataset['dialect'] = wish.dialect ?? 'none';
   const language = wish.settings.language ?? storedSettings().language;
   const [storage] = await Promise.all([wish.keepsWork ? openTabStorage() : forgetful, setLanguage(language)]);
-  createApp(App, { storage, wish }).use(vuetify).mount('#app');
+  createApp(App, { storage, wish }).use(controls).mount('#app');
   setTimeout(() => {
     import('./offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
   }, OFFLINE_AFTER_MS);

@@ -3,7 +3,7 @@ import { flushPromises, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { vuetify } from '../page/vuetify';
+import { controls } from '../page/controls/controls';
 import { noHost, type HostWish } from '../visit/host-view';
 import { forgetful } from '../work/model/keep-work';
 import App from './App.vue';
@@ -21,7 +21,7 @@ async function opened(width: number, wish: Partial<HostWish> = {}, settings: obj
   const app = mount(App, {
     props: { storage: forgetful, wish: { ...noHost, ...wish } },
     attachTo: document.body,
-    global: { plugins: [vuetify] },
+    global: { plugins: [controls] },
   });
   await flushPromises();
   return app;

@@ -3,7 +3,7 @@ import { afterEach, beforeAll, beforeEach, vi } from 'vitest';
 import { defineComponent, h, type Component } from 'vue';
 
 import { loadTexts, showLanguage } from '../../page/i18n';
-import { vuetify } from '../../page/vuetify';
+import { controls } from '../../page/controls/controls';
 import { provideParts } from '../provide-parts';
 import type { TestPage } from './page';
 
@@ -25,7 +25,7 @@ beforeEach(() => {
 enableAutoUnmount(afterEach);
 
 /**
- * Mounts a component as the page does: in the document, with the models of all rooms, Vuetify and the texts.
+ * Mounts a component as the page does: in the document, with the models of all rooms, the controls and the texts.
  *
  * @param props what it is given; `onX` listens to its event `x`
  * @param slots what stands inside it
@@ -43,7 +43,7 @@ export function mountOn(
       return () => h(component, props, slots);
     },
   });
-  return mount(Page, { attachTo: document.body, global: { plugins: [vuetify] } }).findComponent(component);
+  return mount(Page, { attachTo: document.body, global: { plugins: [controls] } }).findComponent(component);
 }
 
 /** Takes the page away that a mounted component is on, as leaving it does. */

@@ -279,10 +279,10 @@ describe('the list of objects', () => {
 
   it('adds each kind without a pointer, as one step and in a place of its own, and opens it', async () => {
     const { scene, editor, steps, mounted, rows, ids } = await list([]);
-    await mounted.get('[data-testid="add-object"]').trigger('click');
-    await vi.waitFor(() => expect(document.querySelector('[data-testid="add-label"]')).not.toBeNull());
     const kinds = Object.keys(samples);
     for (const [at, kind] of kinds.entries()) {
+      await mounted.get('[data-testid="add-object"]').trigger('click');
+      await vi.waitFor(() => expect(document.querySelector('[data-testid="add-label"]')).not.toBeNull());
       document.querySelector<HTMLElement>(`[data-testid="add-${kind}"]`)!.click();
       await nextTick();
       expect([steps(), scene().objects[at]?.type, editor.selection.value.ids]).toEqual([at + 1, kind, [ids()[at]]]);

@@ -1,6 +1,6 @@
 import { createApp, shallowRef } from 'vue';
 
-import { vuetify } from '../vuetify';
+import { controls } from '../controls/controls';
 import PageBar from './PageBar.vue';
 import type { PageMessage } from './page-message';
 
@@ -23,7 +23,7 @@ export function showPageBar(message: PageMessage): void {
   isMounted = true;
   const place = document.createElement('div');
   document.body.append(place);
-  createApp(PageBar, { messages, onClose: closePageBar }).use(vuetify).mount(place);
+  createApp(PageBar, { messages, onClose: closePageBar }).use(controls).mount(place);
 }
 
 /** Takes the message of a kind away, if there is one. */

@@ -2,7 +2,7 @@
 import { mount } from '@vue/test-utils';
 import { describe, expect, it } from 'vitest';
 
-import { vuetify } from '../vuetify';
+import { controls } from './controls';
 import CtlButton from './CtlButton.vue';
 import HeadingDial from './HeadingDial.vue';
 import PaneSplitter from './PaneSplitter.vue';
@@ -10,7 +10,7 @@ import RangeSlider from './RangeSlider.vue';
 import { LEVEL } from './tilt';
 import TiltPad from './TiltPad.vue';
 
-const global = { plugins: [vuetify] };
+const global = { plugins: [controls] };
 /** A square of 100 px with its corner at 0, 0: happy-dom has no layout. */
 const square = (element: Element): void => {
   element.getBoundingClientRect = () => new DOMRect(0, 0, 100, 100);

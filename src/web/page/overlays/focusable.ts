@@ -1,0 +1,34 @@
+const FOCUSABLE = 'a[href], button, input, select, textarea, summary, [tabindex], [contenteditable="true"]';
+
+/** The browsers of before 2024 cannot tell. */
+const isShown = (element: Partial<Pick<Element, 'checkVisibility'>>): boolean => element.checkVisibility?.() ?? true;
+
+/** The Tab key goes to the chosen one of several radio buttons alone. */
+function isPassedOver(element: HTMLElement, all: readonly HTMLElement[]): boolean {
+  if (!(element instanceof HTMLInputElement) || element.type !== 'radio' || element.checked) return false;
+  return all.some(
+    (other) =>
+      other instanceof HTMLInputElement && other.type === 'radio' && other.checked && other.name === element.name,
+  );
+}
+
+/** Where the Tab key stops inside an element, in its order. */
+export function tabStops(inside: HTMLElement): readonly HTMLElement[] {
+  const all = [...inside.querySelectorAll<HTMLElement>(FOCUSABLE)].filter(
+    (element) => element.tabIndex >= 0 && !element.matches(':disabled') && isShown(element),
+  );
+  return all.filter((element) => !isPassedOver(element, all));
+}
+
+/** The entries of the lists in an element that can be chosen. */
+export const entriesIn = (inside: HTMLElement): readonly HTMLElement[] => [
+  ...inside.querySelectorAll<HTMLElement>('.v-list-item[tabindex]'),
+];
+
+/** Gives the keyboard to the first or the last entry of what has just been opened. @returns whether there was any */
+export function enter(inside: HTMLElement, end: 'first' | 'last'): boolean {
+  const entries = entriesIn(inside);
+  const stops = entries.length > 0 ? entries : tabStops(inside);
+  stops.at(end === 'first' ? 0 : -1)?.focus();
+  return stops.length > 0;
+}
