@@ -106,7 +106,7 @@ test('a worksheet sets language, colours, panes and microcomputer by message', a
     post('settings', { lang: 'fr', dark_mode: true, device: 'Calliope mini 3', layout: ['Canvas'], garden: 7 }),
   );
   await expect.poll(() => app.inFrame('iframe', () => document.documentElement.lang)).toMatch(/^fr/);
-  await expect.poll(() => isInFrame(app, '.v-theme--dark')).toBe(true);
+  await expect.poll(() => isInFrame(app, '[data-theme=dark]')).toBe(true);
   await expect.poll(() => isInFrame(app, '.pane-code:not([style*="none"])')).toBe(false);
   expect(await isInFrame(app, '.pane-arena')).toBe(true);
   expect(await app.inFrame('iframe', () => document.querySelector('header')?.textContent ?? '')).toContain('Calliope mini 3'); // prettier-ignore
@@ -147,8 +147,8 @@ test('links of WebTigerPython open stopped, with the source shown, in the query 
 const EFFECTS: readonly (readonly [address: string, isSo: () => boolean])[] = [
   ['?lang=fr', () => document.documentElement.lang.startsWith('fr')],
   ['#?lang=it-CH', () => document.documentElement.lang.startsWith('it')],
-  ['?dark_mode=true', () => document.querySelector('.v-theme--dark') !== null],
-  ['?theme=dark', () => document.querySelector('.v-theme--dark') !== null],
+  ['?dark_mode=true', () => document.querySelector('[data-theme=dark]') !== null],
+  ['?theme=dark', () => document.querySelector('[data-theme=dark]') !== null],
   ['?hide_topbar=true', () => document.querySelector('.pane-arena') !== null && !document.querySelector('header.top')],
   ['?full_screen=true', () => document.querySelector('.pane-arena') !== null && !document.querySelector('header.top, .pane-code')], // prettier-ignore
   ['?layout=["Editor","Console"]', () => document.querySelector('.pane-code .cm-content') !== null && !document.querySelector('.pane-arena')], // prettier-ignore
