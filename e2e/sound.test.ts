@@ -23,7 +23,7 @@ function soundOf(use: (bench: Bench) => void, forMs: number): readonly SoundEven
 function stretchesOf(loudness: readonly number[]): readonly (readonly [number, number])[] {
   const stretches: [number, number][] = [];
   loudness.forEach((value, ms) => {
-    if (value < 10) return;
+    if (value < 80) return; // a fifth of a tone
     const last = stretches.at(-1);
     if (last !== undefined && ms - last[1] < 5) last[1] = ms + 1;
     else stretches.push([ms, ms + 1]);
@@ -129,7 +129,9 @@ test('speech is as long as the program waits, and about as loud as a tone', asyn
   const heard = await app.evaluate((all) => window.hear(all, 1000, []), events);
   const loud = stretchesOf(heard.loudness);
   expect(loud.at(-1)?.[1]).toBeLessThanOrEqual(888);
-  expect(Math.max(...heard.loudness)).toBeGreaterThan(40);
+  expect(Math.max(...heard.loudness)).toBeGreaterThan(110);
+  expect(heard.peak, 'near −6 dB').toBeGreaterThan(0.4);
+  expect(heard.peak).toBeLessThan(0.7);
 });
 
 test('the volume, the speaker and a stop are heard at once', async ({ app }) => {
@@ -147,9 +149,25 @@ test('the volume, the speaker and a stop are heard at once', async ({ app }) => 
   await app.goto(PROBE);
   const { loudness } = await app.evaluate((all) => window.hear(all, 500, []), events);
   const mean = (from: number): number => loudness.slice(from, from + 50).reduce((sum, value) => sum + value, 0) / 50;
-  expect(mean(40)).toBeGreaterThan(40);
+  expect(mean(40), '−8 dB').toBeGreaterThan(380);
+  expect(mean(40)).toBeLessThan(420);
   expect(mean(140) / mean(40)).toBeCloseTo(64 / 255, 1);
   expect(mean(240)).toBeLessThan(1);
   expect(mean(340) / mean(140)).toBeCloseTo(1, 1);
   expect(mean(440)).toBeLessThan(1);
+});
+
+test('a tone, an effect and speech at once are loud, and not clipped', async ({ app }) => {
+  const voice = { pitch: 64, speed: 72, mouth: 128, throat: 128, sings: false };
+  const utterance = utter(phonemesOf('hello world') ?? '', voice);
+  if (utterance === null) throw new Error('"hello world" has no phonemes.');
+  const events = soundOf(({ board }) => {
+    board.music.pitch(440, -1, null);
+    board.sound.playEffect(readEffect(BUILT_IN_SOUNDS['hello'] ?? '', createRng(1)) ?? []);
+    board.sound.speak(utterance);
+  }, 1000);
+  await app.goto(PROBE);
+  const { peak } = await app.evaluate((all) => window.hear(all, 1000, []), events);
+  expect(peak).toBeGreaterThan(0.7);
+  expect(peak).toBeLessThan(1);
 });

@@ -12,6 +12,8 @@ export interface Stretch {
 export interface Heard {
   /** Root mean square of each ms, in thousandths of full scale. */
   readonly loudness: readonly number[];
+  /** The largest sample, 1 being full scale. */
+  readonly peak: number;
   /** For each stretch asked for: its loudest frequency in Hz, to about 1 Hz. */
   readonly peaksHz: readonly number[];
 }
@@ -32,7 +34,8 @@ export async function hear(
   const part = ({ fromMs, toMs }: Stretch): Float32Array =>
     samples.subarray((fromMs * RATE) / 1000, (toMs * RATE) / 1000);
   const loudness = Array.from({ length: forMs }, (_, ms) => Math.round(rms(part({ fromMs: ms, toMs: ms + 1 })) * 1000));
-  return { loudness, peaksHz: stretches.map((stretch) => peakHz(part(stretch))) };
+  const peak = samples.reduce((most, sample) => Math.max(most, Math.abs(sample)), 0);
+  return { loudness, peak, peaksHz: stretches.map((stretch) => peakHz(part(stretch))) };
 }
 
 function rms(samples: Float32Array): number {

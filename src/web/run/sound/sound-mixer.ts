@@ -1,6 +1,7 @@
 import type { SoundEvent, SoundSource } from '#board/sound/sound-event';
 
 import type { EFFECT_RATE, renderEffect, SPEECH_RATE, speechPieces } from './synthesis';
+import { createLimiter } from './limiter';
 import { createStream, EDGE_S, LOUDNESS, playPieces, playSamples, playTone, SPEECH_GAIN, type Voice } from './voices';
 
 /** What makes samples; loaded when it is needed. */
@@ -29,7 +30,7 @@ export class SoundMixer {
   constructor(private readonly context: BaseAudioContext) {
     this.volume = context.createGain();
     this.speaker = context.createGain();
-    this.volume.connect(this.speaker).connect(context.destination);
+    this.volume.connect(this.speaker).connect(createLimiter(context));
     this.stream = createStream(context, this.volume);
   }
 

@@ -1,11 +1,11 @@
 import type { SoundEvent } from '#board/sound/sound-event';
 
-/** Loudness of a tone and of a full square wave, 0 … 1: shrill, and there may be twenty of them in the room. */
-export const LOUDNESS = 0.05;
-/** Gain of speech: its peaks are high, so it needs this much to sound as loud as a tone. Fitted to "hello world". */
-export const SPEECH_GAIN = 5;
+/** Loudness of a tone and of a full square wave, 0 … 1. Chosen: −8 dB, about as loud as other sites; it is shrill. */
+export const LOUDNESS = 0.4;
+/** Gain of speech. Fitted to "hello world": its highest peaks come to −4 dB; more would be clipped. */
+export const SPEECH_GAIN = 1.7;
 /** Samples of a program are seldom as loud as a full square wave. Chosen. */
-const SAMPLES_GAIN = 2;
+const SAMPLES_GAIN = 1.25;
 /** How long a tone takes to begin and to end, in s: without it every note clicks. */
 export const EDGE_S = 0.003;
 
