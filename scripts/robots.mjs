@@ -7,8 +7,8 @@ import { Failure, main, note, root } from './progress.mjs';
 
 const FIRST_LINE = '// Written by `npm run robots`: do not edit.';
 
-/** The test bench, beside the robots' folders. */
-const TESTING = 'testing';
+/** What is no robot's folder: the test bench, and the words of what all robots have. */
+const SHARED = ['testing', 'words'];
 
 /** The files that every robot's folder has, and how what each exports is called. */
 const PARTS = {
@@ -31,7 +31,9 @@ export function exportName(folder) {
  */
 export async function robotFolders(place) {
   const entries = await readdir(place, { withFileTypes: true });
-  const folders = entries.filter((entry) => entry.isDirectory() && entry.name !== TESTING).map(({ name }) => name);
+  const folders = entries
+    .filter((entry) => entry.isDirectory() && !SHARED.includes(entry.name))
+    .map(({ name }) => name);
   const lacks = await Promise.all(folders.map((folder) => whatLacks(place, folder)));
   if (lacks.flat().length > 0) throw new Failure(`${lacks.flat().join('\n')}\nSee CONTRIBUTING.md, “A new robot”.`);
   return folders.sort();

@@ -174,7 +174,7 @@ export interface UltrasonicState {
   readonly headingRad: number;
   /** Full opening angle. */
   readonly openingRad: number;
-  /** To the nearest thing in the beam, or `null` if nothing is in range. */
+  /** To the nearest thing in the beam, as the sensor gives it: never below 20 mm; `null` if nothing is in range. */
   readonly distanceMm: number | null;
   readonly hitMm: Vec | null;
 }

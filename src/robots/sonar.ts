@@ -1,7 +1,7 @@
 /** Shared by robots with a distance sensor: its position, and the display of its beam. */
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { FARTHEST_MM } from '#devices/hc-sr04';
+import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import type { Cone } from '#world/probes/distance-cone';
 import type { RobotContext, UltrasonicState } from './robot';
 
@@ -47,7 +47,7 @@ export function mountSonar(context: RobotContext, { atMm, cone, turnRad }: Sonar
         fromMm: context.chassis.toWorld(from()),
         headingRad: context.chassis.pose().headingRad + turnRad(),
         openingRad: cone.openingRad,
-        distanceMm: distanceMm === Infinity ? null : distanceMm,
+        distanceMm: distanceMm === Infinity ? null : Math.max(distanceMm, NEAREST_MM),
         hitMm,
       };
     },

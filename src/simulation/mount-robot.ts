@@ -3,6 +3,7 @@ import { findBoard } from '#board/boards/index';
 import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
+import { heardCone } from '#robots/incidence';
 import type { Robot, RobotType } from '#robots/robot';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
@@ -51,7 +52,8 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     ground: (spot, radiusMm) => reality.reflectance(world.reflectanceAt(chassis.toWorld(spot), radiusMm), spot),
     distance: (from, headingRad, cone) => {
       const direction = chassis.pose().headingRad + headingRad;
-      return reality.echo(world.distanceCone(chassis.toWorld(from), direction, reality.cone(cone), chassis));
+      const heard = heardCone(cone, hardware.options);
+      return reality.echo(world.distanceCone(chassis.toWorld(from), direction, heard, chassis));
     },
     supplyMv: () => Math.round(FULL_MV * supply),
     options: hardware.options,

@@ -5,15 +5,14 @@
  *      motors       one is stronger than the other, so that `forward()` drifts and `calibrate` has a purpose
  *      battery      not quite full, and weaker while the motors pull
  *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
- *      ultrasonic   trembles, misses an echo now and then, and hears nothing from walls that it meets at a flat angle
+ *      ultrasonic   trembles and misses an echo now and then. From slanted walls it hears as the robot's option says
  *
  * A measurement is a function of its moment, not of the number of readings: an additional snapshot changes nothing.
  */
-import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
 import type { ChassisType } from '#world/chassis';
-import type { Cone, ConeHit } from '#world/probes/distance-cone';
+import type { ConeHit } from '#world/probes/distance-cone';
 import { STEP_US } from '#world/step';
 
 /** A robot's faults. */
@@ -24,8 +23,6 @@ export interface Reality {
   supply(duty: { readonly left: number; readonly right: number }): number;
   /** Distorts a reflectance of 0 … 1 for the line sensor at `spot`. */
   reflectance(seen: number, spot: Vec): number;
-  /** The beam that the sensor really hears. */
-  cone(cone: Cone): Cone;
   /** Distorts the reading of the ultrasonic sensor. */
   echo(hit: ConeHit): ConeHit;
 }
@@ -44,15 +41,11 @@ const ECHO_NOISE_MM = 4;
 const ECHO_NOISE_SHARE = 0.01;
 const MISSED_ECHOES = 0.02;
 
-/** Beyond this angle from a wall's normal the sensor hears nothing at reality 1: measured in a thesis at ETH Zürich. */
-const INCIDENCE_LIMIT_RAD = radOf(25);
-
 /** The robot as built. */
 const IDEAL: Reality = {
   body: (type) => type,
   supply: () => 1,
   reflectance: (seen) => seen,
-  cone: (cone) => cone,
   echo: (hit) => hit,
 };
 
@@ -78,7 +71,6 @@ export function createReality(amount: number, seed: number, nowUs: () => number)
       const offset = SENSOR_OFFSET * (2 * unitOf(salt, -1, channel) - 1);
       return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * trembling(channel)), 0), 1);
     },
-    cone: (cone) => ({ ...cone, incidenceLimitRad: Math.PI / 2 - amount * (Math.PI / 2 - INCIDENCE_LIMIT_RAD) }),
     echo: (hit) => {
       if (hit.distanceMm === Infinity) return hit;
       if (unitOf(salt, Math.floor(nowUs() / STEP_US), ECHO_MISSED) < amount * MISSED_ECHOES)

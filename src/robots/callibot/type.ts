@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
 import type de from './words/de.json';
@@ -109,11 +110,13 @@ export const callibot: RobotType = {
     {
       id: 'echo',
       title: words.options.echo.title,
+      isExpert: true,
       choices: [
         { id: 'far', title: words.options.echo.choices.far },
         { id: 'zero', title: words.options.echo.choices.zero },
       ],
     },
+    incidenceOption,
     ...attachmentOptions(SERVO_PORTS),
   ],
   mountMm: { x: 60, y: 0 },

@@ -114,6 +114,12 @@ describe('Maqueen Lite: what is on which pin', () => {
     expect(robot.state().ultrasonic?.distanceMm).toBeCloseTo(1945, 6);
   });
 
+  it('shows 20 mm, the least that the sensor can tell, in front of a wall 5 mm ahead', () => {
+    const wall = { fromMm: { x: 1065, y: 800 }, toMm: { x: 1065, y: 1200 }, thicknessMm: 10 };
+    const { robot } = onTheFloor({ prepare: (world) => world.addWall(wall) });
+    expect(robot.state().ultrasonic?.distanceMm).toBe(20);
+  });
+
   it('keeps the angles of servos S1 and S2, at most 180°', () => {
     const { robot, send } = onTheFloor();
     expect(robot.state().servos).toEqual({});

@@ -6,6 +6,7 @@ import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
 import type de from './words/de.json';
@@ -77,11 +78,13 @@ export const maqueenLite: RobotType = {
     {
       id: 'echo',
       title: words.options.echo.title,
+      isExpert: true,
       choices: [
         { id: 'none', title: words.options.echo.choices.none },
         { id: 'long-pulse', title: words.options.echo.choices['long-pulse'] },
       ],
     },
+    incidenceOption,
   ],
   mountMm: { x: 58, y: 0 },
   drawing,

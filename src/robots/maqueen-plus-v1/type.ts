@@ -5,6 +5,7 @@
 import { attachmentOptions } from '#attachments/options';
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
+import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
 
@@ -64,7 +65,7 @@ export const maqueenPlusV1: RobotType = {
   body,
   modules: ['mbrobot_plus'],
   driverNames: ['maqueenplusv1', 'maqueenplus', 'Maqueen_Plus'], // the last two: lawther, Koraze
-  options: attachmentOptions(SERVO_PORTS),
+  options: [...attachmentOptions(SERVO_PORTS), incidenceOption],
   mountMm: { x: 78.5, y: 0 },
   drawing,
 };

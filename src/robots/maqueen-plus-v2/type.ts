@@ -7,6 +7,7 @@ import type { Option } from '#core/option';
 import type { Vec } from '#core/geometry';
 import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
+import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
 import drawing from './robot.svg?raw';
 import type de from './words/de.json';
@@ -71,6 +72,7 @@ const options: readonly Option[] = [
     id: 'version',
     title: words.version.title,
     about: words.version.about,
+    isExpert: true,
     choices: [
       { id: '2.1', title: words.version.choices['2.1'] },
       { id: '2.0', title: words.version.choices['2.0'] },
@@ -80,6 +82,7 @@ const options: readonly Option[] = [
     id: 'analogOrder',
     title: words.analogOrder.title,
     about: words.analogOrder.about,
+    isExpert: true,
     choices: [
       { id: 'R2-first', title: words.analogOrder.choices['R2-first'] },
       { id: 'L2-first', title: words.analogOrder.choices['L2-first'] },
@@ -89,6 +92,7 @@ const options: readonly Option[] = [
     id: 'analogPolarity',
     title: words.analogPolarity.title,
     about: words.analogPolarity.about,
+    isExpert: true,
     choices: [
       { id: 'light-high', title: words.analogPolarity.choices['light-high'] },
       { id: 'light-low', title: words.analogPolarity.choices['light-low'] },
@@ -97,11 +101,13 @@ const options: readonly Option[] = [
   {
     id: 'echo',
     title: words.echo.title,
+    isExpert: true,
     choices: [
       { id: 'none', title: words.echo.choices.none },
       { id: 'long-pulse', title: words.echo.choices['long-pulse'] },
     ],
   },
+  incidenceOption,
 ];
 
 export const maqueenPlusV2: RobotType = {

@@ -97,7 +97,7 @@ describe('the panel of the device', () => {
     expect(textOf(mounted.get('[role="status"]').element)).toContain(
       'Hier steckt ein Calliope mini 3: Der Roboter hört nichts.',
     );
-    named('Richtig stecken').click();
+    named('Umstecken').click();
     await nextTick();
     expect(page.settings.current.value.device).not.toBe('calliope-mini-3');
     expect(mounted.find('[data-testid="misplugged"]').exists()).toBe(false);
@@ -133,6 +133,17 @@ describe('what is set up about a robot', () => {
     await nextTick();
     expect(select.element.value).toBe(before);
     expect(mounted.find('[data-testid="options-reset"]').exists()).toBe(false);
+  });
+
+  it('folds what only people ask for who know the series, until some of it is changed', async () => {
+    const { mounted } = panel({ device: 'microbit-v2', robot: 'maqueen-plus-v2' });
+    const experts = mounted.get<HTMLDetailsElement>('[data-testid="experts"]');
+    expect(textOf(experts.get('summary').element)).toBe('Für Kenner');
+    const ids = experts.findAll('select').map((it) => it.attributes('data-testid'));
+    expect(ids).toEqual(['version', 'analogOrder', 'analogPolarity', 'echo', 'incidence'].map((id) => `option-${id}`));
+    expect(experts.element.open).toBe(false);
+    await experts.get('[data-testid="option-incidence"]').setValue('25');
+    expect(experts.element.open).toBe(true);
   });
 
   it('has a name at every choice', () => {
