@@ -124,7 +124,7 @@ describe('what an edit does', () => {
     });
     expect(said(startTool, drag([300, 300], [300, 500]), scene)).toMatchObject({ at: [300, 300], headingDeg: 90 });
     const back = { ...scene, robot: { ...scene.robot, heading: 90 } };
-    expect(said(startTool, drag([600, 450], [800, 450]), back)).toEqual({
+    expect(said(startTool, drag([600, 526], [800, 450]), back)).toEqual({
       type: 'robot',
       at: null,
       headingDeg: 0,

@@ -28,6 +28,16 @@ describe('start', () => {
     expect(start(drag([1199, 450], [1199, 700]))).toMatchObject({ at: [1170, 450], heading: 90 });
   });
 
+  it('moves the robot by a drag of it, and leaves its heading', () => {
+    expect(start(drag([610, 460], [713, 358]))).toMatchObject({ at: [700, 350], heading: 0 });
+    expect(start(freely(drag([610, 460], [713, 358])))).toMatchObject({ at: [703, 348], heading: 0 });
+  });
+
+  it('turns the robot by a drag of the knob before it, in steps of 15°, and leaves its place', () => {
+    expect(start(drag([676, 450], [600, 560]))).toMatchObject({ at: [600, 450], heading: 90 });
+    expect(start(drag([676, 450], [676, 466]))).toMatchObject({ at: [600, 450], heading: 15 });
+  });
+
   it('does nothing outside the arena, or where the robot is already', () => {
     expect(startTool.edit(drag([1300, 300]), contextOf(course()))).toBeNull();
     expect(startTool.edit(drag([600, 450]), contextOf(course()))).toBeNull();

@@ -171,7 +171,7 @@ describe('the main menu', () => {
       'Aufs Gerät laden …',
       'Projekt speichern',
       'Nur das Programm speichern',
-      'Nur die Strecke speichern',
+      'Nur den Parcours speichern',
       'Datei öffnen …',
       'Link öffnen …',
       'Mikrocomputer ausblenden',
@@ -182,7 +182,7 @@ describe('the main menu', () => {
 
   it('has on a phone all that the small bar leaves out', () => {
     mainList(390);
-    for (const name of ['Pause', 'Einen Schritt von 20 ms', 'Ton ausschalten', 'Kurs wählen', 'Gerät wählen'])
+    for (const name of ['Pause', 'Einen Schritt von 20 ms', 'Ton ausschalten', 'Parcours wählen', 'Gerät wählen'])
       expect(items()).toContain(name);
     expect(items()).not.toContain('Arena ausblenden'); // there each pane has a tab
   });
@@ -220,7 +220,7 @@ describe('the main menu', () => {
 
   it('asks for dialogs, lists and the gallery in its place', async () => {
     const { asked } = mainList(390);
-    for (const name of ['Teilen', 'Aufs Gerät laden …', 'Link öffnen …', 'Kurs wählen', 'Gerät wählen'])
+    for (const name of ['Teilen', 'Aufs Gerät laden …', 'Link öffnen …', 'Parcours wählen', 'Gerät wählen'])
       await pressItem(name);
     await pressItem('Roboter-Galerie');
     expect(asked).toEqual([

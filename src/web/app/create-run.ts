@@ -67,11 +67,12 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
 
 /** What begins with a run. */
 function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStart' | 'onRestarted'> {
-  const { host, jump, console, dataLog, notices } = around;
+  const { host, jump, console, dataLog, notices, hand } = around;
   let runs = 0;
   return {
     onStart: () => {
       runs += 1;
+      hand.reset();
       host.tell({ type: 'started' });
       jump.wrong.value = null;
       showStart(around);

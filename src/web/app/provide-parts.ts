@@ -40,6 +40,7 @@ import { provideTask } from '../task/parts';
 import { createTask } from '../task/task-model';
 import { useLiveEdits } from '../work/model/use-live-edits';
 import { WorkModel } from '../work/model/work-model';
+import { tellIdleHand } from './tell-idle-hand';
 import { browserEngine, createRun, type RunEngine } from './create-run';
 
 /** The models of all rooms. */
@@ -65,6 +66,7 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
   const running = createRun({ ...page, ...mine, ...sight, ...talk, ...results, host, runStart }, engine);
   followSettings({ ...mine, ...running });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
+  tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels() };
   const task = createTask({ ...mine, ...running }, window.parent === window);
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task };

@@ -8,7 +8,7 @@ import type { WorkParts } from '../work/model/parts';
 
 /** What the arena shows and what the hand does in it: it changes the run, never the course. */
 export function useArenaRun({ run, work, hand }: Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>) {
-  /** The course, with robot and blocks where the hand put them before the run. */
+  /** The course, with robot and blocks where the hand put them, until the next start. */
   const shownScene = computed<Scene>(() => {
     const scene = work.scene.value;
     const { pose, blocks } = hand;
@@ -26,7 +26,7 @@ export function useArenaRun({ run, work, hand }: Pick<RunParts, 'run' | 'hand'> 
     return { ...object, at: [pose.xMm, pose.yMm], turn: pose.headingDeg / 45 };
   }
 
-  /** Without a run the hand tool sets where the next one starts; the last picture of a stopped run would hide that. */
+  /** The last picture of a stopped run would hide what the hand does. */
   function prepare(): void {
     if (run.snapshot.value !== null) void run.reset();
   }

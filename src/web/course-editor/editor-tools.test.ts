@@ -103,7 +103,7 @@ describe('the options of a tool', () => {
 
   it('make the eraser take whole things, and as wide as one likes', async () => {
     const { set } = await optionsOf('eraser');
-    await pick('Ganze Dinge');
+    await pick('Ganze Objekte');
     await pick('60 mm breit');
     expect(set()).toMatchObject({ eraser: 'objects', eraserWidth: 60 });
   });
@@ -111,7 +111,7 @@ describe('the options of a tool', () => {
   it('choose among four blocks and set the tempo of one that drives', async () => {
     const { set, texts } = await optionsOf('block');
     expect(texts().some((text) => text.startsWith('Tempo'))).toBe(false);
-    await pick('Fahrend');
+    await pick('Fährt selbst');
     await openCard('Tempo: 10 cm/s');
     await press('Tempo: mehr');
     expect(set().moverSpeed).toBe(110);

@@ -3,7 +3,7 @@ import { shallowRef } from 'vue';
 import { touchedBy, type Step } from '#scene/history';
 import type { PlacedPose } from '#simulation/input';
 
-/** Where the hand put robot and blocks before a run; a reset puts them back. */
+/** Where the hand put robot and blocks while no run goes on; a reset, and every start, puts them back. */
 export type Hand = ReturnType<typeof createHand>;
 
 /** Makes a hand that has moved nothing yet. */

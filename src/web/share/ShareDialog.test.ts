@@ -241,7 +241,7 @@ describe('the dialog that opens a link', () => {
 
   it.each([
     ['https://example.org/', 'Das ist kein Link zu einem Projekt.'],
-    ['?world=no-such-course', 'Die Strecke «no-such-course» gibt es hier nicht. Lade die Seite neu.'],
+    ['?world=no-such-course', 'Den Parcours «no-such-course» gibt es hier nicht. Lade die Seite neu.'],
     ['#p=2!!!', 'Der Link ist beschädigt: Ein Teil fehlt oder ist verändert. Kopiere ihn nochmals ganz.'],
   ])('says why it cannot open %s, and changes nothing', async (address, words) => {
     const { page, closed, open, problem } = await dialog();

@@ -205,7 +205,7 @@ describe('a project or a course that is taken in', () => {
 
   it.each([
     ['no JSON', 'a.json', '{ "format": ', /^a\.json: Das ist kein JSON: Zeile 1, Spalte \d+\.$/],
-    ['JSON of something else', 'b.json', '{ "hello": 1 }', /^b\.json: Das ist weder ein Projekt noch eine Strecke\.$/],
+    ['JSON of something else', 'b.json', '{ "hello": 1 }', /^b\.json: Das ist weder ein Projekt noch ein Parcours\.$/],
     ['no text', 'c.json', new Uint8Array([0xff, 0xfe]), /^c\.json lässt sich nicht lesen\.$/],
     ['a picture', 'd.png', 'x', /^d\.png kann hier nicht geöffnet werden\. Es gehen Programme/],
     ['a project without a program', 'e.json', () => project('x').replace('main.py', 'other.py'), /^e\.json: .*main\.py heissen\.$/], // prettier-ignore

@@ -55,7 +55,7 @@ describe('what is said of a broken file', () => {
   it('names place and value', () => {
     showLanguage('de');
     expect(said().slice(3, 6)).toEqual([
-      'Das ist weder ein Projekt noch eine Strecke.',
+      'Das ist weder ein Projekt noch ein Parcours.',
       '"main.py" ist kein möglicher Dateiname.',
       'Die erste Datei muss main.py heissen.',
     ]);

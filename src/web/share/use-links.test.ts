@@ -62,7 +62,7 @@ describe('an address', () => {
     const made = linkOf(project({ scene: older, course: 'slalom' }), { courses: () => older, program: true });
     const { page, problem } = opened(`#${made?.fragment}`);
     expect(problem).toBeNull();
-    expect(said(page)).toMatch(/^«Slalom» ist geöffnet\. Die Strecke ist seit dem Teilen verbessert worden\.$/);
+    expect(said(page)).toMatch(/^«Slalom» ist geöffnet\. Der Parcours ist seit dem Teilen verbessert worden\.$/);
     expect(page.work.scene.value.size).toEqual(slalom.scene.size);
   });
 

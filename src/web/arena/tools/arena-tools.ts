@@ -180,13 +180,14 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
   const selection = tool === 'select' || tool === 'rotate' ? editor.selection.value : nothingSelected;
   const { penColor, penWidth } = editor.options.value;
   const isMoved = after !== null && after.robot !== sources.course().robot;
-  const showsStart = selection.robot || isMoved;
+  const held = tool === 'start' ? { ids: [], robot: true } : selection;
+  const showsStart = held.robot || isMoved;
   return {
     ghost,
     selected: objectsById(scene, selection.ids),
     start: showsStart && sources.footprint().length > 0 ? scene.robot : null,
     isStartSelected: selection.robot,
-    handles: tool === 'select' ? handlesOf(scene, selection, sources.footprint(), surface.reachMm) : [],
+    handles: tool === 'select' || tool === 'start' ? handlesOf(scene, held, sources.footprint(), surface.reachMm) : [],
     marks: now.marks,
     ink: now.ink && { ink: now.ink, from: Math.max(0, drawn - 1) },
     tip:

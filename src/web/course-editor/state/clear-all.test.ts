@@ -16,10 +16,9 @@ const scene: Scene = {
 };
 
 describe('clearing all', () => {
-  it('takes name, task and rules of a ready course along: they tell of what is gone', () =>
+  it('takes the task and the rules of a ready course along, which tell of what is gone, and leaves its name', () =>
     expect(applyEdit(scene, clearAll(true))).toEqual({
       ...scene,
-      name: '',
       description: '',
       task: { seconds: null, noTouch: false },
       objects: [],

@@ -4,12 +4,12 @@ import { sceneDefaults } from '#scene/scene';
 /**
  * Clears a course in one step. Robot, size and picture stay.
  *
- * @param isReady whether it is a ready course: its name, its task and its rules describe the removed objects, and are
- *   removed, too. An author's own texts stay.
+ * @param isReady whether it is a ready course: its task and its rules describe the removed objects, and are
+ *   removed, too. The name and an author's own texts stay.
  */
 export const clearAll = (isReady: boolean): SceneEdit => {
   const clear = { type: 'clear' } as const;
   if (!isReady) return clear;
-  const changes = { name: '', description: '', task: sceneDefaults.task };
+  const changes = { description: '', task: sceneDefaults.task };
   return { type: 'all', edits: [clear, { type: 'course', changes }] };
 };

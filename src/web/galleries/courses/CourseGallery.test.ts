@@ -123,9 +123,9 @@ describe('the filters of the courses', () => {
   it('say to a screen reader how many courses are left', async () => {
     await galleryAt();
     const said = (): string => textOf(document.querySelector('.overview [role="status"]'));
-    expect(said()).toBe(`${String(courses.length + 2)} Kurse`);
+    expect(said()).toBe(`${String(courses.length + 2)} Parcours`);
     await tap('filter-maze');
-    expect(said()).toBe(`${String(idsOf('maze').length + 1)} Kurse`);
+    expect(said()).toBe(`${String(idsOf('maze').length + 1)} Parcours`);
   });
 
   it('are one stop for the Tab key; the arrow keys lead round from one to the next', async () => {
@@ -198,7 +198,7 @@ describe('the frame of the gallery', () => {
     expect(title()).toBe('Slalom');
     await tap('gallery-all');
     expect(page.gallery.page.value).toEqual({ kind: 'courses' });
-    expect(title()).toBe('Alle Kurse');
+    expect(title()).toBe('Alle Parcours');
     expect(isThere('gallery-all')).toBe(false);
   });
 
@@ -230,8 +230,8 @@ describe('the frame of the gallery', () => {
 
   it('says that a course is unknown, and shows all others', async () => {
     const { title } = await galleryAt('no-such-course');
-    expect(textOf(byId('unknown-course'))).toBe('Diesen Kurs gibt es hier nicht.');
-    expect(title()).toBe('Alle Kurse');
+    expect(textOf(byId('unknown-course'))).toBe('Diesen Parcours gibt es hier nicht.');
+    expect(title()).toBe('Alle Parcours');
     expect(shownCourses()).toHaveLength(courses.length);
   });
 });

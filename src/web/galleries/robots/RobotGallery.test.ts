@@ -157,7 +157,7 @@ describe('the sheet of a robot', () => {
     await nextTick();
     const warning = textOf(document.querySelector('.misplugged'));
     expect(warning).toContain('Calli:bot gehört auf einen');
-    await tap(named('Richtig stecken'));
+    await tap(named('Umstecken'));
     expect(document.querySelector('.misplugged')).toBeNull();
     expect(page.settings.current.value.device).not.toBe('microbit-v2');
   });

@@ -1,0 +1,41 @@
+import { watch } from 'vue';
+
+import { startingAt } from '#editor/edits';
+
+import type { CourseEditorParts } from '../course-editor/state/parts';
+import type { PageParts } from '../page/parts';
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+
+type Around = Pick<PageParts, 'notices'> &
+  Pick<RunParts, 'run' | 'hand'> &
+  Pick<WorkParts, 'work'> &
+  Pick<CourseEditorParts, 'editor'>;
+
+/**
+ * Every run begins where the course has the robot. Whoever moves it by hand while no run goes on is told so, and can make
+ * its place the start.
+ */
+export function tellIdleHand({ notices, run, hand, work, editor }: Around): void {
+  function startHere(): void {
+    const pose = hand.pose.value;
+    if (pose === null) return;
+    const at = [Math.round(pose.xMm), Math.round(pose.yMm)] as const;
+    const edit = startingAt(work.scene.value, { at, heading: Math.round(pose.headingDeg) });
+    hand.reset();
+    if (edit !== null) editor.commit(edit);
+  }
+  watch([hand.pose, hand.blocks], ([pose, blocks]) => {
+    const hasBlocks = Object.keys(blocks).length > 0;
+    if (pose === null && !hasBlocks) return;
+    const key = pose === null ? 'notice.handBlock' : 'notice.handRobot';
+    if (notices.current.value?.key === key) return;
+    notices.show({
+      kind: 'info',
+      key,
+      ...(pose === null ? {} : { action: { key: 'notice.startHere', run: startHere } as const }),
+      holds: () =>
+        !run.isActive.value && (pose === null ? Object.keys(hand.blocks.value).length > 0 : hand.pose.value !== null),
+    });
+  });
+}
