@@ -20,19 +20,19 @@ interface Source {
  * or JPEG (photographs), smaller and smaller until it fits. All other data in the file (place, camera, name) are
  * dropped.
  */
-export function pictureOf(source: Source): string {
+export function pictureOf(source: Source, mostCharacters: number = MOST_CHARACTERS): string {
   const longest = Math.max(source.widthPx, source.heightPx);
   for (let px = Math.min(LONGEST_PX, longest); px >= 1; px /= 1.5) {
-    const found = encoded(painted(source, px / longest), source.isPhoto);
-    if (found.length <= MOST_CHARACTERS) return found;
+    const found = encoded(painted(source, px / longest), source.isPhoto, mostCharacters);
+    if (found.length <= mostCharacters) return found;
   }
   return ''; // the levels are shown instead
 }
 
-function encoded(canvas: HTMLCanvasElement, isPhoto: boolean): string {
+function encoded(canvas: HTMLCanvasElement, isPhoto: boolean, mostCharacters: number): string {
   if (!isPhoto) {
     const png = canvas.toDataURL('image/png');
-    if (png.length <= MOST_CHARACTERS) return png;
+    if (png.length <= mostCharacters) return png;
   }
   // A browser that cannot write WebP gives a PNG instead. JPEG has no transparency: see-through parts would turn black.
   const webp = canvas.toDataURL('image/webp', 0.85);

@@ -69,6 +69,26 @@ export async function readBackground(
   }
 }
 
+/**
+ * Makes the picture of a task of a picture file: repainted, so that nothing else of the file remains, and small enough.
+ *
+ * @returns a problem if the file cannot be read; never rejects
+ */
+export async function readPicture(
+  file: Blob,
+  mostCharacters: number,
+): Promise<{ readonly picture: string } | { readonly problem: BackgroundProblem }> {
+  let opened: Opened | null = null;
+  try {
+    opened = await open(file);
+    return { picture: pictureOf(opened, mostCharacters) };
+  } catch (error) {
+    return { problem: error instanceof Refusal ? error.problem : 'damaged' };
+  } finally {
+    opened?.close();
+  }
+}
+
 async function open(file: Blob): Promise<Opened> {
   if (file.size > MOST_BYTES) throw new Refusal('file-too-large');
   const bytes = new Uint8Array(await file.arrayBuffer());

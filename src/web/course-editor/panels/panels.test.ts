@@ -48,6 +48,61 @@ describe('the settings of a course', () => {
     expect(scene()).toMatchObject({ name: 'Schleife', description: 'Fahr zweimal herum.' });
   });
 
+  it('have the whole task in one place: title, hints one after the other, what is allowed, stars', async () => {
+    const { scene, mounted } = await settings([], { name: 'Kurve', description: 'Fahr ins Ziel.' });
+    await fill('Titel der Aufgabe', 'Um die Ecke');
+    await press('Tipp dazu');
+    await fill('Tipp 1', 'Langsam.');
+    await press('Tipp dazu');
+    await fill('Tipp 2', 'Noch langsamer.');
+    await mounted.get('[data-testid="allow-hand"]').trigger('change');
+    await mounted.get('[data-testid="give-stars"]').trigger('change');
+    expect(scene()).toMatchObject({ name: 'Kurve', description: 'Fahr ins Ziel.' });
+    expect(scene().task).toMatchObject({
+      ...{ allows: ['hand'], stars: [30, 20] },
+      card: { title: 'Um die Ecke', hints: ['Langsam.', 'Noch langsamer.'], language: '', translations: [] },
+    });
+    await fill('Tipp 1', '');
+    expect(scene().task.card?.hints).toEqual(['Noch langsamer.']);
+  });
+
+  it('show the text as pupils read it', async () => {
+    const { mounted } = await settings([], {
+      description: 'Fahr **los**.\n\n- eins\n- zwei\n\n<img src=x onerror=alert(1)>',
+    });
+    const preview = mounted.get('[data-testid="task-preview"]');
+    expect([preview.get('strong').text(), preview.findAll('li').length]).toEqual(['los', 2]);
+    expect(preview.find('img').exists()).toBe(false);
+  });
+
+  it('write the task in several languages, each at its place', async () => {
+    const { scene } = await settings([], { name: 'Kurve', description: 'Fahr los.' });
+    await press('Weitere Sprachen');
+    await press('Français', '.presets button');
+    expect(field('Aufgabe').value).toBe('');
+    await fill('Aufgabe', 'Démarre.');
+    expect(scene()).toMatchObject({ description: 'Fahr los.' });
+    expect(scene().task.card).toMatchObject({
+      language: 'de',
+      translations: [{ language: 'fr', title: '', text: 'Démarre.', hints: [] }],
+    });
+    await press('Deutsch', '.presets button');
+    expect(field('Aufgabe').value).toBe('Fahr los.');
+  });
+
+  it('keep the solution of a ready course back, or show it', async () => {
+    const { scene, work, mounted } = await settings();
+    expect(mounted.find('[data-testid="allow-solution"]').exists()).toBe(false);
+    work.setScene({ ...scene(), name: 'x' }, 'slalom');
+    await nextTick();
+    const box = () => mounted.get<HTMLInputElement>('[data-testid="allow-solution"]');
+    expect(box().element.checked).toBe(true);
+    await box().trigger('change');
+    expect(scene().task.card?.solution).toBe(false);
+    await box().trigger('change');
+    expect(scene().task.card?.solution).toBe(true);
+  });
+
   it('offer five sizes in cm and press the one that it has', async () => {
     const { mounted, scene, steps } = await settings();
     const pressed = () => mounted.findAll('.presets button').map((it) => it.attributes('aria-pressed'));
