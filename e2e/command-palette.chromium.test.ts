@@ -1,7 +1,7 @@
 import type { Page } from '@playwright/test';
-import { expect, playwrightApp, test } from './app';
+import { expect, playwrightApp, test, type App } from './app';
 import { violationsOn } from './axe';
-import { on, openApp, programIn } from './page';
+import { on, openApp, pasteProgram, programIn } from './page';
 import { withFingers } from './touch';
 
 const phone = { viewport: { width: 390, height: 844 }, hasTouch: true, isMobile: true } as const;
@@ -64,8 +64,84 @@ test.describe('with fingers, on a phone', () => {
   });
 });
 
+const TOGGLE = '[data-testid=commands-toggle]';
+const command = (id: string): string => `[data-command=${id}]`;
+
+/** The cursor at the end of a new program. */
+async function write(app: App, program: string): Promise<void> {
+  await pasteProgram(app, program);
+  await app.press('Control', 'End');
+}
+
+test.describe('with fingers, on a phone: the commands', () => {
+  test.use(phone);
+
+  test('are a sheet over the lower half, write with a tap and leave the keyboard away', async ({ page }) => {
+    const { app, fingers } = await withFingers(page);
+    await openApp(app, { language: 'de' });
+    await fingers.tap(TOGGLE);
+    const sheet = page.getByRole('region', { name: 'Befehle', exact: true });
+    await expect(sheet.locator(command('forward'))).toContainText('Fährt vorwärts, bis ein anderer Befehl kommt.');
+    const box = await sheet.boundingBox();
+    expect(box?.y).toBeGreaterThan(844 * 0.4);
+    expect(box?.width).toBe(390);
+    const before = await programIn(app);
+    await fingers.tap(command('stop'));
+    expect(await programIn(app)).toBe(before.replace('from mbrobot import *', 'from mbrobot import *\nstop()'));
+    expect(await page.evaluate((css) => document.activeElement?.matches(css), on('editor'))).toBe(false);
+    expect(await violationsOn(app)).toEqual([]);
+    await fingers.tap('[data-group=repeat]');
+    await fingers.tap(command('times'));
+    expect(await programIn(app)).toContain('stop()\nfor i in range(4):\n    \n');
+    await fingers.tap(TOGGLE);
+    await expect(sheet).toHaveCount(0);
+  });
+});
+
 test.describe('with a mouse', () => {
   test.use({ viewport: { width: 1366, height: 625 } });
+
+  test('a click writes a command with its import, values marked, and one step takes it back', async ({ page }) => {
+    const app = playwrightApp('chromium', page);
+    await openApp(app, { language: 'de', robot: 'maqueen-lite' });
+    await write(app, 'print("los")');
+    await app.click(TOGGLE);
+    await app.click(command('setSpeed'));
+    expect(await programIn(app)).toBe('from mbrobot import *\nprint("los")\nsetSpeed(50)');
+    await app.type('80');
+    await app.click('[data-group=repeat]');
+    await app.click(command('forever'));
+    await app.click('[data-group=drive]');
+    await app.click(command('forward'));
+    const program = 'from mbrobot import *\nprint("los")\nsetSpeed(80)\nwhile True:\n    forward()';
+    expect(await programIn(app)).toBe(program);
+    expect(await violationsOn(app)).toEqual([]);
+    await app.press('Control', 'z');
+    expect(await programIn(app)).toBe(program.replace('forward()', ''));
+  });
+
+  test('a command that is dragged goes where it is dropped', async ({ page }) => {
+    const app = playwrightApp('chromium', page);
+    await openApp(app, { language: 'de', robot: 'maqueen-lite', showCommands: true });
+    await write(app, 'from mbrobot import *\nwhile True:\n    left()\nbeep()');
+    const lines = page.locator('.code-editor .cm-line');
+    await page.locator(command('stop')).dragTo(lines.nth(2), { targetPosition: { x: 60, y: 18 } });
+    expect(await programIn(app)).toBe('from mbrobot import *\nwhile True:\n    left()\n    stop()\nbeep()');
+    await page.locator(command('right')).dragTo(lines.nth(4), { targetPosition: { x: 30, y: 3 } });
+    expect(await programIn(app)).toBe('from mbrobot import *\nwhile True:\n    left()\n    stop()\nright()\nbeep()');
+  });
+
+  test('the palette is for the chosen robot, in its language, and is open again after a reload', async ({ page }) => {
+    const app = playwrightApp('chromium', page);
+    await openApp(app, { language: 'fr', robot: 'none', device: 'microbit-v2' });
+    await app.click(TOGGLE);
+    await expect(page.locator('[data-group]')).toHaveCount(8);
+    await expect(page.locator('[data-group=show]')).toHaveText('Afficher');
+    await page.reload();
+    await expect(page.locator(command('scroll'))).toContainText('Faire défiler un texte');
+    await page.getByRole('button', { name: 'Fermer les commandes' }).click();
+    await expect(page.locator('[data-group]')).toHaveCount(0);
+  });
 
   test('there are no keys to tap', async ({ page }) => {
     const app = playwrightApp('chromium', page);

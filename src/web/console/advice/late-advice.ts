@@ -1,8 +1,6 @@
-import { freeReference } from '#libraries/reference';
 import { Reference } from '#reference/meaning';
 import { parametersOf } from '#reference/arguments';
 import { Reader } from '#reference/reader';
-import { robotReferences } from '#robots/references';
 import { argumentsOf } from '#python/expressions';
 import { namesOf } from '#python/scopes';
 import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
@@ -11,6 +9,7 @@ import { contextOf, type Written } from '../../work/hardware/written-for';
 import { meantName } from './did-you-mean';
 import type { Failure } from './error-advice';
 import { importLine, withImport } from './import-line';
+import { robotModules } from './robot-modules';
 import { withMend, type Source, type SyntaxAdvice } from './syntax-advice';
 
 /** What is found out about an error with the reference at hand: a better sentence, or the name that was meant. */
@@ -44,11 +43,7 @@ function nameLate(name: string, source: Source, written: Written): SyntaxAdvice 
     const isTop = /^\S/.test(failing) && !/^(?:for|while|if|elif|else|try|except|with)\b/.test(failing);
     return isTop && line > source.line ? { key: 'error.definedLater', values: { name, line } } : null;
   }
-  const robot = written.hardware?.robot?.id ?? null;
-  const own = robotReferences.find((it) => it.robot === robot)?.modules.map((it) => it.name) ?? [];
-  const foreign = new Set([...robotReferences, freeReference].flatMap(({ modules }) => modules.map((it) => it.name)));
-  const reference = new Reference(contextOf(written));
-  const found = importLine(name, reference, { own, foreign });
+  const found = importLine(name, new Reference(contextOf(written)), robotModules(written));
   if (found === null) return null;
   const imported = namesOf(program).imports.filter(({ module }) => module === found.module);
   if (imported.some(({ symbol }) => symbol === '*')) return null;

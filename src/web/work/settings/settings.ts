@@ -51,6 +51,8 @@ export interface Settings {
   readonly arenaSenses: boolean;
   /** The tools beside the arena are unfolded; `null`: as the window's size suggests. */
   readonly showTools: boolean | null;
+  /** The commands to choose from are open below the program. */
+  readonly showCommands: boolean;
   /** The picture follows the robot. */
   readonly follow: boolean;
   /** A small celebration when a task is passed. */
@@ -101,6 +103,7 @@ export function defaultSettings(language: Language): Settings {
     panel: null,
     arenaSenses: false,
     showTools: null,
+    showCommands: false,
     follow: false,
     celebrate: true,
     welcomed: false,
@@ -123,6 +126,7 @@ type Flag =
   | 'showArena'
   | 'arenaSenses'
   | 'deviceCheck'
+  | 'showCommands'
   | 'follow'
   | 'celebrate';
 
@@ -164,6 +168,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
     arenaSenses: flag('arenaSenses'),
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
+    showCommands: flag('showCommands'),
     follow: flag('follow'),
     celebrate: flag('celebrate'),
     // Anyone whose settings are older than the greeting knows the app.

@@ -1,0 +1,167 @@
+/** What a beginner's program is made of, by robot. Chosen by hand: few, and each good for a line that does something. */
+
+/** A command that the palette writes. */
+export interface PaletteCommand {
+  readonly id: CommandId;
+  /** A template of CodeMirror: a tab indents, `${1:50}` is a place to type over, `${}` where one goes on. */
+  readonly code: string;
+  /** Names that a module has to bring: `display`. */
+  readonly needs: readonly string[];
+  /** The name in `code` whose words in the reference explain it; `null`: it has words of its own. */
+  readonly said: string | null;
+}
+
+const BODY = '\n\t${}';
+
+/** A call whose own words in the reference explain it. */
+const call = (name: string, values = '') => ({
+  code: `${name}(${values})`,
+  needs: [name.split('.')[0] ?? ''],
+  said: name,
+});
+
+const when = (condition: string, said: string) => ({
+  code: `if ${condition}:${BODY}`,
+  needs: [said.split('.')[0] ?? ''],
+  said,
+});
+
+/** Keeps a value under a name. */
+const keep = (name: string, said: string) => ({
+  code: `${name} = ${said}()`,
+  needs: [said.split('.')[0] ?? ''],
+  said,
+});
+
+const own = (code: string, ...needs: readonly string[]) => ({ code, needs, said: null });
+
+const table = {
+  forward: call('forward'),
+  backward: call('backward'),
+  left: call('left'),
+  right: call('right'),
+  leftArc: call('leftArc', '${1:0.2}'),
+  rightArc: call('rightArc', '${1:0.2}'),
+  stop: call('stop'),
+  setSpeed: call('setSpeed', '${1:50}'),
+
+  scroll: call('display.scroll', '"${1:Hi!}"'),
+  show: call('display.show', '"${1:A}"'),
+  image: own('display.show(Image.${1:HEART})', 'display', 'Image'),
+  pixel: call('display.set_pixel', '${1:2}, ${2:2}, ${3:9}'),
+  clear: call('display.clear'),
+  print: { code: 'print("${1:Hi!}")', needs: [], said: 'print' },
+
+  pressedA: when('button_a.is_pressed()', 'button_a.is_pressed'),
+  pressedB: when('button_b.is_pressed()', 'button_b.is_pressed'),
+  wasPressedA: when('button_a.was_pressed()', 'button_a.was_pressed'),
+  logo: when('pin_logo.is_touched()', 'pin_logo.is_touched'),
+
+  distance: keep('distance', 'getDistance'),
+  near: when('getDistance() < ${1:20}', 'getDistance'),
+  leftDark: own(`if irLeft.read_digital() == 0:${BODY}`, 'irLeft'),
+  rightDark: own(`if irRight.read_digital() == 0:${BODY}`, 'irRight'),
+  middleDark: own(`if irM.read_digital() == 0:${BODY}`, 'irM'),
+  bumper: own(`if tsValue() == 1:${BODY}`, 'tsValue'),
+  shaken: when('accelerometer.was_gesture("${1:shake}")', 'accelerometer.was_gesture'),
+  tilt: keep('tilt', 'accelerometer.get_x'),
+  temperature: keep('degrees', 'temperature'),
+  brightness: keep('brightness', 'display.read_light_level'),
+  loudness: keep('loudness', 'microphone.sound_level'),
+  heading: keep('heading', 'compass.heading'),
+
+  setLED: call('setLED', '${1:1}'),
+  setLEDLeft: call('setLEDLeft', '${1:1}'),
+  setLEDRight: call('setLEDRight', '${1:1}'),
+  fillRGB: call('fillRGB', '${1:255}, ${2:0}, ${3:0}'),
+  clearRGB: call('clearRGB'),
+  beep: call('beep'),
+  setAlarm: call('setAlarm', '${1:1}'),
+  melody: call('music.play', 'music.${1:ODE}'),
+  tone: call('music.pitch', '${1:440}, ${2:500}'),
+
+  delay: call('delay', '${1:500}'),
+  sleep: call('sleep', '${1:500}'),
+  waitForA: own('while not button_a.was_pressed():\n\tsleep(${1:10})', 'button_a', 'sleep'),
+  waitUntilNear: own('while getDistance() > ${1:20}:\n\tdelay(${2:20})', 'getDistance', 'delay'),
+
+  forever: own(`while True:${BODY}`),
+  times: own(`for i in range(\${1:4}):${BODY}`),
+  while: own(`while \${1:number < 10}:${BODY}`),
+  break: { code: 'break', needs: [], said: 'break' },
+
+  if: own(`if \${1:number > 5}:${BODY}`),
+  ifElse: own(`if \${1:number > 5}:${BODY}\nelse:${BODY}`),
+
+  set: own('${1:number} = ${2:0}'),
+  increase: own('number = number + ${1:1}'),
+  random: { code: 'number = randint(${1:1}, ${2:6})', needs: ['randint'], said: 'randint' },
+  define: own(`def \${1:dance}():${BODY}`),
+} as const;
+
+/** The name of a command; its words stand under it. */
+export type CommandId = keyof typeof table;
+
+export const commandNamed = (id: CommandId): PaletteCommand => ({ id, ...table[id] });
+
+/** The groups, in the order of the palette. */
+export const GROUPS = ['drive', 'show', 'buttons', 'sensors', 'light', 'wait', 'repeat', 'when', 'values'] as const;
+export type GroupId = (typeof GROUPS)[number];
+
+type Choice = Partial<Record<GroupId, readonly CommandId[]>>;
+
+/** What every program may use: the microcomputer and Python. */
+const board = {
+  show: ['show', 'scroll', 'image', 'pixel', 'clear', 'print'],
+  buttons: ['pressedA', 'pressedB', 'wasPressedA', 'logo'],
+  sensors: ['shaken', 'tilt', 'temperature', 'brightness', 'loudness', 'heading'],
+  light: ['melody', 'tone'],
+  wait: ['sleep', 'waitForA'],
+  repeat: ['forever', 'times', 'while', 'break'],
+  when: ['if', 'ifElse'],
+  values: ['set', 'increase', 'random', 'define'],
+} as const satisfies Choice;
+
+const drive = ['forward', 'backward', 'left', 'right', 'leftArc', 'rightArc', 'stop', 'setSpeed'] as const;
+const wait = ['delay', 'waitUntilNear', 'waitForA'] as const;
+const line = ['distance', 'near', 'leftDark', 'rightDark'] as const;
+const lamps = ['setLED', 'setLEDLeft', 'setLEDRight'] as const;
+
+/** What the robots add or have instead, by their ids. */
+const robots: Readonly<Record<string, Choice>> = {
+  'maqueen-lite': {
+    drive,
+    wait,
+    sensors: [...line, 'shaken'],
+    light: [...lamps, 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
+  },
+  'maqueen-plus-v1': { drive, wait, sensors: [...line, 'shaken'], light: [...lamps, 'beep', 'setAlarm', 'melody'] },
+  'maqueen-plus-v2': {
+    drive,
+    wait,
+    sensors: [...line, 'middleDark', 'shaken'],
+    light: [...lamps, 'fillRGB', 'clearRGB', 'beep', 'setAlarm', 'melody'],
+  },
+  callibot: { drive, wait, sensors: [...line, 'bumper', 'shaken'], light: [...lamps, 'setAlarm', 'melody'] },
+};
+
+/** A group of the palette with its commands. */
+export interface PaletteGroup {
+  readonly id: GroupId;
+  readonly commands: readonly PaletteCommand[];
+}
+
+/** The commands for a robot, by group; without a robot those of the microcomputer alone. */
+export function commandsFor(robot: string | null): readonly PaletteGroup[] {
+  const choice: Choice = { ...board, ...robots[robot ?? ''] };
+  return GROUPS.flatMap((id) => {
+    const commands = choice[id]?.map(commandNamed) ?? [];
+    return commands.length === 0 ? [] : [{ id, commands }];
+  });
+}
+
+/** A template as one reads it: `setSpeed(50)`, with `…` for the lines that belong inside. */
+export const codeShown = (code: string): string =>
+  code
+    .replace(/\$\{(?:\d+:)?([^{}]*)\}/g, (_field, text: string) => (text === '' ? '…' : text))
+    .replaceAll('\t', '    ');
