@@ -135,7 +135,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
   'new-file': ofKey(mdiPlus, 'code.newFile'),
   'file-menu': of(mdiDotsVertical, () => t('code.fileMenu', { file: 'main.py' }), 'code.fileMenu'),
-  commands: ofOwn(mdiPuzzleOutline, 'commands'),
+  commands: ofOwn(mdiPuzzleOutline, 'commands', 'commands-toggle'),
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
   explain: ofOwn(mdiHelpCircleOutline, 'explain'),
   buttons: ofOwn(mdiGestureTap, 'buttons', 'board'),
