@@ -149,7 +149,7 @@ test('the volume, the speaker and a stop are heard at once', async ({ app }) => 
   await app.goto(PROBE);
   const { loudness } = await app.evaluate((all) => window.hear(all, 500, []), events);
   const mean = (from: number): number => loudness.slice(from, from + 50).reduce((sum, value) => sum + value, 0) / 50;
-  expect(mean(40), '−8 dB').toBeGreaterThan(380);
+  expect(mean(40), 'its peaks are at −8 dB').toBeGreaterThan(300);
   expect(mean(40)).toBeLessThan(420);
   expect(mean(140) / mean(40)).toBeCloseTo(64 / 255, 1);
   expect(mean(240)).toBeLessThan(1);
