@@ -3,7 +3,6 @@ import { boundsOf } from '#scene/kinds/index';
 import type { Scene, SceneObject } from '#scene/scene';
 import { stepInside } from './arrange';
 import { boundsAll } from './bounds';
-import { adding } from './edits';
 import { freeIds } from './ids';
 import { movedBy } from './kinds/index';
 import { nextCheckpoint } from './kinds/zone';
@@ -35,7 +34,7 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
  * with the next numbers.
  *
  * @param offsetMm distance; it grows each time the same is pasted
- * @returns `null` if the course has no room for it
+ * @returns an edit that a full course refuses; `null` if there is nothing to paste, or no number left for a checkpoint
  */
 export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_MM): Pasted | null {
   const around = boundsAll(clip.objects.map(boundsOf));
@@ -55,8 +54,7 @@ export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_
     numbers.push(number);
     objects.push({ ...copy, number });
   }
-  const edit = adding(scene, objects);
-  return edit && { edit, selection: { ids: objects.map(({ id }) => id), robot: false } };
+  return { edit: { type: 'add', objects }, selection: { ids: objects.map(({ id }) => id), robot: false } };
 }
 
 /** Copies what is selected and pastes it in one step. */

@@ -10,7 +10,8 @@ import { isLasting, isMovable, runKinds, type Body } from './kinds';
 /** A world made from a course; it follows changes of the course during a run. */
 export class CourseWorld {
   readonly world: World;
-  private readonly began: Scene;
+  /** The course with which the run began. */
+  readonly began: Scene;
   private now: Scene;
   private readonly blocks = new Map<string, BlockHandle>();
   private readonly movers = new Map<string, MoverHandle>();

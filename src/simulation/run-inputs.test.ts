@@ -17,7 +17,7 @@ function inputs(replayed: readonly InputEvent[] = []) {
   const arena = new CourseWorld(scene);
   const check = (action: InputAction, _course: Scene, movable: ReadonlySet<string>): string | null =>
     action.type === 'place-block' && !movable.has(action.id) ? `There is no block ${action.id}.` : null;
-  return { clock, arena, inputs: new RunInputs(replayed, check, scene, arena, clock) };
+  return { clock, arena, inputs: new RunInputs(replayed, check, arena, clock) };
 }
 
 describe('what is done to a run', () => {

@@ -1,6 +1,5 @@
 import type { Clock } from '#core/clock';
 import { applyEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import type { CourseWorld } from './course-world';
 import type { InputAction, InputEvent } from './input';
@@ -15,13 +14,11 @@ export class RunInputs {
 
   /**
    * @param replayed what is repeated of an earlier run, in any order
-   * @param began the course with which the run began
-   * @param arena the course and its blocks as they are now
+   * @param arena the course and its blocks, as they were at the start and as they are now
    */
   constructor(
     replayed: readonly InputEvent[],
     private readonly check: InputCheck,
-    private readonly began: Scene,
     private readonly arena: CourseWorld,
     private readonly clock: Clock,
   ) {
@@ -59,7 +56,7 @@ export class RunInputs {
     for (const before of this.waiting.until(this.clock.nowUs)) {
       if (before.action.type !== 'edit') continue;
       course = applyEdit(course, before.action.edit);
-      movable = movableIds(movable, this.began, course);
+      movable = movableIds(movable, this.arena.began, course);
     }
     return this.check(action, course, movable);
   }

@@ -106,7 +106,7 @@ export class Simulation {
       write: outlets.print ?? ((text) => this.output.push(text)),
     });
     const check = createInputCheck(hardware.board, setup.scene, hardware.robot !== null);
-    this.inputs = new RunInputs(setup.inputs ?? [], check, setup.scene, this.courseWorld, this.clock);
+    this.inputs = new RunInputs(setup.inputs ?? [], check, this.courseWorld, this.clock);
   }
 
   /** Simulated time since the start. */

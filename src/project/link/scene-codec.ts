@@ -100,8 +100,8 @@ interface Parts {
   readonly paths: PathCodec;
 }
 
-/** New types of objects go to the end. */
-const objectTypes = [
+/** The numbers of the kinds of objects in a link: their places here. A new kind goes to the end. */
+export const linkOrder: SceneObject['type'][] = [
   'wall',
   'block',
   'fixed-block',
@@ -112,56 +112,79 @@ const objectTypes = [
   'spikes',
   'mover',
   'label',
-] as const satisfies readonly SceneObject['type'][];
+];
 
-function objectCodec(columns: Columns, parts: Parts): Codec<SceneObject> {
-  const type = columns.choice(objectTypes);
-  const own = codecsByType(columns, parts);
-  return {
-    write(out, object) {
-      type.write(out, object.type);
-      own[object.type].write(out, object);
-    },
-    read: (from) => own[type.read(from)].read(from),
-  };
+/** What the codecs of several kinds share. */
+export interface SharedByKinds {
+  readonly columns: Columns;
+  readonly id: Codec<string>;
+  readonly place: Codec<Point>;
+  readonly size: Codec<Point>;
+  readonly turn: Codec<number>;
+  readonly text: Codec<string>;
+  readonly paths: PathCodec;
+  readonly zone: Readonly<Pick<Fields<Zone>, 'round' | 'number' | 'blocks'>>;
 }
+type Fields<T> = { readonly [K in keyof T]-?: Codec<T[K]> };
+type LinkKind = (shared: SharedByKinds) => Codec<SceneObject>;
 
-/** Every type's codec, in the order in which the first version of links made them: that order is the format. */
-function codecsByType(
-  columns: Columns,
-  { text, word, size, place, paths }: Parts,
-): Readonly<Record<SceneObject['type'], Codec<SceneObject>>> {
-  const id = idCodec(columns, word);
-  const turn = columns.uint();
-  const box = { id, at: place, size, turn };
-  const zone = { ...box, round: columns.flag(), number: columns.uint(), blocks: columns.uint() };
-  const codecs = {
-    wall: record<Wall>({ type: constant('wall'), id, from: place, to: place, thickness: columns.uint() }),
-    stroke: record<Stroke>({
+const boxOf = ({ id, place, size, turn }: SharedByKinds) => ({ id, at: place, size, turn });
+const zoneOf =
+  (type: Zone['type']): LinkKind =>
+  (shared) =>
+    record<Zone>({ type: constant(type), ...boxOf(shared), ...shared.zone });
+
+/**
+ * Every kind's codec. They are made in this order, that of the first version of links: the order in which they make
+ * their columns is the format, so a new kind goes to the end.
+ */
+export const linkKinds: Readonly<Record<SceneObject['type'], LinkKind>> = {
+  wall: ({ columns, id, place }) =>
+    record<Wall>({ type: constant('wall'), id, from: place, to: place, thickness: columns.uint() }),
+  stroke: ({ columns, id, place, paths }) =>
+    record<Stroke>({
       type: constant('stroke'),
       id,
       points: paths(columns, place),
       width: columns.uint(),
       color: columns.choice(strokeColors),
     }),
-    mover: record<Mover>({
+  mover: (shared) =>
+    record<Mover>({
       type: constant('mover'),
-      ...box,
-      to: place,
-      speed: columns.uint(),
-      spiked: columns.flag(),
+      ...boxOf(shared),
+      to: shared.place,
+      speed: shared.columns.uint(),
+      spiked: shared.columns.flag(),
     }),
-    label: record<Label>({ type: constant('label'), id, at: place, text, height: columns.uint(), turn }),
+  label: ({ columns, id, place, text, turn }) =>
+    record<Label>({ type: constant('label'), id, at: place, text, height: columns.uint(), turn }),
+  block: (shared) => record({ type: constant('block'), ...boxOf(shared) }),
+  'fixed-block': (shared) => record({ type: constant('fixed-block'), ...boxOf(shared) }),
+  spikes: (shared) => record({ type: constant('spikes'), ...boxOf(shared) }),
+  target: zoneOf('target'),
+  checkpoint: zoneOf('checkpoint'),
+  forbidden: zoneOf('forbidden'),
+};
+
+function objectCodec(columns: Columns, { word, ...parts }: Parts): Codec<SceneObject> {
+  const type = columns.choice(linkOrder);
+  const id = idCodec(columns, word);
+  const turn = columns.uint();
+  const zone = { round: columns.flag(), number: columns.uint(), blocks: columns.uint() };
+  const shared: SharedByKinds = { columns, id, turn, zone, ...parts };
+  const own = Object.fromEntries(Object.entries(linkKinds).map(([name, codec]) => [name, codec(shared)]));
+  const codecOf = (name: SceneObject['type']): Codec<SceneObject> => {
+    const codec = own[name];
+    if (codec === undefined) throw new Error(`Links have no ${name}.`);
+    return codec;
   };
-  const zoneOf = (type: Zone['type']): Codec<Zone> => record<Zone>({ type: constant(type), ...zone });
   return {
-    ...codecs,
-    block: record({ type: constant('block'), ...box }),
-    'fixed-block': record({ type: constant('fixed-block'), ...box }),
-    spikes: record({ type: constant('spikes'), ...box }),
-    target: zoneOf('target'),
-    checkpoint: zoneOf('checkpoint'),
-    forbidden: zoneOf('forbidden'),
+    write(out, object) {
+      type.write(out, object.type);
+      codecOf(object.type).write(out, object);
+    },
+    read: (from) => codecOf(type.read(from)).read(from),
   };
 }
 

@@ -7,6 +7,7 @@ import { controls } from '../page/controls/controls';
 import { noHost, type HostWish } from '../visit/host-view';
 import { forgetful } from '../work/model/keep-work';
 import App from './App.vue';
+import { downloads } from './testing/downloads';
 import { named, setWindow, textOf } from './testing/mount-on';
 
 const landmarks = (): readonly string[] =>
@@ -87,11 +88,13 @@ describe('the whole page', () => {
   });
 
   it('saves with Ctrl+S from anywhere, instead of the browser', async () => {
-    URL.createObjectURL = () => 'blob:test';
+    const saved = downloads();
     await opened(1400);
     const press = new KeyboardEvent('keydown', { key: 's', ctrlKey: true, bubbles: true, cancelable: true });
     document.body.dispatchEvent(press);
     expect(press.defaultPrevented).toBe(true);
     await vi.waitFor(() => expect(textOf(document.querySelector('.notice p'))).toMatch(/\.parcours\.json ist gespeichert\.$/), 20_000); // prettier-ignore
+    expect(saved.map(({ name }) => name)).toEqual([expect.stringMatching(/\.parcours\.json$/)]);
+    vi.restoreAllMocks();
   });
 });

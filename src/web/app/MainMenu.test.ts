@@ -10,6 +10,7 @@ import MainList from './MainList.vue';
 import MainMenu from './MainMenu.vue';
 import SpeedList from './SpeedList.vue';
 import SpeedMenu from './SpeedMenu.vue';
+import { downloads } from './testing/downloads';
 import { press } from './testing/editing';
 import { mountOn, named, setWindow, textOf } from './testing/mount-on';
 import { createPage } from './testing/page';
@@ -318,9 +319,7 @@ describe('the main menu', () => {
 });
 
 describe('the button of the main menu', () => {
-  beforeEach(() => {
-    URL.createObjectURL = () => 'blob:test';
-  });
+  beforeEach(() => void downloads());
   afterEach(() => history.replaceState(null, '', '/'));
 
   /** The open menu of a page of this width. */

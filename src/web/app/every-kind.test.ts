@@ -6,7 +6,8 @@ import { distanceTo, editorKinds, fieldsOf, kindOf, middleOf, movedBy, newObject
 import type { EditorKind } from '#editor/kinds/kind';
 import { withField } from '#editor/object-edits';
 import { usualToolOptions } from '#editor/tools/tool-options';
-import { applyEdit } from '#scene/edit';
+import { applyEdit, type SceneEdit } from '#scene/edit';
+import { inverse } from '#scene/inverse';
 import { boundsOf, reachesInto, sceneKinds, solidOutline } from '#scene/kinds/index';
 import type { AnyObject, SceneKind } from '#scene/kinds/kind';
 import { readId, readPlace } from '#scene/kinds/unread';
@@ -15,6 +16,8 @@ import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/s
 import { serializeScene } from '#scene/serialize';
 import { pendingChanges } from '#simulation/at-once';
 import { CourseWorld } from '#simulation/course-world';
+import { linkKinds, linkOrder, type SharedByKinds } from '#project/link/scene-codec';
+import { constant, record } from '#project/link/codec';
 import { isLasting, runKinds, type RunKind } from '#simulation/kinds';
 
 import { drawObject, pictureKinds } from '../arena/picture/kinds/index';
@@ -26,6 +29,8 @@ import { kindWords, namesOf, whereText } from '../course-editor/words/object-wor
 import { setLanguage } from '../page/i18n';
 import { printKinds } from '../print/kinds/index';
 import type { PrintKind } from '../print/kinds/kind';
+import { coursePdf } from '../print/pdf-course';
+import { planPrint } from '../print/print-plan';
 
 /** A kind that no course has: a puddle on the floor. All that a new kind needs, in the shape of the tables. */
 interface Puddle extends AnyObject {
@@ -75,7 +80,13 @@ const inPicture: PictureKind<Puddle> = {
   ground: (context, _view, { radius }) => context.arc(0, 0, radius, 0, 2 * Math.PI),
   frame: () => null,
 };
-const inPrint: PrintKind<Puddle> = { layer: 0, svg: ({ radius }) => `<circle r="${String(radius)}"/>` };
+const inLink = ({ columns, id, place }: SharedByKinds) =>
+  record<Puddle>({ type: constant('puddle'), id, at: place, radius: columns.uint() });
+const inPrint: PrintKind<Puddle> = {
+  layer: 0,
+  svg: ({ radius }) => `<circle r="${String(radius)}"/>`,
+  pdf: (pdf, { at, radius }, to) => void pdf.circle(...(to(at) as [number, number]), radius),
+};
 const called = { de: 'Pfütze', fr: 'Flaque', it: 'Pozzanghera', en: 'Puddle' };
 const inWords = { where: ({ at }: Puddle) => at.join(' | ') };
 
@@ -84,6 +95,7 @@ const tables: readonly (readonly [table: object, madeUp: object])[] = [
   [sceneKinds, inScene],
   [editorKinds, inEditor],
   [runKinds, inRun],
+  [linkKinds, inLink],
   [pictureKinds, inPicture],
   [printKinds, inPrint],
   [kindWords, inWords],
@@ -101,6 +113,7 @@ function counting() {
 
 beforeAll(async () => {
   for (const [table, madeUp] of tables) Object.assign(table, { puddle: madeUp });
+  linkOrder.push('puddle' as SceneObject['type']);
   globalThis.document ??= { documentElement: {} } as Document;
   globalThis.Path2D ??= class {
     moveTo(): void {}
@@ -115,6 +128,7 @@ beforeAll(async () => {
 });
 afterAll(() => {
   for (const [table] of tables) Reflect.deleteProperty(table, 'puddle');
+  linkOrder.pop();
 });
 
 describe.each(types)('the kind %s', (type) => {
@@ -136,6 +150,31 @@ describe.each(types)('the kind %s', (type) => {
     expect(parseScene(serializeScene(course).replace('"id"', '"what": 1, "id"'))).toMatchObject({
       problems: [{ code: 'unknown-property' }],
     });
+  });
+
+  it('comes back from a link as it was', async () => {
+    const { linkOf, projectOfLink } = await import('#project/link/link'); // it makes its codecs of the tables once
+    const course = courseOf(made());
+    const project = { files: [], scene: course, course: null };
+    const link = linkOf(project, { courses: () => null, program: false });
+    expect(projectOfLink(link?.fragment ?? '', () => null)).toMatchObject({ project: { scene: course } });
+  });
+
+  it('is put in, moved and taken away as edits, each of which can be taken back', () => {
+    const object = made();
+    const other = { ...made(), id: 'other' };
+    const course = courseOf(object);
+    const edits: readonly SceneEdit[] = [
+      { type: 'add', objects: [other] },
+      { type: 'remove', ids: [object.id] },
+      { type: 'replace', changes: [{ id: object.id, by: [movedBy(object, 10, -20)] }] },
+      { type: 'replace', changes: [{ id: object.id, by: [object, movedBy(other, 50, 0)] }] },
+    ];
+    for (const edit of edits) {
+      const after = applyEdit(course, edit);
+      expect(after).not.toEqual(course);
+      expect(applyEdit(after, inverse(course, edit))).toEqual(course);
+    }
   });
 
   it('has its bounds around it and its outline in them', () => {
@@ -177,6 +216,16 @@ describe.each(types)('the kind %s', (type) => {
     world.take(empty);
     expect(() => new CourseWorld(courseOf(object))).not.toThrow();
     expect(pendingChanges(empty, courseOf(object)).coming).toEqual(isLasting(object) ? [object] : []);
+  });
+
+  it('is printed on paper, true to scale or as the outline of what stands there', () => {
+    const pdf = (course: Scene): string => {
+      const plan = planPrint(course.size, 'exact');
+      if ('problem' in plan) throw new Error(plan.problem);
+      const words = { name: '', planTitle: '', steps: [] };
+      return coursePdf(course, plan, { outlines: true, background: null, isCompressed: false }, words).output();
+    };
+    expect(pdf(courseOf(made())).length).toBeGreaterThan(pdf(empty).length);
   });
 
   it('is drawn and printed', () => {

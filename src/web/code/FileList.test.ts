@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { afterEach, describe, expect, it, vi } from 'vitest';
 
+import { downloads } from '../app/testing/downloads';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import FileList from './FileList.vue';
@@ -27,13 +28,9 @@ describe('the menu of a file', () => {
 
   it('saves it as a file of its own', () => {
     const page = menu('helfer.py', 'main.py', 'helfer.py');
-    const saved: string[] = [];
-    vi.spyOn(URL, 'createObjectURL').mockReturnValue('blob:x');
-    vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-      saved.push(this.download);
-    });
+    const saved = downloads();
     item('Speichern').click();
-    expect(saved).toEqual(['helfer.py']);
+    expect(saved.map(({ name }) => name)).toEqual(['helfer.py']);
     expect(page.notices.current.value).toMatchObject({ kind: 'ok', key: 'files.saved', values: { file: 'helfer.py' } });
   });
 

@@ -4,24 +4,12 @@ import { nextTick } from 'vue';
 
 import { defaultScene, type Scene } from '#scene/scene';
 
+import { downloads } from '../app/testing/downloads';
 import { byId, fieldById, idsShown, isThere, tap } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import PrintDialog from './PrintDialog.vue';
 
-/** What the browser saves from here on. */
-function downloads(): { readonly name: string; readonly blob: Blob }[] {
-  const saved: { name: string; blob: Blob }[] = [];
-  let last = new Blob();
-  vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
-    last = blob as Blob;
-    return 'blob:here';
-  });
-  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-    saved.push({ name: this.download, blob: last });
-  });
-  return saved;
-}
 /** The dialog on a course of this size with a line and a wall. */
 async function dialog(change: Partial<Scene> = {}) {
   const page = createPage();

@@ -2,6 +2,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { downloads } from '../app/testing/downloads';
 import { byId, isThere, tap } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
@@ -65,15 +66,11 @@ describe('the dialog for the real device, in a browser without serial lines', ()
   });
 
   it('saves one file, or all as a ZIP', async () => {
-    const saved: string[] = [];
-    vi.spyOn(URL, 'createObjectURL').mockReturnValue('blob:here');
-    vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-      saved.push(this.download);
-    });
+    const saved = downloads();
     await dialog({ 'main.py': 'import helper\n', 'helper.py': 'x = 1\n' });
     await tap(named('helper.py speichern'));
     await tap('real-device-zip');
-    expect(saved).toEqual(['helper.py', expect.stringMatching(/\.zip$/)]);
+    expect(saved.map(({ name }) => name)).toEqual(['helper.py', expect.stringMatching(/\.zip$/)]);
   });
 
   it('offers no ZIP for a single file', async () => {

@@ -4,6 +4,7 @@ import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { downloads } from '../app/testing/downloads';
 import { press } from '../app/testing/editing';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
@@ -31,16 +32,6 @@ async function opened(text = HELLO, robot = 'none') {
   mountOn(page, RealDeviceDialog, { onClose: () => (closed += 1) });
   await flushPromises();
   return { page, closed: () => closed };
-}
-/** What the browser was given to download, by name. */
-function downloads() {
-  const blobs: Blob[] = [];
-  const names: string[] = [];
-  URL.createObjectURL = (blob) => (blobs.push(blob as Blob), 'blob:test');
-  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-    names.push(this.download);
-  });
-  return { names, blobs };
 }
 
 beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
@@ -137,15 +128,15 @@ describe('a project on its way to a device', { timeout: 60_000 }, () => {
   });
 
   it('saves it first on demand, letter for letter, and then replaces it', async () => {
-    const { names, blobs } = downloads();
+    const saved = downloads();
     await plugIn({ 'main.py': 'print("früher")\n' });
     await opened();
     await put();
     await turns(() => byId('real-device-save-first') !== null);
     byId('real-device-save-first')?.click();
     await turns(() => said().startsWith('Auf diesem Computer gesichert'));
-    expect(names).toEqual(['main.py']);
-    expect(await blobs[0]?.text()).toBe('print("früher")\n');
+    expect(saved.map(({ name }) => name)).toEqual(['main.py']);
+    expect(await saved[0]?.blob.text()).toBe('print("früher")\n');
     expect(byId('real-device-save-first')).toBeNull();
     byId('real-device-replace')?.click();
     await turns(() => said().startsWith('Geladen'));

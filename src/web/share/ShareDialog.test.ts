@@ -4,6 +4,7 @@ import { nextTick } from 'vue';
 
 import { isProjectLink, projectOfLink } from '#project/link/link';
 
+import { downloads } from '../app/testing/downloads';
 import { byId, fieldById, isThere, tap, write } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
@@ -29,19 +30,6 @@ function pageWith(text: string): TestPage {
   page.settings.change({ language: 'de' });
   page.work.openProject({ files: [{ name: 'main.py', text }], scene: page.work.scene.value, course: null }, null);
   return page;
-}
-/** What the browser saves from here on: names and contents. */
-function downloads(): { readonly name: string; readonly blob: Blob }[] {
-  const saved: { name: string; blob: Blob }[] = [];
-  let last = new Blob();
-  vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
-    last = blob as Blob;
-    return 'blob:here';
-  });
-  vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-    saved.push({ name: this.download, blob: last });
-  });
-  return saved;
 }
 afterEach(() => void vi.restoreAllMocks());
 

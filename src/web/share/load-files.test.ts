@@ -8,6 +8,7 @@ import { defaultScene, type Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
 import AppDialog from '../app/AppDialog.vue';
+import { downloads } from '../app/testing/downloads';
 import { press } from '../app/testing/editing';
 import { mountOn, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
@@ -229,16 +230,11 @@ describe('a project or a course that is taken in', () => {
 describe('what is saved', () => {
   /** What the browser was given to download: name and content. */
   async function download(save: () => void): Promise<readonly [string, string]> {
-    const blobs: Blob[] = [];
-    const names: string[] = [];
-    URL.createObjectURL = (blob) => (blobs.push(blob as Blob), 'blob:test');
-    const click = vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-      names.push(this.download);
-    });
+    const saved = downloads();
     save();
-    await vi.waitFor(() => expect(blobs).toHaveLength(1));
-    click.mockRestore();
-    return [names[0] ?? '', (await blobs[0]?.text()) ?? ''];
+    await vi.waitFor(() => expect(saved).toHaveLength(1));
+    vi.restoreAllMocks();
+    return [saved[0]?.name ?? '', (await saved[0]?.blob.text()) ?? ''];
   }
   beforeEach(() => {
     page.work.openProject({ files: [{ name: 'main.py', text: 'x = 1\n' }], scene: course, course: null }, null);

@@ -423,3 +423,15 @@ describe('the keyboard in the arena', () => {
     expect([tools.place(), tools.cursor(), look().painted]).toEqual([null, 'default', []]);
   });
 });
+
+describe('a full course', () => {
+  const full = Array.from({ length: 2000 }, (_, i) => ({ ...samples.wall, id: `w${String(i)}` }));
+
+  it.each(['d', 'v'])('takes no copy with Ctrl+%s, and the editor says why', async (letter) => {
+    const { editor, key, scene } = await toolsOver('select', full);
+    editor.select({ ids: ['w0'], robot: false });
+    key('c', { ctrlKey: true });
+    expect(key(letter, { ctrlKey: true })).toBe(true);
+    expect([scene().objects.length, editor.problem.value?.code]).toEqual([2000, 'too-many']);
+  });
+});

@@ -68,6 +68,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     context,
     commit: (edit: SceneEdit, select?: Selection): void => void editor.commit(edit, select),
     select: editor.select.bind(editor),
+    clipboard: editor.clipboard,
     copied: (): void => sources.say(say(arenaWords.tools.copied)),
     changed: sources.redraw,
   };

@@ -3,11 +3,12 @@ import { usualToolOptions } from '#editor/tools/tool-options';
 import { nothingSelected, type Selection } from '#editor/tools/tool';
 import { applyEdit } from '#scene/edit';
 import { defaultScene, type Block, type Scene } from '#scene/scene';
+import { Clipboard } from '../../course-editor/state/clipboard';
 import { createSelectionKeys } from './tool-keys';
 
 const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], turn: 0 };
 
-function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
+function keysOverArena(selection: Selection = { ids: ['b'], robot: false }, clipboard = new Clipboard()) {
   const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, copies: 0 };
   const keys = createSelectionKeys({
     context: () => ({ scene: now.scene, selection: now.selection, options: usualToolOptions, footprint: [] }),
@@ -17,6 +18,7 @@ function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
       now.steps += 1;
     },
     select: (chosen) => (now.selection = chosen),
+    clipboard,
     copied: () => (now.copies += 1),
     changed: () => undefined,
   });
@@ -61,6 +63,18 @@ describe('keys on what is selected', () => {
     ]);
     expect(new Set(now.scene.objects.map(({ id }) => id)).size).toBe(3);
     expect(now.selection.ids).toEqual([now.scene.objects[2]?.id]);
+  });
+
+  it('paste into another course what was copied in this one, and have nothing to paste before', () => {
+    const clipboard = new Clipboard();
+    expect(keysOverArena(nothingSelected).keys.keyDown('v', false, true)).toBe(false);
+    keysOverArena(undefined, clipboard).keys.keyDown('c', false, true);
+    const other = keysOverArena(nothingSelected, clipboard);
+    expect(other.keys.keyDown('v', false, true)).toBe(true);
+    expect(other.blocks()).toEqual([
+      [300, 300],
+      [320, 280],
+    ]);
   });
 
   it('are left to the page where nothing is selected', () => {

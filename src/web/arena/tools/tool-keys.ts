@@ -1,9 +1,12 @@
 import type { Vec } from '#core/geometry';
 import { nudged, turned } from '#editor/arrange';
-import { copied, duplicated, pasted, COPY_OFFSET_MM, type Clip, type Pasted } from '#editor/clipboard';
+import { copied, duplicated, pasted, type Pasted } from '#editor/clipboard';
 import { countOf, removed, selectAll } from '#editor/selection';
 import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+
+import type { Clipboard } from '../../course-editor/state/clipboard';
 
 /** Movement per press of an arrow key, and with Shift; mm. Chosen: a line of the grid, the smallest whole step. */
 export const STEP_MM = { coarse: 10, fine: 1 };
@@ -28,15 +31,12 @@ export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly select: (selection: Selection) => void;
+  readonly clipboard: Clipboard;
   /** What is selected was copied: nothing looks different. */
   readonly copied: () => void;
   /** Something looks different now. */
   readonly changed: () => void;
 }
-
-/** What was copied last stays until something else is, also when another course is opened. */
-let clip: Clip | null = null;
-let pastes = 0;
 
 /** The direction of an arrow key, or `null`. */
 export function arrowOf(key: string): Vec | null {
@@ -108,10 +108,7 @@ function commandKey(key: string, context: ToolContext, ports: SelectionKeyPorts)
     case 'x':
       return copy(context, ports, key === 'x');
     case 'v':
-      if (clip === null) return false;
-      pastes += 1;
-      insert(pasted(scene, clip, pastes * COPY_OFFSET_MM), ports);
-      return true;
+      return paste(scene, ports);
     case 'd':
       if (selection.ids.length === 0) return false;
       insert(duplicated(scene, selection), ports);
@@ -124,10 +121,16 @@ function commandKey(key: string, context: ToolContext, ports: SelectionKeyPorts)
 function copy(context: ToolContext, ports: SelectionKeyPorts, cuts: boolean): boolean {
   const taken = copied(context.scene, context.selection);
   if (taken === null) return false;
-  clip = taken;
-  pastes = 0;
+  ports.clipboard.take(taken);
   if (cuts) remove(context, ports);
   else ports.copied();
+  return true;
+}
+
+function paste(scene: Scene, ports: SelectionKeyPorts): boolean {
+  const next = ports.clipboard.next();
+  if (next === null) return false;
+  insert(pasted(scene, next.clip, next.offsetMm), ports);
   return true;
 }
 

@@ -2,6 +2,7 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { downloads } from '../../app/testing/downloads';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import DataLogPanel from './DataLogPanel.vue';
@@ -103,20 +104,12 @@ describe('the table of the data log', () => {
   it('is saved as a file for spreadsheets with all its rows, and that is said', async () => {
     const { page, take } = panel();
     await take(row('0', 'links, rechts'), row('1', '"x"'));
-    const blobs: Blob[] = [];
-    vi.spyOn(URL, 'createObjectURL').mockImplementation((blob) => {
-      blobs.push(blob as Blob);
-      return 'blob:x';
-    });
-    const names: string[] = [];
-    vi.spyOn(HTMLAnchorElement.prototype, 'click').mockImplementation(function (this: HTMLAnchorElement) {
-      names.push(this.download);
-    });
+    const saved = downloads();
     button('Als Tabelle speichern (CSV)').click();
     vi.restoreAllMocks();
-    expect(names).toEqual(['data-log.csv']);
-    expect(blobs[0]?.type).toContain('text/csv');
-    expect(await blobs[0]?.text()).toMatch(/^t,cm\r?\n0,"links, rechts"\r?\n1,"""x"""\r?\n?$/);
+    expect(saved.map(({ name }) => name)).toEqual(['data-log.csv']);
+    expect(saved[0]?.blob.type).toContain('text/csv');
+    expect(await saved[0]?.blob.text()).toMatch(/^t,cm\r?\n0,"links, rechts"\r?\n1,"""x"""\r?\n?$/);
     expect(page.notices.current.value).toMatchObject({ key: 'files.saved', values: { file: 'data-log.csv' } });
   });
 });

@@ -7,6 +7,7 @@ import type { SceneEdit } from '#scene/edit';
 import type { SceneProblem } from '#scene/problem';
 import type { Scene } from '#scene/scene';
 
+import { Clipboard } from './clipboard';
 import { waitsForStart } from './waiting';
 import type { LayoutKind } from '../../layout/layout-model';
 import type { SettingsModel } from '../../work/settings/settings-model';
@@ -54,6 +55,7 @@ export interface CourseEditorModel {
   readonly said: Readonly<ShallowRef<string>>;
   /** Why the last edit was not done, or `null`. */
   readonly problem: ShallowRef<SceneProblem | null>;
+  readonly clipboard: Clipboard;
   readonly choose: (tool: ArenaTool) => void;
   readonly setOptions: (part: Partial<ToolOptions>) => void;
   readonly select: (selection: Selection) => void;
@@ -102,6 +104,7 @@ class CourseEditor implements CourseEditorModel {
   readonly measure: CourseEditorModel['measure'] = shallowRef(null);
   readonly said = shallowRef('');
   readonly problem = shallowRef<SceneProblem | null>(null);
+  readonly clipboard = new Clipboard();
   readonly runStart: CourseEditorModel['runStart'];
   readonly unfinished: WorkModel['unfinished'];
   readonly isOpen: ComputedRef<boolean>;

@@ -1,0 +1,19 @@
+import { COPY_OFFSET_MM, type Clip } from '#editor/clipboard';
+
+/** What was copied last. It stays until something else is, also when another course is opened. */
+export class Clipboard {
+  private clip: Clip | null = null;
+  private pastes = 0;
+
+  take(clip: Clip): void {
+    this.clip = clip;
+    this.pastes = 0;
+  }
+
+  /** What is to be pasted, and how far from its original, in mm: further away each time. `null`: nothing was copied. */
+  next(): { readonly clip: Clip; readonly offsetMm: number } | null {
+    if (this.clip === null) return null;
+    this.pastes += 1;
+    return { clip: this.clip, offsetMm: this.pastes * COPY_OFFSET_MM };
+  }
+}
