@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
+import { editProblem } from '#scene/check-edit';
 import { sceneLimits } from '#scene/scene';
 import { copied, duplicated, pasted } from './clipboard';
 import { block, checkpoint, course, stroke } from './testing/desk';
@@ -43,9 +44,10 @@ describe('copying', () => {
     expect(duplicated(course(), of(['gone']))).toBeNull();
   });
 
-  it('does nothing when the course has no room for all of them', () => {
+  it('asks for more than a full course takes, so that the editor can say why it refuses', () => {
     const scene = course(...Array.from({ length: sceneLimits.objects - 1 }, (_, i) => block(`b${i}`, [300, 300])));
     expect(duplicated(scene, of(['b0']))?.edit.type).toBe('add');
-    expect(duplicated(scene, of(['b0', 'b1']))).toBeNull();
+    const made = duplicated(scene, of(['b0', 'b1']));
+    expect(made && editProblem(scene, made.edit)?.code).toBe('too-many');
   });
 });

@@ -64,11 +64,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     options: editor.options.value,
     footprint: sources.footprint(),
   });
+  const { select, clipboard } = editor;
   const ports = {
-    context,
-    commit: (edit: SceneEdit, select?: Selection): void => void editor.commit(edit, select),
-    select: editor.select.bind(editor),
-    clipboard: editor.clipboard,
+    ...{ context, select, clipboard },
+    commit: (edit: SceneEdit, chosen?: Selection): void => void editor.commit(edit, chosen),
     copied: (): void => sources.say(say(arenaWords.tools.copied)),
     changed: sources.redraw,
   };
