@@ -71,6 +71,14 @@ describe('which panes are shown', () => {
     expect(shown(page)).toEqual(['arena']);
   });
 
+  it('leave the board away on a wide screen while the arena is to be watched', () => {
+    const page = pageIn(1366, 768);
+    page.settings.change({ cinema: true });
+    expect(shown(page)).toEqual(['code', 'arena', 'console']);
+    setWindow(1100, 768);
+    expect(shown(page)).toContain('board');
+  });
+
   it('beside the help are program and arena; the board comes back on a very wide screen', () => {
     const page = pageIn(1400, 800);
     page.settings.change({ showBoard: true, showArena: true });
@@ -83,13 +91,39 @@ describe('which panes are shown', () => {
 
 describe('the sizes of the panes', () => {
   it('suit the window', () => {
-    expect(pageIn(1280, 800).layout.sizes.value).toEqual({ code: 420, board: 256, console: 212, top: 0 });
-    expect(pageIn(1100, 800).layout.sizes.value).toEqual({ code: 380, board: 208, console: 210, top: 0 });
+    const isConsoleFolded = false;
+    expect(pageIn(1280, 800).layout.sizes.value).toEqual({
+      ...{ code: 376, board: 208, console: 186, top: 0, below: 0, isConsoleFolded },
+    });
+    expect(pageIn(1100, 800).layout.sizes.value).toEqual({
+      ...{ code: 384, board: 208, console: 174, top: 0, below: 208, isConsoleFolded },
+    });
+  });
+
+  it('spare lines in a low window: those of the console, and of a board below the program', () => {
+    expect(pageIn(1366, 625).layout.sizes.value.console).toBe(170);
+    expect(pageIn(1100, 640).layout.sizes.value).toMatchObject({ console: 170, below: 172 });
+    expect(pageIn(820, 640).layout.sizes.value.console).toBe(208);
   });
 
   it('leave the program more room on a large screen', () => {
-    expect(pageIn(1400, 800).layout.sizes.value.code).toBe(460);
-    expect(pageIn(1680, 900).layout.sizes.value.code).toBe(560);
+    expect(pageIn(1440, 800).layout.sizes.value).toMatchObject({ code: 416, board: 232 });
+    expect(pageIn(1680, 900).layout.sizes.value).toMatchObject({ code: 560, board: 256 });
+  });
+
+  it('give the console the height of what stands in it', () => {
+    const page = pageIn(1366, 625);
+    page.layout.leastConsolePx.value = 184;
+    expect(page.layout.sizes.value.console).toBe(184);
+  });
+
+  it('fold the console only where it lies beside the arena', () => {
+    const folded = (width: number, height: number): boolean => {
+      const page = pageIn(width, height);
+      page.layout.isConsoleFolded.value = true;
+      return page.layout.sizes.value.isConsoleFolded;
+    };
+    expect([folded(1366, 625), folded(1100, 640), folded(820, 1180), folded(390, 844)]).toEqual([true, true, false, false]); // prettier-ignore
   });
 
   it('give the board more where no arena needs the room', () => {
@@ -101,9 +135,9 @@ describe('the sizes of the panes', () => {
   it('are those that the pupil has dragged', () => {
     const page = pageIn(1280, 800);
     page.settings.change({ showArena: true, codePx: 333, consolePx: 99 });
-    expect(page.layout.sizes.value).toEqual({ code: 333, board: 256, console: 99, top: 0 });
+    expect(page.layout.sizes.value).toMatchObject({ code: 333, board: 208, console: 99 });
     page.settings.change({ codePx: null });
-    expect(page.layout.sizes.value.code).toBe(420);
+    expect(page.layout.sizes.value.code).toBe(376);
   });
 });
 

@@ -32,6 +32,14 @@ export interface LayoutModel {
   readonly parts: ComputedRef<readonly Part[]>;
   /** Sizes of the panes in px. */
   readonly sizes: ComputedRef<PaneSizes>;
+  /** The console has nothing to say, and shows its head alone. The console itself decides it. */
+  readonly isConsoleFolded: ShallowRef<boolean>;
+  /** Height that something else in the console needs, in px; 0: there is nothing. The greeting of a first visit sets it. */
+  readonly leastConsolePx: ShallowRef<number>;
+  /** Whether there is a reason to fold it: where panes lie beside the arena. */
+  readonly canFold: ComputedRef<boolean>;
+  /** A phone held across: its panes are wide and low. */
+  readonly isAcross: Readonly<ShallowRef<boolean>>;
 }
 
 /** Sizes of what a splitter moves, in px. */
@@ -41,7 +49,13 @@ export interface PaneSizes {
   readonly console: number;
   /** Height of code and board in the narrow layout; 0: as the window's height suggests. */
   readonly top: number;
+  /** Height of the board below the program, in the medium layout. */
+  readonly below: number;
+  /** The console is as high as its head. */
+  readonly isConsoleFolded: boolean;
 }
+
+type Sizes = Omit<PaneSizes, 'isConsoleFolded'>;
 
 const QUERIES: readonly [LayoutKind, string][] = [
   ['wide', '(min-width: 1280px) and (min-height: 440px)'],
@@ -58,19 +72,27 @@ const PAIRS: readonly [LayoutKind, string][] = [
 /** From this width on the board stays beside the help, too. */
 const HELP: readonly ['all' | 'some', string][] = [['all', '(min-width: 1800px)']];
 
-/** Width of the program where the arena's height leaves it more than is usual, in px. Chosen: the arena stays as large. */
-const CODE_PX: readonly [number, string][] = [
-  [560, '(min-width: 1680px) and (min-height: 440px)'],
-  [460, '(min-width: 1400px) and (min-height: 440px)'],
+/** Windows in which every line counts: laptops whose browser shows all its bars. */
+const LOW: readonly [boolean, string][] = [[true, '(max-height: 699px)']];
+
+/** Sizes that suit each layout, from the picture of the app's look: the arena has what the others leave. */
+const SUGGESTED: Readonly<Record<LayoutKind, Sizes>> = {
+  wide: { code: 376, board: 208, console: 186, top: 0, below: 0 },
+  medium: { code: 384, board: 208, console: 174, top: 0, below: 208 },
+  narrow: { code: 0, board: 264, console: 208, top: 0, below: 0 },
+  phone: { code: 0, board: 0, console: 0, top: 0, below: 0 },
+};
+
+/** More for program and board where the arena's height leaves it: the arena stays as large. In px, chosen by eye. */
+const ROOMY: readonly [Partial<Sizes>, string][] = [
+  [{ code: 560, board: 256, console: 232 }, '(min-width: 1680px) and (min-height: 800px)'],
+  [{ code: 416, board: 232 }, '(min-width: 1440px) and (min-height: 440px)'],
 ];
 
-/** Sizes that suit each layout, from the picture of the app's look. */
-const SUGGESTED: Readonly<Record<LayoutKind, PaneSizes>> = {
-  wide: { code: 420, board: 256, console: 212, top: 0 },
-  medium: { code: 380, board: 208, console: 210, top: 0 },
-  narrow: { code: 0, board: 264, console: 208, top: 0 },
-  phone: { code: 0, board: 0, console: 0, top: 0 },
-};
+const ACROSS: readonly [boolean, string][] = [[true, '(min-width: 700px) and (max-height: 599px)']];
+
+/** Heights in a low window, in px: four lines of output above the line for input, or the explanation of an error. */
+const LOW_SIZES: Partial<Sizes> = { console: 170, below: 172 };
 
 /** Width of the board where no arena needs the room: what is unfolded then stands beside the drawing. Chosen by eye. */
 const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 480, narrow: 320, phone: 0 };
@@ -98,8 +120,11 @@ export function createLayout(
     return isSmall && host.parts.value !== null && tabs.value.join() === 'board,arena' ? pair.value : kind.value;
   });
   const besideHelp = useFirstMatch(HELP, 'some');
-  /** Beside the help program and arena come first. */
-  const isBoardAway = computed(() => isHelpShown.value && besideHelp.value === 'some' && parts.value.includes('arena'));
+  /** Beside the help, and while the arena is to be watched, program and arena come first. */
+  const isBoardAway = computed(() => {
+    const isTight = isHelpShown.value && besideHelp.value === 'some';
+    return (isTight || (current.value.cinema && kind.value === 'wide')) && parts.value.includes('arena');
+  });
   const isShown = computed(() => {
     const has = (pane: Pane): boolean =>
       arrangement.value === 'phone' ? tabNow.value === pane : parts.value.includes(pane);
@@ -107,18 +132,47 @@ export function createLayout(
     const board = has('board') && (isStacked || !isBoardAway.value);
     return { code: has('code'), board, arena: has('arena'), console: has('console') };
   });
-  const roomyCodePx = useFirstMatch(CODE_PX, 0);
-  const sizes = computed(() => {
-    const suggested = SUGGESTED[kind.value];
-    const { codePx, boardPx, consolePx, topPx, showArena } = current.value;
+  const console = useConsolePlace(arrangement);
+  const isAcross = useFirstMatch(ACROSS, false);
+  const sizes = useSizes(current, kind, console);
+  return { kind, arrangement, tab, tabs, parts, isShown, sizes, isAcross, ...console };
+}
+
+type ConsolePlace = Pick<LayoutModel, 'isConsoleFolded' | 'leastConsolePx' | 'canFold'>;
+
+/** How much the console shows of itself. */
+function useConsolePlace(arrangement: ComputedRef<LayoutKind>): ConsolePlace {
+  return {
+    isConsoleFolded: shallowRef(false),
+    leastConsolePx: shallowRef(0),
+    canFold: computed(() => arrangement.value === 'wide' || arrangement.value === 'medium'),
+  };
+}
+
+/** The sizes that suit the window, or that the pupil has dragged. */
+function useSizes(
+  current: SettingsModel['current'],
+  kind: LayoutModel['kind'],
+  { canFold, isConsoleFolded, leastConsolePx }: ConsolePlace,
+): ComputedRef<PaneSizes> {
+  const roomy = useFirstMatch<Partial<Sizes>>(ROOMY, {});
+  const isLow = useFirstMatch(LOW, false);
+  return computed(() => {
+    const suggested = {
+      ...SUGGESTED[kind.value],
+      ...(kind.value === 'wide' && roomy.value),
+      ...(canFold.value && isLow.value && LOW_SIZES),
+    };
+    const { codePx, boardPx, consolePx, topPx, belowPx, showArena } = current.value;
     return {
-      code: codePx ?? Math.max(suggested.code, roomyCodePx.value),
+      code: codePx ?? suggested.code,
       board: boardPx ?? (showArena ? suggested.board : BOARD_ALONE[kind.value]),
-      console: consolePx ?? suggested.console,
+      console: Math.max(consolePx ?? suggested.console, leastConsolePx.value),
       top: topPx ?? suggested.top,
+      below: belowPx ?? suggested.below,
+      isConsoleFolded: canFold.value && isConsoleFolded.value,
     };
   });
-  return { kind, arrangement, tab, tabs, parts, isShown, sizes };
 }
 
 /** The name of the first query that matches the window, now and from now on. */

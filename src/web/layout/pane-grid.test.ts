@@ -1,17 +1,61 @@
 import { describe, expect, it } from 'vitest';
 
-import { gridOf, limitsOf, withRoomForPanel } from './pane-grid';
+import { gridOf, limitsOf, withLargeArena, withRoomForPanel } from './pane-grid';
 
 const all = { code: true, board: true, arena: true, console: true };
 const room = { widthPx: 1424, heightPx: 900 };
-const sizes = { code: 420, board: 256, console: 212, top: 0 };
+const sizes = { code: 420, board: 256, console: 186, top: 0, below: 208, isConsoleFolded: false };
+
+/** Rows of names, as `grid-template-areas` has them. */
+const rowsOf = (areas: string): string[][] => [...areas.matchAll(/'([^']+)'/g)].map(([, row]) => row!.split(' '));
 
 describe('the grid of the panes', () => {
-  it('puts code, board and arena side by side above the console on a wide screen', () => {
+  it('gives the arena the full height on a wide screen, and puts the console below code and board', () => {
     const grid = gridOf('wide', all, sizes, room);
     expect(grid.columns).toBe('420px 8px 256px 8px minmax(0, 1fr)');
-    expect(grid.rows).toBe('minmax(0, 1fr) 8px 212px');
+    expect(grid.rows).toBe('minmax(0, 1fr) 8px 186px');
+    expect(rowsOf(grid.areas)).toEqual([
+      ['code', 's-code', 'board', 's-board', 'arena'],
+      ['s-console', 's-console', 's-console', 's-board', 'arena'],
+      ['console', 'console', 'console', 's-board', 'arena'],
+    ]);
     expect(grid.splitters.map((splitter) => splitter.id)).toEqual(['code', 'board', 'console']);
+  });
+
+  it('puts code, board and console below each other beside the arena on a smaller screen', () => {
+    const grid = gridOf('medium', all, sizes, { widthPx: 1008, heightPx: 768 });
+    expect(grid.columns).toBe('420px 8px minmax(0, 1fr)');
+    expect(grid.rows).toBe('minmax(0, 1fr) 8px 208px 8px 186px');
+    expect(rowsOf(grid.areas).map(([left]) => left)).toEqual(['code', 's-below', 'board', 's-console', 'console']);
+    expect(rowsOf(grid.areas).every(([, bar, right]) => bar === 's-code' && right === 'arena')).toBe(true);
+  });
+
+  it('leaves the program 160 px in a low window, whatever the board would like to have', () => {
+    const low = { widthPx: 1084, heightPx: 600 };
+    const tall = withRoomForPanel({ ...sizes, isConsoleFolded: true }, true);
+    const [, , boardPx] = gridOf('medium', all, tall, low).rows.replace('minmax(0, 1fr)', 'rest').split(' ');
+    expect(low.heightPx - 76 - 56 - 8 - parseInt(boardPx ?? '', 10)).toBeGreaterThanOrEqual(160);
+  });
+
+  it.each(['wide', 'medium', 'narrow'] as const)(
+    'shows the head alone of a folded console, without a bar (%s)',
+    (kind) => {
+      const grid = gridOf(kind, all, { ...sizes, isConsoleFolded: true }, room);
+      expect(grid.rows.endsWith(' 8px 48px')).toBe(true);
+      expect(grid.splitters.map(({ id }) => id)).not.toContain('console');
+    },
+  );
+
+  it('gives two thirds of the width to an arena that is to be watched, or of the height where panes are stacked', () => {
+    const widthPx = 1350;
+    const [codePx] = gridOf('wide', { ...all, board: false }, withLargeArena(sizes, { widthPx, heightPx: 768 }), {
+      widthPx,
+      heightPx: 768,
+    }).columns.split(' ');
+    expect((widthPx - 8 - parseInt(codePx ?? '', 10)) / widthPx).toBeCloseTo(2 / 3, 1);
+    const upright = { widthPx: 820, heightPx: 1180 };
+    const rows = gridOf('narrow', all, { ...withLargeArena(sizes, upright), isConsoleFolded: true }, upright).rows;
+    expect((1180 - 76 - parseInt(rows, 10) - 64) / (1180 - 76)).toBeCloseTo(2 / 3, 1);
   });
 
   it('gives the room of a hidden arena to the program', () => {
@@ -75,8 +119,6 @@ describe('the grid of the panes that a host shows', () => {
     Object.fromEntries(panes.map((pane, place) => [pane, ((index + 1) & (1 << place)) !== 0])),
   ) as unknown as (typeof none)[];
 
-  /** Rows of names, as `grid-template-areas` has them. */
-  const rowsOf = (areas: string): string[][] => [...areas.matchAll(/'([^']+)'/g)].map(([, row]) => row!.split(' '));
   /** Sizes of a track list; `minmax(0, 1fr)` is one. */
   const tracksOf = (list: string): string[] => list.match(/minmax\([^)]*\)|\S+/g) ?? [];
 

@@ -1,7 +1,7 @@
 import type { LayoutKind, Pane, PaneSizes } from './layout-model';
 
 /** The bars between panes, by the size they set. */
-export type SplitterId = 'code' | 'board' | 'console' | 'top';
+export type SplitterId = 'code' | 'board' | 'console' | 'top' | 'below';
 
 /** The grid of the panes in CSS's words, and where its splitters are. */
 export interface PaneGrid {
@@ -24,14 +24,29 @@ export interface Room {
 
 const GAP = '8px';
 /** Least sizes that are still of use, in px. */
-const LEAST = { code: 220, board: 180, console: 96, top: 160, arena: 240 } as const;
+const LEAST = { code: 220, board: 180, console: 96, top: 160, below: 132, arena: 240 } as const;
+/** Height of a folded console: its head and the frame around it. */
+const FOLDED_PX = 48;
+/** What the arena has of the window while it is to be watched. */
+const WATCHED = 2 / 3;
 /** Height of code and board, stacked, while something is unfolded below the board: room for the drawing and the dials, and for an arena in which a robot is seen. Chosen by eye. */
 const TOP_UNFOLDED_PX = 460;
 const BARS_PX = 60 + 8 + 8;
 
+/** Height of the board below the program while something is unfolded in it. Chosen by eye. */
+const BELOW_UNFOLDED_PX = 330;
+
 /** The wished sizes, with more height for the board if something is unfolded below it and no height was set. */
 export function withRoomForPanel(wished: PaneSizes, isUnfolded: boolean): PaneSizes {
-  return isUnfolded && wished.top === 0 ? { ...wished, top: TOP_UNFOLDED_PX } : wished;
+  if (!isUnfolded) return wished;
+  const top = wished.top === 0 ? TOP_UNFOLDED_PX : wished.top;
+  return { ...wished, top, below: Math.max(wished.below, BELOW_UNFOLDED_PX) };
+}
+
+/** The sizes with which the arena has two thirds of the window: of its width, or of its height where panes are stacked. */
+export function withLargeArena(wished: PaneSizes, { widthPx, heightPx }: Room): PaneSizes {
+  const left = (px: number): number => Math.round(px * (1 - WATCHED));
+  return { ...wished, code: left(widthPx) - 16, top: Math.max(LEAST.top, left(heightPx - BARS_PX) - FOLDED_PX - 16) };
 }
 
 /** How small and how large a splitter lets its pane be in this room. */
@@ -42,6 +57,7 @@ export function limitsOf(id: SplitterId, { widthPx, heightPx }: Room): { minPx: 
     board: Math.min(640, widthPx - LEAST.code - 24),
     console: heightPx - BARS_PX - LEAST.top - 16,
     top: heightPx - BARS_PX - LEAST.console - LEAST.arena - 32,
+    below: heightPx - BARS_PX - LEAST.console - LEAST.top - 16,
   };
   return { minPx, maxPx: Math.max(minPx, most[id]) };
 }
@@ -62,7 +78,9 @@ export function gridOf(
     const { minPx, maxPx } = limitsOf(id, room);
     return Math.max(minPx, Math.min(maxPx, wished[id]));
   };
-  return kind === 'narrow' ? stacked(shown, wished, fit) : inRow(shown, fit);
+  if (kind === 'narrow') return stacked(shown, wished, fit);
+  if (!shown.code || !shown.arena) return inRow(shown, wished, fit);
+  return kind === 'wide' ? beside(shown, wished, fit) : inColumn(shown, wished, room, fit);
 }
 
 /** What takes the room that the others leave. */
@@ -90,23 +108,75 @@ function columnsOf(panes: readonly ('code' | 'board' | 'arena')[], fit: (id: Spl
   return { columns: columns.join(' '), areas, splitters };
 }
 
-/** Code, board and arena side by side, the console below them all. */
-function inRow(shown: Readonly<Record<Pane, boolean>>, fit: (id: SplitterId) => number): PaneGrid {
-  const panes = (['code', 'board', 'arena'] as const).filter((pane) => shown[pane]);
-  const { columns, areas, splitters } = columnsOf(panes, fit);
-  const row = `'${areas.join(' ')}'`;
-  if (!shown.console) return { columns, rows: REST, areas: row, splitters };
-  const below = (area: string): string => `'${areas.map(() => area).join(' ')}'`;
+type Shown = Readonly<Record<Pane, boolean>>;
+type Fit = (id: SplitterId) => number;
+type Rows = Pick<PaneGrid, 'splitters'> & { readonly rows: readonly string[]; readonly areas: readonly string[] };
+
+/** The row of the console and the bar above it; folded it is as high as its head, and has no bar. */
+function consoleRow({ isConsoleFolded }: PaneSizes, fit: Fit): Rows {
+  if (isConsoleFolded) return { rows: [GAP, `${FOLDED_PX}px`], areas: ['.', 'console'], splitters: [] };
+  const sizePx = fit('console');
+  return {
+    rows: [GAP, `${sizePx}px`],
+    areas: ['s-console', 'console'],
+    splitters: [{ id: 'console', axis: 'y', sign: -1, sizePx }],
+  };
+}
+
+/** Code and board side by side with the console below them, the arena at the full height beside. */
+function beside(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
+  const { columns, areas, splitters } = columnsOf(
+    (['code', 'board', 'arena'] as const).filter((pane) => shown[pane]),
+    fit,
+  );
+  const row = (place: (area: string) => string): string => `'${areas.map(place).join(' ')}'`;
+  const below = shown.console ? consoleRow(wished, fit) : { rows: [], areas: [], splitters: [] };
+  const isRight = areas.length - 2; // the arena, and the bar before it
+  const line = (name: string): string => `'${areas.map((area, at) => (at >= isRight ? area : name)).join(' ')}'`;
   return {
     columns,
-    rows: `${REST} ${GAP} ${fit('console')}px`,
-    areas: `${row} ${below('s-console')} ${below('console')}`,
-    splitters: [...splitters, { id: 'console', axis: 'y', sign: -1, sizePx: fit('console') }],
+    rows: [REST, ...below.rows].join(' '),
+    areas: [row((area) => area), ...below.areas.map(line)].join(' '),
+    splitters: [...splitters, ...below.splitters],
+  };
+}
+
+/** Code, board and console below each other, the arena at the full height beside them. */
+function inColumn(shown: Shown, wished: PaneSizes, room: Room, fit: Fit): PaneGrid {
+  const codePx = fit('code');
+  const below = shown.console ? consoleRow(wished, fit) : { rows: [], areas: [], splitters: [] };
+  const consolePx = shown.console ? (wished.isConsoleFolded ? FOLDED_PX : fit('console')) + 8 : 0;
+  // The program keeps some lines, whatever the board would like to have.
+  const boardPx = Math.max(LEAST.below, Math.min(fit('below'), room.heightPx - BARS_PX - consolePx - LEAST.top - 8));
+  const board: Rows = {
+    rows: [GAP, `${boardPx}px`],
+    areas: ['s-below', 'board'],
+    splitters: [{ id: 'below', axis: 'y', sign: -1, sizePx: boardPx }],
+  };
+  const parts = [{ rows: [REST], areas: ['code'], splitters: [] }, ...(shown.board ? [board] : []), below];
+  return {
+    columns: `${codePx}px ${GAP} ${REST}`,
+    rows: parts.flatMap(({ rows }) => rows).join(' '),
+    areas: parts.flatMap(({ areas }) => areas.map((area) => `'${area} s-code arena'`)).join(' '),
+    splitters: [{ id: 'code', axis: 'x', sign: 1, sizePx: codePx }, ...parts.flatMap(({ splitters }) => splitters)],
+  };
+}
+
+/** Panes side by side, the console below them all. */
+function inRow(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
+  const panes = (['code', 'board', 'arena'] as const).filter((pane) => shown[pane]);
+  const { columns, areas, splitters } = columnsOf(panes, fit);
+  const below = shown.console ? consoleRow(wished, fit) : { rows: [], areas: [], splitters: [] };
+  return {
+    columns,
+    rows: [REST, ...below.rows].join(' '),
+    areas: [`'${areas.join(' ')}'`, ...below.areas.map((name) => `'${areas.map(() => name).join(' ')}'`)].join(' '),
+    splitters: [...splitters, ...below.splitters],
   };
 }
 
 /** Code and board on top, the arena below in full width, then the console. */
-function stacked(shown: Readonly<Record<Pane, boolean>>, wished: PaneSizes, fit: (id: SplitterId) => number): PaneGrid {
+function stacked(shown: Shown, wished: PaneSizes, fit: Fit): PaneGrid {
   const top = columnsOf(
     (['code', 'board'] as const).filter((pane) => shown[pane]),
     fit,
@@ -127,9 +197,9 @@ function stacked(shown: Readonly<Record<Pane, boolean>>, wished: PaneSizes, fit:
     add(REST, across('arena'));
   }
   if (shown.console) {
-    add(GAP, across('s-console'));
-    add(`${fit('console')}px`, across('console'));
-    splitters.push({ id: 'console', axis: 'y', sign: -1, sizePx: fit('console') });
+    const below = consoleRow(wished, fit);
+    for (const [at, row] of below.rows.entries()) add(row, across(below.areas[at] ?? '.'));
+    splitters.push(...below.splitters);
   }
   return { columns: top.columns || REST, rows: rows.join(' '), areas: areas.join(' '), splitters };
 }

@@ -1,7 +1,7 @@
 import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../page/i18n/texts';
-import { gridOf, limitsOf, withRoomForPanel, type SplitterId } from './pane-grid';
+import { gridOf, limitsOf, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
 import type { WorkParts } from '../work/model/parts';
 import type { LayoutParts } from './parts';
 
@@ -17,7 +17,7 @@ export interface Splitter {
   resize(px: number | null): void;
 }
 
-const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: 'topPx' } as const;
+const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: 'topPx', below: 'belowPx' } as const;
 
 /** The panes' grid as CSS variables, and the splitters that are in it. Sizes always fit the window. */
 export function usePaneGrid(
@@ -34,7 +34,10 @@ export function usePaneGrid(
   onScopeDispose(() => observer.disconnect());
 
   const isUnfolded = computed(() => layout.isShown.value.board && settings.current.value.panel !== null);
-  const sizes = computed(() => withRoomForPanel(layout.sizes.value, isUnfolded.value));
+  const sizes = computed(() => {
+    const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
+    return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
+  });
   const grid = computed(() => gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value));
   const style = computed(() => ({
     '--columns': grid.value.columns,
@@ -49,7 +52,7 @@ export function usePaneGrid(
       sizePx,
       label: `splitter.${id}` as const,
       ...limitsOf(id, room.value),
-      resize: (px) => settings.change({ [SETTING[id]]: px }),
+      resize: (px) => settings.change({ [SETTING[id]]: px, cinema: false }),
     })),
   );
   return { style, splitters };

@@ -30,6 +30,7 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
     zoomBy: () => undefined,
     panBy: (by) => void moved.push(by),
     fit: () => undefined,
+    showNear: () => undefined,
     showPlace: () => undefined,
     follow: () => false,
   };

@@ -190,12 +190,12 @@ describe('the buttons of a run', () => {
     expect(ids()).toEqual(['run', 'stop', 'reset']);
   });
 
-  it('zoom and fit the arena; the figure of the zoom shows on a wide page only', async () => {
+  it('zoom and fit the arena; the figure of the zoom shows where it has room', async () => {
     setWindow(1400);
     const page = await editingPage();
     const done: string[] = [];
     const listeners = { onZoomIn: () => done.push('in'), onZoomOut: () => done.push('out'), onFit: () => done.push('fit') }; // prettier-ignore
-    const mounted = mountOn(page, ViewControls, { zoomPercent: 125, ...listeners });
+    const mounted = mountOn(page, ViewControls, { zoomPercent: 125, withPercent: true, ...listeners });
     expect(mounted.find('.zoom').exists()).toBe(true);
     await press('Vergrössern');
     await press('Verkleinern');

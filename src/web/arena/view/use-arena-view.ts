@@ -1,5 +1,7 @@
 import { computed, onBeforeUnmount, onMounted, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
+import type { Scene } from '#scene/scene';
+import { nearestMm, nearView } from './near-view';
 import {
   backingRatio,
   fitView,
@@ -28,6 +30,8 @@ export interface ArenaView {
   /** Moves the picture by hand. */
   panBy(byPx: Vec): void;
   fit(): void;
+  /** Brings a place (world mm; `null`: there is none) into the middle, and all up to the nearest obstacle into sight. */
+  showNear(atMm: Vec | null, around: Pick<Scene, 'objects' | 'size'>): void;
   /** Brings a place (world mm) into sight and lets it flash. */
   showPlace(atMm: Vec): void;
   /**
@@ -89,6 +93,9 @@ export function useArenaView(
       panned();
     },
     fit,
+    showNear(atMm, { objects, size }) {
+      if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size), arena(), canvas.value));
+    },
     showPlace(atMm) {
       const shown = placeView(view.value, atMm, arena(), canvas.value);
       if (shown !== view.value) change(shown);

@@ -66,12 +66,12 @@ export function zoomView(view: View, factor: number, around: Vec, arena: ArenaSi
   const pxPerMm = Math.min(limits.max, Math.max(limits.min, view.pxPerMm * factor));
   const fixed = toMm(view, around);
   const moved = { pxPerMm, leftPx: around.x - fixed.x * pxPerMm, bottomPx: around.y + fixed.y * pxPerMm };
-  return keepInSight(moved, arena, canvas);
+  return inSight(moved, arena, canvas);
 }
 
 /** Moves the picture by this many px, never beyond the arena's edge. */
 export function panView(view: View, byPx: Vec, arena: ArenaSize, canvas: CanvasSize): View {
-  return keepInSight(
+  return inSight(
     { pxPerMm: view.pxPerMm, leftPx: view.leftPx + byPx.x, bottomPx: view.bottomPx + byPx.y },
     arena,
     canvas,
@@ -88,7 +88,7 @@ export function resizeView(view: View, arena: ArenaSize, before: CanvasSize, aft
     leftPx: after.widthPx / 2 - centre.x * pxPerMm,
     bottomPx: after.heightPx / 2 + centre.y * pxPerMm,
   };
-  return keepInSight(moved, arena, after);
+  return inSight(moved, arena, after);
 }
 
 /**
@@ -108,7 +108,7 @@ export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasS
   const isOutside = at.x < 0 || at.y < 0 || at.x > arena[0] || at.y > arena[1];
   const pxPerMm = isOutside ? zoomLimits(arena, canvas).min : view.pxPerMm;
   const leftPx = canvas.widthPx / 2 - at.x * pxPerMm;
-  return keepInSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
+  return inSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
 }
 
 /**
@@ -138,7 +138,7 @@ export function followView(
 }
 
 /** Centres what is smaller than the canvas and lets nothing empty be scrolled in beside what is larger. */
-function keepInSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
+export function inSight(view: View, arena: ArenaSize, canvas: CanvasSize): View {
   const margin = marginsPx(canvas);
   const width = arena[0] * view.pxPerMm;
   const height = arena[1] * view.pxPerMm;

@@ -3,8 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { paletteForm } from './use-palette-form';
 
 describe('the form of the palette', () => {
-  it('shows words in a column on a wide screen that is high enough for twelve tools', () =>
-    expect(paletteForm('wide', { widthPx: 720, heightPx: 552 })).toBe('words'));
+  it('shows names in a column where that is high enough for twelve tools, and the course has room beside it', () => {
+    expect(paletteForm('wide', { widthPx: 758, heightPx: 552 })).toBe('words');
+    expect(paletteForm('wide', { widthPx: 748, heightPx: 552 })).toBe('icons');
+  });
   it('takes two columns where one would be too high, so that no tool is out of sight', () => {
     expect(paletteForm('wide', { widthPx: 650, heightPx: 300 })).toBe('pairs');
     expect(paletteForm('narrow', { widthPx: 800, heightPx: 440 })).toBe('pairs');

@@ -12,6 +12,8 @@ export const PALETTE_PX: Readonly<Record<PaletteForm, number>> = { words: 84, ic
 const COLUMN_PX = 12 * 44 + 4 * 3 + 8;
 /** Least width of the arena's pane that can spare the room for two columns, in px. Chosen by eye. */
 const SPARE_PX = 480;
+/** Least width that can spare the room for names: with less the course would be smaller for them. Chosen by eye. */
+const NAMES_PX = 752;
 
 /** Suits the palette to the room beside the arena, so that all tools are in sight wherever they can be. */
 export function paletteForm(
@@ -19,7 +21,7 @@ export function paletteForm(
   room: { readonly widthPx: number; readonly heightPx: number },
 ): PaletteForm {
   if (kind === 'phone') return room.widthPx > room.heightPx * 1.5 ? 'pairs' : 'strip';
-  if (room.heightPx >= COLUMN_PX) return kind === 'wide' ? 'words' : 'icons';
+  if (room.heightPx >= COLUMN_PX) return room.widthPx >= NAMES_PX ? 'words' : 'icons';
   return room.widthPx >= SPARE_PX ? 'pairs' : 'icons';
 }
 

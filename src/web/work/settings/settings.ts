@@ -67,6 +67,10 @@ export interface Settings {
   readonly consolePx: number | null;
   /** Height of code and board where the arena lies below them. */
   readonly topPx: number | null;
+  /** Height of the board where it lies below the program. */
+  readonly belowPx: number | null;
+  /** The arena has two thirds of the window. */
+  readonly cinema: boolean;
 }
 
 /** Chosen options by the robot's id. */
@@ -112,6 +116,8 @@ export function defaultSettings(language: Language): Settings {
     boardPx: null,
     consolePx: null,
     topPx: null,
+    belowPx: null,
+    cinema: false,
   };
 }
 
@@ -128,7 +134,8 @@ type Flag =
   | 'deviceCheck'
   | 'showCommands'
   | 'follow'
-  | 'celebrate';
+  | 'celebrate'
+  | 'cinema';
 
 /** Reads stored settings; what is missing or makes no sense is as in `fallback`. */
 export function settingsFromText(text: string | null, fallback: Settings): Settings {
@@ -143,7 +150,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
   const flag = (key: Flag): boolean => (typeof read[key] === 'boolean' ? read[key] : fallback[key]);
   const id = (key: 'device' | 'firmware' | 'robot', fits: (value: string) => boolean): string =>
     typeof read[key] === 'string' && fits(read[key]) ? read[key] : fallback[key];
-  const size = (key: 'codePx' | 'boardPx' | 'consolePx' | 'topPx'): number | null =>
+  const size = (key: 'codePx' | 'boardPx' | 'consolePx' | 'topPx' | 'belowPx'): number | null =>
     typeof read[key] === 'number' && Number.isFinite(read[key]) ? read[key] : null;
   return {
     language: LANGUAGES.find((language) => language === read.language) ?? fallback.language,
@@ -178,6 +185,8 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     boardPx: size('boardPx'),
     consolePx: size('consolePx'),
     topPx: size('topPx'),
+    belowPx: size('belowPx'),
+    cinema: flag('cinema'),
   };
 }
 

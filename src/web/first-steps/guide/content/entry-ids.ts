@@ -51,7 +51,18 @@ export const PROGRAM_IDS = ['files', 'new-file', 'file-menu', 'commands', 'sugge
 export const BOARD_IDS = ['buttons', 'sensors', 'radio', 'log'] as const;
 
 /** Around the arena. */
-export const ARENA_IDS = ['arena-hand', 'tools', 'show', 'readings', 'zoom', 'fit', 'fullscreen', 'verdict'] as const;
+export const ARENA_IDS = [
+  'arena-hand',
+  'tools',
+  'show',
+  'readings',
+  'zoom',
+  'fit',
+  'near',
+  'cinema',
+  'fullscreen',
+  'verdict',
+] as const;
 
 /** The tools, and what else there is about a course. */
 export const TOOL_IDS = [
@@ -78,7 +89,7 @@ export const TOOL_IDS = [
 ] as const;
 
 /** The console. */
-export const CONSOLE_IDS = ['output', 'copy', 'clear', 'input', 'interrupt', 'restart'] as const;
+export const CONSOLE_IDS = ['output', 'copy', 'clear', 'fold', 'input', 'interrupt', 'restart'] as const;
 
 /** Keys of the keyboard. */
 export const KEY_IDS = [

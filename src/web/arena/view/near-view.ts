@@ -1,0 +1,32 @@
+import type { Vec } from '#core/geometry';
+import { kindOf } from '#editor/kinds/index';
+import type { SceneObject } from '#scene/scene';
+import { solidOutline } from '#scene/kinds/index';
+
+import { inSight, marginsPx, zoomLimits, type ArenaSize, type CanvasSize, type View } from './view-transform';
+
+/** Seen around the robot at least, in mm. Chosen: the whole robot, and where it will be in the next second. */
+const LEAST_MM = 160;
+/** Seen beyond the nearest obstacle, in mm. Chosen by eye. */
+const BEYOND_MM = 60;
+
+/** How far it is from a place to the nearest thing that a robot can bump into, the edge of the arena among them, in mm. */
+export function nearestMm(at: Vec, objects: readonly SceneObject[], [width, height]: ArenaSize): number {
+  const toEdge = [at.x, at.y, width - at.x, height - at.y].map((mm) => Math.max(0, mm));
+  const toObjects = objects
+    .filter((object) => solidOutline(object) !== null)
+    .map((object) => kindOf(object).distanceMm(object, at));
+  return Math.min(...toEdge, ...toObjects);
+}
+
+/** The view in which a place stands in the middle, and everything up to the nearest obstacle is in sight around it. */
+export function nearView(at: Vec, nearest: number, arena: ArenaSize, canvas: CanvasSize): View {
+  const margin = marginsPx(canvas);
+  const widthPx = canvas.widthPx - margin.left - margin.right;
+  const heightPx = canvas.heightPx - margin.top - margin.bottom;
+  const aroundMm = Math.max(LEAST_MM, nearest + BEYOND_MM);
+  const limits = zoomLimits(arena, canvas);
+  const pxPerMm = Math.min(limits.max, Math.max(limits.min * 2, Math.min(widthPx, heightPx) / (2 * aroundMm)));
+  const leftPx = margin.left + widthPx / 2 - at.x * pxPerMm;
+  return inSight({ pxPerMm, leftPx, bottomPx: margin.top + heightPx / 2 + at.y * pxPerMm }, arena, canvas);
+}
