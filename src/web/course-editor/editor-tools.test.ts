@@ -125,7 +125,8 @@ describe('the options of a tool', () => {
     await openCard(size());
     await pick('10 × 5 cm');
     expect(set().blockSize).toEqual([100, 50]);
-    expect(size()).toContain('10 × 5 cm');
+    await nextTick();
+    expect(size()).toBe('Grösse: 10 × 5 cm'); // once, not twice
     await openCard(size());
     await fill('Länge', '12.5');
     await fill('Breite', '0.1');
