@@ -3,6 +3,9 @@ import { on } from './page';
 
 const PROGRAM_MS = 1_000;
 
+// What a test has rerouted may still be under way when it ends.
+test.afterEach(({ page }) => page.unrouteAll({ behavior: 'ignoreErrors' }));
+
 test('a visit with a run asks nobody but the own host, and the page has nothing to complain about', async ({
   page,
   baseURL,
