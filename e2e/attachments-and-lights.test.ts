@@ -67,7 +67,7 @@ test('carry the block: the course brings the claw along, the block lies in the f
   await drive(app, 'carry', 'Maqueen Lite');
   await ends(app, 'carry');
   const { x, y } = middleOf(await paintOf(app, 'blocks', sceneOf('carry').size));
-  expect(distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
+  await expect.poll(async () => distance(await robotAt(app), [x, y])).toBeGreaterThan(150);
   expect([Math.abs(x - 1000) < 80, Math.abs(y - 650) < 70], `${String(x)}, ${String(y)}`).toEqual([true, true]);
   await app.click(by('device'));
   await until(app, by('option-S1'));
