@@ -9,7 +9,7 @@ const says = (app: App, text: RegExp | string): Promise<void> =>
     : expect.poll(() => consoleIn(app)).toMatch(text);
 
 async function start(app: App, source: string): Promise<void> {
-  await openApp(app);
+  await openApp(app, { language: 'en' });
   await pasteProgram(app, source);
   await app.click(on('run'));
 }
