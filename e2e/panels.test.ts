@@ -23,7 +23,7 @@ test('a sensor set before the run is felt by the program, and one moved meanwhil
 });
 
 test('after the program’s end its names can be asked for, line by line and with arrow up', async ({ app }) => {
-  await openApp(app);
+  await openApp(app, { language: 'en' });
   await typeProgram(app, 'n = 20\nprint("end")');
   await app.click(on('run'));
   await expect.poll(() => app.text(on('run'))).toContain('Again');
