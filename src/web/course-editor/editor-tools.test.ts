@@ -188,6 +188,26 @@ describe('the options of a tool', () => {
     expect(mounted.get('[role="status"]').text()).toBe('');
   });
 
+  it('give the field the keyboard once words are put down with the mouse: the next letters are words, too', async () => {
+    const { editor } = await optionsOf('label');
+    await fill('Text', 'Ziel');
+    const arena = document.createElement('div');
+    arena.setAttribute('role', 'application');
+    arena.tabIndex = 0;
+    document.body.append(arena);
+    const place = async (id: string, pointerType: string): Promise<void> => {
+      arena.focus();
+      arena.dispatchEvent(new PointerEvent('pointerup', { bubbles: true, isPrimary: true, button: 0, pointerType }));
+      editor.commit({ type: 'add', objects: [{ ...samples.label, id }] });
+      await nextTick();
+      await nextTick();
+    };
+    await place('by-finger', 'touch');
+    expect(document.activeElement).toBe(arena);
+    await place('by-mouse', 'mouse');
+    expect(document.activeElement).toBe(named('Text', 'input'));
+  });
+
   it('make the robot larger at its start, up to three times, each time as one step', async () => {
     const { scene, steps, editor } = await optionsOf('start');
     await press('Roboter grösser');

@@ -3,15 +3,36 @@ import { computed, onBeforeUnmount, onMounted, shallowRef, type ComputedRef, typ
 import type { LayoutKind } from '../../layout/layout-model';
 
 /** How the palette lies: see `ToolPalette.vue`. */
-export type PaletteForm = 'words' | 'icons' | 'pairs' | 'strip';
+export type PaletteForm = 'words' | 'icons' | 'pairs' | 'threes' | 'fours' | 'strip';
+
+/** How many tools lie side by side. */
+export const PALETTE_COLUMNS: Readonly<Record<PaletteForm, number>> = {
+  words: 1,
+  icons: 1,
+  pairs: 2,
+  threes: 3,
+  fours: 4,
+  strip: 6,
+};
 
 /** Width of the palette in px; height of the strip. */
-export const PALETTE_PX: Readonly<Record<PaletteForm, number>> = { words: 84, icons: 58, pairs: 98, strip: 58 };
+export const PALETTE_PX: Readonly<Record<PaletteForm, number>> = {
+  words: 84,
+  icons: 58,
+  pairs: 98,
+  threes: 142,
+  fours: 186,
+  strip: 98,
+};
 
-/** Height of all tools one below the other, in px: twelve of 44, four lines between them, and the edge. */
-const COLUMN_PX = 12 * 44 + 4 * 3 + 8;
-/** Least width of the arena's pane that can spare the room for two columns, in px. Chosen by eye. */
-const SPARE_PX = 480;
+/** So many tools there are, each at least this high. */
+const TOOLS = 12;
+const TOOL_PX = 44;
+/** Height of all tools one below the other, in px: with four lines between them, and the edge. */
+const COLUMN_PX = TOOLS * TOOL_PX + 4 * 3 + 8;
+const EDGES_PX = 8;
+/** As many columns as it takes, and no more than a part of the arena. */
+const GRIDS = ['pairs', 'threes', 'fours'] as const;
 /** Least width that can spare the room for names: with less the course would be smaller for them. Chosen by eye. */
 const NAMES_PX = 752;
 
@@ -20,9 +41,10 @@ export function paletteForm(
   kind: LayoutKind,
   room: { readonly widthPx: number; readonly heightPx: number },
 ): PaletteForm {
-  if (kind === 'phone') return room.widthPx > room.heightPx * 1.5 ? 'pairs' : 'strip';
-  if (room.heightPx >= COLUMN_PX) return room.widthPx >= NAMES_PX ? 'words' : 'icons';
-  return room.widthPx >= SPARE_PX ? 'pairs' : 'icons';
+  if (kind === 'phone' && room.widthPx <= room.heightPx * 1.5) return 'strip';
+  if (kind !== 'phone' && room.heightPx >= COLUMN_PX) return room.widthPx >= NAMES_PX ? 'words' : 'icons';
+  const rows = Math.floor((room.heightPx - EDGES_PX) / TOOL_PX);
+  return GRIDS.find((form) => PALETTE_COLUMNS[form] * rows >= TOOLS) ?? 'fours';
 }
 
 /** Follows the size of what holds palette and arena. */
