@@ -18,7 +18,7 @@ async function enter(app: App, css: string): Promise<void> {
 /** Goes down a menu until a name is under the keyboard, and takes it. */
 async function take(app: App, name: string): Promise<void> {
   const isAt = (): Promise<boolean> =>
-    app.evaluate((text) => document.activeElement?.querySelector('.v-list-item-title')?.textContent === text, name);
+    app.evaluate((text) => document.activeElement?.querySelector('.page-list-item-title')?.textContent === text, name);
   for (let step = 0; step < 12 && !(await isAt()); step += 1) await app.press('ArrowDown');
   expect(await isAt(), `${name} under the keyboard`).toBe(true);
   await app.press('Enter');

@@ -44,8 +44,8 @@ test('the gallery by keyboard: a filter, a course’s page, its beginning in the
   await expect.poll(() => isAt(app, '.gallery h2')).toBe(true);
   await tabTo(app, by('open-slalom'));
   await app.press('Enter');
-  await until(app, '.v-overlay .ctl--run');
-  await app.click('.v-overlay .ctl--run'); // course and program
+  await until(app, '.page-overlay .ctl--run');
+  await app.click('.page-overlay .ctl--run'); // course and program
   await expect.poll(() => programIn(app)).toContain('Task: drive around the posts');
   await expect.poll(() => app.text('.notice')).toContain('Your work has been kept');
   await expect.poll(() => courseOf(app)).toContain('Slalom');

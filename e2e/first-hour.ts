@@ -159,7 +159,7 @@ export async function passFirstCourse(
   await app.click(by('show-solution'));
   await app.click(by('open-solved'));
   await gone(app, '.gallery');
-  if (await isThere(app, '.v-overlay .ctl--run')) await app.click('.v-overlay .ctl--run');
+  if (await isThere(app, '.page-overlay .ctl--run')) await app.click('.page-overlay .ctl--run');
   await until(app, by('verdict'));
   await app.click(on('run'));
   await expect.poll(() => app.text(by('verdict')), { timeout: 60_000 }).toContain(words.passed);

@@ -31,7 +31,7 @@ export const PLACES = {
   stop: 'button.stop',
   editor: '.code-editor .cm-content[contenteditable=true]',
   speed: '.ctl.speed',
-  choice: '.menu-card .v-list-item',
+  choice: '.menu-card .page-list-item',
   arena: '[data-testid=arena]',
   pen: '[data-tool=pen]',
 } as const;

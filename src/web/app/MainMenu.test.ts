@@ -20,7 +20,9 @@ const radios = (): readonly HTMLElement[] => [...document.querySelectorAll<HTMLE
 const checked = (): readonly string[] =>
   radios().filter((item) => item.getAttribute('aria-checked') === 'true').map(textOf); // prettier-ignore
 const items = (): readonly string[] =>
-  [...document.querySelectorAll('[role="menuitem"]')].map((item) => textOf(item.querySelector('.v-list-item-title')));
+  [...document.querySelectorAll('[role="menuitem"]')].map((item) =>
+    textOf(item.querySelector('.page-list-item-title')),
+  );
 
 describe('the list of languages', () => {
   it('names each language in itself and says so to screen readers', () => {

@@ -530,7 +530,7 @@ describe('the menu of the course', () => {
 
   it('has nothing to clear in an empty course', async () => {
     const { item, steps } = await menu([]);
-    expect(item('clear').classes()).toContain('v-list-item--disabled');
+    expect(item('clear').classes()).toContain('page-list-item--disabled');
     await item('clear').trigger('click');
     expect(steps()).toBe(0);
   });

@@ -24,7 +24,7 @@ describe('what the arena shows', () => {
   it('is a menu of switches with a name and a few words each', () => {
     const { mounted } = menu();
     named('Zeigen, was der Roboter spürt', '[role="menu"]');
-    expect(mounted.findAll('[role="menuitemcheckbox"] .v-list-item-title').map((it) => it.text())).toEqual([
+    expect(mounted.findAll('[role="menuitemcheckbox"] .page-list-item-title').map((it) => it.text())).toEqual([
       'Messkegel',
       'Liniensensoren',
       'Drehpunkt',
@@ -49,7 +49,7 @@ describe('what the arena shows', () => {
 
   it('cannot be switched without a robot', () => {
     const { mounted } = menu('none');
-    expect(mounted.findAll('[role="menuitemcheckbox"].v-list-item--disabled')).toHaveLength(SWITCHES.length);
+    expect(mounted.findAll('[role="menuitemcheckbox"].page-list-item--disabled')).toHaveLength(SWITCHES.length);
   });
 
   it('can be the arena alone on a phone: the menu closes', async () => {

@@ -42,7 +42,7 @@ describe('the arena alone on the screen', () => {
     alone.enter();
     escape((event) => event.preventDefault());
     expect(isShown()).toBe(true);
-    document.body.innerHTML = '<div class="v-overlay--active"></div>';
+    document.body.innerHTML = '<div class="page-overlay--active"></div>';
     escape();
     expect(isShown()).toBe(true);
     document.body.innerHTML = '';

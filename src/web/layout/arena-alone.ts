@@ -58,6 +58,6 @@ export class ArenaAlone {
   /** Without the screen it is the page that has to listen to Escape, unless a menu, a dialog or a gesture has used it. */
   private readonly onKey = (event: KeyboardEvent): void => {
     if (event.key !== 'Escape' || event.defaultPrevented || !this.alone.value) return;
-    if (document.querySelector('.v-overlay--active') === null) this.leave();
+    if (document.querySelector('.page-overlay--active') === null) this.leave();
   };
 }

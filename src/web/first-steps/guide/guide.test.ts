@@ -29,7 +29,9 @@ const sources = import.meta.glob<string>(
 /** The controls in a component's template, each by all names that it has. */
 function controlsIn(source: string): readonly (readonly string[])[] {
   const template = source.slice(source.indexOf('<template>'));
-  const tags = template.matchAll(/<(?:CtlButton|v-btn|button|v-list-item)\b((?:\s+[^\s=>/]+(?:="[^"]*")?)*)\s*(\/?)>/g);
+  const tags = template.matchAll(
+    /<(?:CtlButton|PageButton|button|PageListItem)\b((?:\s+[^\s=>/]+(?:="[^"]*")?)*)\s*(\/?)>/g,
+  );
   return Array.from(tags, ({ 1: attributes = '', 2: isEmpty, 0: tag, index }) => {
     const ids = Array.from(attributes.matchAll(/ data-testid="([^"]+)"/g), ({ 1: id = '' }) => id);
     const patterns = Array.from(attributes.matchAll(/:data-testid="`([^`]+)`"/g), ({ 1: id = '' }) =>

@@ -118,7 +118,7 @@ describe('the tour', () => {
     const { page } = await tour();
     document.body.insertAdjacentHTML('beforeend', '<div class="cm-editor"><button id="in-editor"></button></div>');
     expect(await pressKey('Escape', document.querySelector('#in-editor'))).toBe(false);
-    document.body.insertAdjacentHTML('beforeend', '<div class="v-overlay--active"></div>');
+    document.body.insertAdjacentHTML('beforeend', '<div class="page-overlay--active"></div>');
     expect(await pressKey('Escape')).toBe(false);
     expect(page.tour.isOpen.value).toBe(true);
   });

@@ -22,7 +22,7 @@ describe('a button of the page', () => {
     const button = mount(CtlButton, { props: { label: 'Teilen', icon: 'M0 0' }, global });
     expect(button.attributes('aria-label')).toBe('Teilen');
     expect(button.attributes('title')).toBe('Teilen');
-    expect(button.get('.v-icon').attributes('aria-hidden')).toBe('true');
+    expect(button.get('.page-icon').attributes('aria-hidden')).toBe('true');
   });
 
   it('does not say that it can stay pressed unless it can', async () => {

@@ -2,8 +2,8 @@ import type { Plugin } from 'vue';
 
 import PageDialog from '../overlays/PageDialog.vue';
 import PageMenu from '../overlays/PageMenu.vue';
-import ListHeading from './ListHeading.vue';
-import ListItem from './ListItem.vue';
+import PageListHeading from './PageListHeading.vue';
+import PageListItem from './PageListItem.vue';
 import PageButton from './PageButton.vue';
 import PageIcon from './PageIcon.vue';
 import PageList from './PageList.vue';
@@ -11,24 +11,24 @@ import PageList from './PageList.vue';
 /** Lets the templates of all rooms use the controls of the page without importing them. */
 export const controls: Plugin = {
   install(app) {
-    app.component('VBtn', PageButton);
-    app.component('VDialog', PageDialog);
-    app.component('VIcon', PageIcon);
-    app.component('VList', PageList);
-    app.component('VListItem', ListItem);
-    app.component('VListSubheader', ListHeading);
-    app.component('VMenu', PageMenu);
+    app.component('PageButton', PageButton);
+    app.component('PageDialog', PageDialog);
+    app.component('PageIcon', PageIcon);
+    app.component('PageList', PageList);
+    app.component('PageListItem', PageListItem);
+    app.component('PageListHeading', PageListHeading);
+    app.component('PageMenu', PageMenu);
   },
 };
 
 declare module 'vue' {
   interface GlobalComponents {
-    VBtn: typeof PageButton;
-    VDialog: typeof PageDialog;
-    VIcon: typeof PageIcon;
-    VList: typeof PageList;
-    VListItem: typeof ListItem;
-    VListSubheader: typeof ListHeading;
-    VMenu: typeof PageMenu;
+    PageButton: typeof PageButton;
+    PageDialog: typeof PageDialog;
+    PageIcon: typeof PageIcon;
+    PageList: typeof PageList;
+    PageListItem: typeof PageListItem;
+    PageListHeading: typeof PageListHeading;
+    PageMenu: typeof PageMenu;
   }
 }

@@ -64,14 +64,14 @@ describe('a dialog', () => {
     expect(asked()).toBe(1);
     await click(document.getElementById('zwei'));
     expect(asked()).toBe(1);
-    await click(document.querySelector('.v-overlay__scrim'));
+    await click(document.querySelector('.page-overlay__scrim'));
     expect(asked()).toBe(2);
   });
 
   it('stays while it must be seen to its end', async () => {
     const { asked } = await dialog({ persistent: true });
     await press('Escape');
-    await click(document.querySelector('.v-overlay__scrim'));
+    await click(document.querySelector('.page-overlay__scrim'));
     expect(asked()).toBe(0);
   });
 

@@ -3,7 +3,7 @@ import { enableAutoUnmount, mount } from '@vue/test-utils';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { h, nextTick } from 'vue';
 
-import ListItem from '../controls/ListItem.vue';
+import PageListItem from '../controls/PageListItem.vue';
 import PageList from '../controls/PageList.vue';
 import PageMenu from './PageMenu.vue';
 
@@ -14,7 +14,7 @@ beforeEach(() => {
 
 const chosen = vi.fn();
 const entry = (title: string, disabled = false) =>
-  h(ListItem, { title, disabled, role: 'menuitem', onClick: () => void chosen(title) });
+  h(PageListItem, { title, disabled, role: 'menuitem', onClick: () => void chosen(title) });
 
 /** A menu of four entries, the third of which cannot be chosen, and its button. */
 function menu(props: Readonly<Record<string, unknown>> = {}) {
@@ -120,7 +120,7 @@ describe('a menu', () => {
   it('stays open after a choice where it holds settings', async () => {
     const { button } = menu({ closeOnContentClick: false });
     await click(button.element);
-    await click(list()!.querySelector('.v-list-item')!);
+    await click(list()!.querySelector('.page-list-item')!);
     expect(list()).not.toBeNull();
   });
 

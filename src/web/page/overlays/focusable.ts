@@ -22,7 +22,7 @@ export function tabStops(inside: HTMLElement): readonly HTMLElement[] {
 
 /** The entries of the lists in an element that can be chosen. */
 export const entriesIn = (inside: HTMLElement): readonly HTMLElement[] => [
-  ...inside.querySelectorAll<HTMLElement>('.v-list-item[tabindex]'),
+  ...inside.querySelectorAll<HTMLElement>('.page-list-item[tabindex]'),
 ];
 
 /** Gives the keyboard to the first or the last entry of what has just been opened. @returns whether there was any */
