@@ -51,7 +51,8 @@ export const webLayers = {
   console: ['page', 'run', 'work', 'layout'],
   board: ['page', 'run', 'work', 'visit', 'layout'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
-  arena: ['page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor'],
+  narration: ['page', 'run', 'work', 'course-editor'],
+  arena: ['page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration'],
   code: ['page', 'run', 'work', 'visit', 'layout', 'console'],
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'device'],
@@ -62,7 +63,7 @@ export const webLayers = {
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
-    'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'arena', 'code', 'device', 'galleries',
-    'print', 'share', 'first-steps', 'real-device', 'host',
+    'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
+    'galleries', 'print', 'share', 'first-steps', 'real-device', 'host',
   ], // prettier-ignore
 };

@@ -6,7 +6,7 @@ import { mountOn, named, setWindow } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import ShowList from './ShowList.vue';
 
-const SWITCHES = ['cone', 'spots', 'centre', 'trace', 'follow', 'celebrate'] as const;
+const SWITCHES = ['cone', 'spots', 'centre', 'trace', 'follow', 'tell', 'celebrate'] as const;
 
 /** The menu of what the arena shows, for a robot or the bare board. */
 function menu(robot = 'maqueen-lite') {
@@ -30,6 +30,7 @@ describe('what the arena shows', () => {
       'Drehpunkt',
       'Spur',
       'Dem Roboter folgen',
+      'Fahrt ansagen',
       'Konfetti',
     ]);
     expect(mounted.get('[data-testid="show-trace"]').text()).toContain('Wo er seit dem Start durchgefahren ist');

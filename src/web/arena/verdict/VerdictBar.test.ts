@@ -56,6 +56,17 @@ describe('the bar with the verdict', () => {
     expect(page.mounted.findAll('.goal--done')).toHaveLength(1);
   });
 
+  it('leaves it to the telling of the drive, where that is switched on, to say what is reached', async () => {
+    const page = await bar([samples.checkpoint, two]);
+    page.settings.change({ tell: true });
+    await startRun(page);
+    await page.tell({});
+    await page.tell({ checkpoints: { passed: 1, of: 2 } });
+    expect([page.goals()[0], page.said()]).toEqual(['Kontrollpunkte 1/2', '']);
+    await page.tell({ state: 'passed', atMs: 2000, checkpoints: { passed: 2, of: 2 } });
+    expect(page.said()).toBe('Geschafft! Aufgabe gelöst in 2.0 s.');
+  });
+
   it('counts the seconds down, and warns in the last five', async () => {
     const page = await bar([samples.target], 20);
     const time = () => page.mounted.get('[data-testid="time-left"]');

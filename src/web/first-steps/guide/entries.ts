@@ -1,5 +1,6 @@
 import {
   mdiAccessPoint,
+  mdiAccountVoice,
   mdiArrowTopRightBottomLeft,
   mdiBugOutline,
   mdiCheckboxMarkedOutline,
@@ -65,6 +66,7 @@ import { toolLetters } from '../../course-editor/palette/tool-list';
 import { editingWords } from '../../course-editor/words/editing-words';
 import { editorWords } from '../../course-editor/words/editor-words';
 import { deviceWords } from '../../device/device-words';
+import { showWords } from '../../layout/show-words';
 import type { GuideContent, OwnName } from './content/content';
 import { sectionIds, type EntryId, type KEY_IDS, type SectionId } from './content/entry-ids';
 
@@ -148,6 +150,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'arena-hand': ofOwn(mdiHandBackRightOutline, 'arena-hand', 'arena'),
   tools: of(mdiPencilRuler, () => say(editorWords.palette.tools), 'tools-toggle'),
   show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
+  tell: of(mdiAccountVoice, () => say(showWords.tell.title), 'tell-switch', 'show-tell'),
   readings: ofOwn(mdiCompassOutline, 'readings'),
   zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
   fit: ofKey(mdiFitToScreenOutline, 'arena.fit', 'fit'),

@@ -55,6 +55,10 @@ export interface Settings {
   readonly showCommands: boolean;
   /** The picture follows the robot. */
   readonly follow: boolean;
+  /** What the robot meets is told in words, to be heard by who does not see the arena; … */
+  readonly tell: boolean;
+  /** … and by tones, while it is told. */
+  readonly tones: boolean;
   /** A small celebration when a task is passed. */
   readonly celebrate: boolean;
   /** The greeting of a first visit was answered. */
@@ -109,6 +113,8 @@ export function defaultSettings(language: Language): Settings {
     showTools: null,
     showCommands: false,
     follow: false,
+    tell: false,
+    tones: true,
     celebrate: true,
     welcomed: false,
     tourStep: null,
@@ -134,6 +140,8 @@ type Flag =
   | 'deviceCheck'
   | 'showCommands'
   | 'follow'
+  | 'tell'
+  | 'tones'
   | 'celebrate'
   | 'cinema';
 
@@ -177,6 +185,8 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     showTools: typeof read.showTools === 'boolean' ? read.showTools : fallback.showTools,
     showCommands: flag('showCommands'),
     follow: flag('follow'),
+    tell: flag('tell'),
+    tones: flag('tones'),
     celebrate: flag('celebrate'),
     // Anyone whose settings are older than the greeting knows the app.
     welcomed: read.welcomed !== false,

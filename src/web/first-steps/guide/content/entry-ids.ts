@@ -55,6 +55,7 @@ export const ARENA_IDS = [
   'arena-hand',
   'tools',
   'show',
+  'tell',
   'readings',
   'zoom',
   'fit',

@@ -1,0 +1,72 @@
+import type { Snapshot } from '#simulation/snapshot';
+
+import { momentOf, type Moment } from './moment';
+import type { Watcher } from './news';
+import { createPacer } from './pacer';
+import { sentence, type Surroundings } from './sentences';
+import { watchAhead } from './watch-ahead';
+import { watchLine } from './watch-line';
+import { watchRest } from './watch-rest';
+import { isDecided, watchTask } from './watch-task';
+import { watchTurn } from './watch-turn';
+
+/** Follows one run and tells of it. Times by the clock on the wall, in ms. */
+export interface Narrator {
+  /** Looks at the newest picture. It may be the same as before: that nothing moves any more is seen in time. */
+  see(snapshot: Snapshot, nowMs: number): void;
+  /** What is to be said now, if anything. */
+  next(nowMs: number): string | null;
+  /** The run is over: what waited is no news any more; where the robot stands is told. */
+  end(nowMs: number): void;
+  /** The page itself says now how the run goes. */
+  letSpeak(nowMs: number): void;
+  /** Time stands still: nothing that waited is told. */
+  pause(): void;
+  readonly isWaiting: boolean;
+}
+
+/** How long the page takes to say that the run has begun or stopped, and what the verdict is, in ms. Chosen: so many words take so long. */
+const PAGE_MS = 1200;
+const VERDICT_MS = 4000;
+
+export function createNarrator(around: () => Surroundings): Narrator {
+  const pacer = createPacer();
+  const watchers: readonly Watcher[] = [
+    watchTask(() => checkpointsOf(around())),
+    ...[watchLine(), watchAhead(), watchTurn(), watchRest()],
+  ];
+  let now: Moment | null = null;
+  return {
+    see(snapshot, nowMs) {
+      const before = now;
+      const seen = momentOf(snapshot, nowMs);
+      now = seen;
+      if (seen === null) return;
+      if (before === null) pacer.offer({ topic: 'start', isOnWay: snapshot.timeUs > START_US, seen }, nowMs);
+      else if (isDecided(before, seen)) pacer.letSpeak(nowMs + VERDICT_MS);
+      for (const watch of watchers) for (const news of watch(seen)) pacer.offer(news, nowMs);
+    },
+    next(nowMs) {
+      const latest = now;
+      return latest === null ? null : pacer.next(nowMs, (news) => sentence(news, latest, around()));
+    },
+    end(nowMs) {
+      pacer.clear();
+      if (now !== null) pacer.offer({ topic: 'rest', seen: now }, nowMs);
+    },
+    letSpeak: (nowMs) => pacer.letSpeak(nowMs + PAGE_MS),
+    pause: () => pacer.clear(),
+    get isWaiting() {
+      return pacer.isWaiting;
+    },
+  };
+}
+
+/** Up to here a run has just begun, in simulated µs. */
+const START_US = 1_000_000;
+
+/** The numbers of the checkpoints in the order in which they count. */
+const checkpointsOf = ({ scene }: Surroundings): readonly number[] =>
+  scene.objects
+    .flatMap((object) => (object.type === 'checkpoint' ? [object.number] : []))
+    .sort((one, other) => one - other);

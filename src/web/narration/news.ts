@@ -1,0 +1,23 @@
+import type { Moment } from './moment';
+
+/** What is told of, each with one sentence at a time. */
+export type Topic = 'touch' | 'target' | 'checkpoint' | 'block' | 'start' | 'line' | 'ahead' | 'turn' | 'rest';
+
+/** Something worth saying, seen in a moment. */
+export type News = { readonly seen: Moment } & (
+  | { readonly topic: 'touch' | 'rest' }
+  /** Where the robot is when the telling begins: at its start, or on its way. */
+  | { readonly topic: 'start'; readonly isOnWay: boolean }
+  /** The number of the checkpoint. */
+  | { readonly topic: 'checkpoint'; readonly number: number }
+  | { readonly topic: 'target' | 'block'; readonly done: number; readonly of: number }
+  /** The sensors that are on the line, from left to right. */
+  | { readonly topic: 'line'; readonly names: readonly string[] }
+  /** Nothing is ahead any more, or something has come nearer. */
+  | { readonly topic: 'ahead'; readonly isClear: boolean }
+  /** It turns, or (with `degrees`) has turned. */
+  | { readonly topic: 'turn'; readonly isLeft: boolean; readonly degrees: number | null }
+);
+
+/** Looks at one moment after the other, and says what is worth saying about its own topics. */
+export type Watcher = (moment: Moment) => readonly News[];
