@@ -4,7 +4,7 @@ import { nextTick } from 'vue';
 
 import { defaultScene, type Scene } from '#scene/scene';
 
-import { downloads } from '../app/testing/downloads';
+import { downloads, type Download } from '../app/testing/downloads';
 import { byId, fieldById, idsShown, isThere, tap } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
@@ -96,6 +96,56 @@ describe('the picture of a course', () => {
     await tap(named('SVG: als Zeichnung speichern (für Inkscape und Word)'));
     await vi.waitFor(() => expect(said()).toContain('Das hat nicht geklappt.'));
     expect(byId('print-said').classList.contains('said--error')).toBe(true);
+  });
+});
+
+describe('the task of the course', () => {
+  const description = 'Fahre **links** um das Tor.';
+  const card = {
+    language: 'de',
+    title: 'Das Tor',
+    hints: ['Nimm left().'],
+    translations: [],
+    picture: '',
+    solution: true,
+  };
+  const withTask: Partial<Scene> = { description, task: { seconds: 20, noTouch: true, stars: [15, 9], card } };
+  const pageCount = async ({ blob }: Download): Promise<number> =>
+    (await blob.text()).match(/\/Type \/Page\b/g)?.length ?? 0;
+
+  it('is offered where there is one, neither in the picture nor on paper elsewhere', async () => {
+    await dialog();
+    expect(isThere('picture-task')).toBe(false);
+    await tap('print-print');
+    expect(isThere('print-task')).toBe(false);
+  });
+
+  it('stands in the picture on request only', async () => {
+    await dialog(withTask);
+    expect(box('task').checked).toBe(false);
+    expect(picture()).not.toContain('Das Tor');
+    box('task').click();
+    await nextTick();
+    expect(picture()).toContain('Das Tor');
+    expect(picture()).toMatch(/>links<\/tspan> um das Tor\./);
+    expect(picture()).not.toContain('left()');
+  });
+
+  it('is printed on a sheet of its own unless it is not wanted', async () => {
+    const files = downloads();
+    await dialog(withTask);
+    await tap('print-print');
+    await paper('exact');
+    expect(fieldById('print-task').checked).toBe(true);
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(said()).toContain('gespeichert'), 20_000);
+    expect(await pageCount(files[0]!)).toBe(2);
+    byId('print-task').click();
+    await nextTick();
+    expect(isThere('print-hints')).toBe(false);
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(files).toHaveLength(2), 20_000);
+    expect(await pageCount(files[1]!)).toBe(1);
   });
 });
 

@@ -5,10 +5,18 @@ import { packLevels } from '#scene/background';
 import { defaultScene, type Background, type Scene } from '#scene/scene';
 
 import { lightPalette } from '../arena/model/palette';
-import { backgroundForPdf, coursePng, pictureAddress } from './picture-parts';
+import { backgroundForPdf, coursePng, pictureAddress, sizedForPdf } from './picture-parts';
 import type { PictureOptions } from './svg-course';
 
-const plain: PictureOptions = { grid: false, rulers: false, robot: null, path: [], background: null, floor: true };
+const plain: PictureOptions = {
+  grid: false,
+  rulers: false,
+  robot: null,
+  path: [],
+  background: null,
+  floor: true,
+  task: null,
+};
 const PHOTO = 'data:image/webp;base64,AAAA';
 
 /** A canvas that notes what is painted on it, with its colour and how it is mixed with what is there. */
@@ -75,6 +83,17 @@ describe('a course as a picture of points', () => {
     expect(size()[1]).toBe(4000);
   });
 
+  it('is as sharp with the task below it, and 4000 points long at most', async () => {
+    const { size } = canvases();
+    const task = { title: 'Slalom', text: 'Fahre um die Tore.' };
+    await coursePng(scene(), { ...plain, task }, 1800);
+    expect(size()[0]).toBe(1800);
+    expect(size()[1]).toBeGreaterThan(1400);
+    await coursePng(scene(), { ...plain, task: { ...task, text: 'Wort '.repeat(4000) } }, 1800);
+    expect(size()[0]).toBeLessThan(1800);
+    expect(size()[1]).toBe(4000);
+  });
+
   it('is painted on white: first the floor, then the drawing over all of it', async () => {
     const { painted, size } = canvases();
     const blob = await coursePng(scene(), plain, 1800);
@@ -131,6 +150,16 @@ describe('what the eye sees of a background', () => {
 
   it('is nothing where the grid is damaged', () =>
     expect(pictureAddress({ ...background, picture: '', levels: 'AAAA' })).toBeNull());
+});
+
+describe('the picture of a task on paper', () => {
+  it('comes with its size in pixels', async () => {
+    const data = 'data:image/png;base64,AAAA';
+    expect(await sizedForPdf(data)).toEqual({ data, format: 'PNG', size: [320, 200] });
+  });
+
+  it('is left out where it is damaged', async () =>
+    expect(await sizedForPdf('data:image/png;base64,broken')).toBeNull());
 });
 
 describe('a background on paper', () => {

@@ -4,6 +4,7 @@ import { coursePdf, type PrintWords } from './pdf-course';
 import { printable } from './kinds/pdf-parts';
 import { runsWithin } from './kinds/stroke';
 import { planPrint, type Paper } from './print-plan';
+import type { PaperTask } from './task/task-blocks';
 
 const words: PrintWords = { name: 'Üben & mehr', planTitle: 'Plan', steps: ['Print', 'Glue'] };
 const course = (objects: readonly SceneObject[], size: readonly [number, number] = [1200, 900]): Scene => ({
@@ -13,11 +14,15 @@ const course = (objects: readonly SceneObject[], size: readonly [number, number]
 });
 
 /** The pages of a print: each with its size and its drawing operators, as they stand in the PDF. */
-function pagesOf(scene: Scene, paper: Paper): { readonly sizeMm: readonly number[]; readonly operators: string }[] {
+function pagesOf(
+  scene: Scene,
+  paper: Paper,
+  task: PaperTask | null = null,
+): { readonly sizeMm: readonly number[]; readonly operators: string }[] {
   const plan = planPrint(scene.size, paper);
   if ('problem' in plan) throw new Error(plan.problem);
   const options = { outlines: true, background: null, isCompressed: false };
-  const text = coursePdf(scene, plan, options, words).output();
+  const text = coursePdf(scene, plan, options, words, task).output();
   const sizes = [...text.matchAll(/\/MediaBox \[0 0 ([\d.]+) ([\d.]+)\]/g)];
   const streams = [...text.matchAll(/stream\n([\s\S]*?)\nendstream/g)];
   return sizes.map(([, width, height], i) => ({
@@ -108,8 +113,37 @@ describe('a course printed true to scale', () => {
     ];
     const [page] = pagesOf(course(objects), 'exact');
     expect(page?.operators).not.toMatch(/NaN|undefined|Infinity/);
-    expect(page?.operators).toContain('(Zürich ? \\(1\\)) Tj');
+    expect(page?.operators).toContain('(Zürich -> \\(1\\)) Tj');
     expect(page?.operators).toMatch(/ c\n/); // the round zone is made of curves
+  });
+});
+
+describe('the task of a course in its print', () => {
+  const task: PaperTask = {
+    ...{ title: 'Œuvre d’été', text: 'Fahre **links** mit `left()`.', picture: null, goalsTitle: 'Ziel' },
+    ...{ goals: ['Erreiche das Ziel'], rules: [], stars: [], hints: [] },
+  };
+
+  it('has a sheet of A4 of its own behind all others', () => {
+    const pages = pagesOf(course([stroke]), 'exact', task);
+    expect(pages.map(({ sizeMm }) => sizeMm.map(Math.round))).toEqual([[1220, 920], [210, 297]]); // prettier-ignore
+    expect(pages[1]?.operators).toContain('(\u008cuvre d\u0092été) Tj');
+    for (const words of ['Fahre', 'links', 'left\\(\\)', 'Ziel', 'Erreiche das Ziel'])
+      expect(pages[1]?.operators).toContain(`(${words}) Tj`);
+    expect(pages[1]?.operators).not.toMatch(/NaN|undefined|Infinity/);
+  });
+
+  it('goes on on further sheets, none of which writes into its margin', () => {
+    const pages = pagesOf(course([]), 'exact', { ...task, text: 'Ein Absatz mit Wörtern.\n\n'.repeat(60) }).slice(1);
+    expect(pages).toHaveLength(3);
+    pages.forEach(({ operators }, index) => {
+      expect(operators).toContain(`(${String(index + 1)}/3) Tj`);
+      for (const [, x, y] of operators.matchAll(/([\d.]+) ([\d.]+) Td/g)) {
+        expect(mm(x)).toBeGreaterThanOrEqual(19.9);
+        expect(mm(y)).toBeGreaterThanOrEqual(9.9); // the foot
+        expect(mm(y)).toBeLessThanOrEqual(277);
+      }
+    });
   });
 });
 
@@ -129,12 +163,19 @@ describe('what a sheet takes of a long line', () => {
     expect(runsWithin([[500, 5]], shown)).toEqual([]);
   });
 
-  it('has signs that every reader can show', () => {
-    expect(printable('Grüsse 🚗 →')).toBe('Grüsse ? ?');
-    expect(printable('“Fit” …')).toBe('"Fit" ...');
+  it('has signs that every reader can show, and no emojis', () => {
+    expect(printable('Grüsse 🚗👩🏽‍🏫 → ♞')).toBe('Grüsse  -> ?');
+    expect(printable('“Fit” …')).toBe('“Fit” …');
   });
 
-  it('shows no question mark for what French writes otherwise: narrow spaces, œ', () => {
-    expect(printable('Plan\u202f: 3 × 2, «\u202fcœur\u202f»')).toBe('Plan\u00a0: 3 × 2, «\u00a0coeur\u00a0»');
+  it('shows no question mark for what German, French and Italian need: quotes, œ, narrow spaces', () => {
+    expect(printable('„So“, Plan\u202f: 3 × 2 – «\u202fcœur\u202f», perché l’è')).toBe(
+      '„So“, Plan\u00a0: 3 × 2 – «\u00a0cœur\u00a0», perché l’è',
+    );
+  });
+
+  it('writes them as one byte each, as the fonts have them', () => {
+    const [page] = pagesOf(course([{ type: 'label', id: 'l', at: [600, 700], text: 'œ “é” – ’', height: 30, turn: 0 }]), 'exact'); // prettier-ignore
+    expect(page?.operators).toContain('(\u009c \u0093é\u0094 \u0096 \u0092) Tj'); // Windows-1252
   });
 });

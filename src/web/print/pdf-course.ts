@@ -4,6 +4,8 @@ import type { Scene } from '#scene/scene';
 import { printable } from './kinds/pdf-parts';
 import { printFloor, type FloorOptions } from './pdf-floor';
 import { MARGIN_MM, OVERLAP_MM, tileName, type PrintPlan, type Tile } from './print-plan';
+import { printTask } from './task/pdf-task';
+import type { PaperTask } from './task/task-blocks';
 
 /** The words of a print, in the language of the page. */
 export interface PrintWords {
@@ -23,13 +25,14 @@ const MARK_MM = { from: 4.5, to: 8.5 } as const;
 
 /**
  * Prints a course true to scale: a sheet per tile with marks for cutting and gluing, its name, a map and a ruler; before
- * several tiles one more with the plan of them all.
+ * several tiles one more with the plan of them all, after them the task.
  */
 export function coursePdf(
   scene: Scene,
   plan: PrintPlan,
   options: FloorOptions & { readonly isCompressed?: boolean },
   words: PrintWords,
+  task: PaperTask | null = null,
 ): jsPDF {
   const [width, height] = plan.page;
   const orientation = width > height ? 'landscape' : 'portrait';
@@ -50,6 +53,7 @@ export function coursePdf(
     printMarks(pdf, plan, tile);
     printFoot(pdf, plan, tile, words);
   });
+  if (task !== null) printTask(pdf, task);
   return pdf;
 }
 

@@ -31,12 +31,31 @@ export function pictureAddress(background: Background): string | null {
   return canvas.toDataURL('image/png');
 }
 
-/** The background in a form for PDF: PNG and JPEG as they are, others repainted as JPEG on white. */
-export async function backgroundForPdf(
-  background: Background | null,
-): Promise<{ readonly data: string; readonly format: 'PNG' | 'JPEG' } | null> {
+/** A picture in a form that a PDF can take. */
+export interface PdfPicture {
+  readonly data: string;
+  readonly format: 'PNG' | 'JPEG';
+}
+
+/** The background for PDF, or `null`: none. */
+export async function backgroundForPdf(background: Background | null): Promise<PdfPicture | null> {
   const address = background === null ? null : pictureAddress(background);
-  if (address === null) return null;
+  return address === null ? null : pdfPicture(address);
+}
+
+/** A picture for PDF with its size in pixels; `null` if it is damaged. */
+export async function sizedForPdf(address: string): Promise<(PdfPicture & { readonly size: Point }) | null> {
+  try {
+    const { naturalWidth, naturalHeight } = await imageOf(address);
+    const picture = await pdfPicture(address);
+    return picture === null ? null : { ...picture, size: [naturalWidth, naturalHeight] };
+  } catch {
+    return null;
+  }
+}
+
+/** PNG and JPEG as they are, others repainted as JPEG on white. */
+async function pdfPicture(address: string): Promise<PdfPicture | null> {
   if (address.startsWith('data:image/jpeg')) return { data: address, format: 'JPEG' };
   if (address.startsWith('data:image/png')) return { data: address, format: 'PNG' };
   const image = await imageOf(address);
@@ -49,15 +68,18 @@ export async function backgroundForPdf(
   return { data: canvas.toDataURL('image/jpeg', 0.92), format: 'JPEG' };
 }
 
+/** Longest side of a picture with a long task. Chosen: weak tablets have memory for a canvas of 4000 × 4000 pixels. */
+const MOST_PX = 4000;
+
 /**
  * A picture of a course as PNG on white.
  *
- * @param longestPx its longer side
+ * @param longestPx its longer side; a task below or beside makes it longer
  */
 export async function coursePng(scene: Scene, options: PictureOptions, longestPx: number): Promise<Blob> {
   // The background is painted on its own: WebKit leaves pictures within an SVG out of a canvas.
-  const { svg, size, corner } = courseSvg(scene, { ...options, background: null, floor: false });
-  const scale = longestPx / Math.max(...size);
+  const { svg, size, alone, corner } = courseSvg(scene, { ...options, background: null, floor: false });
+  const scale = Math.min(longestPx / Math.max(...alone), MOST_PX / Math.max(...size));
   const canvas = canvasOf([Math.round(size[0] * scale), Math.round(size[1] * scale)]);
   const context = canvas.getContext('2d');
   if (context === null) throw new Error('no canvas');

@@ -5,7 +5,15 @@ import { courseSvg, type PictureOptions } from './svg-course';
 import { diagonals } from './kinds/svg-parts';
 import { element, escapeXml } from './kinds/svg-write';
 
-const plain: PictureOptions = { grid: false, rulers: false, robot: null, path: [], background: null, floor: true };
+const plain: PictureOptions = {
+  grid: false,
+  rulers: false,
+  robot: null,
+  path: [],
+  background: null,
+  floor: true,
+  task: null,
+};
 const course = (objects: readonly SceneObject[], part: Partial<Scene> = {}): Scene => ({
   ...defaultScene(),
   objects,

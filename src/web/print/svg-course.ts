@@ -11,6 +11,7 @@ import type { ToPicture } from './kinds/kind';
 import { SVG_FONT } from './kinds/svg-parts';
 import { jointsSvg } from './kinds/wall';
 import { element, escapeXml, figure, pathThrough } from './kinds/svg-write';
+import { taskSvg, type PictureTask } from './task/svg-task';
 
 /** Additions to the course in its picture. */
 export interface PictureOptions {
@@ -24,12 +25,16 @@ export interface PictureOptions {
   readonly background: string | null;
   /** Without it the floor is transparent. */
   readonly floor: boolean;
+  /** The task below the arena, or beside a high one; `null`: it is not told. */
+  readonly task: PictureTask | null;
 }
 
-/** A picture and its extent in mm: that of the arena with what stands around it. */
+/** A picture and its extent in mm: that of the arena with what stands around it, and of the task. */
 export interface CoursePicture {
   readonly svg: string;
   readonly size: Point;
+  /** Its extent without the task. */
+  readonly alone: Point;
   /** Where the arena's upper left corner is in it. */
   readonly corner: Point;
 }
@@ -64,10 +69,12 @@ export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture 
   const rim = RIM_SHARE * 100 * unit;
   const ruler = options.rulers ? RULER_SHARE * 100 * unit : 0;
   const corner: Point = [ruler + rim, options.rulers ? 2 * unit : rim];
-  const size: Point = [
+  const alone: Point = [
     corner[0] + width + (options.rulers ? 2 * unit : rim),
     corner[1] + height + Math.max(rim, ruler),
   ];
+  const task = options.task === null ? null : taskSvg(options.task, scene.size, corner, alone);
+  const size = task?.size ?? alone;
   const to: ToPicture = ([x, y]) => [x, height - y];
   const inside = [
     options.background === null || scene.background === null ? '' : backgroundSvg(scene, options.background, to),
@@ -88,6 +95,7 @@ export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture 
       element('rect', { ...frame, fill: 'none', stroke: colors.floorEdge, 'stroke-width': rim / 2 }),
       options.rulers ? rulersSvg(scene.size, unit) : '',
     ),
+    ...(task === null ? [] : [task.svg]),
   ].join('\n');
   const root = {
     xmlns: 'http://www.w3.org/2000/svg',
@@ -95,7 +103,12 @@ export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture 
     height: `${figure(size[1])}mm`,
     viewBox: `0 0 ${size.map(figure).join(' ')}`,
   };
-  return { svg: `<?xml version="1.0" encoding="UTF-8"?>\n${element('svg', root, `\n${body}\n`)}\n`, size, corner };
+  return {
+    svg: `<?xml version="1.0" encoding="UTF-8"?>\n${element('svg', root, `\n${body}\n`)}\n`,
+    size,
+    alone,
+    corner,
+  };
 }
 
 function backgroundSvg({ background }: Scene, href: string, to: ToPicture): string {

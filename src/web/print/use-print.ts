@@ -5,6 +5,7 @@ import type { Scene } from '#scene/scene';
 
 import { useHardware } from '../work/hardware/use-hardware';
 import { useRun } from '../run/parts';
+import { useTask } from '../task/parts';
 import { useWork } from '../work/model/parts';
 import { courseName } from '../work/catalogue/first-course';
 import { say } from '../page/i18n/say';
@@ -12,16 +13,19 @@ import { coursePng, piecesOf, pictureAddress } from './picture-parts';
 import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
 import { printWords as words } from './print-words';
+import type { PaperTask } from './task/task-blocks';
+import { taskOnPaper } from './task-on-paper';
 
 /** Longer sides of the pictures in pixels: twice a screen's arena, and fine enough for a page of A4. */
 export const PNG_PX = { usual: 1800, large: 4000 } as const;
 
 /** What can be chosen for a picture. */
-export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path', boolean>>;
+export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path' | 'task', boolean>>;
 
 /** Makes files of the open course and offers them as downloads, one at a time; says whether that worked. */
 export function usePrint() {
   const app = { ...useRun(), ...useWork() };
+  const { task } = useTask();
   const hardware = useHardware(app);
   const scene = app.work.scene;
   const name = computed(() => courseName(scene.value, app.work.work.value.project.course));
@@ -40,6 +44,7 @@ export function usePrint() {
       path: wish.path ? pieces.value : [],
       background: scene.value.background === null ? null : pictureAddress(scene.value.background),
       floor: true,
+      task: wish.task && task.hasText.value ? task.text.value : null,
     };
   }
 
@@ -66,6 +71,10 @@ export function usePrint() {
     said,
     hasRobot: computed(() => (hardware.value?.robot ?? null) !== null),
     hasPath: computed(() => pieces.value.length > 0),
+    hasTask: task.hasText,
+    hasHints: computed(() => task.text.value.hints.length > 0),
+    /** The task as it is printed, with the hints only on request. */
+    paperTask: (withHints: boolean): Promise<PaperTask> => taskOnPaper(scene.value, task.text.value, withHints),
     svg: (wish: PictureWish): string => courseSvg(scene.value, optionsFor(wish)).svg,
     savePng: (wish: PictureWish, longestPx: number) =>
       save('png', () => coursePng(scene.value, optionsFor(wish), longestPx)),

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { blocksOf, plainText, spansOf } from './markup';
+import { blocksOf, spansOf } from './markup';
 
 const text = (words: string) => ({ kind: 'text', text: words });
 
@@ -54,11 +54,5 @@ describe('the text of a task', () => {
   it('is read in no time, however it tries not to be', () => {
     for (const part of ['**', '`', '![', '- ', '1. ', '*a', '[](', ' '])
       expect(blocksOf(part.repeat(100_000)).length).toBeLessThan(2);
-  });
-
-  it('becomes plain words for paper', () => {
-    expect(plainText('Fahr **los**.\n\n- `a`\n- b\n\n1. c\n\n![Plan](picture)')).toBe(
-      'Fahr los.\n\n• a\n• b\n\n1. c\n\nPlan',
-    );
   });
 });

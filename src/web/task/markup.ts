@@ -60,16 +60,3 @@ export function spansOf(line: string): Line {
   }
   return spans;
 }
-
-/** The words of a text without its marks, for paper and for search: lines as they are. */
-export function plainText(text: string): string {
-  const plain = (line: Line): string => line.map((span) => span.text).join('');
-  return blocksOf(text)
-    .map((block) => {
-      if (block.kind === 'picture') return block.words;
-      const signs = { text: () => '', list: () => '• ', numbers: (index: number) => `${String(index + 1)}. ` };
-      return block.lines.map((line, index) => signs[block.kind](index) + plain(line)).join('\n');
-    })
-    .filter((part) => part !== '')
-    .join('\n\n');
-}

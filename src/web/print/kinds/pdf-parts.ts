@@ -6,7 +6,7 @@ import { CAPITAL } from '../../arena/picture/kinds/label';
 import type { ToSheet } from './kind';
 
 /** Points of a millimetre, which is what texts are measured in. */
-const PT_PER_MM = 72 / 25.4;
+export const PT_PER_MM = 72 / 25.4;
 
 /** How far a circle's control points lie off, for four curves (the usual approximation, right to 0.03 %). */
 const ROUND = 0.5522847498;
@@ -27,24 +27,32 @@ export function write(pdf: jsPDF, text: string, [x, y]: Point, capitalMm: number
   );
 }
 
-/** Plain replacements of typographic signs, for the fonts that every PDF reader has. */
+/** What stands for signs that the fonts of a PDF lack. */
 const PLAIN: Readonly<Record<string, string>> = {
-  '“': '"',
-  '”': '"',
-  '„': '"',
-  '‘': "'",
-  '’': "'",
-  '…': '...',
-  '–': '-',
-  '−': '-',
-  œ: 'oe',
-  Œ: 'OE',
+  '−': '–',
+  '→': '->',
+  '←': '<-',
+  '⇒': '=>',
+  '≤': '<=',
+  '≥': '>=',
+  '≠': '!=',
+  '≈': '~',
   '\u202f': '\u00a0', // the narrow space of French
 };
 
-/** A text in Latin-1, for which every PDF reader has a font; other characters become question marks. */
+/** Western letters and signs (Windows-1252): for these every PDF reader has a font. */
+const FOREIGN = /[^\u0020-\u007e\u00a0-\u00ff€‚ƒ„…†‡ˆ‰Š‹ŒŽ‘’“”•–—˜™š›œžŸ]/gu;
+
+/** Pictures within a text, with the signs that change or join them, and places where a word may be parted. */
+const PICTURES = /(?![\u0020-\u00ff‰™])[\p{Extended_Pictographic}\p{Emoji_Modifier}\ufe0e\ufe0f\u200b-\u200d]|\u00ad/gu;
+
+/** A text in the signs of a PDF's fonts: emojis are left out, and what has no likeness becomes a question mark. */
 export const printable = (text: string): string =>
-  text.replace(/[^\u0020-\u007e\u00a0-\u00ff]/gu, (sign) => PLAIN[sign] ?? '?');
+  text
+    .normalize('NFC')
+    .replace(/[✓✔]/g, '•')
+    .replace(PICTURES, '')
+    .replace(FOREIGN, (sign) => PLAIN[sign] ?? '?');
 
 /** An outline, closed. */
 export function polygon(pdf: jsPDF, outline: Outline, to: ToSheet): void {

@@ -1,0 +1,31 @@
+import type { Scene } from '#scene/scene';
+
+import { say } from '../page/i18n/say';
+import { goalsInWords, rulesInWords } from '../task/goals';
+import type { ShownText } from '../task/task-text';
+import { taskWords as words } from '../task/task-words';
+import { sizedForPdf } from './picture-parts';
+import type { PaperTask } from './task/task-blocks';
+
+/**
+ * The task of a course as it is printed, in the language of the page.
+ *
+ * @param withHints otherwise they stay on the screen, where pupils ask for them one by one
+ */
+export async function taskOnPaper(scene: Scene, text: ShownText, withHints: boolean): Promise<PaperTask> {
+  const { stars } = scene.task;
+  const times = [...(stars ?? [])].sort((one, other) => other - one);
+  return {
+    title: text.title,
+    text: text.text,
+    picture: text.picture === '' ? null : await sizedForPdf(text.picture),
+    goalsTitle: say(words.goalsTitle),
+    goals: goalsInWords(scene, null).map((goal) => say(words.goals[goal.words], goal.values)),
+    rules: rulesInWords(scene, null).map((rule) => say(words.rules[rule.words], rule.values)),
+    stars:
+      stars === undefined ? [] : [say(words.stars.one), ...times.map((seconds) => say(words.stars.two, { seconds }))],
+    hints: withHints
+      ? text.hints.map((hint, index) => ({ title: say(words.hint, { number: index + 1 }), text: hint }))
+      : [],
+  };
+}
