@@ -62,6 +62,13 @@ describe('the options of a tool', () => {
     expect(steps()).toBe(0);
   });
 
+  it('hand nothing to a menu that it has no use for', async () => {
+    const warned = vi.spyOn(console, 'warn');
+    await optionsOf('pen');
+    expect(warned).not.toHaveBeenCalled();
+    warned.mockRestore();
+  });
+
   it('tell what a line sensor sees of each colour', async () => {
     await optionsOf('pen');
     await openCard('Farbe: Schwarz');
@@ -448,6 +455,90 @@ describe('undo and its keys', () => {
     await nextTick();
     await keyOn(beside, 'p');
     expect(editor.tool.value).toBe('hand');
+  });
+});
+
+describe('the keys for what is selected, after a press beside the arena', () => {
+  const control = { ctrlKey: true };
+
+  /** The page with the block selected, used in the arena, then in a place of this kind. */
+  async function selecting(place: string) {
+    const page = await editingPage([samples.wall, samples.block]);
+    mountOn(page, EditorActions, { isOpen: true });
+    page.editor.choose('select');
+    page.editor.select({ ids: ['block'], robot: false });
+    document.body.insertAdjacentHTML(
+      'beforeend',
+      `<div class="pane-arena pane"></div><div class="there">${place}</div>`,
+    );
+    const use = (css: string) =>
+      document.querySelector(css)!.dispatchEvent(new Event('pointerdown', { bubbles: true }));
+    use('.pane-arena');
+    use('.there > *');
+    const key = (name: string, more: KeyboardEventInit = {}) =>
+      keyOn(document.querySelector('.there > *')!, name, more);
+    return { ...page, key, selected: () => page.editor.selection.value.ids };
+  }
+
+  it.each(['<button>Save</button>', '<div class="pane"><button>LED</button></div>'])(
+    'duplicate, copy, paste and remove it: %s',
+    async (place) => {
+      const { key, ids, editor } = await selecting(place);
+      expect((await key('d', control)).defaultPrevented).toBe(true); // no bookmark
+      await vi.waitFor(() => expect(ids()).toHaveLength(3));
+      await key('c', control);
+      await vi.waitFor(() => expect(editor.clipboard.isEmpty).toBe(false));
+      await key('v', { metaKey: true });
+      await vi.waitFor(() => expect(ids()).toHaveLength(4));
+      await key('Delete');
+      await vi.waitFor(() => expect(ids()).toHaveLength(3));
+      await key('z', control);
+      expect(ids()).toHaveLength(4);
+    },
+  );
+
+  it('cut it, and paste it although nothing is selected then', async () => {
+    const { key, ids } = await selecting('<button>Save</button>');
+    await key('x', control);
+    await vi.waitFor(() => expect(ids()).toEqual(['wall']));
+    await key('v', control);
+    await vi.waitFor(() => expect(ids()).toHaveLength(2));
+  });
+
+  it('select all where the arena was used last', async () => {
+    const { key, selected } = await selecting('<button>Save</button>');
+    expect((await key('a', control)).defaultPrevented).toBe(true);
+    await vi.waitFor(() => expect(selected()).toEqual(['wall', 'block']));
+  });
+
+  it('leave Ctrl+A to another pane that was used since', async () => {
+    const { key } = await selecting('<div class="pane"></div>');
+    expect((await key('a', control)).defaultPrevented).toBe(false);
+  });
+
+  it.each([
+    '<input>',
+    '<div class="pane pane-console"></div>',
+    '<div role="dialog"></div>',
+    '<div contenteditable="true"></div>',
+  ])('stay with %s', async (place) => {
+    const { key, ids } = await selecting(place);
+    for (const name of ['a', 'c', 'd', 'v', 'x']) expect((await key(name, control)).defaultPrevented).toBe(false);
+    expect((await key('Delete')).defaultPrevented).toBe(false);
+    expect(ids()).toEqual(['wall', 'block']);
+  });
+
+  it('stay with the browser where nothing is selected', async () => {
+    const { key, editor } = await selecting('<button>Save</button>');
+    editor.select({ ids: [], robot: false });
+    for (const name of ['c', 'd', 'v', 'x']) expect((await key(name, control)).defaultPrevented).toBe(false);
+    expect((await key('Delete')).defaultPrevented).toBe(false);
+  });
+
+  it('leave words that are marked on the page to be copied', async () => {
+    const { key } = await selecting('<p>words</p>');
+    vi.spyOn(window, 'getSelection').mockReturnValue({ isCollapsed: false } as Selection);
+    expect((await key('c', control)).defaultPrevented).toBe(false);
   });
 });
 

@@ -6,17 +6,23 @@ import type { CourseEditorParts } from './state/parts';
 import { toolOfLetter } from './palette/tool-list';
 import type { useSelectionActs } from './state/use-selection-acts';
 
+/** Keys that take away what is selected. */
+const REMOVING = ['delete', 'backspace'];
+
 /** Letters that press something on the board while a program runs. */
 const BOARD_LETTERS = ['a', 'b', 'l'];
 
 /**
  * Keys of the editor. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields; letters choose
  * tools while the arena, the palette or the head has the focus. While a program runs and the hand tool is chosen, A, B
- * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; beside
- * it, where a button has just been pressed, the most common of them act here.
+ * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; elsewhere
+ * on the page Delete and Ctrl with C, X, V, D and A act here, as long as something is selected and seen to be.
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
   const { editor, run } = app;
+  /** Where somebody has pressed or moved to last; the bar of the page changes nothing. */
+  let last: 'arena' | 'console' | null = null;
+  const hasSelection = (): boolean => editor.selection.value.ids.length > 0;
   /** What acts on a selection is fetched with the first one. */
   function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {
     import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // without a connection nothing happens
@@ -39,12 +45,21 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
   }
 
   function besideArena(key: string, control: boolean): boolean {
-    const hasSelection = editor.selection.value.ids.length > 0;
-    if (control && key === 'a') withActs((acts) => acts.selectAll());
-    else if (control && key === 'd' && hasSelection) withActs((acts) => acts.duplicate());
-    else if (!control && (key === 'delete' || key === 'backspace') && hasSelection) withActs((acts) => acts.remove());
-    else return false;
+    const act = control ? commandOf(key) : REMOVING.includes(key) && hasSelection() ? 'remove' : null;
+    if (act === null) return false;
+    withActs((acts) => acts[act]());
     return true;
+  }
+
+  /** What a key does together with Ctrl; `null`: it is the browser's. */
+  function commandOf(key: string): 'selectAll' | 'copy' | 'cut' | 'paste' | 'duplicate' | null {
+    const hasText = getSelection()?.isCollapsed === false; // words that are marked on the page are what is copied
+    if (key === 'a' && last === 'arena') return 'selectAll';
+    if (key === 'v' && !editor.clipboard.isEmpty && (hasSelection() || last === 'arena')) return 'paste';
+    if (!hasSelection()) return null;
+    if (key === 'd') return 'duplicate';
+    if (hasText) return null;
+    return key === 'c' ? 'copy' : key === 'x' ? 'cut' : null;
   }
 
   function down(event: KeyboardEvent): void {
@@ -53,18 +68,29 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
     const key = event.key.toLowerCase();
     const control = event.ctrlKey || event.metaKey;
     const isInArena = event.target instanceof Element && event.target.closest('[role="application"]') !== null;
-    const acts = place !== null && editor.isOpen.value;
     const done =
       (control && withControl(key, event.shiftKey)) ||
-      (acts && !isInArena && besideArena(key, control)) ||
-      (acts && !control && !event.shiftKey && !event.repeat && letter(key));
+      (editor.isOpen.value && !isInArena && last !== 'console' && !event.shiftKey && besideArena(key, control)) ||
+      (editor.isOpen.value && place !== null && !control && !event.shiftKey && !event.repeat && letter(key));
     if (!done) return;
     event.preventDefault();
     event.stopImmediatePropagation();
   }
 
+  function use({ target }: Event): void {
+    const pane = target instanceof Element ? target.closest('.pane, [data-editor-keys]') : null;
+    if (pane === null) return;
+    last = pane.matches('.pane-arena, [data-editor-keys]') ? 'arena' : pane.matches('.pane-console') ? 'console' : null;
+  }
+
   addEventListener('keydown', down, true);
-  onScopeDispose(() => removeEventListener('keydown', down, true));
+  addEventListener('pointerdown', use, true);
+  addEventListener('focusin', use, true);
+  onScopeDispose(() => {
+    removeEventListener('keydown', down, true);
+    removeEventListener('pointerdown', use, true);
+    removeEventListener('focusin', use, true);
+  });
 }
 
 /** Text fields, the code, and open menus and dialogs have keys of their own; in the editor's own windows undo goes on. */

@@ -5,6 +5,10 @@ export class Clipboard {
   private clip: Clip | null = null;
   private pastes = 0;
 
+  get isEmpty(): boolean {
+    return this.clip === null;
+  }
+
   take(clip: Clip): void {
     this.clip = clip;
     this.pastes = 0;

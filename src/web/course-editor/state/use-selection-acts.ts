@@ -1,5 +1,5 @@
 import { turned } from '#editor/arrange';
-import { duplicated } from '#editor/clipboard';
+import { copied, duplicated, pasted, type Pasted } from '#editor/clipboard';
 import { removed, selectAll } from '#editor/selection';
 import { nothingSelected } from '#editor/tools/tool';
 
@@ -13,17 +13,32 @@ export function useSelectionActs(app: WorkParts & Pick<CourseEditorParts, 'edito
   const hardware = useHardware(app);
   const footprint = () => hardware.value?.robot?.body.outlineMm ?? [];
 
+  const insert = (made: Pasted | null): void => {
+    if (made === null) return;
+    editor.choose('select');
+    editor.commit(made.edit, made.selection);
+  };
+  const remove = (): void => {
+    const edit = removed(work.scene.value, editor.selection.value);
+    if (edit !== null) editor.commit(edit, nothingSelected);
+  };
+  const copy = (): void => {
+    const clip = copied(work.scene.value, editor.selection.value);
+    if (clip !== null) editor.clipboard.take(clip);
+  };
+
   return {
-    duplicate: (): void => {
-      const made = duplicated(work.scene.value, editor.selection.value);
-      if (made === null) return;
-      editor.choose('select');
-      editor.commit(made.edit, made.selection);
+    copy,
+    cut: (): void => {
+      copy();
+      remove();
     },
-    remove: (): void => {
-      const edit = removed(work.scene.value, editor.selection.value);
-      if (edit !== null) editor.commit(edit, nothingSelected);
+    paste: (): void => {
+      const next = editor.clipboard.next();
+      if (next !== null) insert(pasted(work.scene.value, next.clip, next.offsetMm));
     },
+    duplicate: (): void => insert(duplicated(work.scene.value, editor.selection.value)),
+    remove,
     /** Eighths of a turn, counter-clockwise. */
     turn: (eighths: number): void => {
       const edit = turned(work.scene.value, editor.selection.value, eighths, footprint());
