@@ -1,13 +1,10 @@
-import { onScopeDispose } from 'vue';
+import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
 import type { RunParts } from '../run/parts';
 import type { WorkParts } from '../work/model/parts';
 import type { CourseEditorParts } from './state/parts';
 import { toolOfLetter } from './palette/tool-list';
 import type { useSelectionActs } from './state/use-selection-acts';
-
-/** Keys that take away what is selected. */
-const REMOVING = ['delete', 'backspace'];
 
 /** Letters that press something on the board while a program runs. */
 const BOARD_LETTERS = ['a', 'b', 'l'];
@@ -20,9 +17,7 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
   const { editor, run } = app;
-  /** Where somebody has pressed or moved to last; the bar of the page changes nothing. */
-  let last: 'arena' | 'console' | null = null;
-  const hasSelection = (): boolean => editor.selection.value.ids.length > 0;
+  const last = useLastPlace();
   /** What acts on a selection is fetched with the first one. */
   function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {
     import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // without a connection nothing happens
@@ -45,21 +40,10 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
   }
 
   function besideArena(key: string, control: boolean): boolean {
-    const act = control ? commandOf(key) : REMOVING.includes(key) && hasSelection() ? 'remove' : null;
+    const act = control ? commandOf(key, editor, last.value) : removes(key, editor) ? 'remove' : null;
     if (act === null) return false;
     withActs((acts) => acts[act]());
     return true;
-  }
-
-  /** What a key does together with Ctrl; `null`: it is the browser's. */
-  function commandOf(key: string): 'selectAll' | 'copy' | 'cut' | 'paste' | 'duplicate' | null {
-    const hasText = getSelection()?.isCollapsed === false; // words that are marked on the page are what is copied
-    if (key === 'a' && last === 'arena') return 'selectAll';
-    if (key === 'v' && !editor.clipboard.isEmpty && (hasSelection() || last === 'arena')) return 'paste';
-    if (!hasSelection()) return null;
-    if (key === 'd') return 'duplicate';
-    if (hasText) return null;
-    return key === 'c' ? 'copy' : key === 'x' ? 'cut' : null;
   }
 
   function down(event: KeyboardEvent): void {
@@ -70,27 +54,54 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
     const isInArena = event.target instanceof Element && event.target.closest('[role="application"]') !== null;
     const done =
       (control && withControl(key, event.shiftKey)) ||
-      (editor.isOpen.value && !isInArena && last !== 'console' && !event.shiftKey && besideArena(key, control)) ||
+      (editor.isOpen.value && !isInArena && last.value !== 'console' && !event.shiftKey && besideArena(key, control)) ||
       (editor.isOpen.value && place !== null && !control && !event.shiftKey && !event.repeat && letter(key));
     if (!done) return;
     event.preventDefault();
     event.stopImmediatePropagation();
   }
 
+  addEventListener('keydown', down, true);
+  onScopeDispose(() => removeEventListener('keydown', down, true));
+}
+
+type Editor = CourseEditorParts['editor'];
+const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.length > 0;
+const removes = (key: string, editor: Editor): boolean =>
+  (key === 'delete' || key === 'backspace') && hasSelection(editor);
+
+/** What a key does together with Ctrl; `null`: it is the browser's. */
+function commandOf(
+  key: string,
+  editor: Editor,
+  last: Place,
+): 'selectAll' | 'copy' | 'cut' | 'paste' | 'duplicate' | null {
+  if (key === 'a' && last === 'arena') return 'selectAll';
+  if (key === 'v' && !editor.clipboard.isEmpty && (hasSelection(editor) || last === 'arena')) return 'paste';
+  if (!hasSelection(editor)) return null;
+  if (key === 'd') return 'duplicate';
+  if (getSelection()?.isCollapsed === false) return null; // words that are marked on the page are what is copied
+  return key === 'c' ? 'copy' : key === 'x' ? 'cut' : null;
+}
+
+type Place = 'arena' | 'console' | null;
+
+/** Where somebody has pressed or moved to last; the bar of the page is no place. */
+function useLastPlace(): Readonly<ShallowRef<Place>> {
+  const last = shallowRef<Place>(null);
   function use({ target }: Event): void {
     const pane = target instanceof Element ? target.closest('.pane, [data-editor-keys]') : null;
     if (pane === null) return;
-    last = pane.matches('.pane-arena, [data-editor-keys]') ? 'arena' : pane.matches('.pane-console') ? 'console' : null;
+    const isArena = pane.matches('.pane-arena, [data-editor-keys]');
+    last.value = isArena ? 'arena' : pane.matches('.pane-console') ? 'console' : null;
   }
-
-  addEventListener('keydown', down, true);
   addEventListener('pointerdown', use, true);
   addEventListener('focusin', use, true);
   onScopeDispose(() => {
-    removeEventListener('keydown', down, true);
     removeEventListener('pointerdown', use, true);
     removeEventListener('focusin', use, true);
   });
+  return last;
 }
 
 /** Text fields, the code, and open menus and dialogs have keys of their own; in the editor's own windows undo goes on. */
