@@ -1,3 +1,4 @@
+import type { Pose } from '#core/geometry';
 import type { Scene } from '#scene/scene';
 import type { Outline } from '#scene/outline';
 
@@ -25,12 +26,12 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
   switch (news.topic) {
     case 'start':
       return together(
-        placeText(news.isOnWay ? 'here' : 'start', news.isOnWay ? now : news.seen),
+        poseText(news.isOnWay ? 'here' : 'start', (news.isOnWay ? now : news.seen).pose),
         aheadText(now, scene),
         onLineAtStart(now, scene),
       );
     case 'rest':
-      return together(placeText('rest', now), aheadText(now, scene));
+      return together(poseText('rest', now.pose), aheadText(now, scene));
     case 'touch':
       return touchText(news.seen, { scene, body });
     case 'checkpoint':
@@ -52,7 +53,8 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
 
 const together = (...parts: readonly (string | null)[]): string => parts.filter((part) => part !== null).join(' ');
 
-const placeText = (which: 'start' | 'here' | 'rest', { pose }: Moment): string =>
+/** Where the robot stands and where it looks. */
+export const poseText = (which: 'start' | 'here' | 'rest', pose: Pose): string =>
   say(words[which], {
     x: Math.round(pose.xMm / 10),
     y: Math.round(pose.yMm / 10),

@@ -1,7 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
 import { solidOutline } from '#scene/kinds/index';
-import { boundsOfOutline, lengthOf, movedOutline, overlapMm, type Outline } from '#scene/outline';
-import type { Block, Mover, Scene, SceneObject } from '#scene/scene';
+import { boundsOfOutline, boxOutline, lengthOf, movedOutline, overlapMm, type Outline } from '#scene/outline';
+import type { Block, Mover, Scene, SceneObject, Zone } from '#scene/scene';
 
 /** What a robot can bump into; `edge`: the edge of the arena. */
 export type Solid = 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover' | 'edge';
@@ -116,6 +116,23 @@ function nearestBetween(from: Vec, to: Vec, at: Vec): Vec {
   const share = squared === 0 ? 0 : ((at.x - from.x) * dx + (at.y - from.y) * dy) / squared;
   const along = Math.max(0, Math.min(1, share));
   return { x: from.x + along * dx, y: from.y + along * dy };
+}
+
+/** Whether a place is on what lies flat on the floor. A text is no thing to stand on. */
+export function isOn(object: SceneObject, at: Vec): boolean {
+  if (object.type === 'stroke') {
+    const near = nearestOfLine(
+      object.points.map(([x, y]) => ({ x, y })),
+      at,
+    );
+    return lengthOf(near.x - at.x, near.y - at.y) <= object.width / 2;
+  }
+  return 'round' in object && isInside(boxOutline(object), at) && (!object.round || isInEllipse(object, at));
+}
+
+function isInEllipse({ at: [x, y], size, turn }: Zone, at: Vec): boolean {
+  const own = fromRobot({ xMm: x, yMm: y, headingRad: (turn * Math.PI) / 4 }, at);
+  return (own.x / (size[0] / 2)) ** 2 + (own.y / (size[1] / 2)) ** 2 <= 1;
 }
 
 /** Whether a place is inside a convex outline of either turn. */

@@ -2,13 +2,14 @@
  * The course editor's tools over the arena: leads pointers and keys to the chosen one and shows what it does. Loaded when
  * the palette is; without it the hand works all the same.
  */
+import type { Vec } from '#core/geometry';
 import { handlesOf } from '#editor/handles';
 import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
+import type { ArenaTool, CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
@@ -49,6 +50,8 @@ export interface ArenaTools extends ToolPointers, ArenaKeys {
   /** The course has changed: what was begun on the old one is dropped. */
   courseChanged(): void;
   readonly cursor: () => string;
+  /** Where the keyboard's crosshair is, world mm, while it shows. */
+  readonly crosshair: () => Vec | null;
   /** Looks what there is to be seen, and where, in CSS px; `null`: nothing. Asked before each `paint`. */
   place(): PxBox | null;
   paint(context: CanvasRenderingContext2D): void;
@@ -97,11 +100,8 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     ...arenaKeys(sources, surface, keys, pointers),
     toolChanged: () => surface.reset(),
     courseChanged: () => void surface.cancel(),
-    cursor: () => {
-      if (surface.isPanning) return 'grabbing';
-      const tool = editor.tool.value;
-      return tool === 'hand' ? 'default' : toolCursor(tool);
-    },
+    crosshair: () => surface.crosshair,
+    cursor: () => (surface.isPanning ? 'grabbing' : cursorOf(editor.tool.value)),
     place() {
       editor.unfinished.value = surface.isBusy ? unfinished : null;
       shown = editor.tool.value === 'hand' ? null : look();
@@ -115,6 +115,8 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     },
   };
 }
+
+const cursorOf = (tool: ArenaTool): string => (tool === 'hand' ? 'default' : toolCursor(tool));
 
 /** Asks for the course with what is being drawn; `null` where it is as it was, or would hold too much. */
 const unfinishedOf =

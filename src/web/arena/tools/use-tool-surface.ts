@@ -1,4 +1,5 @@
 import { computed, onBeforeUnmount, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import type { Vec } from '#core/geometry';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import type { ArenaTools, ToolSources } from './arena-tools';
 import { createEarlyPointers, type EarlyPointers, type GestureEvent } from './early-pointers';
@@ -23,6 +24,8 @@ export interface ToolLayer {
   readonly cursor: Readonly<ShallowRef<string>>;
   /** What is to be said to screen readers. */
   readonly said: Readonly<ShallowRef<string>>;
+  /** Where the keyboard's crosshair is, world mm, while a tool shows it. */
+  readonly crosshair: () => Vec | null;
   readonly on: ArenaHand['on'];
 }
 
@@ -66,6 +69,7 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
     isUsed,
     said,
     cursor,
+    crosshair: () => (isUsed.value ? (tools.value?.crosshair() ?? null) : null),
     on: handlers(hand, () => (isUsed.value ? tools.value : null), { isUsed, early }),
   };
 }

@@ -204,6 +204,8 @@ export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-delete': ['Delete'],
   'key-copy': ['Ctrl', 'C', 'X', 'V', 'D'],
   'key-all': ['Ctrl', 'A'],
+  'key-explore': ['N'],
+  'key-around': ['O'],
   'key-undo': ['Ctrl', 'Z', 'Y'],
   'key-interrupt': ['Ctrl', 'C'],
   'key-restart': ['Ctrl', 'D'],

@@ -109,6 +109,8 @@ export const KEY_IDS = [
   'key-delete',
   'key-copy',
   'key-all',
+  'key-explore',
+  'key-around',
   'key-undo',
   'key-interrupt',
   'key-restart',

@@ -1,0 +1,153 @@
+import { expect, test, type Page } from '@playwright/test';
+
+import { linkOf } from '../src/project/link/link';
+import { defaultScene, type Scene } from '../src/scene/scene';
+import type { Language } from '../src/core/languages';
+import { violationsBy } from './axe';
+import { on } from './page';
+import { by } from './parts';
+
+const zone = { size: [100, 100], turn: 0, round: false, blocks: 0 } as const;
+
+/** Straight ahead of the robot: a line across its way, a checkpoint and a wall. A target lies aside. */
+const course: Scene = {
+  ...defaultScene(),
+  robot: { ...defaultScene().robot, at: [150, 450] },
+  objects: [
+    {
+      type: 'stroke',
+      id: 'line',
+      width: 20,
+      color: 'black',
+      points: [
+        [330, 200],
+        [330, 700],
+      ],
+    },
+    { type: 'wall', id: 'wall', from: [1000, 100], to: [1000, 800], thickness: 10 },
+    { type: 'checkpoint', id: 'two', at: [620, 450], number: 2, ...zone },
+    { type: 'checkpoint', id: 'one', at: [440, 450], number: 1, ...zone },
+    { type: 'target', id: 'target', at: [150, 800], number: 0, ...zone },
+  ],
+};
+
+const PROGRAM = `from mbrobot import *
+delay(2500)
+setSpeed(20)
+forward()
+while getDistance() > 8:
+    delay(20)
+stop()
+`;
+
+/** Opens the course as somebody who has settings. */
+async function open(page: Page, settings: object): Promise<void> {
+  const files = [{ name: 'main.py', text: PROGRAM }];
+  const made = linkOf({ files, scene: course, course: null }, { courses: () => null, program: true });
+  await page.goto('./logo.svg');
+  await page.evaluate((text) => localStorage.setItem('parcours.settings', text), JSON.stringify(settings));
+  await page.goto(`./#${made?.fragment ?? ''}`);
+  await page.waitForSelector(by('verdict'));
+}
+
+/** Notes when each sentence comes into a region. */
+async function listen(page: Page, region: string): Promise<() => Promise<readonly { atMs: number; words: string }[]>> {
+  await page.waitForSelector(by(region), { state: 'attached' });
+  await page.evaluate((css) => {
+    const heard: { atMs: number; words: string }[] = [];
+    const region = document.querySelector(css);
+    const note = (): void => void heard.push({ atMs: performance.now(), words: region?.textContent?.trim() ?? '' });
+    if (region !== null) new MutationObserver(note).observe(region, { childList: true, subtree: true });
+    Object.assign(window, { heard });
+  }, by(region));
+  return () => page.evaluate(() => (window as unknown as { heard: { atMs: number; words: string }[] }).heard);
+}
+
+const DRIVES: Readonly<Record<'de' | 'en', readonly RegExp[]>> = {
+  de: [
+    /^Start bei x 15, y 45 cm, Richtung 0 Grad\./,
+    /^(Linker Sensor|Rechter Sensor|Beide Sensoren) auf der Linie\.$/,
+    /^Kontrollpunkt 1 erreicht\.$/,
+    /^Kontrollpunkt 2 erreicht\.$/,
+    /^Wand \d+ cm voraus\.$/,
+    /^Der Roboter steht: x \d+, y 45 cm, Richtung 0 Grad\. Wand \d cm voraus\.$/,
+  ],
+  en: [
+    /^Starting at x 15, y 45 cm, heading 0 degrees\./,
+    /^(Left sensor|Right sensor|Both sensors) on the line\.$/,
+    /^Checkpoint 1 reached\.$/,
+    /^Checkpoint 2 reached\.$/,
+    /^Wall \d+ cm ahead\.$/,
+    /^The robot stands still: x \d+, y 45 cm, heading 0 degrees\. Wall \d cm ahead\.$/,
+  ],
+};
+
+for (const language of ['de', 'en'] as const)
+  test(`a drive is told one thing after the other, ${language}`, async ({ page }) => {
+    await open(page, { language, welcomed: true, tell: true });
+    const heard = await listen(page, 'narration');
+    await page.click(on('run'));
+    const last = DRIVES[language].at(-1) ?? /./;
+    await expect.poll(async () => (await heard()).at(-1)?.words, { timeout: 40_000 }).toMatch(last);
+    const all = await heard();
+    let from = 0;
+    for (const words of DRIVES[language]) {
+      const at = all.findIndex((one, i) => i >= from && words.test(one.words));
+      expect(at, `${String(words)} in ${all.map((one) => one.words).join(' ')}`).toBeGreaterThanOrEqual(from);
+      from = at + 1;
+    }
+    const told = all.filter(({ words }) => words !== '').slice(1); // the first one says that it is on
+    const gaps = told.slice(1).map(({ atMs }, i) => atMs - (told[i]?.atMs ?? 0));
+    expect(Math.min(...gaps)).toBeGreaterThan(1900);
+
+    expect(await page.locator('body').ariaSnapshot()).toContain(`- status: "${all.at(-1)?.words ?? ''}"`);
+    expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
+  });
+
+const WALKS: Readonly<Record<'de' | 'en', readonly string[]>> = {
+  de: [
+    'Der Roboter ist bei x 15, y 45 cm, Richtung 0 Grad. Im Parcours liegen 5 Dinge.',
+    'Kontrollpunkt 1, 10 mal 10 cm: 29 cm weiter vorn.',
+    'Kontrollpunkt 2, 10 mal 10 cm: 47 cm weiter vorn.',
+    'Ziel 1, 10 mal 10 cm: 35 cm links.',
+  ],
+  en: [
+    'The robot is at x 15, y 45 cm, heading 0 degrees. There are 5 things in the course.',
+    'Checkpoint 1, 10 by 10 cm: 29 cm ahead.',
+    'Checkpoint 2, 10 by 10 cm: 47 cm ahead.',
+    'Target 1, 10 by 10 cm: 35 cm to the left.',
+  ],
+};
+
+for (const language of ['de', 'en'] as const)
+  test(`the course is explored by keyboard and words, ${language}`, async ({ page }) => {
+    await open(page, { language, welcomed: true });
+    await page.focus(on('arena'));
+    const keys = { de: 'N nennt, was im Parcours liegt', en: 'N names what lies in the course' };
+    await expect(page.locator(on('arena'))).toHaveAccessibleDescription(new RegExp(keys[language]));
+    for (const words of WALKS[language]) {
+      await page.keyboard.press('n');
+      await expect(page.locator(by('explored'))).toHaveText(words);
+    }
+    await page.keyboard.press('Shift+N');
+    await expect(page.locator(by('explored'))).toHaveText(WALKS[language][2] ?? '');
+    await page.keyboard.press('o');
+    const around = { de: /Vorn Wand 1, 79 cm\. Links Rand/, en: /In front Wall 1, 79 cm\. On the left Edge/ };
+    await expect(page.getByRole('status').filter({ hasText: around[language] })).toHaveCount(1);
+  });
+
+test('the telling is switched on by keyboard, says so and is remembered', async ({ page }) => {
+  await open(page, { language: 'de' satisfies Language, welcomed: true });
+  await page.focus(by('show'));
+  await page.keyboard.press('Enter');
+  const item = page.getByRole('menuitemcheckbox', { name: /^Fahrt ansagen/ });
+  await expect(item).not.toBeChecked();
+  for (let i = 0; i < 10 && !(await item.evaluate((it) => it === document.activeElement)); i += 1)
+    await page.keyboard.press('ArrowDown');
+  await page.keyboard.press('Enter');
+  await expect(item).toBeChecked();
+  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird angesagt.' })).toHaveCount(1);
+  expect(await violationsBy((code) => page.evaluate(code))).toEqual([]);
+  await page.reload();
+  await expect(page.getByRole('status').filter({ hasText: 'Die Fahrt wird angesagt.' })).toHaveCount(1);
+});

@@ -1,0 +1,38 @@
+import { shallowRef, type ShallowRef } from 'vue';
+
+import type { Vec } from '#core/geometry';
+
+import type { Told } from '../narration/explore';
+import type { Explored, ExplorerNow } from '../narration/explore-now';
+
+/** Walks through what lies in the course (N, with Shift back) and tells what is around (O), by the arena's keyboard. */
+export interface Explore {
+  /** The last answer; `count` tells it from the one before. */
+  readonly told: Readonly<ShallowRef<{ readonly count: number; readonly words: string }>>;
+  readonly keydown: (event: KeyboardEvent) => void;
+}
+
+/** @param show shows the place (world mm) that is told of */
+export function useExplore(explored: Explored, show: (atMm: Vec) => void): Explore {
+  const told = shallowRef({ count: 0, words: '' });
+  let explorer: ExplorerNow | null = null;
+
+  function tell({ words, atMm }: Told): void {
+    told.value = { count: told.value.count + 1, words };
+    show(atMm);
+  }
+  function keydown(event: KeyboardEvent): void {
+    const key = event.key.toLowerCase();
+    if ((key !== 'n' && key !== 'o') || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    const back = event.shiftKey;
+    import('../narration/explore-now').then(
+      ({ createExplorerOf }) => {
+        explorer ??= createExplorerOf(explored);
+        tell(key === 'n' ? explorer.step(back) : explorer.around());
+      },
+      () => undefined, // without a connection the key does nothing
+    );
+  }
+  return { told, keydown };
+}
