@@ -9,6 +9,9 @@ import { show, startRun } from '../app/testing/run';
 import NarrationRegion from './NarrationRegion.vue';
 import { seen, type Changes } from './testing/drive';
 
+const ON =
+  'Die Fahrt wird angesagt. In der Arena nennt die Taste N, was im Parcours liegt, und die Taste O, was um den Roboter ist.';
+
 /** A page whose drive is told. Its clock on the wall is the test's. */
 async function page() {
   const made = await editingPage([{ ...samples.wall, from: [700, 0], to: [700, 900] }]);
@@ -31,7 +34,7 @@ describe('the region in which the drive is told', () => {
     expect(byId('narration').getAttribute('aria-live')).toBe('polite');
     expect(said()).toBe('');
     await vi.advanceTimersByTimeAsync(1);
-    expect(said()).toBe('Die Fahrt wird angesagt.');
+    expect(said()).toBe(ON);
   });
 
   it('lets the page say first that the run has begun, then follows it', async () => {
@@ -39,7 +42,7 @@ describe('the region in which the drive is told', () => {
     const { drive, said } = made;
     await startRun(made);
     await drive({}, 1000);
-    expect(said()).toBe('Die Fahrt wird angesagt.');
+    expect(said()).toBe(ON);
     await drive({}, 500);
     expect(said()).toBe('Start bei x 20, y 45 cm, Richtung 0 Grad.');
     await drive({ aheadMm: 180, pathMm: 10 }, 2000);
@@ -95,6 +98,6 @@ describe('the region in which the drive is told', () => {
     await startRun(made);
     await show(made);
     await vi.advanceTimersByTimeAsync(5000);
-    expect(made.said()).toBe('Die Fahrt wird angesagt.');
+    expect(made.said()).toBe(ON);
   });
 });
