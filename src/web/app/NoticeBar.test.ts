@@ -161,31 +161,30 @@ describe('a message at the foot of the page', () => {
 });
 
 describe('the place of a message', () => {
-  /** What a thumb uses at the foot of a phone's page, with its upper edge here. */
-  function thumbRow(top: number, width = 390): void {
-    const row = document.createElement('div');
-    row.dataset['noticesAbove'] = '';
-    row.getBoundingClientRect = () => ({ top, width }) as DOMRect;
-    document.body.append(row);
+  /** A part of the page with room for messages. */
+  function room(name: string, left: number, top: number, width: number): void {
+    const part = document.createElement('div');
+    part.dataset['notices'] = name;
+    part.getBoundingClientRect = () => ({ left, top, width, height: 500 }) as DOMRect;
+    document.body.append(part);
   }
-  async function bottomOf(width: number): Promise<string> {
-    const { page, bar } = withNotices(width);
+  afterEach(() => document.querySelectorAll('[data-notices]').forEach((part) => part.remove()));
+  async function placeOf(): Promise<string[]> {
+    const { page, bar } = withNotices();
     page.notices.show({ kind: 'ok', key: 'console.copied' });
     await flushPromises();
-    return (bar.element as HTMLElement).style.bottom;
+    const { left, top, width, bottom } = (bar.element as HTMLElement).style;
+    return [left, top, width, bottom];
   }
 
-  it('is 8 px above what a thumb uses on a phone', async () => {
-    thumbRow(668);
-    expect(await bottomOf(390)).toBe('108px');
+  it('is along the upper edge of the arena', async () => {
+    room('code', 0, 120, 500);
+    room('arena', 508, 122, 700);
+    expect(await placeOf()).toEqual(['508px', '126px', '700px', 'auto']);
   });
 
-  it('is the usual one on a larger page, and where that row is out of sight', async () => {
-    thumbRow(668);
-    expect(await bottomOf(1024)).toBe('');
-    document.querySelector('[data-notices-above]')?.remove();
-    thumbRow(0, 0);
-    expect(await bottomOf(390)).toBe('');
+  it('is at the foot of a page that shows nothing with room for it', async () => {
+    expect(await placeOf()).toEqual(['', '', '', '']);
   });
 });
 
