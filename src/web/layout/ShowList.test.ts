@@ -48,6 +48,18 @@ describe('what the arena shows', () => {
     expect(done()).toBe(0); // the menu stays open
   });
 
+  it('has the tones of the drive beside its words: on with them, and off alone', async () => {
+    const { page, mounted, item } = menu();
+    expect(mounted.find('[data-testid="show-tones"]').exists()).toBe(false);
+    item('tell').element.click();
+    await nextTick();
+    expect(item('tones').attributes('aria-checked')).toBe('true');
+    item('tones').element.click();
+    await nextTick();
+    expect(item('tones').attributes('aria-checked')).toBe('false');
+    expect([page.settings.current.value.tell, page.settings.current.value.tones]).toEqual([true, false]);
+  });
+
   it('cannot be switched without a robot', () => {
     const { mounted } = menu('none');
     expect(mounted.findAll('[role="menuitemcheckbox"].page-list-item--disabled')).toHaveLength(SWITCHES.length);

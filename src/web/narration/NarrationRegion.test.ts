@@ -8,6 +8,7 @@ import { mountOn, textOf } from '../app/testing/mount-on';
 import { show, startRun } from '../app/testing/run';
 import NarrationRegion from './NarrationRegion.vue';
 import { seen, type Changes } from './testing/drive';
+import { recordedSound } from './testing/recorded-sound';
 
 const ON =
   'Die Fahrt wird angesagt. In der Arena nennt die Taste N, was im Parcours liegt, und die Taste O, was um den Roboter ist.';
@@ -84,6 +85,17 @@ describe('the region in which the drive is told', () => {
     expect(made.said()).toBe('Der Roboter steht: x 20, y 45 cm, Richtung 0 Grad.');
   });
 
+  it('lets the page say that the program has ended', async () => {
+    const made = await page();
+    await startRun(made);
+    await made.drive({}, 4500);
+    made.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
+    await made.drive({ aheadMm: 120 }, 1000);
+    expect(made.said()).toBe('Start bei x 20, y 45 cm, Richtung 0 Grad.');
+    await made.drive({ aheadMm: 120 }, 400);
+    expect(made.said()).toBe('Wand 12 cm voraus.');
+  });
+
   it('asks for nothing any more when the run is over', async () => {
     const made = await page();
     await startRun(made);
@@ -99,5 +111,62 @@ describe('the region in which the drive is told', () => {
     await show(made);
     await vi.advanceTimersByTimeAsync(5000);
     expect(made.said()).toBe(ON);
+  });
+});
+
+describe('the tones of the drive', () => {
+  beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout', 'setInterval', 'clearInterval', 'performance'] })); // prettier-ignore
+  afterEach(() => {
+    vi.useRealTimers();
+    vi.restoreAllMocks();
+  });
+
+  /** A robot on a line that drives; what is heard of it. */
+  async function onLine() {
+    const made = await page();
+    const { output, heard } = recordedSound();
+    vi.spyOn(made.sound, 'output').mockImplementation(() => output);
+    await startRun(made);
+    const last = async () => {
+      await vi.advanceTimersByTimeAsync(100);
+      const sounds = heard.splice(0);
+      return sounds.includes('line ends') ? 'ends' : sounds.length > 0 ? 'sounds' : 'silent';
+    };
+    await show(made, seen({ line: [1, 0] }));
+    return { ...made, last };
+  }
+
+  it('go with the run: silent in a pause and after the stop', async () => {
+    const { run, last } = await onLine();
+    expect(await last()).toBe('sounds');
+    run.pause();
+    expect([await last(), await last()]).toEqual(['ends', 'silent']);
+    run.resume();
+    expect(await last()).toBe('sounds');
+    await run.stop();
+    expect([await last(), await last()]).toEqual(['ends', 'silent']);
+  });
+
+  it.each([
+    ['the page is muted', { muted: true }],
+    ['the tones are switched off', { tones: false }],
+  ])('are silent when %s, while the words go on', async (_, change) => {
+    const { settings, last, drive, said } = await onLine();
+    expect(await last()).toBe('sounds');
+    settings.change(change);
+    expect([await last(), await last()]).toEqual(['ends', 'silent']);
+    await drive({ aheadMm: 120 }, 2500);
+    expect(said()).toContain('Start bei x 20');
+  });
+
+  it('are silent while the page is out of sight', async () => {
+    const { last } = await onLine();
+    expect(await last()).toBe('sounds');
+    const hidden = vi.spyOn(document, 'hidden', 'get').mockReturnValue(true);
+    document.dispatchEvent(new Event('visibilitychange'));
+    expect([await last(), await last()]).toEqual(['ends', 'silent']);
+    hidden.mockReturnValue(false);
+    document.dispatchEvent(new Event('visibilitychange'));
+    expect(await last()).toBe('sounds');
   });
 });

@@ -52,6 +52,7 @@ export function useNarration(app: Pick<RunParts, 'run'> & WorkParts, begin: () =
     narrator ??= createNarrator(around);
     narrator.see(snapshot, performance.now());
   });
+  watch(run.ended, () => narrator?.letSpeak(performance.now())); // the page says how the program has ended
   watch(
     run.phase,
     (phase, before) => {

@@ -150,7 +150,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'arena-hand': ofOwn(mdiHandBackRightOutline, 'arena-hand', 'arena'),
   tools: of(mdiPencilRuler, () => say(editorWords.palette.tools), 'tools-toggle'),
   show: ofKey(mdiLayersOutline, 'arena.showLong', 'show'),
-  tell: of(mdiAccountVoice, () => say(showWords.tell.title), 'tell-switch', 'show-tell'),
+  tell: of(mdiAccountVoice, () => say(showWords.tell.title), 'tell-switch', 'show-tell', 'show-tones'),
   readings: ofOwn(mdiCompassOutline, 'readings'),
   zoom: ofOwn(mdiMagnifyPlusOutline, 'zoom', 'arena.zoomIn', 'arena.zoomOut'),
   fit: ofKey(mdiFitToScreenOutline, 'arena.fit', 'fit'),

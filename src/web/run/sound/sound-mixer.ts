@@ -20,6 +20,8 @@ const SOURCES = ['tone', 'effect', 'speech'] as const;
 
 /** The board's four sources of sound as nodes of the sound system. It plays into the context's destination. */
 export class SoundMixer {
+  /** The limiter before the loudspeaker: what else the page lets be heard plays into it. */
+  readonly out: AudioNode;
   private readonly volume: GainNode;
   private readonly speaker: GainNode;
   private readonly stream: ReturnType<typeof createStream>;
@@ -30,7 +32,8 @@ export class SoundMixer {
   constructor(private readonly context: BaseAudioContext) {
     this.volume = context.createGain();
     this.speaker = context.createGain();
-    this.volume.connect(this.speaker).connect(createLimiter(context));
+    this.out = createLimiter(context);
+    this.volume.connect(this.speaker).connect(this.out);
     this.stream = createStream(context, this.volume);
   }
 

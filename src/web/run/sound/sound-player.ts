@@ -15,6 +15,12 @@ interface System {
   readonly mixer: SoundMixer;
 }
 
+/** Where other sounds than the board's are played. */
+export interface SoundOutput {
+  readonly context: BaseAudioContext;
+  readonly to: AudioNode;
+}
+
 /** Lets the board be heard. The sound system itself is made when something is to be heard, or inside `wake`. */
 export class SoundPlayer {
   /** True while something should be heard and the browser does not let it: a tap on the page helps. */
@@ -75,6 +81,12 @@ export class SoundPlayer {
   /** Call it inside a tap or a key press: only there do browsers let sound begin. */
   wake(): void {
     if (!this.muted) this.open();
+  }
+
+  /** For other sounds of the page: where to play now, awake for some seconds; `null` while it is muted. */
+  output(): SoundOutput | null {
+    const system = this.muted ? null : this.open();
+    return system && { context: system.context, to: system.mixer.out };
   }
 
   dispose(): void {
