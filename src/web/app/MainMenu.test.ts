@@ -287,6 +287,15 @@ describe('the main menu', () => {
     expect(page.settings.own.value.deviceCheck).toBe(false);
   });
 
+  it('has a tick for the telling of the drive', async () => {
+    const { page } = mainList();
+    const tick = () => named('Fahrt ansagen', '[role="menuitemcheckbox"]');
+    expect(tick().getAttribute('aria-checked')).toBe('false');
+    await pressItem('Fahrt ansagen');
+    expect(tick().getAttribute('aria-checked')).toBe('true');
+    expect(page.settings.own.value.tell).toBe(true);
+  });
+
   it('ticks one stage, one language and one of light and dark', async () => {
     const { page } = mainList();
     page.settings.change({ language: 'de' });

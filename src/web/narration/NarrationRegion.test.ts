@@ -96,6 +96,18 @@ describe('the region in which the drive is told', () => {
     expect(made.said()).toBe('Wand 12 cm voraus.');
   });
 
+  it('lets the arena answer first when somebody explores it by keyboard', async () => {
+    document.body.insertAdjacentHTML('beforeend', '<div role="application"></div>');
+    const made = await page();
+    await startRun(made);
+    await made.drive({}, 4500);
+    document.querySelector('[role="application"]')?.dispatchEvent(new KeyboardEvent('keydown', { key: 'n', bubbles: true })); // prettier-ignore
+    await made.drive({ aheadMm: 120 }, 3500);
+    expect(made.said()).toBe('Start bei x 20, y 45 cm, Richtung 0 Grad.');
+    await made.drive({ aheadMm: 120 }, 400);
+    expect(made.said()).toBe('Wand 12 cm voraus.');
+  });
+
   it('asks for nothing any more when the run is over', async () => {
     const made = await page();
     await startRun(made);

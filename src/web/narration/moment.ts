@@ -37,7 +37,7 @@ export function momentOf(snapshot: Snapshot, atMs: number): Moment | null {
       .map(({ name, bright }) => ({ name, isDark: !bright })),
     touches: robot.collisions,
     verdict,
-    moved: { ...blocks, ...movers },
+    moved: Object.keys(movers).length === 0 ? blocks : { ...blocks, ...movers },
   };
 }
 

@@ -18,8 +18,8 @@ export interface Narrator {
   next(nowMs: number): string | null;
   /** The run is over: what waited is no news any more; where the robot stands is told. */
   end(nowMs: number): void;
-  /** The page itself says now how the run goes. */
-  letSpeak(nowMs: number): void;
+  /** Something else is said now, such as how the run goes. @param ms how long that takes; left out: a few words */
+  letSpeak(nowMs: number, ms?: number): void;
   /** Time stands still: nothing that waited is told. */
   pause(): void;
   readonly isWaiting: boolean;
@@ -54,7 +54,7 @@ export function createNarrator(around: () => Surroundings): Narrator {
       pacer.clear();
       if (now !== null) pacer.offer({ topic: 'rest', seen: now }, nowMs);
     },
-    letSpeak: (nowMs) => pacer.letSpeak(nowMs + PAGE_MS),
+    letSpeak: (nowMs, ms = PAGE_MS) => pacer.letSpeak(nowMs + ms),
     pause: () => pacer.clear(),
     get isWaiting() {
       return pacer.isWaiting;

@@ -9,6 +9,9 @@ import type { Surroundings } from './sentences';
 /** How often it is asked whether there is something to say, in ms. */
 const ASK_MS = 200;
 
+/** Who explores the course by keyboard (N, O) hears the answer first: so long nothing else is told, in ms. Chosen: ten words. */
+const ANSWER_MS = 3600;
+
 /** Something that was said. The same words again are something new. */
 export interface Said {
   readonly count: number;
@@ -67,6 +70,14 @@ export function useNarration(app: Pick<RunParts, 'run'> & WorkParts, begin: () =
     { immediate: true },
   );
   setTimeout(() => tell(begin())); // a region that is there before its words is heard
-  onScopeDispose(() => clearInterval(timer));
+  const hearKey = ({ key, target }: KeyboardEvent): void => {
+    const isInArena = target instanceof Element && target.closest('[role="application"]') !== null;
+    if (isInArena && /^[no]$/i.test(key)) narrator?.letSpeak(performance.now(), ANSWER_MS);
+  };
+  addEventListener('keydown', hearKey);
+  onScopeDispose(() => {
+    removeEventListener('keydown', hearKey);
+    clearInterval(timer);
+  });
   return said;
 }
