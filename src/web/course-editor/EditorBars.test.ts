@@ -52,6 +52,15 @@ describe('the row below the arena', () => {
     expect(text()).toBe('');
   });
 
+  it('names nothing that is gone, not even for a moment', async () => {
+    const { editor, settle, text } = await bars([samples.wall, stuck]);
+    await settle();
+    expect(text()).not.toBe('');
+    editor.commit({ type: 'remove', ids: ['wall'] });
+    await nextTick();
+    expect(text()).toBe('');
+  });
+
   it('is quiet for whoever only drives', async () => {
     const { settle, text } = await bars([samples.wall, stuck], { isEditing: false });
     await settle();

@@ -38,6 +38,17 @@ describe('the bar with the verdict', () => {
     expect([mounted.attributes('data-state'), mounted.attributes('aria-label')]).toEqual(['open', 'Aufgabe']);
   });
 
+  it('does not say “task” again beside the button that says it, but that it is not done', async () => {
+    const page = await editingPage([samples.target]);
+    const title = (isNamed: boolean): string => textOf(mountOn(page, VerdictBar, { isNamed }).element.querySelector('.title')); // prettier-ignore
+    expect([title(false), title(true)]).toEqual(['Aufgabe', '']);
+    await startRun(page);
+    await show(page, { verdict: verdictAtStart(page.scene()) });
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 0 } });
+    await nextTick();
+    expect(title(true)).toBe('Noch nicht geschafft');
+  });
+
   it('follows the course while it is edited', async () => {
     const { goals, editor } = await bar([samples.checkpoint, samples.target]);
     editor.commit({ type: 'remove', ids: ['one'] });

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
+import type { Pose } from '#core/geometry';
 import { newObject } from '#editor/kinds/index';
 import { usualToolOptions } from '#editor/tools/tool-options';
 import { defaultScene, type SceneObject } from '#scene/scene';
@@ -25,6 +26,24 @@ describe('robot and nearest obstacle', () => {
     const zone = newObject(defaultScene(), 'target', [600, 350], usualToolOptions);
     expect(zone).not.toBeNull();
     expect(nearestMm({ x: 600, y: 300 }, zone === null ? [] : [zone], arena)).toBe(300);
+  });
+
+  it('is as near as a block is now, not where it was before it was pushed and turned', () => {
+    const block: SceneObject = { type: 'block', id: 'b', at: [300, 300], size: [100, 50], turn: 0 };
+    const nearest = (x: number, y: number, pose?: Pose): number =>
+      nearestMm({ x, y }, [block], arena, pose === undefined ? null : { blocks: { b: pose }, movers: {} });
+    expect(nearest(400, 300)).toBeCloseTo(50);
+    const pushed = { xMm: 600, yMm: 450, headingRad: Math.PI / 2 };
+    expect(nearest(400, 300, pushed)).toBeCloseTo(Math.hypot(175, 100)); // it stands upright: 50 wide, 100 high
+    expect(nearest(600, 300, pushed)).toBeCloseTo(100);
+    const aslant = { ...pushed, headingRad: Math.PI / 4 };
+    expect(nearest(600 + 100, 450 + 100, aslant)).toBeCloseTo(Math.hypot(100, 100) - 50);
+  });
+
+  it('is as near as a moving obstacle is now', () => {
+    const mover: SceneObject = { type: 'mover', id: 'm', at: [300, 300], to: [900, 300], size: [50, 50], turn: 2, speed: 100, spiked: false }; // prettier-ignore
+    const moved = { blocks: {}, movers: { m: { xMm: 700, yMm: 300, headingRad: Math.PI / 2 } } };
+    expect(nearestMm({ x: 600, y: 300 }, [mover], arena, moved)).toBeCloseTo(75);
   });
 
   it('has both in sight, larger than the whole arena shows them', () => {

@@ -1,4 +1,4 @@
-import type { Vec } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import { kindOf } from '#editor/kinds/index';
 import type { SceneObject } from '#scene/scene';
 import { solidOutline } from '#scene/kinds/index';
@@ -10,13 +10,36 @@ const LEAST_MM = 160;
 /** Seen beyond the nearest obstacle, in mm. Chosen by eye. */
 const BEYOND_MM = 60;
 
+/** Where things are now that do not lie where they lay at the start, by their ids. */
+type Moved = Readonly<Record<string, Pose>>;
+
+/** The same in a picture of a run; `null`: there is none, and all lies where the course says. */
+export type MovedThings = { readonly blocks: Moved; readonly movers: Moved } | null;
+
 /** How far it is from a place to the nearest thing that a robot can bump into, the edge of the arena among them, in mm. */
-export function nearestMm(at: Vec, objects: readonly SceneObject[], [width, height]: ArenaSize): number {
+export function nearestMm(
+  at: Vec,
+  objects: readonly SceneObject[],
+  [width, height]: ArenaSize,
+  now: MovedThings = null,
+): number {
   const toEdge = [at.x, at.y, width - at.x, height - at.y].map((mm) => Math.max(0, mm));
+  const moved: Moved = { ...now?.blocks, ...now?.movers };
   const toObjects = objects
     .filter((object) => solidOutline(object) !== null)
-    .map((object) => kindOf(object).distanceMm(object, at));
+    .map((object) => kindOf(object).distanceMm(object, asBefore(at, object, moved[object.id])));
   return Math.min(...toEdge, ...toObjects);
+}
+
+/** The place that lies to an object at its start as `at` lies to it now: pushed blocks stand at any angle. */
+function asBefore(at: Vec, object: SceneObject, pose: Pose | undefined): Vec {
+  if (pose === undefined || !('turn' in object)) return at;
+  const turn = (object.turn * Math.PI) / 4 - pose.headingRad;
+  const [x, y] = [at.x - pose.xMm, at.y - pose.yMm];
+  return {
+    x: object.at[0] + x * Math.cos(turn) - y * Math.sin(turn),
+    y: object.at[1] + x * Math.sin(turn) + y * Math.cos(turn),
+  };
 }
 
 /** The view in which a place stands in the middle, and everything up to the nearest obstacle is in sight around it. */

@@ -1,7 +1,7 @@
 import { computed, onBeforeUnmount, onMounted, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
 import type { Scene } from '#scene/scene';
-import { nearestMm, nearView } from './near-view';
+import { nearestMm, nearView, type MovedThings } from './near-view';
 import {
   backingRatio,
   fitView,
@@ -31,7 +31,7 @@ export interface ArenaView {
   panBy(byPx: Vec): void;
   fit(): void;
   /** Brings a place (world mm; `null`: there is none) into the middle, and all up to the nearest obstacle into sight. */
-  showNear(atMm: Vec | null, around: Pick<Scene, 'objects' | 'size'>): void;
+  showNear(atMm: Vec | null, around: Pick<Scene, 'objects' | 'size'>, now: MovedThings): void;
   /** Brings a place (world mm) into sight and lets it flash. */
   showPlace(atMm: Vec): void;
   /**
@@ -93,8 +93,8 @@ export function useArenaView(
       panned();
     },
     fit,
-    showNear(atMm, { objects, size }) {
-      if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size), arena(), canvas.value));
+    showNear(atMm, { objects, size }, now) {
+      if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size, now), arena(), canvas.value));
     },
     showPlace(atMm) {
       const shown = placeView(view.value, atMm, arena(), canvas.value);
