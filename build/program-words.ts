@@ -3,7 +3,7 @@ import { existsSync } from 'node:fs';
 import { readdir, readFile } from 'node:fs/promises';
 import { basename, join } from 'node:path';
 import { LANGUAGES, type Language } from '../src/core/languages.ts';
-import { piecesOf, translate, wordsFile, wordsFor, type Translation, type Words } from './programs.ts';
+import { isText, piecesOf, translate, wordsFile, wordsFor, type Translation, type Words } from './programs.ts';
 
 /** Strings with a word in them that a program knows and nobody reads: gestures, columns of a table, an order of bytes. */
 const CODE = new Set(['shake', 'light', 'temperature', 'little']);
@@ -36,7 +36,9 @@ async function problemsIn(folder: string, programs: readonly Program[], language
   const used = new Set(programs.flatMap(({ source }) => piecesOf(source).map(({ text }) => text)));
   const names = new Set(programs.map(({ file }) => basename(file, '.py')));
   const strangers = Object.entries(all).flatMap(([name, own]) =>
-    typeof own === 'object' && name !== 'program' && !names.has(name) ? [`there is no ${name}.py`] : [],
+    typeof own === 'object' && !isText(own) && name !== 'program' && !names.has(name)
+      ? [`there is no ${name}.py`]
+      : [],
   );
   const unused = said.flatMap((own) => Object.keys(own).filter((text) => !used.has(text)));
   const problems = [

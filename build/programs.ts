@@ -17,15 +17,18 @@ export type Translation = Readonly<Record<string, string>>;
 /** What a file of words holds, and each of its members that belongs to one program. */
 export interface Words {
   readonly program?: Translation;
-  readonly [name: string]: string | Translation | Words | undefined;
+  readonly [name: string]: Text | Translation | Words | undefined;
 }
+
+/** A text about a program, or several of a kind. */
+export type Text = string | readonly string[];
 
 /** A program in every language, and the texts about it by their names. */
 export interface ReadyProgram {
   /** Name of its file. */
   readonly file: string;
   readonly source: Texts;
-  readonly texts: Readonly<Record<string, Texts>>;
+  readonly texts: Readonly<Record<string, Readonly<Record<Language, Text>>>>;
 }
 
 /** A comment (its mark, its text) or a string (its quotes, its text), whichever begins first. */
@@ -63,7 +66,7 @@ export const wordsFile = (path: string, language: Language): string => join(dirn
 export async function wordsFor(path: string, language: Language): Promise<Words> {
   const all = JSON.parse(await readFile(wordsFile(path, language), 'utf8').catch(() => '{}')) as Words;
   const own = all[basename(path, '.py')];
-  return typeof own === 'object' ? own : all;
+  return typeof own === 'object' && !isText(own) ? own : all;
 }
 
 /** Reads a program and the words beside it. What a language lacks is in English. */
@@ -71,10 +74,10 @@ export async function readProgram(path: string, languages = LANGUAGES): Promise<
   const english = await readFile(path, 'utf8');
   const words = new Map<Language, Words>();
   for (const language of languages) words.set(language, await wordsFor(path, language));
-  const inEvery = (make: (words: Words | undefined) => string): Texts =>
-    Object.fromEntries(languages.map((language) => [language, make(words.get(language))])) as Texts;
+  const inEvery = <T extends Text>(make: (words: Words | undefined) => T) =>
+    Object.fromEntries(languages.map((language) => [language, make(words.get(language))])) as Record<Language, T>;
   const about = Object.entries(words.get('en') ?? {}).flatMap(([name, text]) =>
-    typeof text === 'string' ? [[name, inEvery((own) => stringOf(own?.[name]) ?? text)] as const] : [],
+    isText(text) ? [[name, inEvery((own) => textOf(own?.[name]) ?? text)] as const] : [],
   );
   return {
     file: basename(path),
@@ -83,7 +86,9 @@ export async function readProgram(path: string, languages = LANGUAGES): Promise<
   };
 }
 
-const stringOf = (value: unknown): string | undefined => (typeof value === 'string' ? value : undefined);
+/** Not further members of words. */
+export const isText = (value: unknown): value is Text => typeof value === 'string' || Array.isArray(value);
+const textOf = (value: unknown): Text | undefined => (isText(value) ? value : undefined);
 
 const QUERY = '?languages';
 

@@ -25,12 +25,23 @@ async function start(): Promise<void> {
   // The styles look at what is spoken, not at what this page speaks unless told otherwise.
   document.documentElement.dataset['dialect'] = wish.dialect ?? 'none';
   const language = wish.settings.language ?? storedSettings().language;
-  const [storage] = await Promise.all([wish.keepsWork ? openTabStorage() : forgetful, setLanguage(language)]);
+  const [storage] = await Promise.all([
+    wish.keepsWork ? openTabStorage() : forgetful,
+    setLanguage(language),
+    isNewcomer() ? fetchGreeting() : undefined,
+  ]);
   createApp(App, { storage, wish }).use(controls).mount('#app');
   setTimeout(() => {
     import('./offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
   }, OFFLINE_AFTER_MS);
 }
+
+/** Somebody is here for the first time, on the page itself. `useGreeting` decides in the end. */
+const isNewcomer = (): boolean =>
+  !storedSettings().welcomed && window.parent === window && location.search === '' && location.hash === '';
+
+/** The greeting is there with the first picture of the page, instead of changing it later. */
+const fetchGreeting = (): Promise<unknown> => import('./first-steps/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
 
 keepEarlyMessages();
 void start();

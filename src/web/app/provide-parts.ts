@@ -68,7 +68,7 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels() };
-  const task = createTask({ ...mine, ...running }, window.parent === window);
+  const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task };
 }
 
@@ -128,6 +128,15 @@ function createEditor(
   );
   useLiveEdits(run, work, hand, runStart);
   return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive });
+}
+
+/** Where stars are kept: nowhere on a page that keeps no work, or where the browser allows it not. */
+function starStore({ keepsWork }: HostWish): Storage | null {
+  try {
+    return keepsWork ? localStorage : null;
+  } catch {
+    return null;
+  }
 }
 
 function firstWork(language: Language): Work {

@@ -1,5 +1,5 @@
 import { wordsOf } from '#core/words';
 import type de from './words/de.json';
 
-/** The words of the greeting, the stages and the tour; they come with them. */
+/** The words of the tour and of the menu; they come with them. */
 export const firstWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));

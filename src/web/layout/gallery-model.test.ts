@@ -13,6 +13,8 @@ describe('the address of a gallery', () => {
     ['#course=slalom', { kind: 'course', course: 'slalom' }],
     ['#course/slalom', { kind: 'course', course: 'slalom' }],
     ['#courses=slalom', { kind: 'course', course: 'slalom' }],
+    ['#missions', { kind: 'missions', robot: null }],
+    ['#missions/callibot', { kind: 'missions', robot: 'callibot' }],
   ])('%s is known', (hash, page) => expect(galleryPage(hash)).toEqual(page));
 
   it.each(['', '#', '#robot', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>

@@ -1,15 +1,16 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What a gallery shows: all robots or one, all courses or one. */
+/** What a gallery shows: all robots or one, all courses or one, the missions for a robot. */
 export type GalleryPage =
   | { readonly kind: 'all' }
   | { readonly kind: 'robot'; readonly robot: string }
   | { readonly kind: 'courses' }
-  | { readonly kind: 'course'; readonly course: string };
+  | { readonly kind: 'course'; readonly course: string }
+  | { readonly kind: 'missions'; readonly robot: string | null };
 
 /**
- * Which gallery is open, and where: that of the robots or that of the courses. Their pages have addresses (`#robots`,
- * `#robots/callibot`, `#courses`, `#courses/slalom`): teachers can hand them on, and the browser's back button leads back.
+ * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
+ * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`): teachers can hand them on, and the browser's back button leads back.
  */
 export interface GalleryModel {
   /** `null`: closed. */
@@ -20,11 +21,16 @@ export interface GalleryModel {
   openCourses(course?: string): void;
   /** The page of a course becomes that of another: the back button leads past it. */
   replaceCourse(course: string): void;
+  /** Opens the missions for a robot, or for the one that is on the table. */
+  openMissions(robot?: string): void;
+  /** Those for another robot in the same place: the back button leads past them. */
+  replaceMissions(robot: string): void;
   close(): void;
 }
 
 const ROBOTS = 'robots';
 const COURSES = 'courses';
+const MISSIONS = 'missions';
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
@@ -37,6 +43,7 @@ export function galleryPage(hash: string): GalleryPage | null {
   if (more.length > 0) return null;
   if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
   if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
+  if (name === MISSIONS) return { kind: 'missions', robot: id === '' ? null : id };
   return null;
 }
 
@@ -51,14 +58,17 @@ export function createGallery(): GalleryModel {
     history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${gallery}` : `#${gallery}/${id}`);
     follow();
   }
+  function replace(gallery: string, id: string): void {
+    history.replaceState({ [DEPTH]: depth() }, '', `#${gallery}/${id}`);
+    follow();
+  }
   return {
     page,
     open: (robot) => go(ROBOTS, robot),
     openCourses: (course) => go(COURSES, course),
-    replaceCourse(course) {
-      history.replaceState({ [DEPTH]: depth() }, '', `#${COURSES}/${course}`);
-      follow();
-    },
+    openMissions: (robot) => go(MISSIONS, robot),
+    replaceCourse: (course) => replace(COURSES, course),
+    replaceMissions: (robot) => replace(MISSIONS, robot),
     close() {
       if (page.value === null) return;
       page.value = null;

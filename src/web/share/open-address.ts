@@ -9,17 +9,15 @@ import { useOpenings } from '../work/use-openings';
 import { parametersOf, urlOf } from '../visit/address';
 import { say } from '../page/i18n/say';
 import type { Course } from '../work/catalogue/course';
-import { courses } from '../work/catalogue/courses';
+import { readyCourse } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
 import { shareWords as words } from './share-words';
 
-const courseOf = (id: string): Course | null => courses.find((course) => course.id === id) ?? null;
-
 /** The ready courses, as links name them. */
-export const readyCourses = (id: string) => courseOf(id)?.scene ?? null;
+export const readyCourses = (id: string) => readyCourse(id)?.scene ?? null;
 
 /**
  * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a
@@ -34,7 +32,7 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
   const id = courseIn(address.trim());
-  const course = id === null ? null : courseOf(id.course);
+  const course = id === null ? null : readyCourse(id.course);
   if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id.course });
   if (hasProgram(address)) return openProgramLink(app, address.trim(), course, wish);
   if (id === null || course === null) return say(words.problems.notALink);

@@ -1,16 +1,21 @@
 // @vitest-environment happy-dom
-import { beforeAll, describe, expect, it } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
+import type { RobotSnapshot } from '#simulation/snapshot';
+import type { Verdict } from '#simulation/verdict';
 import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 
 import { createPage, type TestPage } from '../app/testing/page';
-import { startRun } from '../app/testing/run';
+import { show, startRun } from '../app/testing/run';
 import { loadTexts, showLanguage } from '../page/i18n';
 import { courses } from '../work/catalogue/courses';
+import { ladderOf } from '../work/catalogue/missions';
+import '../work/catalogue/ready-courses';
 import { useCourses } from '../work/use-courses';
 
 beforeAll(() => loadTexts('de'));
+beforeEach(() => localStorage.clear());
 
 const told = (description: string): Scene => ({ ...defaultScene(), description });
 
@@ -69,5 +74,36 @@ describe('the card of the task', () => {
     page.task.hints.value = 2;
     await open(page, { ...told('y'), task: { ...sceneDefaults.task, card } });
     expect(page.task.hints.value).toBe(0);
+  });
+});
+
+describe('the stars of a mission', () => {
+  const [mission] = ladderOf('callibot');
+  const passed = (page: TestPage, type = 'callibot'): Promise<void> => {
+    const verdict = { state: 'passed', stars: 2 } as Verdict; // what keeping them looks at
+    return show(page, { verdict, robot: { type } as RobotSnapshot });
+  };
+  async function pageWithMission(): Promise<TestPage> {
+    const page = createPage();
+    useCourses(page).openWhole(mission!);
+    await nextTick();
+    await startRun(page);
+    return page;
+  }
+
+  it('are kept when it is passed', async () => {
+    const page = await pageWithMission();
+    await passed(page);
+    expect(page.task.stars.all.value).toMatchObject({ [mission!.id]: 2 });
+  });
+
+  it('are not kept in a course that was changed, nor with another robot', async () => {
+    const page = await pageWithMission();
+    await passed(page, 'maqueen-lite');
+    expect(page.task.stars.all.value).toEqual({});
+    await show(page);
+    page.editor.commit({ type: 'course', changes: { size: [500, 500] } });
+    await passed(page);
+    expect(page.task.stars.all.value).toEqual({});
   });
 });

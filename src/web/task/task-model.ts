@@ -4,7 +4,11 @@ import { shownLanguage } from '../page/i18n';
 import type { RunParts } from '../run/parts';
 import { firstCourse } from '../work/catalogue/first-course';
 import { knownCourses } from '../work/catalogue/known-courses';
+import type { Course } from '../work/catalogue/course';
 import type { WorkParts } from '../work/model/parts';
+import { isSameArena } from '../work/catalogue/same-arena';
+import { goalsInWords } from './goals';
+import { createKeptStars, type KeptStars } from './kept-stars';
 import { hasWords, taskText, type ShownText } from './task-text';
 
 /** The task of the open course as a card. */
@@ -16,6 +20,10 @@ export interface TaskModel {
   readonly isOpen: Readonly<Ref<boolean>>;
   /** How many hints have been asked for since the course was opened. */
   readonly hints: ShallowRef<number>;
+  /** The ready course that is open, changed or not. */
+  readonly ready: ComputedRef<Course | null>;
+  /** The best results in this browser. */
+  readonly stars: KeptStars;
   open(): void;
   close(): void;
 }
@@ -25,10 +33,12 @@ export interface TaskModel {
  * the program is what is looked at then.
  *
  * @param isOwnPage whether nobody else tells the task: in the frame of another page the card waits to be asked for
+ * @param store where stars are kept; `null`: as long as the page is open
  */
 export function createTask(
   { work, run }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'>,
   isOwnPage: boolean,
+  store: Storage | null,
 ): TaskModel {
   const isOpen = shallowRef(false);
   const hints = shallowRef(0);
@@ -38,19 +48,44 @@ export function createTask(
   });
   const text = computed(() => taskText(work.scene.value, ready.value, shownLanguage()));
   const hasText = computed(() => hasWords(text.value));
+  /** A ready course without a goal asks for nothing: it has a text for whoever wants to know. */
+  const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
   watch([work.openings, work.arrivals], () => {
     hints.value = 0;
-    isOpen.value = isOwnPage && hasText.value;
+    isOpen.value = isOwnPage && hasText.value && (ready.value === null || hasGoals.value);
   });
   watch(run.isActive, (isActive) => {
     if (isActive) isOpen.value = false;
   });
+  const stars = createKeptStars(store);
+  keepStars(run, work, ready, stars);
   return {
     text,
     hasText,
+    ready,
+    stars,
     isOpen: computed(() => isOpen.value && hasText.value),
     hints,
     open: () => void (isOpen.value = true),
     close: () => void (isOpen.value = false),
   };
+}
+
+/** Keeps what a run has won, in a ready course as it comes and with the robot of its mission: what was made easier counts not. */
+function keepStars(
+  run: RunParts['run'],
+  work: WorkParts['work'],
+  ready: ComputedRef<Course | null>,
+  stars: KeptStars,
+): void {
+  const won = computed(() => {
+    const verdict = run.snapshot.value?.verdict;
+    return verdict?.state === 'passed' ? (verdict.stars ?? 0) : 0;
+  });
+  watch(won, (count) => {
+    const course = ready.value;
+    if (count === 0 || course === null || !isSameArena(course.scene, work.scene.value)) return;
+    const robot = run.snapshot.value?.robot?.type;
+    if (course.mission === undefined || course.mission.robot === robot) stars.keep(course.id, count);
+  });
 }

@@ -26,7 +26,7 @@ export function taskText(
   const { card } = task;
   const title = ready?.texts[language].name ?? name;
   const text = ready?.texts[language].task ?? description;
-  if (card === undefined) return { title, text, hints: [], picture: '' };
+  if (card === undefined) return { title, text, hints: ready?.texts[language].hints ?? [], picture: '' };
   const { picture } = card;
   const other = card.language === language ? undefined : card.translations.find((one) => one.language === language);
   if (other === undefined) return { title: card.title || title, text, hints: card.hints, picture };

@@ -1,10 +1,9 @@
 // @vitest-environment happy-dom
-import { flushPromises } from '@vue/test-utils';
 import { afterEach, beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { byId, isThere, pressKey, tap } from '../../app/testing/find';
-import { leavePage, mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
+import { leavePage, mountOn, setWindow, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { startRun } from '../../app/testing/run';
 import { loadTexts, showLanguage } from '../../page/i18n';
@@ -221,108 +220,18 @@ describe('the tour', () => {
   });
 });
 
-describe('the greeting of a first visit', () => {
-  beforeAll(() => Promise.all([import('./WelcomeCard.vue'), import('./TourBubble.vue'), import('../guide/GuidePanel.vue'), import('./change-stage')])); // prettier-ignore
-  /** A page with the places where the greeting stands. */
-  async function visit(prepare: (page: TestPage) => void = () => undefined): Promise<TestPage> {
-    document.body.insertAdjacentHTML(
-      'beforeend',
-      '<div class="app"><div class="pane-console"></div><div class="pane-code"></div></div>',
-    );
+describe('the keys of the help', () => {
+  beforeAll(() => import('../guide/GuidePanel.vue'));
+  function visit(): TestPage {
     const page = createPage();
-    prepare(page);
     mountOn(page, FirstSteps);
-    await flushPromises();
     return page;
   }
 
-  it('stands in the empty console and offers three beginnings', async () => {
-    await visit();
-    expect(byId('welcome').closest('.pane-console')).not.toBeNull();
-    named('Willkommen! Womit möchtest du beginnen?');
-    expect([...document.querySelectorAll('.stage b')].map(textOf)).toEqual([
-      '1. Mikrocomputer',
-      '2. Roboter',
-      '3. Parcours bauen',
-    ]);
-  });
-
-  it('stands below the program on a phone, and only there', async () => {
-    setWindow(390, 800);
-    const page = await visit();
-    expect(byId('welcome').closest('.pane-code')).not.toBeNull();
-    page.layout.tab.value = 'arena';
-    await nextTick();
-    expect(isThere('welcome')).toBe(false);
-  });
-
-  it('is not shown to whoever has been greeted, has written something, or sees some output', async () => {
-    await visit((page) => page.settings.change({ welcomed: true }));
-    expect(isThere('welcome')).toBe(false);
-    await visit((page) => page.work.setText('main.py', 'meins = 1\n'));
-    expect(isThere('welcome')).toBe(false);
-    await visit((page) => page.gallery.open());
-    expect(isThere('welcome')).toBe(false);
-    history.replaceState(null, '', '/');
-  });
-
-  it('goes for good with “Gleich loslegen”', async () => {
-    const page = await visit();
-    await tap('welcome-start');
-    expect(isThere('welcome')).toBe(false);
-    expect(page.settings.current.value.welcomed).toBe(true);
-  });
-
-  it('goes for good with the first run', async () => {
-    const page = await visit();
-    await startRun(page);
-    await nextTick();
-    expect(isThere('welcome')).toBe(false);
-    expect(page.settings.current.value.welcomed).toBe(true);
-  });
-
-  it('begins the tour', async () => {
-    const page = await visit();
-    await tap('welcome-tour');
-    await flushPromises();
-    expect(page.tour.isOpen.value).toBe(true);
-    expect(isThere('tour')).toBe(true);
-    expect(isThere('welcome')).toBe(false);
-  });
-
-  it('makes room for a tour that is done at its last step and begins anew the next time', async () => {
-    const page = await visit((it) => it.settings.change({ tourStep: 'help', language: 'de' }));
-    page.tour.open();
-    await flushPromises();
-    expect(textOf(byId('tour-next'))).toBe('Fertig');
-    await next();
-    expect(isThere('tour')).toBe(false);
-    expect(page.settings.current.value.tourStep).toBeNull();
-  });
-
-  it('for the microcomputer opens a program that needs no robot, without the arena', async () => {
-    const page = await visit();
-    await tap('welcome-board');
-    await vi.waitFor(() => expect(page.settings.current.value.showArena).toBe(false));
-    expect(page.work.find('main.py')?.text).not.toMatch(/maqueen|callibot|mbrobot/i);
-    expect(page.layout.tab.value).toBe('code');
-    expect(isThere('welcome')).toBe(false);
-  });
-
-  it.each([
-    ['robot', false],
-    ['all', true],
-  ] as const)('shows the arena for “%s”, the tools for building: %s', async (stage, tools) => {
-    const page = await visit();
-    await tap(`welcome-${stage}`);
-    await vi.waitFor(() => expect(page.settings.current.value.showTools).toBe(tools));
-    expect(page.settings.current.value.showArena).toBe(true);
-  });
-
   it.each([{ key: 'F1' }, { key: '/', ctrlKey: true }, { key: '/', metaKey: true }])(
     'help opens and closes with $key',
-    async (keys) => {
-      const page = await visit();
+    (keys) => {
+      const page = visit();
       const press = (): boolean => {
         const event = new KeyboardEvent('keydown', { ...keys, bubbles: true, cancelable: true });
         document.body.dispatchEvent(event);
@@ -336,7 +245,7 @@ describe('the greeting of a first visit', () => {
   );
 
   it('leaves a plain / and Alt+F1 to the browser', async () => {
-    const page = await visit();
+    const page = visit();
     expect(await pressKey('/', document.body)).toBe(false);
     document.body.dispatchEvent(new KeyboardEvent('keydown', { key: 'F1', altKey: true, bubbles: true }));
     expect(page.guide.at.value).toBeNull();

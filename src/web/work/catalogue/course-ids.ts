@@ -1,4 +1,12 @@
-const folders = import.meta.glob('../../../../courses/*/course.json', { query: '?raw' });
+import { missionId, missionRobots } from './mission-place';
 
-/** Ids of the ready courses: the names of their folders, without the courses themselves, which come late. */
-export const courseIds: readonly string[] = Object.keys(folders).flatMap((path) => path.split('/').slice(-2, -1));
+const folders = import.meta.glob('../../../../courses/*/course.json', { query: '?raw' });
+const missions = import.meta.glob('../../../../courses/missions/*/mission.json', { query: '?raw' });
+const namesIn = (files: Readonly<Record<string, unknown>>): string[] =>
+  Object.keys(files).flatMap((path) => path.split('/').slice(-2, -1));
+
+/** Ids of the ready courses, without the courses themselves, which come late. */
+export const courseIds: readonly string[] = [
+  ...namesIn(folders),
+  ...namesIn(missions).flatMap((name) => missionRobots.map((robot) => missionId(name.replace(/^\d+-/, ''), robot))),
+];

@@ -4,6 +4,8 @@ import { MAIN, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
+import type { Mission } from './mission-place';
+
 /** A ready course: an arena with a task, and programs that drive in it. How its folder looks: see `courses.ts`. */
 export interface Course {
   /** Name of its folder. */
@@ -20,6 +22,8 @@ export interface Course {
   readonly texts: Readonly<Record<Language, CourseTexts>>;
   /** Made from a number, without a folder: the user works on a course of their own. */
   readonly isRandom: boolean;
+  /** Its place on the ladder of missions, where it belongs to it. */
+  readonly mission?: Mission;
 }
 
 /** How hard a course is: 1 easy, 2 medium, 3 hard. */
@@ -36,6 +40,14 @@ export interface CourseTexts {
   readonly text: string;
   /** What the pupil is to do. */
   readonly task: string;
+  /** Opened one by one, the gentlest first. */
+  readonly hints?: readonly string[];
+}
+
+/** A program in every language, and the texts about its course. */
+export interface ProgramWords extends Partial<Record<'name' | 'text' | 'task', Texts>> {
+  readonly source: Texts;
+  readonly hints?: Readonly<Record<Language, readonly string[]>>;
 }
 
 /** The files of some courses, by their paths. */
@@ -43,7 +55,7 @@ export interface CourseFiles {
   /** `scene.json` and `course.json`. */
   readonly data: Readonly<Record<string, string>>;
   /** `main.py`, with the texts about the course; where it says nothing, the scene's name and description stand in. */
-  readonly main: Readonly<Record<string, { readonly source: Texts } & Partial<Record<keyof CourseTexts, Texts>>>>;
+  readonly main: Readonly<Record<string, ProgramWords>>;
   /** `start.py`. */
   readonly start: Readonly<Record<string, Texts>>;
 }
@@ -69,6 +81,7 @@ function readCourse(folder: string, { data, main, start }: CourseFiles): Course[
     name: words.name?.[language] ?? scene.name,
     text: words.text?.[language] ?? scene.description,
     task: words.task?.[language] ?? scene.description,
+    ...(words.hints === undefined ? {} : { hints: words.hints[language] }),
   }));
   const program = start[`${folder}/start.py`] ?? words.source;
   const id = folder.replace(/^.*\//, '');

@@ -8,6 +8,7 @@ import { chooseHardware } from '#simulation/hardware';
 import { setLanguage } from '../../page/i18n';
 import { LANGUAGES } from '../../page/i18n/texts';
 import { courseKinds, coursesOf, projectOf, solved } from './course';
+import { readyCourse } from './ready-courses';
 import { courses, courseText } from './courses';
 import { examples, isUntouched } from './examples';
 import { courseName, firstCourse, isAsFound } from './first-course';
@@ -63,7 +64,7 @@ describe('the programs that come with the app', () => {
 
 describe('the ready courses', () => {
   const folders = readdirSync('courses', { withFileTypes: true })
-    .filter((entry) => entry.isDirectory() && !['board', 'golden'].includes(entry.name))
+    .filter((entry) => entry.isDirectory() && !['board', 'golden', 'missions'].includes(entry.name))
     .map(({ name }) => name);
 
   it('are all listed, each at a place of its own', () => {
@@ -108,7 +109,7 @@ describe('the ready courses', () => {
     }
   });
 
-  it('leave the task to the pupil: all but the empty arena and the first course begin with a program to go on with', () => {
+  it('leave the task to the pupil: all but the empty arena and the closed line begin with a program to go on with', () => {
     const asSolved = courses.filter(({ program, solution }) => program.de === solution.de).map(({ id }) => id);
     expect(asSolved).toEqual(['empty', 'closed-line']);
     for (const { id, program, solution } of courses)
@@ -117,9 +118,9 @@ describe('the ready courses', () => {
           expect(program[language].split('\n').length, id).toBeLessThan(solution[language].split('\n').length + 4);
   });
 
-  it('begin with the closed line on a first visit, which comes with the page', () => {
-    expect(firstCourse?.id).toBe('closed-line');
-    expect(firstCourse).toEqual(courses.find(({ id }) => id === 'closed-line'));
+  it('begin with the first mission on a first visit, which comes with the page', () => {
+    expect(firstCourse?.id).toBe('forward-maqueen-lite');
+    expect(firstCourse).toEqual(readyCourse('forward-maqueen-lite'));
     const project = projectOf(firstCourse!, 'en');
     expect(isAsFound(project)).toBe(true);
     expect(isAsFound({ ...project, files: [{ name: 'main.py', text: 'print(1)' }] })).toBe(false);

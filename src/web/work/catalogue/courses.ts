@@ -1,5 +1,5 @@
 /**
- * The ready courses. Each is a folder in `courses/`, and everything about it is in there:
+ * The courses of the gallery. Each is a folder in `courses/`, and everything about it is in there:
  *
  * - `scene.json`: the arena, and where the robot starts (`#scene/scene`). `name` and `description` are for whoever
  *   opens the file elsewhere; `robot.type` and `robot.options` name the robot where the program's imports do not.
@@ -13,11 +13,10 @@
  *
  * How its solution drives is recorded in `courses/golden.json`.
  *
- * Fetched late, with the list. `first-course.ts` holds the one that comes with the page.
+ * Fetched late, with the list.
  */
 import { shownLanguage } from '../../page/i18n';
 import { coursesOf, type Course, type CourseFiles } from './course';
-import { knownCourses } from './known-courses';
 
 const files: CourseFiles = {
   data: import.meta.glob('../../../../courses/*/{scene,course}.json', {
@@ -29,9 +28,8 @@ const files: CourseFiles = {
   start: import.meta.glob('../../../../courses/*/start.py', { query: '?languages', import: 'source', eager: true }),
 };
 
-/** All ready courses, in the order of the list. */
+/** The courses of the gallery, in its order. */
 export const courses: readonly Course[] = coursesOf(files);
-knownCourses.value = courses;
 
 /** What a course says about itself, in the chosen language. */
 export function courseText(course: Course): string {

@@ -3,11 +3,11 @@ import { robotTypes } from '#robots/index';
 import type { RobotExample, RobotType } from '#robots/robot';
 import { robotSheets } from '#robots/sheets';
 import type { Scene } from '#scene/scene';
-import { serializeScene } from '#scene/serialize';
 
 import type { Language } from '../../page/i18n/texts';
 import type { Course } from './course';
-import { courses } from './courses';
+import { readyCourses } from './ready-courses';
+import { isSameArena } from './same-arena';
 
 /** A sample program and the robot that it comes with. */
 export interface ExampleOf {
@@ -25,7 +25,7 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
 const brought: ReadonlySet<string> = new Set([
-  ...courses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
+  ...readyCourses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
   ...examples.flatMap(({ example }) => Object.values(example.source)),
 ]);
 
@@ -35,8 +35,8 @@ const brought: ReadonlySet<string> = new Set([
  */
 export function withExample(before: Project, { example }: ExampleOf, language: Language): Project {
   const files = [{ name: MAIN, text: example.source[language] }];
-  const open = courses.find(({ scene }) => isSameArena(scene, before.scene));
-  const course = courses.find(({ id }) => id === example.course) ?? open;
+  const open = readyCourses.find(({ scene }) => isSameArena(scene, before.scene));
+  const course = readyCourses.find(({ id }) => id === example.course) ?? open;
   if (open === undefined || course === undefined) return { ...before, files };
   return { files, scene: withOptions(course, example), course: course.id };
 }
@@ -46,15 +46,9 @@ function withOptions({ scene }: Course, { options }: RobotExample): Scene {
   return { ...scene, robot: { ...scene.robot, options: { ...scene.robot.options, ...options } } };
 }
 
-/** Nothing differs but what examples themselves change: the options of the robot. */
-function isSameArena(one: Scene, other: Scene): boolean {
-  const text = (scene: Scene): string => serializeScene({ ...scene, robot: { ...scene.robot, options: {} } });
-  return one === other || text(one) === text(other);
-}
-
 /** The arena is just as a ready course has it: nothing of the pupil's own is in it. */
 export function isReadyArena(scene: Scene): boolean {
-  return courses.some(
+  return readyCourses.some(
     (course) => course.scene.objects.length === scene.objects.length && isSameArena(course.scene, scene),
   );
 }

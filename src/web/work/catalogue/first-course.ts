@@ -2,34 +2,35 @@ import { MAIN, type Project } from '#project/project';
 import type { Scene } from '#scene/scene';
 
 import { shownLanguage, t } from '../../page/i18n';
-import { coursesOf, type Course, type CourseFiles } from './course';
+import type { Course } from './course';
 import { knownCourses } from './known-courses';
+import { missionsOf, type MissionFiles } from './mission';
 
-// Only what a first visit shows comes with the page; the other courses lie in courses.ts, which is fetched late.
-const files: CourseFiles = {
-  data: import.meta.glob('../../../../courses/closed-line/{scene,course}.json', {
+// Only what a first visit shows comes with the page; the other courses lie in ready-courses.ts, which is fetched late.
+const files: MissionFiles = {
+  data: import.meta.glob('../../../../courses/missions/01-forward/{scene,mission}.json', {
     query: '?raw',
     import: 'default',
     eager: true,
   }),
-  main: import.meta.glob('../../../../courses/closed-line/main.py', {
+  main: import.meta.glob('../../../../courses/missions/01-forward/main.py', {
     query: '?languages',
     import: 'default',
     eager: true,
   }),
-  start: import.meta.glob('../../../../courses/closed-line/start.py', {
+  start: import.meta.glob('../../../../courses/missions/01-forward/start.py', {
     query: '?languages',
     import: 'source',
     eager: true,
   }),
 };
 
-/** What a first visit shows. */
-export const firstCourse: Course | undefined = coursesOf(files)[0];
+/** What a first visit shows: the first mission, for the first robot. */
+export const firstCourse: Course | undefined = missionsOf(files)[0];
 
 /** Fetches the names of all courses where one is open that did not come with the page. */
 export async function fetchNameOf(id: string | null): Promise<void> {
-  if (id !== null && id !== firstCourse?.id && knownCourses.value === null) await import('./courses');
+  if (id !== null && id !== firstCourse?.id && knownCourses.value === null) await import('./ready-courses');
 }
 
 /** What a course is called: in the chosen language where we know it, else as its file says. */

@@ -1,0 +1,5 @@
+from $module import *
+
+forward()
+delay($drive)
+stop()

@@ -1,0 +1,6 @@
+from $module import *
+
+forward()
+delay($far)
+stop()
+# Go on here: turn left, then forward.

@@ -1,0 +1,7 @@
+from $module import *
+
+forward()
+delay($side)
+left()
+delay($quarter)
+stop()

@@ -1,0 +1,6 @@
+from $module import *
+
+setSpeed(100)
+forward()
+delay($drive)
+stop()

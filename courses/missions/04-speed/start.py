@@ -1,0 +1,6 @@
+from $module import *
+
+setSpeed(20)
+forward()
+delay(3000)
+stop()

@@ -1,0 +1,5 @@
+from $module import *
+
+leftArc(0.2)
+delay($arc)
+stop()

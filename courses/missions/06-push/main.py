@@ -1,0 +1,7 @@
+from $module import *
+
+forward()
+delay($push)
+backward()
+delay($back)
+stop()

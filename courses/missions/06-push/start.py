@@ -1,0 +1,5 @@
+from $module import *
+
+forward()
+delay(500)
+stop()

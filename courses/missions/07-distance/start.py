@@ -1,0 +1,6 @@
+from $module import *
+
+forward()
+while getDistance() > 40:
+    delay(20)
+stop()

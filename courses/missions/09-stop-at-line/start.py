@@ -1,0 +1,6 @@
+from $module import *
+
+forward()
+while getDistance() > 50:
+    delay(10)
+stop()

@@ -1,0 +1,10 @@
+from $module import *
+
+def step():
+    forward()
+    delay($side)
+    left()
+    delay($quarter)
+    stop()
+
+step()

@@ -1,0 +1,13 @@
+import type { Workplace } from '../../work/model/parts';
+import type { LayoutParts } from '../../layout/parts';
+import type { Stage } from './stage';
+
+/** Brings a stage into sight, see `changeStage`: what it takes to change the program along with it comes with the first choice. */
+export async function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): Promise<void> {
+  try {
+    const { changeStage } = await import('./change-stage');
+    changeStage(app, stage);
+  } catch {
+    app.notices.show({ kind: 'error', key: 'notice.firmware' });
+  }
+}
