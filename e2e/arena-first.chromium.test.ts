@@ -26,7 +26,8 @@ async function openAt(page: Page, [width, height]: readonly [number, number], se
   await page.setViewportSize({ width, height });
   const text = JSON.stringify({ welcomed: true, ...settings });
   await page.addInitScript((kept) => sessionStorage.setItem('parcours.settings', kept), text);
-  await page.goto('./');
+  await page.goto('./?task=closed-line');
+  await page.click(by('task-close'));
   await page.waitForSelector(on('editor'));
 }
 

@@ -152,7 +152,7 @@ async function drawn(page: Page): Promise<number> {
   const { project } = JSON.parse(text ?? '') as { project: { scene: { size: Point; objects: Partial<Stroke>[] } } };
   const { size, objects } = project.scene;
   expect(objects.length, 'the line that was drawn, beside what the course has').toBe(
-    sceneOf('closed-line').objects.length + 1,
+    sceneOf('missions/01-forward').objects.length + 1,
   );
   const across = objects.at(-1)?.points?.map(([x]) => x) ?? [];
   const [left, right] = await inWindow(playwrightApp('chromium', page), size, [

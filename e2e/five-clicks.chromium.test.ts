@@ -1,0 +1,70 @@
+import type { Page } from '@playwright/test';
+import { expect, test } from './app';
+import { on, programIn } from './page';
+import { by } from './parts';
+import { withFingers } from './touch';
+
+/** How often a newcomer presses something before an own program passes the first mission. */
+const MOST = 5;
+
+/** Three commands below the import; how long the robot has to drive, the newcomer has found out. */
+const PROGRAM = ['from mbrobot import *', 'forward()', 'delay(2000)', 'stop()'];
+
+/** Counts what is really pressed in the page, whoever presses it. */
+async function countPresses(page: Page): Promise<() => Promise<number>> {
+  await page.addInitScript(() => {
+    addEventListener('pointerdown', () => (document.documentElement.dataset['presses'] = String(presses() + 1)), true);
+    const presses = (): number => Number(document.documentElement.dataset['presses'] ?? 0);
+  });
+  return () => page.evaluate(() => Number(document.documentElement.dataset['presses'] ?? 0));
+}
+
+/** Types a program in place of the one that is there. */
+async function typeOver(page: Page, lines: readonly string[]): Promise<void> {
+  await page.keyboard.press('Control+a');
+  for (const [at, line] of lines.entries()) {
+    if (at > 0) await page.keyboard.press('Enter');
+    await page.keyboard.insertText(line);
+  }
+}
+
+const passed = (page: Page): Promise<void> =>
+  expect.poll(() => page.getAttribute(by('verdict'), 'data-state')).toBe('passed');
+
+test.describe('on a school laptop, with the mouse', () => {
+  test.use({ viewport: { width: 1366, height: 625 }, locale: 'de-CH' });
+
+  test('a newcomer passes the first mission with a program of their own in five clicks', async ({ page, app }) => {
+    const presses = await countPresses(page);
+    await page.goto('./');
+    await page.click(by('welcome-robot'));
+    await page.click(by('task-start'));
+    await page.click(on('editor'));
+    await typeOver(page, PROGRAM);
+    expect(await programIn(app)).toBe(PROGRAM.join('\n'));
+    await page.click(by('run'));
+    await passed(page);
+    await page.waitForSelector(by('next-mission'));
+    expect(await presses()).toBeLessThanOrEqual(MOST);
+  });
+});
+
+test.describe('on a phone, by touch', () => {
+  test.use({ viewport: { width: 390, height: 844 }, locale: 'de-CH', hasTouch: true, isMobile: true });
+
+  test('a newcomer passes the first mission with a program of their own in five taps', async ({ page }) => {
+    const presses = await countPresses(page);
+    const { app } = await withFingers(page);
+    await page.goto('./');
+    await page.tap(by('welcome-robot'));
+    await page.tap(by('task-start'));
+    await page.tap('nav button:first-child'); // the program
+    await page.tap(on('editor'));
+    await typeOver(page, PROGRAM);
+    expect(await programIn(app)).toBe(PROGRAM.join('\n'));
+    await page.tap(by('run'));
+    await passed(page);
+    await page.waitForSelector(by('next-mission'));
+    expect(await presses()).toBeLessThanOrEqual(MOST);
+  });
+});
