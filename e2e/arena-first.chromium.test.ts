@@ -1,6 +1,6 @@
 import { expect, test, type Page } from '@playwright/test';
 import { LANGUAGES } from '../src/core/languages';
-import { on } from './page';
+import { closedLine, on } from './page';
 import { by } from './parts';
 
 /** The least width of the first course, in CSS px, in windows of this size. */
@@ -24,10 +24,12 @@ const SIZES = [
 /** Opens the page in a window of this size, as somebody finds it who was there before. */
 async function openAt(page: Page, [width, height]: readonly [number, number], settings: object = {}): Promise<void> {
   await page.setViewportSize({ width, height });
-  const text = JSON.stringify({ welcomed: true, ...settings });
-  await page.addInitScript((kept) => sessionStorage.setItem('parcours.settings', kept), text);
-  await page.goto('./?task=closed-line');
-  await page.click(by('task-close'));
+  const kept = { settings: JSON.stringify({ welcomed: true, ...settings }), work: closedLine() };
+  await page.addInitScript(({ settings, work }) => {
+    sessionStorage.setItem('parcours.settings', settings);
+    sessionStorage.setItem('parcours.work', work);
+  }, kept);
+  await page.goto('./');
   await page.waitForSelector(on('editor'));
 }
 

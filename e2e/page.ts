@@ -1,3 +1,4 @@
+import { readFileSync } from 'node:fs';
 import type { Settings } from '../src/web/work/settings/settings';
 import { expect, type App } from './app';
 
@@ -17,14 +18,29 @@ export const on = (name: keyof typeof PLACES): string => PLACES[name];
 const EDITOR = on('editor');
 const EDITOR_BOX = '.code-editor .cm-scroller';
 
-/** Opens the app and waits until a program can be typed; `settings` are those of an earlier visit. */
+/** Opens the app and waits until a program can be typed; `settings` are those of an earlier visit that left the closed line open. */
 export async function openApp(app: App, settings: Partial<Settings> = {}): Promise<void> {
   if (Object.keys(settings).length > 0) {
     await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
-    await app.evaluate((text) => localStorage.setItem('parcours.settings', text), JSON.stringify(settings));
+    await app.evaluate(
+      (kept) => {
+        localStorage.setItem('parcours.settings', kept.settings);
+        sessionStorage.setItem('parcours.work', kept.work);
+      },
+      { settings: JSON.stringify(settings), work: closedLine() },
+    );
   }
   await app.goto('./');
   await expect.poll(() => app.evaluate((css) => document.querySelector(css) !== null, EDITOR)).toBe(true);
+}
+
+/** The closed line as somebody has it open who was here before. */
+export function closedLine(): string {
+  const read = (name: string): string =>
+    readFileSync(new URL(`../courses/closed-line/${name}`, import.meta.url), 'utf8');
+  const scene: unknown = JSON.parse(read('scene.json'));
+  const project = { files: [{ name: 'main.py', text: read('main.py') }], scene, course: 'closed-line' };
+  return JSON.stringify({ version: 1, project, open: 'main.py', previous: [] });
 }
 
 /** Replaces the program in the editor by typing, line by line: the editor's own indentation is typed over. */

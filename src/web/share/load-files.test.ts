@@ -14,6 +14,8 @@ import { mountOn, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { startRun } from '../app/testing/run';
 import { t } from '../page/i18n';
+import { projectOf } from '../work/catalogue/course';
+import { firstCourse } from '../work/catalogue/first-course';
 import { useCommands } from './use-commands';
 
 let page: TestPage;
@@ -166,16 +168,25 @@ describe('a project or a course that is taken in', () => {
   it('opens as a whole; the work before is put aside', async () => {
     page.work.setText('main.py', 'mine = 1\n');
     const words = await told(() => take(file('lesson.parcours.json', project('theirs = 2\n'))));
-    expect(words).toBe('«Neuland» ist geöffnet. Deine Arbeit ist aufbewahrt.');
+    expect(words).toBe('«lesson – Neuland» ist geöffnet. Deine Arbeit ist aufbewahrt.');
     expect(texts()).toEqual({ 'main.py': 'theirs = 2\n' });
     expect(page.work.scene.value).toEqual(course);
     page.notices.current.value?.action?.run();
     expect(texts()).toEqual({ 'main.py': 'mine = 1\n' });
   });
 
+  it('is kept under the name of its file when the next one is opened, even if it holds nothing but what we brought', async () => {
+    const first = firstCourse!;
+    const untouched = projectToText({ ...projectOf(first, 'de') });
+    take(file('anna.parcours.json', untouched), file('beat.parcours.json', project('beat = 1\n')));
+    await vi.waitFor(() => expect(texts()).toEqual({ 'main.py': 'beat = 1\n' }));
+    expect(kept()).toEqual(['anna']);
+    expect(notice()).toBe('«beat – Neuland» ist geöffnet. Deine Arbeit ist aufbewahrt.');
+  });
+
   it('keeps nothing where nothing of the pupil’s own was there', async () => {
     const words = await told(() => take(file('lesson.json', project('theirs = 2\n'))));
-    expect(words).toBe('«Neuland» ist geöffnet.');
+    expect(words).toBe('«lesson – Neuland» ist geöffnet.');
     expect(kept()).toEqual([]);
   });
 

@@ -39,6 +39,7 @@ export async function openJsonFile(app: Workplace, loaded: File): Promise<void> 
         opened.project,
         courseName(opened.project.scene, opened.project.course),
         isOurs(app.work.work.value.project),
+        file.replace(/(\.parcours)?\.json$/i, ''),
       );
       return;
     case 'scene': {

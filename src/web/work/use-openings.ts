@@ -17,14 +17,17 @@ export function useOpenings(app: Workplace) {
    * Opens a project, stopped. What was there before is put aside and can be had back.
    *
    * @param isOurs what was there holds nothing of the pupil's own, so it need not be kept
+   * @param file name of the file that it comes from, without its ending
    */
-  function open(project: Project, name: string, isOurs: boolean): void {
-    if (!isOurs) stampSettings(app);
+  function open(project: Project, name: string, isOurs: boolean, file: string | null = null): void {
+    const isLeft = isOurs && work.cameFrom === null; // what came from a file is somebody's, whatever it holds
+    if (!isLeft) stampSettings(app);
     void app.run.reset();
-    work.openProject(project, isOurs ? null : workName(app));
+    work.openProject(project, isLeft ? null : workName(app));
+    work.cameFrom = file;
     work.isBrought = false;
     bringSettings(app, project);
-    tell(name, isOurs);
+    tell(file === null || file === name ? name : `${file} – ${name}`, isLeft);
   }
 
   /** Opens an arena, the program stays. One of the pupil's own is put aside with the program and can be had back. */

@@ -33,6 +33,8 @@ export class WorkModel {
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
+  /** The file that the present work came from, without its ending: often the name of whoever wrote it. */
+  cameFrom: string | null = null;
   /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** The course with its undo history. */
@@ -169,6 +171,7 @@ export class WorkModel {
       this.openings.value += 1;
     }
     this.work.value = { ...this.work.value, project, open };
+    this.cameFrom = null;
   }
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
