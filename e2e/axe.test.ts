@@ -136,6 +136,10 @@ const SCREENS = {
     await app.goto('./#courses/slalom');
     await until(app, by('open-slalom'));
   },
+  missions: async (app: App) => {
+    await app.goto('./#missions');
+    await until(app, by('mission-forward'));
+  },
   'all robots': async (app: App) => {
     await app.goto('./#robots');
     await until(app, by('card-maqueen-lite'));
@@ -180,12 +184,13 @@ const LOOKS: readonly {
       'print',
       'all courses',
       'a course',
+      'missions',
     ],
   },
   {
     language: 'fr',
     theme: 'light',
-    screens: ['list of courses', 'real device', 'link to share', 'all robots', 'a robot'],
+    screens: ['list of courses', 'real device', 'link to share', 'missions', 'all robots', 'a robot'],
   },
   {
     language: 'it',
