@@ -7,7 +7,7 @@
 export const sameWords = {
   fr: new Set(
     (
-      'apostrophe auto bot buzzer calli code console distance firmware max menu message messages module modules obstacles parcours ' +
+      'apostrophe auto bot buzzer calli code console distance firmware max menu message messages missions module modules obstacles parcours ' +
       'pause place png radio repl robot servos slalom suggestions svg variable zone'
     ).split(' '),
   ),
