@@ -1,5 +1,5 @@
-import { readFileSync } from 'node:fs';
 import type { Settings } from '../src/web/work/settings/settings';
+import { openedCourse } from '../src/web/work/storage/testing/opened-course';
 import { expect, type App } from './app';
 
 /** The things that tests touch. */
@@ -35,13 +35,7 @@ export async function openApp(app: App, settings: Partial<Settings> = {}): Promi
 }
 
 /** The closed line as somebody has it open who was here before. */
-export function closedLine(): string {
-  const read = (name: string): string =>
-    readFileSync(new URL(`../courses/closed-line/${name}`, import.meta.url), 'utf8');
-  const scene: unknown = JSON.parse(read('scene.json'));
-  const project = { files: [{ name: 'main.py', text: read('main.py') }], scene, course: 'closed-line' };
-  return JSON.stringify({ version: 1, project, open: 'main.py', previous: [] });
-}
+export const closedLine = (): string => openedCourse('closed-line');
 
 /** Replaces the program in the editor by typing, line by line: the editor's own indentation is typed over. */
 export async function typeProgram(app: App, source: string): Promise<void> {

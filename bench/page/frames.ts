@@ -8,7 +8,7 @@ export const WARM_UP_MS = 1_500;
 
 const DRIVING = 'driving, no GPU, throttled 4x';
 
-/** How smoothly the robot drives: on a first visit, whose files come meanwhile for later ones, and when all have come. */
+/** How smoothly the robot drives: while the files for later visits still come, and when all have come. */
 export const framesSubject: Subject<Stage> = {
   budgets: [
     { what: `${DRIVING}: frames`, budget: '60 a second' },
@@ -17,7 +17,7 @@ export const framesSubject: Subject<Stage> = {
     { what: `${DRIVING}, all files kept: the page's thread per frame`, budget: '<= 13 ms' },
   ],
   measure: (stage) =>
-    withPage(stage, { throttle: 4, pressRun: true }, async (opened) => {
+    withPage(stage, { throttle: 4, pressRun: true, withLine: true }, async (opened) => {
       const { page, tools } = opened;
       await untilMoving(page);
       await tools.send('Performance.enable');

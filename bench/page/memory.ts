@@ -22,7 +22,7 @@ export const memorySubject: Subject<Stage> = {
     { what: 'worker memory, 100 restarts', budget: 'flat, <= 80 MB' },
   ],
   measure: (stage) =>
-    withPage(stage, { noServiceWorker: true }, async (opened) => {
+    withPage(stage, { noServiceWorker: true, withLine: true }, async (opened) => {
       noteVms(opened.page);
       await untilUsable(opened.page);
       await settle(opened.page);
@@ -33,7 +33,7 @@ export const memorySubject: Subject<Stage> = {
     }),
 };
 
-/** One long run of the first visit's course. */
+/** One long run along the closed line. */
 async function drive(opened: Opened): Promise<MemoryUse[]> {
   const { page } = opened;
   await page.click(PLACES.run);

@@ -1,4 +1,5 @@
 import type { Browser, CDPSession, Page } from '@playwright/test';
+import { openedCourse } from '../../src/web/work/storage/testing/opened-course';
 import { PLACES, watchOptions, watchPage } from './watch';
 
 /** Where the page is measured. */
@@ -26,6 +27,8 @@ export interface OpenOptions {
   /** Presses Run as soon as the editor is usable. */
   readonly pressRun?: boolean;
   readonly url?: string;
+  /** Somebody was here before and left the closed line open, with its solution: the robot drives as long as one looks. */
+  readonly withLine?: boolean;
   /** Leaves the service worker out. The tools keep it alive; otherwise it ends 30 s after its work, and its 30 MB with it. */
   readonly noServiceWorker?: boolean;
 }
@@ -36,7 +39,7 @@ const PATIENCE_MS = 60_000;
 /** Opens the app in a new browser, measures, and ends the browser. */
 export async function withPage<T>(
   stage: Stage,
-  { throttle = 1, pressRun = false, url = stage.url, noServiceWorker = false }: OpenOptions,
+  { throttle = 1, pressRun = false, url = stage.url, withLine = false, noServiceWorker = false }: OpenOptions,
   measure: (opened: Opened) => Promise<T>,
 ): Promise<T> {
   const browser = await stage.launch();
@@ -48,6 +51,8 @@ export async function withPage<T>(
     page.setDefaultTimeout(PATIENCE_MS);
     const tools = await page.context().newCDPSession(page);
     await page.addInitScript(watchPage, watchOptions(pressRun));
+    if (withLine)
+      await page.addInitScript((work) => sessionStorage.setItem('parcours.work', work), openedCourse('closed-line'));
     if (throttle > 1) await tools.send('Emulation.setCPUThrottlingRate', { rate: throttle });
     await page.goto(url, { waitUntil: 'commit' });
     return await measure({ browser, page, tools });
