@@ -63,6 +63,15 @@ describe('what is told of a drive', () => {
     expect(told(courseWith(wall), drive, 8000).slice(1)).toEqual(['2500 Wand 15 cm voraus.', '5000 Vorn ist frei.']);
   });
 
+  it('leaves out what is far away again by the time it could be said', () => {
+    const touched = { touches: 1, aheadMm: 90, xMm: 600, pathMm: 9 };
+    const drive = [[0, {}], [2500, touched], [4000, { ...touched, aheadMm: 790 }]] as const; // prettier-ignore
+    expect(told(courseWith(wall), drive, 5000).slice(1)).toEqual([
+      '2500 Stösst vorn an eine Wand.',
+      '4500 Vorn ist frei.',
+    ]);
+  });
+
   it('tells which of two sensors is on the line, and when it is lost', () => {
     const drive = [[0, {}], [2500, { line: [1, 0] }], [7000, { line: [1, 1] }], [12_000, {}]] as const; // prettier-ignore
     expect(told(courseWith(samples.stroke), drive, 15_000).slice(1)).toEqual([
@@ -130,6 +139,12 @@ describe('what is told of a drive', () => {
       '6500 Wand 9 cm voraus.',
       '8500 Der Roboter steht: x 20, y 45 cm, Richtung 0 Grad. Wand 9 cm voraus.',
     ]);
+  });
+
+  it('forgets what still waited when the task is decided', () => {
+    const of = (passed: number, state: 'open' | 'passed') => ({ verdict: { state, checkpoints: { passed, of: 2 } } });
+    const drive = [[0, of(0, 'open')], [500, of(1, 'open')], [1000, of(2, 'passed')]] as const; // prettier-ignore
+    expect(told(courseWith(samples.checkpoint), drive, 9000)).toEqual([START]);
   });
 
   it('tells a turn when it has become one, and by how much when it is over', () => {

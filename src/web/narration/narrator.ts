@@ -42,8 +42,11 @@ export function createNarrator(around: () => Surroundings): Narrator {
       const seen = momentOf(snapshot, nowMs);
       now = seen;
       if (seen === null) return;
+      if (before !== null && isDecided(before, seen)) {
+        pacer.clear(); // what led there is old news
+        pacer.letSpeak(nowMs + VERDICT_MS);
+      }
       if (before === null) pacer.offer({ topic: 'start', isOnWay: snapshot.timeUs > START_US, seen }, nowMs);
-      else if (isDecided(before, seen)) pacer.letSpeak(nowMs + VERDICT_MS);
       for (const watch of watchers) for (const news of watch(seen)) pacer.offer(news, nowMs);
     },
     next(nowMs) {

@@ -8,7 +8,7 @@ const ORDER: readonly Topic[] = ['touch', 'target', 'checkpoint', 'block', 'star
 
 /** After so long in the queue an event is no news any more, in ms. What is so (line, ahead) is told as it is by then. */
 const STALE_MS: Readonly<Record<Topic, number>> = {
-  ...{ touch: 5000, target: 10_000, checkpoint: 10_000, block: 10_000, start: 10_000 },
+  ...{ touch: 5000, target: 10_000, checkpoint: 10_000, block: 10_000, start: 5000 },
   ...{ line: Infinity, ahead: Infinity, turn: 5000, rest: 6000 },
 };
 

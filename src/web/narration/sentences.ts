@@ -7,6 +7,7 @@ import { say } from '../page/i18n/say';
 import type { Moment } from './moment';
 import { narrationWords as words } from './narration-words';
 import type { News } from './news';
+import { isNear } from './watch-ahead';
 import { fromRobot, nearestSolid, touchedSolid, type Solid } from './solids';
 
 /** Where the robot drives. */
@@ -42,8 +43,8 @@ export function sentence(news: News, now: Moment, { scene, body }: Surroundings)
     case 'line':
       return lineText(news.names, now, scene);
     case 'ahead':
-      if (!news.isClear) return aheadText(now, scene);
-      return now.ahead === null ? say(words.clear) : null;
+      if (news.isClear) return isNear(now) ? null : say(words.clear);
+      return isNear(now) ? aheadText(now, scene) : null;
     case 'turn':
       return turnText(news);
     default:

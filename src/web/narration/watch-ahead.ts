@@ -1,3 +1,4 @@
+import type { Moment } from './moment';
 import type { Watcher } from './news';
 
 /** Something ahead is told when it comes nearer than each of these, in mm. Chosen: a robot drives 20 cm in a second. */
@@ -20,6 +21,9 @@ export function watchAhead(): Watcher {
     return step === 0 && before >= CLEAR_FROM_STEP ? [{ topic: 'ahead', isClear: true, seen }] : [];
   };
 }
+
+/** Whether something is ahead that is worth telling of. */
+export const isNear = ({ ahead }: Moment): boolean => stepAt(ahead?.mm ?? Infinity, 1) > 0;
 
 /** How many of the distances it is nearer than; those already passed hold a little longer. */
 const stepAt = (mm: number, before: number): number =>
