@@ -1,5 +1,5 @@
 import type { Settings } from '../src/web/work/settings/settings';
-import { openedCourse } from '../src/web/work/storage/testing/opened-course';
+import { openedCourse } from './opened-course';
 import { expect, type App } from './app';
 
 /** The things that tests touch. */

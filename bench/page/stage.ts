@@ -1,5 +1,5 @@
 import type { Browser, CDPSession, Page } from '@playwright/test';
-import { openedCourse } from '../../src/web/work/storage/testing/opened-course';
+import { openedCourse } from '../../e2e/opened-course';
 import { PLACES, watchOptions, watchPage } from './watch';
 
 /** Where the page is measured. */
