@@ -4,7 +4,7 @@ import { saveText } from '../work/save-file';
 import { useHardware } from '../work/hardware/use-hardware';
 import { usePage } from '../page/parts';
 import { useWork } from '../work/model/parts';
-import { workName } from '../work/work-name';
+import { nameToSave } from '../work/work-name';
 import { fileName, saveBlob } from '../work/save-file';
 import { filesForDevice } from './device-files';
 import { fingerprint } from './device-python';
@@ -76,7 +76,7 @@ export function useRealDevice() {
   }
 
   const ask = askIn(state);
-  const base = (): string => workName(app);
+  const base = (): string => nameToSave(app);
   return {
     state,
     ability: serialAbility(),

@@ -15,7 +15,8 @@ import { createPage, type TestPage } from '../app/testing/page';
 import { startRun } from '../app/testing/run';
 import { t } from '../page/i18n';
 import { projectOf } from '../work/catalogue/course';
-import { firstCourse } from '../work/catalogue/first-course';
+import { courseName, firstCourse } from '../work/catalogue/first-course';
+import { useCourses } from '../work/use-courses';
 import { useCommands } from './use-commands';
 
 let page: TestPage;
@@ -175,15 +176,6 @@ describe('a project or a course that is taken in', () => {
     expect(texts()).toEqual({ 'main.py': 'mine = 1\n' });
   });
 
-  it('is kept under the name of its file when the next one is opened, even if it holds nothing but what we brought', async () => {
-    const first = firstCourse!;
-    const untouched = projectToText({ ...projectOf(first, 'de') });
-    take(file('anna.parcours.json', untouched), file('beat.parcours.json', project('beat = 1\n')));
-    await vi.waitFor(() => expect(texts()).toEqual({ 'main.py': 'beat = 1\n' }));
-    expect(kept()).toEqual(['anna']);
-    expect(notice()).toBe('«beat – Neuland» ist geöffnet. Deine Arbeit ist aufbewahrt.');
-  });
-
   it('keeps nothing where nothing of the pupil’s own was there', async () => {
     const words = await told(() => take(file('lesson.json', project('theirs = 2\n'))));
     expect(words).toBe('«lesson – Neuland» ist geöffnet.');
@@ -216,7 +208,12 @@ describe('a project or a course that is taken in', () => {
   });
 
   it.each([
-    ['no JSON', 'a.json', '{ "format": ', /^a\.json: Das ist kein JSON: Zeile 1, Spalte \d+\.$/],
+    [
+      'no JSON',
+      'a.json',
+      '{ "format": ',
+      /^a\.json: Die Datei ist beschädigt oder nicht ganz heruntergeladen \(Zeile 1, Spalte \d+\)\.$/,
+    ],
     ['JSON of something else', 'b.json', '{ "hello": 1 }', /^b\.json: Das ist weder ein Projekt noch ein Parcours\.$/],
     ['no text', 'c.json', new Uint8Array([0xff, 0xfe]), /^c\.json lässt sich nicht lesen\.$/],
     ['a picture', 'd.png', 'x', /^d\.png kann hier nicht geöffnet werden\. Es gehen Programme/],
@@ -235,6 +232,71 @@ describe('a project or a course that is taken in', () => {
     const read = vi.spyOn(huge, 'arrayBuffer');
     expect(await told(() => take(huge))).toBe('huge.json ist zu gross: 17 MB, erlaubt sind 16 MB.');
     expect(read).not.toHaveBeenCalled();
+  });
+});
+
+describe('several projects that come together', () => {
+  const project = (text: string) => projectToText({ files: [{ name: 'main.py', text }], scene: course, course: null });
+  const handedIn = (...names: readonly string[]) =>
+    names.map((name) => file(`${name}.parcours.json`, project(`${name} = 1\n`)));
+  const saysLast = (part: string) => vi.waitFor(() => expect(notice()).toContain(part), { timeout: 20_000 });
+
+  it('leave the last one open and keep the others, each under the name of its file', async () => {
+    page.work.setText('main.py', 'mine = 1\n');
+    take(...handedIn('Anna', 'Beat', 'Carla'));
+    await saysLast('«Carla – Neuland» ist offen. Die übrigen Dateien (2) liegen unter «Bisherige Arbeiten».');
+    expect(texts()).toEqual({ 'main.py': 'Carla = 1\n' });
+    expect(kept().slice(0, 2)).toEqual(['Beat – Neuland', 'Anna – Neuland']);
+    expect(kept()).toHaveLength(3);
+  });
+
+  it('are kept even where they hold nothing but what we brought', async () => {
+    take(file('Anna.json', projectToText(projectOf(firstCourse!, 'de'))), ...handedIn('Beat'));
+    await saysLast('«Beat – Neuland» ist offen.');
+    expect(kept()).toEqual([`Anna – ${courseName(firstCourse!.scene, firstCourse!.id)}`]);
+  });
+
+  it('are all kept even where they say the same', async () => {
+    const found = projectToText(page.work.work.value.project);
+    take(file('Anna.json', found), file('Beat.json', found), file('Carla (1).json', found));
+    await saysLast('«Carla – ');
+    expect(kept().map((name) => name.split(' ')[0])).toEqual(['Beat', 'Anna']);
+  });
+
+  it('say which one of them could not be opened', async () => {
+    take(...handedIn('Anna'), file('Beat.json', '{'), ...handedIn('Carla'));
+    await saysLast('Beat.json: Die Datei ist beschädigt');
+    expect(texts()).toEqual({ 'main.py': 'Carla = 1\n' });
+    expect(kept()).toEqual(['Anna – Neuland']);
+  });
+
+  it('are not opened where they would push each other out of what is kept', async () => {
+    const before = page.work.work.value;
+    const words = await told(() => take(...handedIn('A', 'B', 'C', 'D', 'E', 'F')));
+    expect(words).toBe('Das sind 6 Dateien. Öffne höchstens 5 auf einmal, damit unter «Bisherige Arbeiten» keine verloren geht.'); // prettier-ignore
+    expect(page.work.work.value).toBe(before);
+  });
+
+  it('take a program that comes with them into the last one', async () => {
+    take(file('turn.py', 'left = 1\n'), ...handedIn('Anna'));
+    await vi.waitFor(() => expect(texts()).toEqual({ 'main.py': 'Anna = 1\n', 'turn.py': 'left = 1\n' }));
+  });
+
+  it('come back under their names, and are saved under them', async () => {
+    take(...handedIn('Anna', 'Beat'));
+    await saysLast('«Beat – Neuland»');
+    useCourses(page).restore(page.work.work.value.previous[0]!);
+    expect(kept()).toEqual(['Beat – Neuland']);
+    const saved = downloads();
+    useCommands(page).save();
+    await vi.waitFor(() => expect(saved[0]?.name).toBe('Anna.parcours.json'));
+    vi.restoreAllMocks();
+  });
+
+  it('lose the name of the file when another course is opened', async () => {
+    await told(() => take(...handedIn('Anna')));
+    page.work.setScene({ ...course, name: 'Anderes' }, null);
+    expect(page.work.work.value.file).toBeUndefined();
   });
 });
 

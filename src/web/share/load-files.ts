@@ -19,11 +19,12 @@ export async function loadFiles(
   files: Iterable<File>,
   ask: (conflict: Conflict) => void,
 ): Promise<void> {
-  for (const loaded of files) {
-    if (!loaded.name.toLowerCase().endsWith('.py')) {
-      await loadOther(app, loaded);
-      continue;
-    }
+  const all = [...files];
+  const isPython = ({ name }: File): boolean => name.toLowerCase().endsWith('.py');
+  // Programs come last: they belong into the project that comes with them.
+  const others = all.filter((file) => !isPython(file));
+  if (others.length > 0) await loadOthers(app, others);
+  for (const loaded of all.filter(isPython)) {
     const file = await readFile(app, loaded);
     if (file === null) continue;
     const own = app.work.find(file.name);
@@ -39,10 +40,10 @@ export async function loadFiles(
 }
 
 /** Projects, courses, and files that are neither. */
-async function loadOther(app: Workplace, loaded: File): Promise<void> {
+async function loadOthers(app: Workplace, files: readonly File[]): Promise<void> {
   const share = await import('./open-json').catch(() => null);
   if (share === null) app.notices.show({ kind: 'error', key: 'notice.firmware' });
-  else await share.openJsonFile(app, loaded);
+  else await share.openJsonFiles(app, files);
 }
 
 async function readFile({ notices }: Pick<PageParts, 'notices'>, loaded: File): Promise<SourceFile | null> {

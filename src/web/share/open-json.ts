@@ -2,10 +2,12 @@ import { openJson } from '#project/open-json';
 
 import type { PageParts } from '../page/parts';
 import type { Workplace } from '../work/model/parts';
+import { PREVIOUS_KEPT } from '../work/storage/history';
 import { isOurs } from '../work/use-courses';
 import { useOpenings } from '../work/use-openings';
 import { isReadyArena } from '../work/catalogue/examples';
 import { courseName } from '../work/catalogue/first-course';
+import { workName } from '../work/work-name';
 import { say } from '../page/i18n/say';
 import { reasonOf } from './problem-words';
 import { shareWords as words } from './share-words';
@@ -14,47 +16,54 @@ import { shareWords as words } from './share-words';
 const MAX_BYTES = 16 * 1024 * 1024;
 
 /**
- * Opens a project or a course from a file and puts the work so far aside. A file that cannot be opened gives a message.
+ * Opens projects and courses from files, and puts the work so far aside; of several the last stays open, the others are
+ * put aside like work of one's own. A file that cannot be opened gives a message.
  */
-export async function openJsonFile(app: Workplace, loaded: File): Promise<void> {
-  const file = loaded.name;
-  if (!file.toLowerCase().endsWith('.json')) {
-    refuse(app, say(words.problems.otherKind, { file }));
+export async function openJsonFiles(app: Workplace, files: readonly File[]): Promise<void> {
+  if (files.length > PREVIOUS_KEPT) {
+    // More would push earlier ones, and the pupil's own work, out of what is kept.
+    refuse(app, say(words.tooManyFiles, { count: files.length, max: PREVIOUS_KEPT }));
     return;
   }
-  if (loaded.size > MAX_BYTES) {
-    const size = Math.ceil(loaded.size / 1024 / 1024);
-    refuse(app, say(words.problems.tooLargeFile, { file, size, max: MAX_BYTES / 1024 / 1024 }));
-    return;
+  const refusals: string[] = [];
+  for (const file of files) {
+    const refusal = await openJsonFile(app, file);
+    if (refusal !== null) refusals.push(refusal);
   }
-  const text = await textOf(loaded);
-  if (text === null) {
-    refuse(app, say(words.problems.unreadable, { file }));
-    return;
-  }
-  const opened = openJson(text);
-  switch (opened.kind) {
-    case 'project':
-      useOpenings(app).open(
-        opened.project,
-        courseName(opened.project.scene, opened.project.course),
-        isOurs(app.work.work.value.project),
-        file.replace(/(\.parcours)?\.json$/i, ''),
-      );
-      return;
-    case 'scene': {
-      const { scene } = opened;
-      const name = scene.name === '' ? file : scene.name;
-      useOpenings(app).openScene({ scene, course: null }, name, isReadyArena(app.work.scene.value));
-      return;
-    }
-    case 'problem':
-      refuse(app, say(words.problems.file, { file, reason: reasonOf(opened.problems) }));
-      return;
-    default:
-      opened satisfies never;
+  if (refusals.length > 0) refuse(app, refusals.join(' '));
+  else if (files.length > 1) {
+    const text = say(words.openedSeveral, { name: workName(app), count: files.length - 1 });
+    app.notices.show({ kind: 'ok', key: 'notice.text', values: { text } });
   }
 }
+
+/** @returns why the file was not opened; `null`: it was */
+async function openJsonFile(app: Workplace, loaded: File): Promise<string | null> {
+  const file = loaded.name;
+  if (!file.toLowerCase().endsWith('.json')) return say(words.problems.otherKind, { file });
+  if (loaded.size > MAX_BYTES) {
+    const size = Math.ceil(loaded.size / 1024 / 1024);
+    return say(words.problems.tooLargeFile, { file, size, max: MAX_BYTES / 1024 / 1024 });
+  }
+  const text = await textOf(loaded);
+  if (text === null) return say(words.problems.unreadable, { file });
+  const opened = openJson(text);
+  if (opened.kind === 'problem') return say(words.problems.file, { file, reason: reasonOf(opened.problems) });
+  const { project, file: openFile } = app.work.work.value;
+  const isFromFile = openFile !== undefined;
+  if (opened.kind === 'project') {
+    const name = courseName(opened.project.scene, opened.project.course);
+    useOpenings(app).open(opened.project, name, !isFromFile && isOurs(project), stemOf(file));
+  } else {
+    const { scene } = opened;
+    const name = scene.name === '' ? file : scene.name;
+    useOpenings(app).openScene({ scene, course: null }, name, !isFromFile && isReadyArena(project.scene));
+  }
+  return null;
+}
+
+/** A file's name without its ending and without the number that browsers add to a second download. */
+const stemOf = (file: string): string => file.replace(/(\.parcours)?\.json$/i, '').replace(/ ?\(\d+\)$/, '') || file;
 
 function refuse(app: Pick<PageParts, 'notices'>, text: string): void {
   app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });

@@ -62,6 +62,6 @@ describe('what is said of a broken file', () => {
     expect(said()[8]).toBe('scene.colour ist unbekannt. (und 4 mehr)');
     expect(said()[9]).toBe('scene.objects[0].type: "cloud" ist hier nicht möglich. (und 1 mehr)');
     showLanguage('en');
-    expect(said()[12]).toBe('this is not JSON: line 1, column 4.');
+    expect(said()[12]).toBe('the file is damaged or was not downloaded completely (line 1, column 4).');
   });
 });

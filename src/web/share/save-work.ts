@@ -5,7 +5,7 @@ import { serializeScene } from '#scene/serialize';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import { saveText } from '../work/save-file';
-import { workName } from '../work/work-name';
+import { nameToSave, workName } from '../work/work-name';
 import { fileName } from '../work/save-file';
 import { travelling } from '../work/settings/travelling';
 
@@ -16,7 +16,7 @@ export function presentProject({ work, settings }: WorkParts): Project {
 
 /** Saves everything as one file. */
 export function saveProject(app: Pick<PageParts, 'notices'> & WorkParts): void {
-  saveText(app, fileName(workName(app), 'parcours.json'), projectToText(presentProject(app)), 'application/json');
+  saveText(app, fileName(nameToSave(app), 'parcours.json'), projectToText(presentProject(app)), 'application/json');
 }
 
 /** Saves the course alone. */

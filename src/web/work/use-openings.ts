@@ -6,7 +6,7 @@ import { travelling, withTravelling } from './settings/travelling';
 import type { WorkParts, Workplace } from './model/parts';
 import { stampSettings } from './stamp-settings';
 import { useDevice } from './hardware/use-device';
-import { workName } from './work-name';
+import { nameWithFile, workName } from './work-name';
 
 /** Replaces the present project, and brings it back. */
 export function useOpenings(app: Workplace) {
@@ -17,17 +17,15 @@ export function useOpenings(app: Workplace) {
    * Opens a project, stopped. What was there before is put aside and can be had back.
    *
    * @param isOurs what was there holds nothing of the pupil's own, so it need not be kept
-   * @param file name of the file that it comes from, without its ending
+   * @param file the file it comes from, without its ending
    */
-  function open(project: Project, name: string, isOurs: boolean, file: string | null = null): void {
-    const isLeft = isOurs && work.cameFrom === null; // what came from a file is somebody's, whatever it holds
-    if (!isLeft) stampSettings(app);
+  function open(project: Project, name: string, isOurs: boolean, file?: string): void {
+    if (!isOurs) stampSettings(app);
     void app.run.reset();
-    work.openProject(project, isLeft ? null : workName(app));
-    work.cameFrom = file;
+    work.openProject(project, isOurs ? null : workName(app), file);
     work.isBrought = false;
     bringSettings(app, project);
-    tell(file === null || file === name ? name : `${file} – ${name}`, isLeft);
+    tell(nameWithFile(name, file), isOurs);
   }
 
   /** Opens an arena, the program stays. One of the pupil's own is put aside with the program and can be had back. */

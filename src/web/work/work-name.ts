@@ -1,8 +1,18 @@
 import { courseName } from './catalogue/first-course';
 import type { WorkParts } from './model/parts';
 
-/** What the present work is called where it is put aside: as the file that it came from, else as its course. */
+/** What the present work is called where it is put aside. */
 export function workName({ work }: Pick<WorkParts, 'work'>): string {
   const { scene, course } = work.work.value.project;
-  return work.cameFrom ?? courseName(scene, course);
+  return nameWithFile(courseName(scene, course), work.work.value.file);
+}
+
+/** A teacher opens many files of one course: the file says whose it is. */
+export const nameWithFile = (name: string, file: string | undefined): string =>
+  file === undefined || file === name ? name : `${file} – ${name}`;
+
+/** The name to save the present work under: that of the file it came from, else that of its course. */
+export function nameToSave({ work }: Pick<WorkParts, 'work'>): string {
+  const { project, file } = work.work.value;
+  return file ?? courseName(project.scene, project.course);
 }

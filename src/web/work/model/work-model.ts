@@ -33,8 +33,6 @@ export class WorkModel {
   readonly canRedo: ComputedRef<boolean>;
   /** The present work was brought by a host or by the address, with what they hold for it. */
   isBrought = false;
-  /** The file that the present work came from, without its ending: often the name of whoever wrote it. */
-  cameFrom: string | null = null;
   /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** The course with its undo history. */
@@ -149,19 +147,19 @@ export class WorkModel {
     this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);
   }
 
-  /** Opens another project. The work so far is put aside if `nameOfOld` is given. */
-  openProject(project: Project, nameOfOld: string | null): void {
-    this.put(project, MAIN, nameOfOld);
+  /** Opens another project, perhaps from a file. The work so far is put aside if `nameOfOld` is given. */
+  openProject(project: Project, nameOfOld: string | null, file?: string): void {
+    this.put(project, MAIN, nameOfOld, file);
   }
 
   /** Brings a piece of earlier work back and puts the present one in its place. */
   restore(entry: Previous, nameOfOld: string): void {
     const rest = this.work.value.previous.filter((other) => other !== entry);
     this.work.value = { ...this.work.value, previous: rest };
-    this.openProject(entry.project, nameOfOld);
+    this.openProject(entry.project, nameOfOld, entry.file);
   }
 
-  private put(project: Project, open: string, nameOfOld: string | null): void {
+  private put(project: Project, open: string, nameOfOld: string | null, file?: string): void {
     if (nameOfOld !== null) this.keep(nameOfOld);
     // Another program in the same course takes nothing from its history.
     if (this.history.value.present !== project.scene) {
@@ -170,8 +168,7 @@ export class WorkModel {
       // Told first: a run of the old course must be over before it hears of the new one.
       this.openings.value += 1;
     }
-    this.work.value = { ...this.work.value, project, open };
-    this.cameFrom = null;
+    this.work.value = { project, open, ...(file !== undefined && { file }), previous: this.work.value.previous };
   }
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
@@ -189,8 +186,9 @@ export class WorkModel {
   }
 
   private keep(name: string): void {
-    const { project, previous } = this.work.value;
-    this.work.value = { ...this.work.value, previous: putAside(previous, project, name, this.nowMs()) };
+    const { project, file, previous } = this.work.value;
+    const entry = { name, atMs: this.nowMs(), project, ...(file !== undefined && { file }) };
+    this.work.value = { ...this.work.value, previous: putAside(previous, entry) };
   }
 
   private setFiles(files: readonly SourceFile[], open = this.work.value.open): void {

@@ -9,6 +9,8 @@ export interface Previous {
   /** When it was put aside, in ms since 1970. */
   readonly atMs: number;
   readonly project: Project;
+  /** The file it was opened from, without its ending. */
+  readonly file?: string | undefined;
 }
 
 /** How many pieces of earlier work are kept. */
@@ -19,19 +21,16 @@ export interface Work {
   readonly project: Project;
   /** Name of the file that is shown. */
   readonly open: string;
+  /** The file the project was opened from, without its ending. */
+  readonly file?: string | undefined;
   /** Newest first. */
   readonly previous: readonly Previous[];
 }
 
-/** Puts `project` aside, newest first; the same work is kept once. */
-export function putAside(
-  previous: readonly Previous[],
-  project: Project,
-  name: string,
-  atMs: number,
-): readonly Previous[] {
-  const others = previous.filter((entry) => !isSameWork(entry.project, project));
-  return [{ name, atMs, project }, ...others].slice(0, PREVIOUS_KEPT);
+/** Puts `entry` aside, newest first; the same work is kept once, but of two files that say the same both stay. */
+export function putAside(previous: readonly Previous[], entry: Previous): readonly Previous[] {
+  const others = previous.filter(({ file, project }) => file !== entry.file || !isSameWork(project, entry.project));
+  return [entry, ...others].slice(0, PREVIOUS_KEPT);
 }
 
 /** Two projects with the same files in the same course. */
@@ -53,11 +52,14 @@ export const savedMsOf = (text: string | null): number => Number(/^\{"savedMs":(
 /** The same list with other texts for the projects. */
 export function textOfWork(work: Work, project: string, previousText: (previous: Previous) => string): string {
   const previous = work.previous.map((entry) => {
-    const { name, atMs } = entry;
-    return `{"name":${JSON.stringify(name)},"atMs":${String(atMs)},"project":${previousText(entry)}}`;
+    const { name, atMs, file } = entry;
+    return `{"name":${JSON.stringify(name)},"atMs":${String(atMs)},${fileText(file)}"project":${previousText(entry)}}`;
   });
-  return `{"version":1,"project":${project},"open":${JSON.stringify(work.open)},"previous":[${previous.join(',')}]}`;
+  const open = JSON.stringify(work.open);
+  return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}"previous":[${previous.join(',')}]}`;
 }
+const fileText = (file: string | undefined): string => (file === undefined ? '' : `"file":${JSON.stringify(file)},`);
+const fileOf = (file: unknown): Pick<Work, 'file'> => (typeof file === 'string' ? { file } : {});
 
 /** Reads what `workToText` wrote; `null` for anything else, so that a broken store never stops the app. */
 export function workFromText(text: string): Work | null {
@@ -68,19 +70,20 @@ export function workFromText(text: string): Work | null {
     return null;
   }
   if (typeof value !== 'object' || value === null) return null;
-  const read = value as { version?: unknown; project?: unknown; open?: unknown; previous?: unknown };
+  const read = value as { version?: unknown; project?: unknown; open?: unknown; file?: unknown; previous?: unknown }; // prettier-ignore
   const project = unpackProject(read.project);
   if (read.version !== 1 || project === null) return null;
   const open = project.files.find((file) => file.name === read.open)?.name ?? project.files[0]?.name;
   const previous = Array.isArray(read.previous)
     ? read.previous.map(readPrevious).filter((entry) => entry !== null)
     : [];
-  return open === undefined ? null : { project, open, previous };
+  return open === undefined ? null : { project, open, ...fileOf(read.file), previous };
 }
 
 function readPrevious(value: unknown): Previous | null {
   if (typeof value !== 'object' || value === null) return null;
-  const { name, atMs, project } = value as { name?: unknown; atMs?: unknown; project?: unknown };
+  const { name, atMs, project, file } = value as { name?: unknown; atMs?: unknown; project?: unknown; file?: unknown }; // prettier-ignore
   const read = unpackProject(project);
-  return typeof name === 'string' && typeof atMs === 'number' && read !== null ? { name, atMs, project: read } : null;
+  if (typeof name !== 'string' || typeof atMs !== 'number' || read === null) return null;
+  return { name, atMs, ...fileOf(file), project: read };
 }

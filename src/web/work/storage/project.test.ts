@@ -53,14 +53,29 @@ describe('stored work', () => {
     expect(workFromText(workToText(work))).toEqual(work);
   });
 
+  it('comes back with the names of the files it was opened from', () => {
+    const from = previous.map((entry) => ({ ...entry, file: 'Beat' }));
+    const work = { project: project('new'), open: 'main.py', file: 'Anna "A"', previous: from };
+    expect(workFromText(workToText(work))).toEqual(work);
+  });
+
+  it('is kept once for each file it was opened from', () => {
+    const entry = { name: 'Linie', atMs: 5, project: project('same') };
+    const kept = ['Anna', 'Beat', 'Anna'].reduce(
+      (all: readonly Previous[], file) => putAside(all, { ...entry, file }),
+      [],
+    );
+    expect(kept.map(({ file }) => file)).toEqual(['Anna', 'Beat']);
+  });
+
   it('never stops the app when it is broken', () => {
     for (const text of ['', '{', 'null', '{"version":2}', '[1]']) expect(workFromText(text)).toBeNull();
   });
 
   it('keeps five earlier pieces, newest first, none of them twice', () => {
     let kept: readonly Previous[] = [];
-    for (let i = 0; i < 8; i += 1) kept = putAside(kept, project(String(i)), 'x', i);
-    kept = putAside(kept, project('6'), 'x', 9);
+    for (let i = 0; i < 8; i += 1) kept = putAside(kept, { name: 'x', atMs: i, project: project(String(i)) });
+    kept = putAside(kept, { name: 'x', atMs: 9, project: project('6') });
     expect(kept).toHaveLength(PREVIOUS_KEPT);
     expect(kept.map((entry) => entry.project.files[0]!.text)).toEqual(['6', '7', '5', '4', '3']);
   });
