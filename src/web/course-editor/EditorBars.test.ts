@@ -16,7 +16,7 @@ afterEach(() => void vi.useRealTimers());
 async function bars(objects: readonly SceneObject[], props: object = {}, more: Parameters<typeof editingPage>[1] = {}) {
   const page = await editingPage(objects, more);
   const places: unknown[] = [];
-  const given = { isAlone: false, isEditing: true, onShow: (at: unknown) => places.push(at), ...props };
+  const given = { isAlone: false, isTold: true, onShow: (at: unknown) => places.push(at), ...props };
   const mounted = mountOn(page, EditorBars, given);
   const settle = async () => {
     await nextTick(); // the last change has been noticed
@@ -62,7 +62,7 @@ describe('the row below the arena', () => {
   });
 
   it('is quiet for whoever only drives', async () => {
-    const { settle, text } = await bars([samples.wall, stuck], { isEditing: false });
+    const { settle, text } = await bars([samples.wall, stuck], { isTold: false });
     await settle();
     expect(text()).toBe('');
   });
@@ -102,7 +102,7 @@ describe('the row below the arena', () => {
 
   it('warns when the course is full and nothing was done', async () => {
     const full = Array.from({ length: 2000 }, (_, i) => ({ ...samples.wall, id: `w${String(i)}` }));
-    const { editor, notices, ids } = await bars(full, { isEditing: false });
+    const { editor, notices, ids } = await bars(full, { isTold: false });
     expect(editor.commit({ type: 'add', objects: [samples.block] })).toBe(false);
     await nextTick();
     expect([ids().length, notices.current.value?.key]).toEqual([2000, 'notice.courseFull']);
