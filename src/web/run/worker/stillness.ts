@@ -3,7 +3,10 @@ import type { Snapshot } from '#simulation/snapshot';
 /** How long everything must have looked the same, in µs of simulated time. Chosen: a sinking fork moves in each step. */
 const STILL_US = 500_000;
 
-/** Sees whether anything in the run still moves. */
+/**
+ * Sees whether anything in the run still moves. Everything counts: wheels that spin at a wall are seen to turn, and their
+ * encoders can be read in the REPL; a robot that is turned by a millionth of a degree in each step slips off in the end.
+ */
 export interface Stillness {
   /** Takes the next picture. @returns whether all pictures of the last half second were the same */
   look(snapshot: Snapshot): boolean;
