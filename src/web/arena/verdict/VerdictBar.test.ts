@@ -1,11 +1,12 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import type { SceneObject } from '#scene/scene';
 import type { Verdict } from '#simulation/verdict';
 
 import { editingPage, press, samples } from '../../app/testing/editing';
+import { byId, isThere } from '../../app/testing/find';
 import { mountOn, named, setWindow, textOf } from '../../app/testing/mount-on';
 import { show, startRun } from '../../app/testing/run';
 import RunControls from '../RunControls.vue';
@@ -76,6 +77,17 @@ describe('the bar with the verdict', () => {
     expect([page.goals()[0], page.said()]).toEqual(['Kontrollpunkte 1/2', '']);
     await page.tell({ state: 'passed', atMs: 2000, checkpoints: { passed: 2, of: 2 } });
     expect(page.said()).toBe('Geschafft! Aufgabe gelöst in 2.0 s.');
+  });
+
+  it('shows the stars that were won, and none where the task gives none', async () => {
+    const page = await bar([samples.target]);
+    await startRun(page);
+    await page.tell({ state: 'passed', atMs: 900, stars: null });
+    await vi.dynamicImportSettled();
+    expect(isThere('verdict-stars')).toBe(false);
+    await page.tell({ state: 'passed', atMs: 1000, stars: 2 });
+    await vi.dynamicImportSettled();
+    expect(byId('verdict-stars').getAttribute('aria-label')).toBe('2 von 3 Sternen');
   });
 
   it('counts the seconds down, and warns in the last five', async () => {
