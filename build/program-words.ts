@@ -36,9 +36,7 @@ async function problemsIn(folder: string, programs: readonly Program[], language
   const used = new Set(programs.flatMap(({ source }) => piecesOf(source).map(({ text }) => text)));
   const names = new Set(programs.map(({ file }) => basename(file, '.py')));
   const strangers = Object.entries(all).flatMap(([name, own]) =>
-    typeof own === 'object' && !isText(own) && name !== 'program' && !names.has(name)
-      ? [`there is no ${name}.py`]
-      : [],
+    typeof own === 'object' && !isText(own) && name !== 'program' && !names.has(name) ? [`there is no ${name}.py`] : [],
   );
   const unused = said.flatMap((own) => Object.keys(own).filter((text) => !used.has(text)));
   const problems = [
