@@ -22,7 +22,7 @@ const PICTURES = [
   { path: `${KEPT}/phone.png`, width: 390, height: 844, dark: false, tool: 'block' },
   { path: `${MADE}/phone-dark.png`, width: 390, height: 844, dark: true },
 ];
-/** Long enough for the first course's robot to have set off. */
+/** Long enough for the robot to have set off. */
 const DRIVING_MS = 6_000;
 
 /** Chooses a tool of the course editor; on a phone the arena and the tools are unfolded first. */
@@ -34,7 +34,7 @@ async function chooseTool(page, tool) {
 }
 
 /**
- * Opens the app as on a first visit, lets its first course drive for a while and takes a picture.
+ * Opens the closed line, lets the robot drive for a while and takes a picture.
  *
  * @param {import('@playwright/test').Browser} browser
  * @param {string} url
@@ -48,7 +48,8 @@ async function take(browser, url, { path, width, height, dark, tool }) {
   });
   const page = await context.newPage();
   page.on('console', (message) => note(`${path}: the page says ${message.text()}`));
-  await page.goto(url);
+  await page.goto(`${url}?task=closed-line`);
+  await page.click('[data-testid=task-close]');
   await page.click('button.run');
   if (width < 600) await page.click('nav >> text=Arena');
   await chooseTool(page, tool);
