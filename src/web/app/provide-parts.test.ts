@@ -47,6 +47,40 @@ describe('a first visit', () => {
   });
 });
 
+describe('the console', () => {
+  const closedLine = course('closed-line');
+  async function withOutput(): Promise<TestPage> {
+    const page = await running();
+    page.console.write('of the first course');
+    return page;
+  }
+
+  it('is empty when another course has been opened, also of the end of its last run', async () => {
+    const page = await withOutput();
+    page.work.setScene({ ...closedLine.scene, name: 'Other' }, null);
+    await flushPromises();
+    expect(page.run.phase.value).toBe('ready');
+    expect(page.console.toText()).toBe('');
+  });
+
+  it('keeps what a run prints that began right after the opening', async () => {
+    const page = await withOutput();
+    page.work.setScene({ ...closedLine.scene, name: 'Other' }, null);
+    const started = page.run.start();
+    page.console.write('of the second course');
+    await started;
+    await flushPromises();
+    expect(page.console.toText()).toContain('of the second course');
+  });
+
+  it('keeps everything when only the program changes', async () => {
+    const page = await withOutput();
+    page.work.setText('main.py', 'x = 1');
+    await flushPromises();
+    expect(page.console.toText()).toContain('of the first course');
+  });
+});
+
 describe('what a tab has kept', () => {
   const scopes: { stop(): void }[] = [];
   afterEach(() => {

@@ -5,7 +5,7 @@ import { defaultScene, type Scene } from '#scene/scene';
 
 import { ConsoleModel } from '../console/console-model';
 import { createJump } from '../console/jump';
-import { provideConsole } from '../console/parts';
+import { provideConsole, type ConsoleParts } from '../console/parts';
 import { provideCourseEditor } from '../course-editor/state/parts';
 import { createCourseEditor, type CourseEditorModel } from '../course-editor/state/course-editor-model';
 import { createEditorPanels } from '../course-editor/state/editor-panels';
@@ -65,6 +65,7 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
   const results = { hand: createHand(), dataLog: new DataLogModel(), sound: new SoundPlayer() };
   const running = createRun({ ...page, ...mine, ...sight, ...talk, ...results, host, runStart }, engine);
   followSettings({ ...mine, ...running });
+  emptyConsole({ work, ...running, ...talk });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels() };
@@ -83,6 +84,15 @@ export function provideParts(parts: AllParts): void {
   provideCourseEditor(parts);
   provideFirstSteps(parts);
   provideTask(parts);
+}
+
+/** What another course's runs have printed goes with it, unless the next run has already begun. */
+function emptyConsole({ work, run, console }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'> & ConsoleParts): void {
+  async function empty(): Promise<void> {
+    await run.reset();
+    if (!run.isActive.value) console.clear();
+  }
+  watch(work.openings, () => void empty(), { flush: 'sync' });
 }
 
 /** What the settings say reaches the run, and the open course's name comes. */

@@ -11,10 +11,10 @@ import { createRaster } from './raster';
 export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
 
 /** Largest file that is opened, in bytes. */
-const MOST_BYTES = 10_000_000;
+const MOST_BYTES = 50_000_000;
 
 /** Most pixels of a picture that is decoded: each needs 4 bytes of memory. */
-const MOST_PIXELS = 40_000_000;
+const MOST_PIXELS = 50_000_000;
 
 /** A drawing has no pixels of its own: its longer side gets this many, which look sharp on a screen. */
 const SVG_PX = 3000;

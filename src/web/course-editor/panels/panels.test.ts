@@ -459,7 +459,8 @@ describe('the picture on the floor', () => {
   it.each([
     ['no picture', 'Das ist kein Bild', new File(['print(1)'], 'main.py')],
     ['an SVG with a program in it', 'Diese SVG-Datei enthält mehr', new File(['<svg xmlns="http://www.w3.org/2000/svg"><script>alert(1)</script></svg>'], 'a.svg', { type: 'image/svg+xml' })], // prettier-ignore
-    ['more than 10 MB', 'Die Datei ist grösser als 10 MB', new File([new Uint8Array(10 * 1024 * 1024 + 1)], 'a.png')],
+    ['more than 50 MB', 'Die Datei ist grösser als 50 MB', new File([new Uint8Array(50_000_001)], 'a.png')],
+    ['no picture, which is only seen in a file that is no larger', 'Das ist kein Bild', new File([new Uint8Array(50_000_000)], 'a.png')], // prettier-ignore
   ])('refuses %s, says why and leaves the course alone', async (_, why, file) => {
     offering(file);
     const { mounted, steps } = await settings(false);
