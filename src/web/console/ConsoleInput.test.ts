@@ -256,7 +256,7 @@ describe('the console’s line while the display shows an error', () => {
     const { page, field } = await running();
     page.say({ type: 'program-ended', ended: failed });
     await show(page, { repl: false });
-    const long = 'Die Anzeige zeigt den Fehler. Mit Unterbrechen geht es weiter.';
+    const long = 'Für Python-Zeilen zuerst «Unterbrechen» drücken.';
     expect(field.attributes('placeholder')).toBe(long);
     expect(field.attributes('aria-label')).toBe(long);
   });
@@ -266,7 +266,7 @@ describe('the console’s line while the display shows an error', () => {
     const { page, field } = await running();
     page.say({ type: 'program-ended', ended: failed });
     await show(page, { repl: false });
-    expect(field.attributes('placeholder')).toBe('Weiter mit Unterbrechen');
-    expect(field.attributes('aria-label')).toBe('Die Anzeige zeigt den Fehler. Mit Unterbrechen geht es weiter.');
+    expect(field.attributes('placeholder')).toBe('Zuerst Unterbrechen');
+    expect(field.attributes('aria-label')).toBe('Für Python-Zeilen zuerst «Unterbrechen» drücken.');
   });
 });

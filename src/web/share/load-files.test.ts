@@ -216,7 +216,8 @@ describe('a project or a course that is taken in', () => {
     ],
     ['JSON of something else', 'b.json', '{ "hello": 1 }', /^b\.json: Das ist weder ein Projekt noch ein Parcours\.$/],
     ['no text', 'c.json', new Uint8Array([0xff, 0xfe]), /^c\.json lässt sich nicht lesen\.$/],
-    ['a picture', 'd.png', 'x', /^d\.png kann hier nicht geöffnet werden\. Es gehen Programme/],
+    ['a picture', 'd.PNG', 'x', /^d\.PNG ist ein Bild\. .* «Mehr zum Parcours», dann «Bild als Boden»\.$/],
+    ['of another kind', 'd.pdf', 'x', /^d\.pdf kann hier nicht geöffnet werden\. Es gehen Programme/],
     ['a project without a program', 'e.json', () => project('x').replace('main.py', 'other.py'), /^e\.json: .*main\.py heissen\.$/], // prettier-ignore
     ['a course larger than an arena can be', 'f.json', () => serializeScene(course).replace(/700/g, '70000000'), /^f\.json: .*70000000 liegt nicht zwischen/], // prettier-ignore
   ])('is refused in words when it is %s: nothing changes', async (_why, name, content, words) => {

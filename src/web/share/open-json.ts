@@ -40,6 +40,7 @@ export async function openJsonFiles(app: Workplace, files: readonly File[]): Pro
 /** @returns why the file was not opened; `null`: it was */
 async function openJsonFile(app: Workplace, loaded: File): Promise<string | null> {
   const file = loaded.name;
+  if (/\.(png|jpe?g|svg)$/i.test(file)) return say(words.problems.picture, { file });
   if (!file.toLowerCase().endsWith('.json')) return say(words.problems.otherKind, { file });
   if (loaded.size > MAX_BYTES) {
     const size = Math.ceil(loaded.size / 1024 / 1024);
