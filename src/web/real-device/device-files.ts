@@ -6,15 +6,15 @@ import { freeLibraries } from '#libraries/index';
 import { allLibraries, robotOwnLibraries } from './libraries';
 import type { DeviceFile } from './put-files';
 
-/** What a program is on a real board. */
+/** The files that a program consists of on a real board. */
 export interface DeviceFiles {
   /** Libraries first, then the pupil's own files, main.py last. */
   readonly files: readonly (DeviceFile & { readonly isOwn: boolean })[];
-  /** Modules of the firmware that they want: of each list one is needed. */
+  /** Firmware modules that they need: one from each list. */
   readonly modules: readonly (readonly string[])[];
 }
 
-/** The Calliope mini's module has had two names; its present firmware knows the first alone, our libraries use the second. */
+/** The Calliope mini's module has had two names: its current firmware knows only the first, our libraries use the second. */
 const CALLIOPE = ['calliopemini', 'calliope_mini'] as const;
 const STAND_IN = { name: 'calliope_mini.py', text: 'from calliopemini import *\n' } as const;
 
@@ -56,7 +56,7 @@ export function filesForDevice(own: readonly SourceFile[], robot: string | null)
   };
 }
 
-/** One list for each board whose modules are wanted. */
+/** One list for each board whose modules are needed. */
 function neededModules(modules: ReadonlySet<string>): readonly (readonly string[])[] {
   const isCalliope = CALLIOPE.some((name) => modules.has(name));
   const others = Array.from(modules).filter((name) => !CALLIOPE.some((known) => known === name));

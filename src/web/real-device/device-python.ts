@@ -1,4 +1,4 @@
-/** A text as a literal in Python, in ASCII alone. */
+/** A text as a Python literal, in pure ASCII. */
 export function pythonText(text: string): string {
   const signs = Array.from(text, (sign) => {
     const code = sign.codePointAt(0) ?? 0;
@@ -9,7 +9,7 @@ export function pythonText(text: string): string {
   return `'${signs.join('')}'`;
 }
 
-/** Bytes as a literal in Python, in ASCII alone: readable where possible, so that a program grows little. */
+/** Bytes as a Python literal, in pure ASCII: readable where possible, so that programs hardly grow. */
 export function pythonBytes(bytes: Uint8Array): string {
   const signs = Array.from(bytes, (byte) => {
     if (byte === 0x0a) return '\\n';
@@ -21,7 +21,7 @@ export function pythonBytes(bytes: Uint8Array): string {
 
 const hex = (code: number, digits: number): string => code.toString(16).padStart(digits, '0');
 
-/** Tells two files apart: length and the two sums of Adler-32, as the device prints them, too. */
+/** A file's fingerprint: its length and the two sums of Adler-32, in the form that the device prints. */
 export function fingerprint(bytes: Uint8Array): string {
   let [a, b] = [1, 0];
   for (const byte of bytes) {
@@ -37,9 +37,9 @@ export function fingerprint(bytes: Uint8Array): string {
  * pieces.
  */
 export const devicePython = {
-  /** Prints what the device calls itself. */
+  /** Prints the device's name for itself. */
   about: 'import os\ntry:\n print(os.uname().machine)\nexcept Exception:\n print("?")',
-  /** Prints 1 when one of the modules is there, else 0. */
+  /** Prints 1 if one of the modules exists, else 0. */
   hasModule: (names: readonly string[]): string =>
     `r=0\nfor n in ${names.map(pythonText).join(',')},:\n try:\n  __import__(n)\n  r=1\n except ImportError:\n  pass\nprint(r)`,
   /** Makes the function that prints a file's fingerprint, `-` if the file does not exist. */
@@ -72,6 +72,6 @@ export const devicePython = {
   openToRead: (name: string): string => `f=open(${pythonText(name)},"rb")`,
   /** Prints the next bytes of the open file as hexadecimal digits; nothing at its end. */
   read: 'print("".join(["%02x"%c for c in f.read(128)]))',
-  /** Prints the names of all files, one a line. */
+  /** Prints the names of all files, one per line. */
   list: 'for n in os.listdir():\n print(n)',
 } as const;

@@ -6,19 +6,19 @@ import { realDeviceWords as words } from './real-device-words';
 const problems = words.problems;
 const states = words.states;
 
-/** What goes on, in one sentence. */
+/** The current step, in one sentence. */
 export function progressSentence({ stage, file }: PutProgress): string {
   return say(states[stage], { file: file ?? '' });
 }
 
-/** What became of it, in one or two sentences. */
+/** The outcome, in one or two sentences. */
 export function doneSentence({ machine, isStarted, said, same }: Extract<PutResult, { kind: 'done' }>): string {
   const text = !isStarted ? states.notStarted : isTraceback(said) ? states.failedAtOnce : states.done;
   const sentence = say(text, { machine });
   return same.length === 0 ? sentence : `${sentence} ${say(states.same, { files: same.join(', ') })}`;
 }
 
-/** Whether the program stopped with an error in its first moment. */
+/** Whether the program failed as soon as it started. */
 export const isTraceback = (said: string): boolean => /^Traceback|^\s*File ".*", line \d+|Error\b/m.test(said);
 
 /** What went wrong and what helps. */

@@ -1,13 +1,13 @@
 const KEY = 'parcours.device-programs';
 const KEPT = 60; // chosen: a school year of one pupil's last programs, 2 kB
 
-/** What this browser has put on devices: that may be replaced without a question. */
+/** What this browser has put on devices. Such files may be replaced without asking. */
 export interface KnownPrograms {
   has(fingerprint: string): boolean;
   add(fingerprints: readonly string[]): void;
 }
 
-/** @param storage keeps them; where it refuses, they are known until the page is left */
+/** @param storage keeps them; if it refuses, they are remembered until the page is closed */
 export function knownPrograms(storage: Pick<Storage, 'getItem' | 'setItem'>): KnownPrograms {
   let known = read(storage);
   return {
@@ -17,7 +17,7 @@ export function knownPrograms(storage: Pick<Storage, 'getItem' | 'setItem'>): Kn
       try {
         storage.setItem(KEY, JSON.stringify(known));
       } catch {
-        // Full or forbidden: the next visit asks.
+        // Full or forbidden: the next visit will ask again.
       }
     },
   };

@@ -1,13 +1,13 @@
 import { freeLibraries } from '#libraries/index';
 
-/** Python sources by their paths. A run gets them with the robots' behaviour, which this page has no use for. */
+/** Python sources by path. Runs get them together with the robots' behaviour, which is not needed here. */
 const sources = import.meta.glob<string>('../../robots/*/library/*.py', {
   query: '?raw',
   import: 'default',
   eager: true,
 });
 
-/** Those of one robot, by file name. */
+/** The sources of one robot, by file name. */
 export function robotOwnLibraries(robot: string): Readonly<Record<string, string>> {
   const found: Record<string, string> = {};
   for (const [path, text] of Object.entries(sources)) {

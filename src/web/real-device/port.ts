@@ -1,20 +1,20 @@
 /** A serial line to a device: bytes both ways. */
 export interface Port {
-  /** Sends bytes. Fails when the cable is out. */
+  /** Sends bytes. Fails when the cable is unplugged. */
   write(bytes: Uint8Array): Promise<void>;
-  /** The next bytes that come, in pieces of any size; `null` when none will ever come again. */
+  /** The next bytes to arrive, in chunks of any size; `null` once the line has ended. */
   read(): Promise<Uint8Array | null>;
-  /** Lets go of the line. It never fails. */
+  /** Releases the line. Never fails. */
   close(): Promise<void>;
 }
 
-/** Time that passes, so that tests can let it pass. */
+/** The passing of time, so that tests can control it. */
 export interface Timer {
   /** Calls `act` once after this many milliseconds. @returns a function that cancels it */
   after(ms: number, act: () => void): () => void;
 }
 
-/** The time of the page. */
+/** Real time. */
 export const pageTimer: Timer = {
   after: (ms, act) => {
     const id = setTimeout(act, ms);

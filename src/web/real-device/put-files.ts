@@ -12,43 +12,43 @@ export interface DeviceFile {
   readonly text: string;
 }
 
-/** What shall be on the device. */
+/** What is to be on the device. */
 export interface PutWish {
-  /** The program comes last: without it nothing begins to drive before all is there. */
+  /** The program comes last, so that nothing drives before everything is there. */
   readonly files: readonly DeviceFile[];
-  /** Modules of the firmware that the program wants: of each list one must be there. */
+  /** Firmware modules that the program needs: one from each list. */
   readonly modules: readonly (readonly string[])[];
-  /** Whether a file with this fingerprint may be replaced without a question. */
+  /** Whether a file with this fingerprint may be replaced without asking. */
   isKnown(fingerprint: string): boolean;
   /**
    * Asks whether these unknown files on the device may be replaced.
    *
-   * @param read fetches one of them while there is no answer yet; one at a time
+   * @param read fetches one of them while the question is open; one at a time
    */
   mayReplace(names: readonly string[], read: (name: string) => Promise<Uint8Array<ArrayBuffer>>): Promise<boolean>;
 }
 
-/** How far it is. */
+/** How far the transfer has come. */
 export interface PutProgress {
   readonly stage: 'greeting' | 'looking' | 'writing' | 'checking' | 'starting';
-  /** The file it is at, if any. */
+  /** The file in transfer, if any. */
   readonly file: string | null;
   /** 0 … 1, never less than before. */
   readonly part: number;
 }
 
-/** What became of it. */
+/** How the transfer ended. */
 export type PutResult =
   | {
       readonly kind: 'done';
-      /** What the device calls itself. */
+      /** The device's name for itself. */
       readonly machine: string;
       readonly written: readonly string[];
-      /** Files that were there already, as they should be. */
+      /** Files that were already there and up to date. */
       readonly same: readonly string[];
-      /** False: main.py begins when the device's reset button is pressed. */
+      /** False: main.py starts only when the device's reset button is pressed. */
       readonly isStarted: boolean;
-      /** What the program printed in its first moment. */
+      /** What the program printed right after its start. */
       readonly said: string;
     }
   | { readonly kind: 'problem'; readonly problem: PutProblem };
@@ -70,9 +70,9 @@ const AFTER = 0.06;
 
 /**
  * Puts files on a device that runs MicroPython and starts its main.py. Only what differs is written; other files on the
- * device are left alone. The port is closed in the end.
+ * device are left alone. The port is closed at the end.
  *
- * @returns what became of it; it never throws
+ * @returns how it ended; never throws
  */
 export async function putFiles(port: Port, wish: PutWish, around: PutSurroundings): Promise<PutResult> {
   const transfer = new Transfer(new SerialLine(port, around.timer, around.signal), wish, around);
@@ -182,7 +182,7 @@ class Transfer {
     return { changed, present };
   }
 
-  /** A question that is no longer answered once the transfer is stopped. */
+  /** A question that stays unanswered once the transfer is stopped. */
   private ask(names: readonly string[]): Promise<boolean> {
     const { signal } = this.around;
     if (signal.aborted) return Promise.resolve(false);
@@ -190,7 +190,7 @@ class Transfer {
       signal.addEventListener('abort', () => resolve(false), { once: true });
       const read = (name: string): Promise<Uint8Array<ArrayBuffer>> => {
         const bytes = this.read(name);
-        bytes.catch(reject); // a cable that comes out meanwhile ends the whole transfer
+        bytes.catch(reject); // unplugging the cable meanwhile ends the whole transfer
         return bytes;
       };
       this.wish.mayReplace(names, read).then(resolve, () => resolve(false));
@@ -239,7 +239,7 @@ class Transfer {
     }
   }
 
-  /** What else lies on the device. */
+  /** The other files on the device. */
   private async others(): Promise<readonly string[]> {
     const own = new Set(this.files.map(({ name }) => name));
     const names = textOf(await this.repl.run(devicePython.list)).split(/\r?\n/);
@@ -262,6 +262,6 @@ const sumOf = (files: readonly Content[]): number => files.reduce((sum, { bytes 
 const isFull = (error: unknown): boolean =>
   error instanceof PutError && error.problem.kind === 'exception' && /OSError:.*\b28\b|ENOSPC/.test(error.problem.text);
 
-/** Text that came byte by byte; bytes that are not text are shown as such. */
+/** The text of these bytes; bytes that are not text show as replacement characters. */
 const textOf = (bytes: string): string =>
   new TextDecoder().decode(Uint8Array.from(bytes, (sign) => sign.charCodeAt(0)));

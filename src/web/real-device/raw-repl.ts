@@ -5,10 +5,10 @@ const CTRL_A = '\x01';
 const CTRL_B = '\x02';
 const CTRL_C = '\x03';
 const CTRL_D = '\x04';
-/** What MicroPython's shared/runtime/pyexec.c says when raw mode begins. */
+/** What MicroPython's shared/runtime/pyexec.c prints when raw mode begins. */
 const RAW_BANNER = 'raw REPL; CTRL-B to exit\r\n>';
 
-// chosen: times that a micro:bit meets with ease, and that do no harm when nothing comes
+// chosen: a micro:bit easily meets these times, and waiting them out in vain does no harm
 const ROUNDS = 5;
 const INTERRUPT_MS = 150;
 const BANNER_LIMIT_MS = 900;
@@ -18,12 +18,12 @@ const RUN_LIMIT_MS = 10_000;
 const PROMPT_LIMIT_MS = 2000;
 const EXCEPTION_CHARACTERS = 2000;
 
-/** MicroPython's raw mode: what tools talk to, without prompt, echo and indenting. */
+/** MicroPython's raw mode, made for tools: no prompt, no echo, no automatic indentation. */
 export class RawRepl {
   constructor(private readonly line: SerialLine) {}
 
   /**
-   * Stops the program that runs and enters raw mode with an empty memory.
+   * Stops the running program and enters raw mode with an empty memory.
    *
    * @throws PutError `silent` or `no-prompt` if no MicroPython listens; those of the line
    */
@@ -33,7 +33,7 @@ export class RawRepl {
       if (round + 1 < ROUNDS) continue;
       throw new PutError({ kind: this.line.heardBytes === 0 ? 'silent' : 'no-prompt' });
     }
-    // The names of the program that ran would take up the memory. In raw mode main.py does not begin after a soft reboot.
+    // The stopped program's variables would take up memory. In raw mode, main.py does not start after a soft reboot.
     await this.line.send(CTRL_D);
     if ((await this.line.until(RAW_BANNER, REBOOT_LIMIT_MS)) === null) throw new PutError({ kind: 'no-prompt' });
   }
@@ -41,8 +41,8 @@ export class RawRepl {
   /**
    * Runs a piece of Python.
    *
-   * @param code ASCII; names that it makes stay for the next piece
-   * @returns what it printed, without blanks around it
+   * @param code ASCII; the names it defines remain for the next piece
+   * @returns what it printed, trimmed
    * @throws PutError `exception` with the device's words, `stuck`, `garbled`; those of the line
    */
   async run(code: string): Promise<string> {
@@ -58,9 +58,9 @@ export class RawRepl {
   }
 
   /**
-   * Leaves raw mode and reboots the device softly, so that main.py begins.
+   * Leaves raw mode with a soft reboot, so that main.py starts.
    *
-   * @returns false when the device did not say that it reboots
+   * @returns false if the device did not announce the reboot
    */
   async restart(): Promise<boolean> {
     await this.line.send(CTRL_B);
@@ -84,5 +84,5 @@ export class RawRepl {
   }
 }
 
-/** What leaves raw mode and drops a piece that was begun: for a device that is left in the middle. */
+/** Discards a half-sent piece and leaves raw mode: for a device abandoned in mid-transfer. */
 export const FAREWELL = Uint8Array.from(`\r${CTRL_C}${CTRL_C}${CTRL_B}`, (sign) => sign.charCodeAt(0));

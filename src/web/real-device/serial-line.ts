@@ -4,7 +4,7 @@ import { PutError } from './problem';
 /** How much is sent at a time, and the pause after it: the device has no flow control and a small buffer. As microfs does. */
 const PIECE_BYTES = 32;
 const PIECE_PAUSE_MS = 10;
-/** How long the computer may take to get rid of one piece. */
+/** How long the computer may take to send one piece. */
 const WRITE_LIMIT_MS = 3000; // chosen: 32 bytes take 3 ms at 115,200 baud
 /** Limit for unread output of a device that prints without end. */
 const KEPT_CHARACTERS = 16_384; // chosen: far more than any expected answer
@@ -19,7 +19,7 @@ export class SerialLine {
   private heard = 0;
   private wake: () => void = () => undefined;
 
-  /** @param signal ends every waiting with the problem `stopped` */
+  /** @param signal ends every wait with the problem `stopped` */
   constructor(
     private readonly port: Port,
     private readonly timer: Timer,
@@ -34,12 +34,12 @@ export class SerialLine {
     return this.heard;
   }
 
-  /** Forgets what came and was not waited for. */
+  /** Discards everything received that no call has taken yet. */
   forget(): void {
     this.text = '';
   }
 
-  /** Takes what has come and was not waited for. */
+  /** Takes everything received that no call has taken yet. */
   take(): string {
     const { text } = this;
     this.text = '';
@@ -60,7 +60,7 @@ export class SerialLine {
   }
 
   /**
-   * Waits for a mark, and takes it with all before it.
+   * Waits for a mark, and takes everything up to and including it.
    *
    * @returns what came before the mark, or `null` when the mark does not come in time
    * @throws PutError `interrupted`, `stopped`
@@ -111,7 +111,7 @@ export class SerialLine {
     }
   }
 
-  /** Takes in what comes until the line is gone. */
+  /** Collects what arrives until the line is gone. */
   private async listen(): Promise<void> {
     try {
       for (let bytes = await this.port.read(); bytes !== null; bytes = await this.port.read()) {
@@ -121,7 +121,7 @@ export class SerialLine {
         this.wake();
       }
     } catch {
-      // A line that fails is gone, like one that ends.
+      // A line that fails is as good as closed.
     }
     this.isGone = true;
     this.wake();

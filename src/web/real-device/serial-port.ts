@@ -70,7 +70,7 @@ export function portOf(port: SerialPort): Port {
           const { value, done } = await reader.read();
           if (!done) return value;
         } catch {
-          // Whether the line is gone shows in `port.readable`.
+          // `port.readable` tells whether the line is gone.
         }
         reader.releaseLock();
         reader = null;
@@ -82,10 +82,10 @@ export function portOf(port: SerialPort): Port {
       try {
         await reader?.cancel();
         await Promise.resolve(); // the current read releases its lock
-        writer?.releaseLock(); // a device that takes nothing any more must not keep the line open
+        writer?.releaseLock(); // a device that no longer reads must not keep the line open
         await port.close();
       } catch {
-        // A device that is gone has nothing to close.
+        // A device that is gone needs no closing.
       }
     },
   };

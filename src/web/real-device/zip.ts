@@ -2,7 +2,7 @@ import { zipSync } from 'fflate';
 
 import type { DeviceFile } from './put-files';
 
-/** The same moment in every file: the same project makes the same zip. The earliest that a zip can say. */
+/** The same moment for every file, so that the same project gives the same zip: the earliest that a zip can hold. */
 const MOMENT = '1980-01-02T00:00:00';
 
 /** Files as one zip, without folders. */

@@ -8,11 +8,11 @@ const STEP_US = 5000;
 export interface SimulatedBoard {
   readonly port: Port;
   readonly timer: Timer;
-  /** All that it has sent since it was switched on. */
+  /** Everything it has sent since it was switched on. */
   console(): string;
-  /** Types into it and lets this many simulated milliseconds pass. @returns what it sent meanwhile */
+  /** Sends it a text and lets this many simulated milliseconds pass. @returns what it sent in that time */
   type(text: string, ms?: number): string;
-  /** Total waiting time, in its own time. */
+  /** Total time spent waiting, in simulated time. */
   waitedMs(): number;
   /** Pulls the cable. */
   unplug(): void;
@@ -83,7 +83,7 @@ export async function simulatedBoard({ files, board, robot = 'none', firmware }:
   };
 }
 
-/** Time that passes in steps of 5 ms while code waits for it, and never by itself. */
+/** Time that advances in steps of 5 ms, and only while code waits for it. */
 export class WaitingClock implements Timer {
   onStep: () => void = () => undefined;
   private readonly waiting = new Map<() => void, number>();
@@ -116,7 +116,7 @@ export class WaitingClock implements Timer {
   }
 }
 
-/** What browsers and Node have both, and without the pause that timers make. */
+/** Exists in browsers and in Node, and lacks the delay of timers. */
 function nextTurn(act: () => void): void {
   const { port1, port2 } = new MessageChannel();
   port1.onmessage = () => {
