@@ -5,9 +5,9 @@ import type { Vec } from '#core/geometry';
 import type { Told } from '../narration/explore';
 import type { Explored, ExplorerNow } from '../narration/explore-now';
 
-/** Walks through what lies in the course (N, with Shift back) and tells what is around (O), by the arena's keyboard. */
+/** Keys of the arena: N (Shift+N for backwards) steps through the things in the course, O tells what is around. */
 export interface Explore {
-  /** The last answer; `count` tells it from the one before. */
+  /** The last answer; `count` distinguishes it from the one before. */
   readonly told: Readonly<ShallowRef<{ readonly count: number; readonly words: string }>>;
   readonly keydown: (event: KeyboardEvent) => void;
 }

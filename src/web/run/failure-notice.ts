@@ -8,11 +8,11 @@ import { say } from '../page/i18n/say';
 import type { Notice } from '../page/notices';
 import type de from './words/de.json';
 
-/** Why no run can begin in a course, in the pupil's words; they come with the first failure. */
+/** Why a course cannot be run, in the pupil's language; loaded with the first failure. */
 const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /**
- * What the page says about a run that could not begin: what is wrong with the course in the pupil's words, anything
+ * What the page says about a run that could not begin: what is wrong with the course in the pupil's language, anything
  * else in those of the simulation.
  *
  * @param message what the simulation says

@@ -26,7 +26,7 @@ export interface ClientOptions {
 /** The messages of a run between its start and its end. */
 export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
 
-/** Most messages that wait for the VM of their run. Chosen: more than anyone causes by hand before it is there. */
+/** Maximum number of messages that wait for their run's VM. Chosen: more than anyone causes by hand in that time. */
 const MOST_EARLY = 1000;
 
 const NO_WORKER = 'The worker could not be loaded.';
@@ -82,12 +82,12 @@ export class RunClient {
    * Starts the run that was expected, in the ready worker, and passes on in order what was sent to it meanwhile.
    * Nothing starts when it was stopped before the VM was there.
    *
-   * @throws Error (as a rejection) when the VM or the worker cannot be had
+   * @throws Error (as a rejection) when the VM or the worker cannot be loaded
    */
   async start(setup: RunSetup, speed: Speed, paused: boolean): Promise<void> {
     const { turn } = this;
     await this.warmUp();
-    await this.options.firmware(); // a worker that is still being made ready gets its VM first
+    await this.options.firmware(); // a worker that is still being prepared gets its VM first
     if (turn !== this.turn) return;
     await this.warmUp(); // replaces one that failed meanwhile
     if (turn !== this.turn) return;
@@ -106,7 +106,7 @@ export class RunClient {
   /**
    * Sends a message to the run; without a run nothing happens. One that is still to start gets it then.
    *
-   * @returns false: far too much waits already, the message is lost
+   * @returns false if far too many messages wait already: this one is lost
    */
   send(message: ToRun): boolean {
     if (this.early !== null && this.early.length >= MOST_EARLY) return false;
@@ -116,7 +116,7 @@ export class RunClient {
   }
 
   /**
-   * Ends the run: politely, and by force without an answer within `STOP_ANSWER_MS`. One that has not begun ends at
+   * Ends the run: by request, or by force if there is no answer within `STOP_ANSWER_MS`. One that has not begun ends at
    * once.
    */
   stop(): Promise<StopResult> {

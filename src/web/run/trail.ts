@@ -1,7 +1,7 @@
-/** Most points that are kept. Chosen: with one every 4 mm that is 260 m, a quarter of an hour at full speed, in 512 kB. */
+/** Maximum number of points kept. Chosen: with one every 4 mm that is 260 m, a quarter of an hour at full speed, in 512 kB. */
 const MOST_POINTS = 65_536;
 
-/** Where the robot came by in a run, oldest first; grows with the run and forgets its oldest quarter when it is full. */
+/** The robot's path in a run, oldest point first; grows with the run and forgets its oldest quarter when it is full. */
 export class Trail {
   /** x and y in mm alternately; two `NaN` where the hand lifted the robot. Only the first 2 · `count` are filled. */
   xyMm = new Float32Array(512);
@@ -9,7 +9,7 @@ export class Trail {
   /** Changes whenever points were dropped: drawings made from them are then outdated. */
   generation = 0;
 
-  /** Takes in points as a picture of the run brings them: x and y alternately. */
+  /** Adds points as they come with a snapshot: x and y alternately. */
   add(xyMm: readonly number[]): void {
     const added = Math.min(xyMm.length / 2, MOST_POINTS / 2);
     if (this.count + added > MOST_POINTS) this.forget(Math.max(MOST_POINTS / 4, added));

@@ -5,7 +5,7 @@ import { keepInside } from './hand-gesture';
 import { isNear, isSameThing, type HeldThing } from './held-thing';
 import { robotRadiusMm, targetAt, type RobotShape, type Target } from './hit-test';
 
-/** What lies in the arena, asked anew each time. */
+/** What lies in the arena; read afresh each time. */
 export interface ThingPorts {
   readonly view: () => View;
   readonly arena: () => ArenaSize;
@@ -16,7 +16,7 @@ export interface ThingPorts {
   readonly nowMs: () => number;
 }
 
-/** What was put down, until the run has taken note of it. */
+/** What was put down, until the run has processed it. */
 interface PutDown {
   readonly thing: HeldThing;
   readonly pose: Pose;

@@ -51,7 +51,7 @@ const MIDDLE_MM = 4;
 /** The longest step that is pulled at once, in parts of the arm: a jump of the pointer must not turn a thing over. */
 const STEP = 0.25;
 
-/** What a thing that is pulled has come to. */
+/** The outcome of pulling a thing. */
 export interface Pulled {
   readonly pose: Pose;
   readonly grip: Grip;

@@ -18,7 +18,7 @@ import { toMm, toPx, type View } from '../view/view-transform';
 /** What the hand sees and does. */
 export interface HandPorts extends PicturePorts, ThingPorts {
   readonly place: (thing: HeldThing, pose: Pose) => void;
-  /** Something looks different now. */
+  /** Called when the picture has changed. */
   readonly changed: () => void;
 }
 
@@ -136,7 +136,7 @@ export class Hand {
     this.ports.changed();
   }
 
-  /** Lets go of everything and points at nothing: a tool takes over. */
+  /** Lets go of everything, so that a tool can take over. */
   release(): void {
     this.letGo();
     this.pointers.clear();
@@ -195,7 +195,7 @@ export class Hand {
     if (this.hold?.pointer === null) this.letGo();
   }
 
-  /** Whether the arena has the keyboard. */
+  /** Whether the arena has the focus. */
   focus(focused: boolean): void {
     this.focused = focused;
     if (!focused) {

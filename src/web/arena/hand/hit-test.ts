@@ -8,7 +8,7 @@ export type Target =
   | { readonly kind: 'block'; readonly id: string }
   | { readonly kind: 'floor' };
 
-/** The robot as far as pointing needs it. */
+/** What hit-testing needs to know about the robot. */
 export interface RobotShape {
   readonly pose: Pose;
   /** Convex parts in the robot's frame, mm, counter-clockwise. */

@@ -8,7 +8,7 @@ import type { ArenaView } from '../view/use-arena-view';
 import type { ArenaSize } from '../view/view-transform';
 import { wheelGesture, wheelPx } from '../view/wheel-gesture';
 
-/** What the hand works on. */
+/** What the hand acts on. */
 export interface HandPlace {
   readonly picture: ArenaView;
   readonly arena: () => ArenaSize;
@@ -18,11 +18,11 @@ export interface HandPlace {
   readonly redraw: () => void;
 }
 
-/** The hand, and the handlers that lead the browser's events to it. */
+/** The hand, and the handlers that pass the browser's events to it. */
 export interface ArenaHand {
   readonly hand: Hand;
   readonly cursor: Readonly<ShallowRef<string>>;
-  /** Zooms by a key. Returns whether it was one of these. */
+  /** Zooms by keyboard. Returns whether the key was one of its keys. */
   readonly zoomKey: (key: string) => boolean;
   readonly on: {
     pointerdown(event: PointerEvent): void;
@@ -39,7 +39,7 @@ export interface ArenaHand {
   };
 }
 
-/** Lets pointers, wheel and keys reach into the arena. */
+/** Connects pointers, wheel and keys to the arena. */
 export function useArenaHand(where: HandPlace): ArenaHand {
   const cursor = shallowRef('default');
   const { picture } = where;

@@ -34,7 +34,7 @@ export interface MovingScene {
   readonly label: { readonly pose: Pose; readonly turning: boolean; readonly distancePx: number } | null;
 }
 
-/** What a moving scene is put together from. */
+/** The sources of a moving scene. */
 export interface MovingParts {
   readonly arena: ArenaSize;
   readonly now: Arranged;

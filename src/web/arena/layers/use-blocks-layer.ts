@@ -64,7 +64,7 @@ export function useBlocksLayer(sources: BlockSources): BlocksLayer {
       else if (!cache.draw(context, { ...now, look: null }, lying, paint, rest.settled({ ...now, look: null })))
         rest.sharpenSoon();
       sprites.show(pushed, { ...now, arena });
-      sprites.keepOnly(pushed); // not before the others are painted: nothing blinks
+      sprites.keepOnly(pushed); // only after the others are painted, so that nothing flickers
     },
   });
   return {

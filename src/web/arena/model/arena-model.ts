@@ -3,7 +3,7 @@ import type { RobotType } from '#robots/robot';
 import type { RobotSnapshot } from '#simulation/snapshot';
 import type { LightForm } from '../../work/settings/light-wish';
 
-/** What is drawn of a robot: of a run, or as it stands at the start. */
+/** What is drawn of a robot, during a run or at its start. */
 export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' | 'turnedRad' | 'state'>;
 
 /** What the arena needs to know of a robot type: its drawing and its outline. A `RobotType` fits. */
@@ -26,7 +26,7 @@ export interface ArenaOptions {
   readonly spots: boolean;
   /** The point around which the robot turns. */
   readonly centre: boolean;
-  /** Where the robot has come by. */
+  /** The path of the robot so far. */
   readonly trace: boolean;
   /** Forms of the chains of lights that lie on the robot, by the name of their pin's wire. */
   readonly lights: Readonly<Record<string, LightForm>>;

@@ -6,7 +6,7 @@ import type { RobotState } from '#robots/robot';
 import type * as attachmentPainterFile from './attachment-painter';
 import type { RobotPainting } from './robot-painting';
 
-/** What draws attachments; comes when the first one is shown, as most robots carry none. */
+/** The module that draws attachments; loaded with the first one, as most robots carry none. */
 type Painter = typeof attachmentPainterFile;
 
 let painter: Painter | null = null;
@@ -22,7 +22,7 @@ export function attachmentPainter(state: RobotState, painting: RobotPainting): P
         painter = loaded;
         painting.redraw();
       },
-      () => (coming = null), // no connection just now: asked again with the next picture
+      () => (coming = null), // offline: tried again with the next picture
     );
   }
   return painter;

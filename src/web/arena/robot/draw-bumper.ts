@@ -20,7 +20,7 @@ interface Half {
 
 const bumpers = new WeakMap<RobotPainting, Bumper>();
 
-/** Made when a robot first carries its bumper. */
+/** Created when a robot first carries its bumper. */
 function bumperOf(painting: RobotPainting): Bumper | null {
   const known = bumpers.get(painting);
   const { bumper, viewBox } = painting.drawing;

@@ -32,7 +32,7 @@ export function paintedRadiusMm(drawing: RobotDrawing): number {
 /** Ratio of the radius of the light on the floor to the light's circle in the drawing. */
 const UNDERGLOW_REACH = 1.75;
 
-/** Draws the robot: shadow, light on the floor, body, and what lives on it. */
+/** Draws the robot: shadow, light on the floor, body, and its animated parts. */
 export function drawRobot(
   context: CanvasRenderingContext2D,
   view: View,
@@ -163,7 +163,7 @@ function drawDisplay(context: CanvasRenderingContext2D, lights: readonly Box[], 
   context.globalAlpha = 1;
 }
 
-/** The bare outline with an arrow: for the moment before the drawing has been read. */
+/** The bare outline with an arrow, until the drawing has loaded. */
 function drawPlainBody(context: CanvasRenderingContext2D, look: RobotLook, palette: Palette): void {
   context.fillStyle = palette.wall;
   for (const part of look.body.outlineMm) {

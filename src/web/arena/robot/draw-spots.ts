@@ -17,7 +17,7 @@ export interface SensorSpot {
 const WINDOW_MM = 7;
 const SPOT_MM = 2.5; // as the robots' line sensors see it
 
-/** Smallest radii on the screen, in px: else nothing is to be seen of them in a large arena. */
+/** Smallest radii on the screen, in px: in a large arena they would otherwise be invisible. */
 const LEAST_WINDOW_PX = 5;
 const LEAST_SPOT_PX = 3;
 
@@ -27,7 +27,7 @@ const LABEL = { perDigit: 7, rim: 8, height: 19, gap: 3, away: 10.5 };
 /** A row of readings may be as wide as this on the floor, in mm of the real robot: else it would bury the robot. Chosen: three robots. */
 const WIDEST_ROW_MM = 330;
 
-/** The rim of the arena may push readings this much nearer to the robot, in px. */
+/** The edge of the picture may push readings this much nearer to the robot, in px. */
 const NEARER_PX = 6;
 
 /** Distance of the label from an obstacle that the distance sensor sees, in px. */

@@ -161,7 +161,7 @@ function isSame(one: TrailFrame, other: TrailFrame): boolean {
 }
 
 function clear(context: CanvasRenderingContext2D, { canvas, widthPx, heightPx, ratio }: TrailFrame): void {
-  canvas.width = Math.round(widthPx * ratio); // this empties it
+  canvas.width = Math.round(widthPx * ratio); // this clears it
   canvas.height = Math.round(heightPx * ratio);
   canvas.style.width = `${String(widthPx)}px`;
   canvas.style.height = `${String(heightPx)}px`;

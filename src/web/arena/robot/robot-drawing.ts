@@ -1,7 +1,7 @@
 import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
 
 /**
- * Reads a robot.svg: where its lights, wheels, display and bumper are, so that they can live.
+ * Reads a robot.svg: where its lights, wheels, display and bumper are, so that they can be animated.
  *
  * Rules for a robot.svg: 1 unit = 1 mm; seen from above, front up (x = to the right, y = backward), origin in the
  * middle of the axle; `viewBox` around everything. It shows the robot at rest with all lights off. Parts are found by
@@ -18,10 +18,10 @@ import { elementsOf, readSvgTree, type SvgElement } from '../picture/svg-tree';
  *   robot carries its bumper; a pressed half moves 3 mm towards the axle and turns red.
  * - `ultrasonic`: the group of the distance sensor, which a servo may turn: see `attachment-parts.ts`.
  *
- * A missing part is not drawn live; nothing else depends on it.
+ * A missing part is not animated; nothing else depends on it.
  */
 export interface RobotDrawing {
-  /** The text without what is a place only, without the treads and the bumper. */
+  /** The text without the parts that only mark a place, and without the treads and the bumper. */
   readonly svg: string;
   /** In drawing units (mm). */
   readonly viewBox: Box;

@@ -7,9 +7,9 @@ export interface RobotPainting {
   readonly look: RobotLook;
   readonly drawing: RobotDrawing;
   readonly sprites: SpriteShelf;
-  /** Has the picture drawn again: something that it needs has come. */
+  /** Requests a redraw, once something that the picture needs has loaded. */
   readonly redraw: () => void;
 }
 
-/** In the hand the robot is nearer to the eye. */
+/** The robot looks larger while it is lifted. */
 export const HELD_SIZE = 1.04;

@@ -1,6 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 
-/** What must be known of a robot at one moment to see around what it turns. */
+/** What must be known about a robot at one moment to find the point around which it turns. */
 export interface Moment {
   /** Simulated time. */
   readonly timeUs: number;
@@ -64,14 +64,14 @@ export function rotationCentre(before: Moment, now: Moment): RotationCentre | nu
   };
 }
 
-/** Follows a run and knows around what the robot turns now. */
+/** Follows a run and knows the point around which the robot is turning. */
 export interface TurnWatch {
   /** Takes in the newest picture; the same one again changes nothing, `null` (no run) forgets everything. */
   note(moment: Moment | null): void;
   centre(): RotationCentre | null;
 }
 
-/** Starts with knowing nothing. */
+/** Starts without any history. */
 export function createTurnWatch(): TurnWatch {
   let moments: Moment[] = [];
   let found: RotationCentre | null = null;
@@ -86,7 +86,7 @@ export function createTurnWatch(): TurnWatch {
       if (newest?.timeUs === moment.timeUs) return;
       if (newest !== undefined && newest.timeUs > moment.timeUs) moments = [];
       moments.push(moment);
-      // The oldest that is needed is the last one outside of the window.
+      // The oldest one needed is the last one outside the window.
       while ((moments[1]?.timeUs ?? Infinity) <= moment.timeUs - WINDOW_US) moments.shift();
       const [oldest] = moments;
       found = oldest === undefined || oldest === moment ? null : rotationCentre(oldest, moment);

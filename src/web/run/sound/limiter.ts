@@ -1,10 +1,10 @@
-/** Up to here nothing is changed, so that one source alone sounds as it is. */
+/** Up to this level nothing is changed, so that a single source stays as it is. */
 const KNEE = 0.7;
-/** The most that all sources together can come to. */
+/** The highest sum that all sources together can reach. */
 const MOST = 4;
 const POINTS = 8193; // every 0.001: straight between them
 
-/** What is heard of a sum of sources: itself up to the knee, then less and less more, never above 1. */
+/** The limited level of a sum of sources: unchanged up to the knee, then flattening out, never above 1. */
 export function limited(sum: number): number {
   const size = Math.abs(sum);
   if (size <= KNEE) return sum;
@@ -12,7 +12,7 @@ export function limited(sum: number): number {
 }
 
 /**
- * Puts a limiter before the loudspeaker, without delay: tone, effect, speech and samples at once are too much for it,
+ * Puts a limiter before the loudspeaker, without delay: tone, effect, speech and samples at once would exceed full scale,
  * and the browser would clip them.
  *
  * @returns the node to play into

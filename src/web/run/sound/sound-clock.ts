@@ -3,7 +3,7 @@
  * ahead some ms; with less, notes come late, with more, the sound lags behind the lights.
  */
 export const LATENCY_S = 0.08;
-/** A sound further ahead than this does not belong to the present tie any more, in s. */
+/** A sound further ahead than this, in s, means that the clocks have drifted apart. */
 const MOST_AHEAD_S = 0.3;
 /** A sound later than this synchronises the clocks again, in s. Chosen: an earlier one is played at once. */
 const MOST_LATE_S = 0.02;
@@ -19,11 +19,11 @@ export interface SoundClock {
    * @param speed simulated seconds per second
    */
   at(timeUs: number, nowS: number, speed: number): number;
-  /** Forgets the tie: the next sound counts as the first. */
+  /** Forgets the synchronisation: the next sound counts as the first. */
   reset(): void;
 }
 
-/** Creates a clock without a tie. */
+/** Creates a clock that is not synchronised yet. */
 export function createSoundClock(): SoundClock {
   let tie: { readonly timeUs: number; readonly atS: number; readonly speed: number } | null = null;
   return {

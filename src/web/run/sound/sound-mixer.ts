@@ -4,7 +4,7 @@ import type { EFFECT_RATE, renderEffect, SPEECH_RATE, speechPieces } from './syn
 import { createLimiter } from './limiter';
 import { createStream, EDGE_S, LOUDNESS, playPieces, playSamples, playTone, SPEECH_GAIN, type Voice } from './voices';
 
-/** What makes samples; loaded when it is needed. */
+/** The module that makes samples; loaded on demand. */
 export interface Synthesis {
   readonly EFFECT_RATE: typeof EFFECT_RATE;
   readonly SPEECH_RATE: typeof SPEECH_RATE;
@@ -12,7 +12,7 @@ export interface Synthesis {
   readonly speechPieces: typeof speechPieces;
 }
 
-/** Whether an event can only be played with the synthesis at hand. */
+/** Whether an event can be played only once the synthesis is loaded. */
 export const needsSynthesis = (event: SoundEvent): boolean => event.type === 'effect' || event.type === 'speech';
 
 const FULL_VOLUME = 255;
@@ -20,7 +20,7 @@ const SOURCES = ['tone', 'effect', 'speech'] as const;
 
 /** The board's four sources of sound as nodes of the sound system. It plays into the context's destination. */
 export class SoundMixer {
-  /** The limiter before the loudspeaker: what else the page lets be heard plays into it. */
+  /** The limiter before the loudspeaker; the page's other sounds play into it, too. */
   readonly out: AudioNode;
   private readonly volume: GainNode;
   private readonly speaker: GainNode;
@@ -51,7 +51,7 @@ export class SoundMixer {
    * Plays a sound event.
    *
    * @param atS when, in s of the sound system
-   * @param synthesis needed for effects and speech (see `needsSynthesis`), which are silent without
+   * @param synthesis needed for effects and speech (see `needsSynthesis`), which are silent without it
    */
   play(event: SoundEvent, atS: number, synthesis: Synthesis | null): void {
     switch (event.type) {

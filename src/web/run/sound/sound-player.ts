@@ -5,7 +5,7 @@ import type { SoundEvent } from '#board/sound/sound-event';
 import { createSoundClock } from './sound-clock';
 import { needsSynthesis, SoundMixer, type Synthesis } from './sound-mixer';
 
-/** Silence after which the sound system is put to sleep, in ms: awake it costs a weak tablet a few percent all the time. */
+/** Silence after which the sound system is put to sleep, in ms: awake, it constantly costs a weak tablet a few percent. */
 const SLEEP_AFTER_MS = 3000;
 /** How long the browser may take to let sound begin, in ms. */
 const BLOCKED_AFTER_MS = 400;
@@ -15,15 +15,15 @@ interface System {
   readonly mixer: SoundMixer;
 }
 
-/** Where other sounds than the board's are played. */
+/** Where sounds other than the board's are played. */
 export interface SoundOutput {
   readonly context: BaseAudioContext;
   readonly to: AudioNode;
 }
 
-/** Lets the board be heard. The sound system itself is made when something is to be heard, or inside `wake`. */
+/** Plays the board's sound. The sound system itself is created with the first sound, or by `wake`. */
 export class SoundPlayer {
-  /** True while something should be heard and the browser does not let it: a tap on the page helps. */
+  /** True while the browser blocks a sound: a tap on the page lets it play. */
   readonly isBlocked: ShallowRef<boolean> = shallowRef(false);
   private readonly clock = createSoundClock();
   private system: System | null = null;
@@ -78,7 +78,7 @@ export class SoundPlayer {
     this.change(() => (this.muted = muted));
   }
 
-  /** Call it inside a tap or a key press: only there do browsers let sound begin. */
+  /** To be called while a tap or key press is handled: only then do browsers let sound begin. */
   wake(): void {
     if (!this.muted) this.open();
   }
@@ -133,7 +133,7 @@ export class SoundPlayer {
     try {
       this.synthesis = await import('./synthesis');
     } catch {
-      // Even offline, tones are heard.
+      // Tones need no synthesis: they play even if it cannot be loaded.
     }
     this.isLoading = false;
     const events = this.waiting;
@@ -147,7 +147,7 @@ export class SoundPlayer {
       if (this.system.context.state !== 'running') this.system.context.resume().catch(() => undefined);
       this.sleepLater(this.system);
     } catch {
-      return null; // programs run on a machine without sound, too
+      return null; // without sound hardware, programs run all the same
     }
     return this.system;
   }

@@ -9,13 +9,13 @@ const SAMPLES_GAIN = 1.25;
 /** How long a tone takes to begin and to end, in s: without it every note clicks. */
 export const EDGE_S = 0.003;
 
-/** Something that sounds until it is ended. */
+/** Something that sounds until it is stopped. */
 export interface Voice {
   readonly endS: number;
   end(atS: number): void;
 }
 
-/** A square wave that sounds until it is ended. */
+/** A square wave that sounds until it is stopped. */
 export function playTone(context: BaseAudioContext, to: AudioNode, hz: number, atS: number): Voice {
   const oscillator = context.createOscillator();
   const gain = context.createGain();

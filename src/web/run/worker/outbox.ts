@@ -5,7 +5,7 @@ export interface Outbox {
   taken(): void;
   /** Sends everything at once, without waiting for the page: for the end of a run. */
   flush(): void;
-  /** More is waiting than the page takes in: let no simulated time pass. */
+  /** More is waiting than the page can take: simulated time must stand still. */
   readonly isFull: boolean;
   /** Nothing is waiting. What has been sent may still be on its way. */
   readonly isEmpty: boolean;
@@ -13,7 +13,7 @@ export interface Outbox {
 
 /** Longest batch in characters: small enough to be split into lines within a frame on a slow tablet. */
 const BATCH = 32_768;
-/** Waiting characters at which the run stands still: 10 s of a real board's serial line at 115200 baud. */
+/** Number of waiting characters at which the run pauses: 10 s of a real board's serial line at 115200 baud. */
 const FULL = 115_200;
 
 /** Creates an outbox that hands its batches to `send`. */

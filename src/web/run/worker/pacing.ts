@@ -30,9 +30,9 @@ export function nextPieceUs(pieceUs: number, tookMs: number): number {
   return pieceUs;
 }
 
-/** Measures the factor a run really reaches: simulated seconds per wall second over the last second or so. */
+/** Measures the factor that a run actually reaches: simulated seconds per wall second over the last second or so. */
 export interface SpeedMeter {
-  /** Notes where the run stands. */
+  /** Records how far the run has come. */
   note(wallMs: number, simulatedUs: number): void;
   /** The factor, or `null` until a quarter of a second has been seen. */
   factor(): number | null;

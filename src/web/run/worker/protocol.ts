@@ -1,5 +1,5 @@
 /**
- * What the page and the worker that runs the simulation say to each other. Every message is plain data; every message the
+ * The messages between the page and the worker that runs the simulation. Every message is plain data; every message the
  * page can send is a `ToWorker`, every one it can receive a `FromWorker`. One worker serves one run and is then thrown away.
  *
  *     page                                   worker
@@ -36,21 +36,21 @@ export type ToWorker =
   /** Simulated time stands still until `resume` or `step`. */
   | { readonly type: 'pause' }
   | { readonly type: 'resume' }
-  /** `STEP_PRESS_US` of simulated time, then still again. */
+  /** Lets `STEP_PRESS_US` of simulated time pass, then pauses again. */
   | { readonly type: 'step' }
   | { readonly type: 'speed'; readonly speed: Speed }
   /** A button, the hand, a sensor, serial text: takes effect at the next step of the world. */
   | { readonly type: 'input'; readonly action: InputAction }
   /** The page is ready to draw: the next change is answered by one `snapshot`. */
   | { readonly type: 'frame' }
-  /** The last `console` batch has been taken in. */
+  /** The last `console` batch has been processed. */
   | { readonly type: 'console-taken' }
   /** KeyboardInterrupt in the program, a moment for its `finally`, then the end. */
   | { readonly type: 'stop' };
 
 /** From the worker to the page. */
 export type FromWorker =
-  /** The VM is there; `run` starts at once. */
+  /** The VM is loaded; `run` will start at once. */
   | { readonly type: 'prepared' }
   | { readonly type: 'started' }
   /** `trail`: the robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */

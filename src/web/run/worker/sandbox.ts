@@ -6,7 +6,7 @@ const FORBIDDEN_GLOBALS = [
   ...['indexedDB', 'caches', 'cookieStore'],
 ] as const;
 
-/** The same, on the worker's navigator. */
+/** Likewise on the worker's navigator. */
 const FORBIDDEN_ON_NAVIGATOR = ['storage', 'storageBuckets', 'serviceWorker', 'locks'] as const;
 
 /**
@@ -19,7 +19,7 @@ export function sealSandbox(scope: { readonly navigator?: object }): void {
   if (scope.navigator !== undefined) for (const name of FORBIDDEN_ON_NAVIGATOR) takeAway(scope.navigator, name);
 }
 
-/** Takes a property away for good, wherever it comes from. */
+/** Removes a property for good, wherever in the prototype chain it is defined. */
 function takeAway(scope: object, name: string): void {
   for (let owner: object | null = scope; owner !== null; owner = Object.getPrototypeOf(owner) as object | null) {
     if (Object.hasOwn(owner, name)) Reflect.deleteProperty(owner, name);

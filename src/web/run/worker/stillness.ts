@@ -4,13 +4,13 @@ import type { Snapshot } from '#simulation/snapshot';
 const STILL_US = 500_000;
 
 /**
- * Sees whether anything in the run still moves. Everything counts: wheels that spin at a wall are seen to turn, and their
+ * Detects whether anything in the run still moves. Everything counts: wheels that spin at a wall are seen to turn, and their
  * encoders can be read in the REPL; a robot that is turned by a millionth of a degree in each step slips off in the end.
  */
 export interface Stillness {
   /** Takes the next picture. @returns whether all pictures of the last half second were the same */
   look(snapshot: Snapshot): boolean;
-  /** Something is done or set for later: begins anew. @returns false */
+  /** Something happens or is scheduled: starts over. @returns false */
   forget(): false;
 }
 

@@ -1,5 +1,5 @@
 /*
- * Stop should answer within 100 ms: the program is interrupted, says farewell, and the worker reports its end. Only a
+ * Stop should answer within 100 ms: the program is interrupted, cleans up, and the worker reports its end. Only a
  * program that is inside one long C call does not hear the interrupt; then the page ends the worker.
  */
 

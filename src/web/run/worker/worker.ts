@@ -1,4 +1,4 @@
-/** The module worker that owns one run. It says and hears what `protocol.ts` lists; all of its logic is in `runner.ts`. */
+/** The module worker that owns one run. It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`. */
 import { Simulation } from '#simulation/simulation';
 
 import { sealSandbox } from './sandbox';
