@@ -52,7 +52,7 @@ describe('the bar at the top', () => {
 
   it('names the course beside the title where no button has room for it', async () => {
     const { bar, page } = topBar(700);
-    expect(textOf(bar.get('h1 small').element)).toBe('Geschlossene Linie');
+    expect(textOf(bar.get('h1 small').element)).toBe('Eine Sekunde vorwärts');
     page.settings.change({ showArena: false, robot: 'none' });
     await nextTick();
     expect(bar.find('h1 small').exists()).toBe(false);
