@@ -1,6 +1,6 @@
 // Makes the firmware (.cache/vm/vm.wasm) from the published MicroPython package, unless it is there already.
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { fileURLToPath } from 'node:url';
 
@@ -15,8 +15,8 @@ function fingerprint() {
   const hash = createHash('sha256');
   hash.update(readFileSync(published));
   hash.update(require('binaryen/package.json').version);
-  for (const file of ['transform.mjs', 'keyword-order.mjs', 'wat.mjs'])
-    hash.update(readFileSync(new URL(`src/vm/firmware/${file}`, root)));
+  const steps = new URL('src/vm/firmware/', root);
+  for (const file of readdirSync(steps).sort()) hash.update(readFileSync(new URL(file, steps)));
   return hash.digest('hex');
 }
 

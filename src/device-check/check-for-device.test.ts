@@ -43,11 +43,11 @@ describe('the place of a finding', () => {
   });
 
   it('comes in the order of the files and their lines', () => {
-    const files = { 'main.py': 'import json\nf""\nx = 1.23456789', 'a.py': 'f""', 'notes.txt': 'f""' };
+    const files = { 'main.py': 'import json\nf""\nx = round(3, 1)', 'a.py': 'f""', 'notes.txt': 'f""' };
     expect(check(files).map(({ file, line, rule }) => `${file}:${line} ${rule}`)).toEqual([
       'main.py:1 module-instead',
       'main.py:2 f-string',
-      'main.py:3 float-digits',
+      'main.py:3 round-whole',
       'a.py:1 f-string',
     ]);
   });

@@ -9,18 +9,10 @@ import { attributeVisitors } from './visitors/attributes';
 import { builtinVisitors } from './visitors/builtins';
 import { classVisitors } from './visitors/classes';
 import { moduleVisitors } from './visitors/modules';
-import { numberVisitors } from './visitors/numbers';
 import { textVisitors } from './visitors/text';
 
 /** All rules by the node they look at. */
-const visitors = gather([
-  textVisitors,
-  builtinVisitors,
-  attributeVisitors,
-  classVisitors,
-  moduleVisitors,
-  numberVisitors,
-]);
+const visitors = gather([textVisitors, builtinVisitors, attributeVisitors, classVisitors, moduleVisitors]);
 
 interface Program {
   readonly name: string;

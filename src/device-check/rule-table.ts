@@ -17,8 +17,8 @@ const extra = (name: string): Rule => ({
 });
 
 /**
- * Every rule: what our MicroPython (1.27, all features, double floats) accepts and the micro:bit's firmware v2.1.2
- * (MicroPython v1.18, level CORE_FEATURES, single floats) does not. Switches that the device sets itself are in
+ * Every rule: what our MicroPython (1.27, all features) accepts and the micro:bit's firmware v2.1.2 (MicroPython v1.18,
+ * level CORE_FEATURES) does not. Switches that the device sets itself are in
  * micropython-microbit-v2 src/codal_port/mpconfigport.h.
  */
 export const rules = {
@@ -78,14 +78,6 @@ export const rules = {
   'newer-name': {
     severity: 'error',
     source: 'micropython-microbit-v2: in the tables of its master and audio-recording branches, not in v2.1.2',
-  },
-  'float-digits': {
-    severity: 'hint',
-    source: 'mpconfigport.h: MICROPY_FLOAT_IMPL_FLOAT; IEEE 754 single precision keeps 24 bits, 7.2 digits',
-  },
-  'float-range': {
-    severity: 'error',
-    source: 'mpconfigport.h: MICROPY_FLOAT_IMPL_FLOAT; IEEE 754 single precision ends at 3.4028235e38',
   },
 } as const satisfies Readonly<Record<string, Rule>>;
 

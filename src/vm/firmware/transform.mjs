@@ -3,6 +3,7 @@
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
 import { orderKeywordArguments } from './keyword-order.mjs';
+import { computeInSingles } from './single-floats.mjs';
 import {
   addressOfText,
   expressionEnd,
@@ -43,6 +44,7 @@ export function transform(published, report) {
   const module = splitModule(original.emitText().replace(/\$global\$0(?!\d)/g, '$__stack_pointer'));
   original.dispose();
   declareHost(module);
+  computeInSingles(module);
   collectInsideFixedHeap(module);
   tellHeapPlace(module);
   freeReserveOnMemoryError(module);

@@ -60,9 +60,21 @@ export function expressionEnd(text, start) {
   throw new Error('Unbalanced parentheses.');
 }
 
+const SEGMENT = /\(data \$\S+ \(i32\.const (\d+)\) "((?:[^"\\]|\\.)*)"\)/g;
+
+/** Lets `change` edit the bytes of each data segment; it is given the address where the segment starts, too. */
+export function replaceBytes(module, change) {
+  module.head = module.head.replace(SEGMENT, (segment, start, content) => {
+    const bytes = Uint8Array.from(unescape_(content), (character) => character.charCodeAt(0));
+    change(bytes, Number(start));
+    const escaped = Array.from(bytes, (byte) => `\\${byte.toString(16).padStart(2, '0')}`).join('');
+    return segment.replace(`"${content}"`, () => `"${escaped}"`);
+  });
+}
+
 /** The address of a text constant of the C code in memory. */
 export function addressOfText(module, text) {
-  const segments = [...module.head.matchAll(/\(data \$\S+ \(i32\.const (\d+)\) "((?:[^"\\]|\\.)*)"\)/g)];
+  const segments = [...module.head.matchAll(SEGMENT)];
   const found = segments
     .map(([, start, content]) => ({ start: Number(start), at: unescape_(content).indexOf(text) }))
     .filter(({ at }) => at >= 0);

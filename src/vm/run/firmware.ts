@@ -1,4 +1,5 @@
 import type { HostFunctions, Loader } from './loader';
+import { formatSingle, parseSingle } from './single-float-text';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
 
@@ -95,7 +96,12 @@ export function instantiateFirmware(
   const host = (): FirmwareHost => loaded.host ?? notLoaded();
   const files = loader(inMemory);
   const imports = {
-    host: { tick: () => host().tick(), fatal: () => host().fatal(), collected: () => host().collected() },
+    host: {
+      tick: () => host().tick(),
+      fatal: () => host().fatal(),
+      collected: () => host().collected(),
+      ...decimals(inMemory),
+    },
     env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
@@ -106,6 +112,13 @@ export function instantiateFirmware(
   firmware.__wasm_call_ctors();
   return { firmware, memory, serve: (given) => void (loaded.host = given) };
 }
+
+/** Decimal numbers as the board writes and reads them; the build step takes the published ways out. */
+const decimals = (memory: () => Memory): HostFunctions => ({
+  format_single: (value: number, at: number, letter: number, precision: number, sign: number) =>
+    memory().putAscii(at, formatSingle(value, letter, precision, sign)),
+  parse_single: (at: number, length: number) => parseSingle(memory().text(at, length)),
+});
 
 function notLoaded(): never {
   throw new Error('The firmware is not loaded yet.');

@@ -42,6 +42,13 @@ export class Memory {
     return this.text(address, this.bytes.indexOf(0, address) - address);
   }
 
+  /** Writes ASCII characters and a closing zero byte. Returns how many characters. */
+  putAscii(address: number, text: string): number {
+    for (let index = 0; index < text.length; index++) this.bytes[address + index] = text.charCodeAt(index);
+    this.bytes[address + text.length] = 0;
+    return text.length;
+  }
+
   /** Puts a text and a closing zero byte into newly allocated memory. */
   allocateText(text: string): { readonly address: number; readonly length: number } {
     const bytes = encoder.encode(text);

@@ -32,7 +32,7 @@ class _Memory:
         word = _h.chip_word(self._checked(address) & ~3)
         if word is None:
             self._missing("reading", address)
-        return (int(word) >> 8 * (address & 3)) & (1 << self._bits) - 1
+        return (word >> 8 * (address & 3)) & (1 << self._bits) - 1
 
     def __setitem__(self, address, value):
         _ints(value)

@@ -34,7 +34,7 @@ speaker = _Speaker()
 def sleep(ms):
     t = _sleep(ms)
     while t:
-        if t < 0:
+        if t == -1:
             _check_time(ms)
             return
         # A callback came in between: sleep on until the same moment.
@@ -85,8 +85,8 @@ class _RunEvery:
         self._period = period
 
     def __call__(self, callback):
-        # Days of milliseconds have more than 32 bits: as a float they reach the simulation.
-        _h.run_every(_remember(callback), float(self._period))
+        # Days of milliseconds have more than 32 bits: days and the rest go to the simulation.
+        _h.run_every(_remember(callback), self._period // 86400000, self._period % 86400000)
         return self
 
     def __repr__(self):

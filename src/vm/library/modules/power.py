@@ -31,11 +31,11 @@ def _wake_on(sources):
 def deep_sleep(ms=None, wake_on=None, run_every=True):
     if ms is not None:
         _ints(ms)
-        ms = float(ms & 0xFFFFFFFF)
+        ms &= 0xFFFFFFFF
     _wake_on(wake_on)
     irq = run_every or _h.set_irq(False)
     try:
-        state = _h.power_sleep(-1 if ms is None else ms)
+        state = _h.power_sleep() if ms is None else _h.power_sleep(ms // 1000, ms % 1000)
         while state < 0:
             # A callback came in between and has run: sleep on.
             state = _h.power_sleep_on()

@@ -15,13 +15,13 @@ const CHIP_WORDS: readonly (readonly [address: number, word: number])[] = [
   [0x1000_0110, 0x200], // INFO.FLASH: kB
 ];
 
-const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.buffer).getUint32(from, true);
+const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.buffer).getInt32(from, true);
 
 /**
  * The rest of the board.
  *
  * - sensor(id) → its value (ids: board/sensors.ts) · unique_id(address): writes 8 bytes, the same for the same seed
- * - chip_word(address) → the word of the chip's memory there, None if it is not simulated
+ * - chip_word(address) → the word of the chip's memory there as an int of 32 bits, None if it is not simulated
  */
 export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): SyscallTable {
   const chance = rng.fork('unique-id');

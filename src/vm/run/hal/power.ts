@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { Button } from '#board/sensors/button';
 import type { Pin } from '#board/wires/pin';
 import type { WakeSource } from '#board/power';
-import { numberOf, wholeOf } from '../arguments';
+import { wholeOf } from '../arguments';
 import { pinsByNumber } from './pins';
 import type { Machine, SyscallTable, Wait } from '../syscall';
 
@@ -15,7 +15,7 @@ const WOKEN = 1;
  *
  * - power_off() never comes back
  * - power_wake_clear(), power_wake_pin(n), power_wake_button(n): what will wake the board
- * - power_sleep(ms), negative: without end → 0 when the time is over, 1 when it was woken, −1 if a callback came in
+ * - power_sleep(seconds, ms), without arguments: without end → 0 when the time is over, 1 when it was woken, −1 if a callback came in
  *   between; power_sleep_on() answers in the same way
  */
 export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
@@ -62,12 +62,12 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
       if (button) sources.push(buttonSource(button));
       return null;
     },
-    power_sleep: (ms) => {
+    power_sleep: (seconds, ms) => {
       machine.spend(callUs);
-      const duration = numberOf(ms) ?? -1;
+      const duration = (wholeOf(seconds) ?? Infinity) * 1000 + (wholeOf(ms) ?? 0);
       // Without a wake source the device does not fall asleep: MicroBitPowerManager.cpp, canDeepSleep.
-      if (duration < 0 && sources.length === 0) return WOKEN;
-      untilUs = duration < 0 ? Infinity : clock.nowUs + Math.trunc(duration) * 1000;
+      if (duration === Infinity && sources.length === 0) return WOKEN;
+      untilUs = clock.nowUs + duration * 1000;
       hush(board);
       return sleep();
     },

@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { Pin } from '#board/wires/pin';
 import type { Level } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
-import { numberOf, wholeOf } from '../arguments';
+import { numberOf, textOf, wholeOf } from '../arguments';
 import { pinsByNumber } from './pins';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
@@ -10,6 +10,7 @@ const TICKS_PERIOD = 0x40000000; // MicroPython extmod/modtime.c on 32 bits: tic
 const NO_NUMBER = -1;
 /** Shorter pauses are spent at once, like the device's busy loop; longer ones let callbacks in. Chosen: one ms. */
 const BUSY_PAUSE_US = 1000;
+const DAY_MS = 86_400_000;
 const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are served every 6 ms
 
 /**
@@ -19,13 +20,15 @@ const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are 
  * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for negative numbers (a
  *   number of more than 32 bits may arrive as one), otherwise (a callback came in between) a moment for
  *   sleep_until(moment), which answers in the same way
- * - run_every(callback, periodMs): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
+ * - run_every(callback, days, ms): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
  * - set_irq(on) → the previous value; while off no callback is queued
  * - pulse(n, level, timeoutUs), pulse_on(token): see `createPulseCalls`
  */
 export function createTimeCalls(machine: Machine, board: Board): SyscallTable {
   return { ...clockCalls(machine, board), ...callbackCalls(machine), ...createPulseCalls(machine, board) };
 }
+
+const inUs = (ms: number | null): number | null => (ms === null ? null : ms * 1000);
 
 function clockCalls(machine: Machine, board: Board): SyscallTable {
   const { clock } = machine;
@@ -34,8 +37,8 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
   const ms = (): number => Math.floor(runningUs() / 1000);
   const sleepUntil = (untilUs: number): Wait => ({
     untilUs,
-    // The half keeps the moment a float at the boundary, so that it may exceed 32 bits of µs.
-    result: () => (clock.nowUs >= untilUs ? 0 : untilUs + 0.5),
+    // As text: an int at the boundary has 32 bits, a float 24 of them, and a moment of long runs more.
+    result: () => (clock.nowUs >= untilUs ? 0 : String(untilUs)),
   });
   const sleep = (us: number | null): Value | Wait => {
     machine.spend(callUs);
@@ -43,9 +46,9 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
     if (us < 0) return NO_NUMBER;
     return us > 0 ? sleepUntil(clock.nowUs + us) : 0;
   };
-  const times = (value: Value | undefined, factor: number): number | null => {
+  const whole = (value: Value | undefined): number | null => {
     const number = numberOf(value);
-    return number === null ? null : Math.trunc(number * factor);
+    return number === null ? null : Math.trunc(number);
   };
   return {
     ticks_us: () => {
@@ -61,21 +64,19 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
       machine.spend(callUs);
       return ms();
     },
-    sleep_ms: (value) => {
-      const whole = times(value, 1);
-      return sleep(whole === null ? null : whole * 1000);
-    },
+    sleep_ms: (value) => sleep(inUs(whole(value))),
     sleep_s: (value) => {
-      const whole = times(value, 1000);
-      return sleep(whole === null ? null : whole * 1000);
+      const seconds = numberOf(value);
+      // In single precision: 0.7 s are 700 ms, though the single next to 0.7 is a little less.
+      return sleep(inUs(seconds === null ? null : Math.trunc(Math.fround(Math.fround(seconds) * 1000))));
     },
     sleep_us: (value) => {
-      const us = times(value, 1);
+      const us = whole(value);
       if (us === null || us > BUSY_PAUSE_US) return sleep(us);
       machine.spend(callUs + Math.max(us, 0));
       return 0;
     },
-    sleep_until: (moment) => sleepUntil(Math.floor(numberOf(moment) ?? 0)),
+    sleep_until: (moment) => sleepUntil(Number(textOf(moment))),
   };
 }
 
@@ -99,8 +100,8 @@ function callbackCalls(machine: Machine): SyscallTable {
     stops.push(() => stop());
   };
   return {
-    run_every: (callback, periodMs) => {
-      repeat(wholeOf(callback) ?? 0, Math.max(wholeOf(periodMs) ?? 0, 0) * 1000);
+    run_every: (callback, days, ms) => {
+      repeat(wholeOf(callback) ?? 0, Math.max((wholeOf(days) ?? 0) * DAY_MS + (wholeOf(ms) ?? 0), 0) * 1000);
       return null;
     },
     run_every_stop: () => {
