@@ -5,14 +5,14 @@ import { strictReport } from './strict';
 const V212 = { features: [], micropython: [1, 18, 0] } as const;
 
 describe('parcours run --strict', () => {
-  const files = { 'main.py': 'import json\nx = 3\nprint(f"{x}")\npi = 3.14159265\n' };
+  const files = { 'main.py': 'import json\nx = 3\nprint(f"{x}")\ndef tidy(n): return round(n, -1)\n' };
 
   it('lists every place with file, line, column and a sentence, and counts those where the device stops', async () => {
     expect(await strictReport(files, 'micro:bit V2', V212, 'en')).toEqual({
       text:
         'main.py:1:8: There is no module json on the micro:bit V2. Perhaps this helps you: text.split(",")\n' +
         'main.py:3:7: The micro:bit V2 does not know f-strings. Write this instead: "{}".format(x)\n' +
-        'main.py:4:6: hint: The micro:bit V2 calculates with about 7 digits. The last ones of 3.14159265 get lost.\n',
+        'main.py:4:21: hint: The micro:bit V2 cannot round a whole number to places. Make a decimal number of it first: round(float(n), -1)\n',
       count: 2,
       first: 'main.py:1:8: There is no module json on the micro:bit V2. Perhaps this helps you: text.split(",")',
       hints: 1,
@@ -20,15 +20,26 @@ describe('parcours run --strict', () => {
   });
 
   it.each([
-    ['de', 'Hinweis: Der Calliope mini 3 rechnet mit etwa 7 Stellen. Von 1.23456789 gehen die hinteren verloren.'],
+    [
+      'de',
+      'Hinweis: Eine ganze Zahl kann der Calliope mini 3 nicht auf Stellen runden. Mach zuerst eine Kommazahl daraus: round(float(n), -1)',
+    ],
     [
       'fr',
-      'remarque\u202f: Le Calliope mini 3 calcule avec environ 7 chiffres. Les derniers de 1.23456789 se perdent.',
+      'remarque\u202f: Le Calliope mini 3 ne sait pas arrondir un nombre entier à un nombre de chiffres. Fais-en d’abord un nombre à virgule\u202f: round(float(n), -1)',
     ],
-    ['it', 'nota: Il Calliope mini 3 calcola con circa 7 cifre. Le ultime di 1.23456789 vanno perse.'],
+    [
+      'it',
+      'nota: Il Calliope mini 3 non sa arrotondare un numero intero a un numero di cifre. Prima fanne un numero con la virgola: round(float(n), -1)',
+    ],
   ] as const)('speaks %s too', async (language, sentence) => {
-    const { text } = await strictReport({ 'main.py': 'x = 1.23456789' }, 'Calliope mini 3', V212, language);
-    expect(text).toBe(`main.py:1:5: ${sentence}\n`);
+    const { text } = await strictReport(
+      { 'main.py': 'def tidy(n): return round(n, -1)' },
+      'Calliope mini 3',
+      V212,
+      language,
+    );
+    expect(text).toBe(`main.py:1:21: ${sentence}\n`);
   });
 
   it('says nothing about a program that runs on the device', async () => {
