@@ -42,7 +42,9 @@ function checkFile(one: Program, all: readonly Program[], device: Device): reado
   const context = contextOf(one, all, device, marks);
   one.file.tree.iterate({
     enter: ({ name, node }) => {
+      if (name === 'TypeDef') return false; // a type hint: the device reads it and never looks at it (py/compile.c)
       for (const visit of visitors.get(name) ?? []) visit(node, context);
+      return true;
     },
   });
   return marks

@@ -185,7 +185,12 @@ const cases: Readonly<Record<RuleId, Case>> = {
       'from microbit import MicroBitDigitalPin',
       'import os\nprint(os.uname_result)',
     ],
-    fine: ['from microbit import button_a, pin0\nimport os\nprint(os.uname())', 'class Button:\n    pass\nButton()'],
+    fine: [
+      'from microbit import button_a, pin0\nimport os\nprint(os.uname())',
+      'class Button:\n    pass\nButton()',
+      'import microbit\ndef f(pin: microbit.MicroBitDigitalPin) -> microbit.Button:\n    return pin\nf(1)',
+      'import microbit\npin: microbit.MicroBitDigitalPin = 3\nprint(pin)',
+    ],
   },
   module: {
     marked: ['import itertools', 'from typing import List', 'import struct, ubinascii'],

@@ -1,7 +1,7 @@
 import { degOf, radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import type { Sensors } from '#board/sensors/sensors';
+import { GRAVITY_MG, type Sensors } from '#board/sensors/sensors';
 import type { Chassis } from '#world/chassis';
 import { STEP_US } from '#world/step';
 
@@ -23,7 +23,6 @@ export interface ArenaSenses {
 
 const FIELD_HORIZONTAL_NT = 21_500; // chosen: the earth's magnetic field in Zürich, rounded
 const FIELD_DOWN_NT = 43_000; // chosen: its part that points into the ground
-const GRAVITY_MG = 1024; // codal-core Accelerometer.h: reading of a board at rest, in its own mg
 const MM_PER_S2_PER_MG = 9.806_65; // a thousandth of standard gravity
 const MOST_MG = 2000; // the range of the sensor at its start
 const SPOT_MM = 20; // chosen: the board looks at about its own width of floor

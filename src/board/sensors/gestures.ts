@@ -68,8 +68,7 @@ export class GestureRecogniser {
     return this.last;
   }
 
-  /** @param canFall false while the weight on the board is unknown: then there is no free fall */
-  sample(a: Acceleration, canFall: boolean): void {
+  sample(a: Acceleration): void {
     const square = a.x * a.x + a.y * a.y + a.z * a.z;
     this.feelBlows(square);
     if (this.isShake(a)) {
@@ -77,7 +76,7 @@ export class GestureRecogniser {
       this.tell('shake');
       return;
     }
-    const posture = canFall && square < FREEFALL_MG * FREEFALL_MG ? 'freefall' : postureOf(a);
+    const posture = square < FREEFALL_MG * FREEFALL_MG ? 'freefall' : postureOf(a);
     if (posture === this.posture) {
       if (this.stable < DAMPING) this.stable++;
     } else {

@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { calliopeMini3 } from '../boards/calliope-mini-3';
+import { microbitV2 } from '../boards/microbit-v2';
 import type { Bench } from '../testing/bench';
 import { createBench } from '../testing/bench';
 
@@ -60,7 +62,7 @@ describe('accelerometer', () => {
   it('K3: reaches 2 g; 3 makes it 4 g and 5 makes it 8 g, and what is beyond comes within', () => {
     const { board } = createBench();
     const reach = (): unknown => board.sensors.describe().find(({ id }) => id === 'accelerometerZ');
-    expect(reach()).toMatchObject({ min: -2000, max: 2000, unit: 'mg', start: 0 });
+    expect(reach()).toMatchObject({ min: -2000, max: 2000, unit: 'mg', start: -1024 });
     board.motion.setRange(3);
     expect(reach()).toMatchObject({ min: -4000, max: 4000 });
     board.motion.setRange(5);
@@ -96,16 +98,26 @@ describe('accelerometer', () => {
     expect(bench.board.motion.gesture).toBe(gesture);
   });
 
-  it('K5: is not falling at the start, where all axes read 0, nor while only x and y have been set', () => {
+  it.each([microbitV2, calliopeMini3])(
+    'K5: a board at rest feels gravity from the start, and lies face up: $id',
+    (type) => {
+      const { board, passMs } = createBench(type);
+      expect([board.motion.acceleration, board.motion.gesture]).toEqual([{ x: 0, y: 0, z: -1024 }, 'face up']);
+      expect(board.motion.takeGestures()).toEqual(['face up']);
+      passMs(1000);
+      expect([board.motion.strength, board.motion.gesture]).toEqual([1024, 'face up']);
+      expect(board.motion.takeGestures()).toEqual([]);
+      board.sensors.set('accelerometerZ', 0);
+      passMs(1000);
+      expect(board.motion.gesture).toBe('freefall');
+    },
+  );
+
+  it('K5: how it is set before the start is how it lies there', () => {
     const bench = createBench();
-    bench.passMs(1000);
-    expect(bench.board.motion.gesture).toBe('');
-    bench.board.sensors.set('accelerometerX', 100);
-    bench.passMs(1000);
-    expect(bench.board.motion.gesture).toBe('');
-    bench.board.sensors.set('accelerometerZ', 0);
-    bench.passMs(1000);
-    expect(bench.board.motion.gesture).toBe('freefall');
+    set(bench, 900, 0, -300);
+    expect([bench.board.motion.acceleration.x, bench.board.motion.gesture]).toEqual([900, 'right']);
+    expect(bench.board.motion.takeGestures()).toEqual(['right']);
   });
 
   it('K6: four swings beyond 400 mg in quick succession are a shake', () => {
@@ -152,7 +164,7 @@ describe('accelerometer', () => {
   });
 
   it('K9: wasGesture forgets its own gesture and the list; the list keeps the first 16', () => {
-    const { board } = createBench();
+    const { board } = lying();
     for (let i = 0; i < 20; i++) board.sensors.set('gesture', i < 16 ? 'up' : 'down');
     expect(board.motion.takeGestures()).toEqual(Array.from({ length: 16 }, () => 'up'));
     board.sensors.set('gesture', 'left');
@@ -161,12 +173,12 @@ describe('accelerometer', () => {
     expect(board.motion.wasGesture('left')).toBe(true);
   });
 
-  it('K10: a reset forgets gestures and range; what the sensors feel stays', () => {
+  it('K10: a reset forgets range and gestures but for the posture; what the sensors feel stays', () => {
     const { board, passMs } = lying();
     board.motion.setRange(8);
     board.sensors.set('gesture', 'shake');
     board.reset();
-    expect([board.motion.gesture, board.motion.wasGesture('shake')]).toEqual(['', false]);
+    expect([board.motion.gesture, board.motion.wasGesture('shake')]).toEqual(['face up', false]);
     passMs(20);
     expect(board.motion.acceleration.z).toBe(-1024);
     expect(() => board.sensors.set('accelerometerX', 3000)).toThrow(RangeError);

@@ -18,16 +18,14 @@ export function limitReach(sensors: Sensors, mg: number): void {
  * The accelerometer. It samples every 20 ms, at whole multiples since the start of the run; gestures are found in these
  * samples, and each setting of the sensor `gesture` makes another one.
  *
- * It sets no alarm: missed samples are caught up when a program asks, with the same result. At the start all axes read
- * 0 (as in the official simulator), which is a free fall. Therefore no fall is found until `accelerometerZ` has been
- * set for the first time.
+ * It sets no alarm: missed samples are caught up when a program asks, with the same result. A start finds the board as
+ * it has been lying for a while: it feels gravity, and its posture is its first gesture.
  */
 export class Motion {
-  private raw: { x: number; y: number; z: number } = { x: 0, y: 0, z: 0 };
-  private latest: Acceleration = { x: 0, y: 0, z: 0 };
+  private readonly raw = { x: 0, y: 0, z: 0 };
+  private latest: Acceleration = this.raw;
   private samples = 0;
   private reachMg = 2000;
-  private canFall = false;
   private recogniser = this.createRecogniser();
   private lastGesture: Gesture = '';
   private readonly were = new Set<Gesture>();
@@ -37,6 +35,7 @@ export class Motion {
     private readonly clock: Clock,
     private readonly sensors: Sensors,
   ) {
+    this.lie();
     sensors.onSet((id) => this.hear(id));
   }
 
@@ -86,13 +85,21 @@ export class Motion {
     return taken;
   }
 
-  /** Back to the state after a start: 2 g, no gestures. The sensor values stay. */
+  /** Back to the state after a start: 2 g, no gesture but the posture. The sensor values stay. */
   reset(): void {
     this.setRange(2);
+    this.lie();
+  }
+
+  /** The board has been lying still, as its sensors say, for as long as a gesture needs. */
+  private lie(): void {
     this.recogniser = this.createRecogniser();
     this.lastGesture = '';
     this.were.clear();
     this.history = [];
+    this.readSensors();
+    this.latest = { ...this.raw };
+    this.feel(SAMPLES_TO_REST);
   }
 
   private createRecogniser(): GestureRecogniser {
@@ -113,9 +120,10 @@ export class Motion {
       if (gesture === 'none') this.lastGesture = this.recogniser.current;
       else this.note(gesture as Gesture);
     } else if (Object.hasOwn(AXES, id)) {
+      // What is set before anything has run is how the board lies when it starts.
+      if (this.clock.nowUs === 0) return this.lie();
       this.catchUp();
       this.readSensors();
-      if (id === 'accelerometerZ') this.canFall = true;
     }
   }
 
@@ -130,6 +138,10 @@ export class Motion {
     if (missing <= 0) return;
     this.samples = due;
     this.latest = { ...this.raw };
-    for (let i = 0; i < missing; i++) this.recogniser.sample(this.latest, this.canFall);
+    this.feel(missing);
+  }
+
+  private feel(samples: number): void {
+    for (let i = 0; i < samples; i++) this.recogniser.sample(this.latest);
   }
 }

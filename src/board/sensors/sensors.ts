@@ -28,11 +28,17 @@ interface Range {
   readonly unit: string;
 }
 
-/** Ranges, start values and ids as in the official simulator (micropython-microbit-v2-simulator, src/board/). */
+/** What an accelerometer at rest measures of gravity, in its own mg (codal-core Accelerometer.h). */
+export const GRAVITY_MG = 1024;
+
+/**
+ * Ranges, start values and ids as in the official simulator (micropython-microbit-v2-simulator, src/board/), but for
+ * gravity: the board lies on the table, display up, while the official one falls freely (all axes 0).
+ */
 const RANGES: Readonly<Record<string, Range>> = {
   accelerometerX: { min: -2000, max: 2000, start: 0, unit: 'mg' },
   accelerometerY: { min: -2000, max: 2000, start: 0, unit: 'mg' },
-  accelerometerZ: { min: -2000, max: 2000, start: 0, unit: 'mg' },
+  accelerometerZ: { min: -2000, max: 2000, start: -GRAVITY_MG, unit: 'mg' },
   compassX: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },
   compassY: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },
   compassZ: { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' },

@@ -94,19 +94,16 @@ export class MusicPlayer {
   /**
    * Sounds one pitch at once. After its duration come silence and the articulation gap, then `isPlaying` ends.
    *
-   * @param hz whole Hz, 0 for silence
+   * @param hz whole Hz, 0 for silence. Less than 0, or more than 1 MHz, is no error on the device: the period becomes 0
+   *   µs (the argument is unsigned), and the pin stays with the music. What is heard then is not known; chosen: silence
    * @param durationMs negative: until something else is played, or a stop
-   * @returns `null`, or the device's ValueError: the pin is held, or "invalid pitch" for less than 0 or more than 1 MHz
+   * @returns `null`, or the device's ValueError if the pin is held
    */
   pitch(hz: number, durationMs: number, pin: Pin | null): string | null {
     const problem = this.begin(pin);
     if (problem !== null) return problem;
-    if (hz < 0 || hz > 1_000_000) {
-      this.output.route.free();
-      return 'invalid pitch';
-    }
     if (hz === 0) this.output.route.free();
-    else this.sound(Math.floor(1_000_000 / hz));
+    else if (hz > 0 && hz <= 1_000_000) this.sound(Math.floor(1_000_000 / hz));
     if (durationMs >= 0) {
       this.run({ notes: [], loop: false, next: 0, then: 'gap', untilMs: this.nowMs + durationMs });
     }

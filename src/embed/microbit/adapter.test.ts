@@ -174,7 +174,7 @@ describe('what the program does', () => {
         change: {
           accelerometerX: { ...axis, id: 'accelerometerX' },
           accelerometerY: { ...axis, id: 'accelerometerY' },
-          accelerometerZ: { ...axis, id: 'accelerometerZ' },
+          accelerometerZ: { ...axis, id: 'accelerometerZ', value: -1024 },
         },
       },
     ]);

@@ -1,6 +1,6 @@
 import { findBoard } from '#board/boards/index';
 import { microbitV2 } from '#board/boards/microbit-v2';
-import { GESTURES, padId } from '#board/sensors/sensors';
+import { GESTURES, GRAVITY_MG, padId } from '#board/sensors/sensors';
 
 import type { MicrobitState, StateEntry } from './messages';
 
@@ -27,8 +27,9 @@ interface Range {
 }
 
 const PRESSABLE: Range = { min: 0, max: 1, start: 0 };
-const ACCELERATION = { start: 0, unit: 'mg' } as const;
-const AXES: readonly string[] = ['accelerometerX', 'accelerometerY', 'accelerometerZ'];
+/** Where the axes start: the board lies on the table, display up. */
+const AT_REST: Readonly<Record<string, number>> = { accelerometerX: 0, accelerometerY: 0, accelerometerZ: -GRAVITY_MG };
+const AXES = Object.keys(AT_REST);
 const SOUND = { min: 0, max: 255, start: 0 } as const;
 const START_LIMITS: SensorLimits = { accelerometerRangeMg: 2000, soundThresholds: { quiet: 75, loud: 150 } };
 const FIELD: Range = { min: -2_000_000, max: 2_000_000, start: 0, unit: 'nT' };
@@ -158,7 +159,8 @@ export class StateModel {
 
   private rangeOf(id: string): Range | undefined {
     const { accelerometerRangeMg, soundThresholds } = this.limits;
-    if (AXES.includes(id)) return { ...ACCELERATION, min: -accelerometerRangeMg, max: accelerometerRangeMg };
+    const start = AT_REST[id];
+    if (start !== undefined) return { start, unit: 'mg', min: -accelerometerRangeMg, max: accelerometerRangeMg };
     if (id === 'soundLevel')
       return { ...SOUND, lowThreshold: soundThresholds.quiet, highThreshold: soundThresholds.loud };
     return ORDER.find(([known]) => known === id)?.[1] ?? undefined;

@@ -1,7 +1,5 @@
+import { GRAVITY_MG } from '#board/sensors/sensors';
 import { degOf } from '#core/angle';
-
-/** What an accelerometer at rest measures of gravity, in its own mg (codal-core Accelerometer.h). */
-const GRAVITY_MG = 1024;
 
 /** Acceleration in mg: x to the right edge, y to the edge with the pins, z out of the display. */
 export interface Acceleration {
