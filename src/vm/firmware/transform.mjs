@@ -4,6 +4,7 @@
 import binaryen from 'binaryen';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { computeInSingles } from './single-floats.mjs';
+import { chargeWork, findWork } from './work-in-c.mjs';
 import {
   addressOfText,
   expressionEnd,
@@ -43,6 +44,7 @@ export function transform(published, report) {
   // The pass that spills pointers finds the stack pointer by its name.
   const module = splitModule(original.emitText().replace(/\$global\$0(?!\d)/g, '$__stack_pointer'));
   original.dispose();
+  const work = findWork(module);
   declareHost(module);
   computeInSingles(module);
   collectInsideFixedHeap(module);
@@ -63,6 +65,7 @@ export function transform(published, report) {
   const metered = splitModule(spilled.emitText());
   spilled.dispose();
   meter(metered, findInterpreter(metered));
+  chargeWork(metered, work);
 
   report('making it suspendable');
   binaryen.setOptimizeLevel(2);
