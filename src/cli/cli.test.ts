@@ -1,5 +1,5 @@
-import { spawn } from 'node:child_process';
-import { readFileSync } from 'node:fs';
+import { spawn, spawnSync } from 'node:child_process';
+import { cpSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { lastLine, parcours, useFolder } from './testing/parcours';
@@ -261,14 +261,23 @@ describe('a run that does not end', { timeout: 40_000 }, () => {
     expect(lastLine(out).ended).toBe('stopped');
   });
 
-  it('is ended as stuck when one call never comes back', () => {
-    const { code, out, err } = parcours(
-      'run',
-      file('stuck.py', "print('go')\nsum(map(sum, [range(10**9)] * 100))"),
-      '--json',
-    );
-    expect(code).toBe(1);
-    expect(lastLine(out)).toMatchObject({ ended: 'stuck', console: 'go\n', robot: { xMm: 600, yMm: 450 } });
-    expect(err).toContain('no sign of life');
+  it('is ended as stuck when its thread gives no sign of life', () => {
+    const copy = join(folder, 'hung');
+    cpSync('dist/cli', copy, { recursive: true });
+    writeFileSync(join(copy, 'worker.mjs'), 'setInterval(() => {}, 1000);');
+    const program = file('stuck.py', "print('never')");
+    const { status, stdout, stderr } = spawnSync(process.execPath, [join(copy, 'main.mjs'), 'run', program, '--json'], {
+      encoding: 'utf8',
+    });
+    expect(status).toBe(1);
+    expect(lastLine(stdout)).toMatchObject({ ended: 'stuck', console: '' });
+    expect(stderr).toContain('no sign of life');
+  });
+
+  it('is not stuck in a long call inside the interpreter: its time passes', () => {
+    const program = file('long.py', "print('go')\nsum(map(sum, [range(10**9)] * 100))");
+    const { code, out } = parcours('run', program, '--for', '3s', '--json');
+    expect(code).toBe(0);
+    expect(lastLine(out)).toMatchObject({ ended: 'time-limit', console: 'go\n', simulatedMs: 3000 });
   });
 });
