@@ -3,10 +3,13 @@
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
 import { orderKeywordArguments } from './keyword-order.mjs';
+import { refuseCallsAsNative } from './native-calls.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
+import { speakAsTheDevice } from './words.mjs';
 import {
   addressOfText,
+  bodyStart,
   expressionEnd,
   flat,
   joinModule,
@@ -55,6 +58,8 @@ export function transform(published, report) {
   replaceEndlessLoops(module);
   limitStack(module);
   orderKeywordArguments(module);
+  refuseCallsAsNative(module);
+  speakAsTheDevice(module);
   echoPasted(module);
 
   report('spilling pointers for the collector');
@@ -174,13 +179,6 @@ function chargeAllocations(module, collect) {
   const body = bodyStart(text);
   const charge = `(if (global.get $in_program) (then (global.set $gas (i32.sub (global.get $gas) (global.get $allocation_cost)))))`;
   module.functions.set(allocate.name, `${text.slice(0, body)}${charge} ${text.slice(body)}`);
-}
-
-/** Start of the instructions, after the parameters, results and locals. */
-function bodyStart(text) {
-  let place = text.indexOf(' ', '(func '.length) + 1;
-  while (/^\((param|result|local|type) /.test(text.slice(place))) place = expressionEnd(text, place) + 1;
-  return place;
 }
 
 /**

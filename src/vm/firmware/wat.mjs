@@ -60,6 +60,13 @@ export function expressionEnd(text, start) {
   throw new Error('Unbalanced parentheses.');
 }
 
+/** Start of the instructions, after the parameters, results and locals. */
+export function bodyStart(text) {
+  let place = text.indexOf(' ', '(func '.length) + 1;
+  while (/^\((param|result|local|type) /.test(text.slice(place))) place = expressionEnd(text, place) + 1;
+  return place;
+}
+
 const SEGMENT = /\(data \$\S+ \(i32\.const (\d+)\) "((?:[^"\\]|\\.)*)"\)/g;
 
 /** Lets `change` edit the bytes of each data segment; it is given the address where the segment starts, too. */

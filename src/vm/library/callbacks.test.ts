@@ -91,7 +91,7 @@ sleep(1500)`).until(3000);
 
   it('takes its periods by name only', () => {
     expect(linesOf("err(run_every, print, 5)\nerr(lambda: run_every(print, ms='a'))")).toEqual([
-      'TypeError: run_every() takes 1 positional arguments but 2 were given',
+      'TypeError: extra positional arguments given',
       "TypeError: can't convert str to int",
     ]);
   });

@@ -72,7 +72,7 @@ describe('the end of a program', () => {
     });
     expect(console).toBe(
       'Traceback (most recent call last):\n  File "main.py", line 3, in <module>\n  File "helper.py", line 2, in half\n' +
-        "TypeError: unsupported types for __truediv__: 'str', 'int'\n",
+        "TypeError: can't convert 'int' object to str implicitly\n",
     );
     expect(ended).toMatchObject({ kind: 'exception', exception: { type: 'TypeError', line: 2 } });
   });

@@ -77,17 +77,17 @@ class MicroBitSPI:
         buffer = raw(buffer)
         _hal.spi_transfer(addressof(buffer), 0, len(buffer))
 
-    def read(self, nbytes, out=0):
+    def read(self, nbytes, _out=0):
         _check_spi()
-        ints(nbytes, out)
+        ints(nbytes, _out)
         if nbytes < 0:
             raise ValueError("invalid number of bytes")
         nbytes |= 0
         buffer = bytearray(nbytes)
-        out &= 0xFF
-        if out:
+        _out &= 0xFF
+        if _out:
             for i in range(nbytes):
-                buffer[i] = out
+                buffer[i] = _out
         _hal.spi_transfer(addressof(buffer), addressof(buffer), nbytes)
         return bytes(buffer)
 
@@ -138,16 +138,16 @@ class MicroBitUART:
         _hal.uart_read(addressof(data), n)
         return bytes(data)
 
-    def read(self, nbytes=-1):
-        ints(nbytes)
+    def read(self, _nbytes=-1):
+        ints(_nbytes)
         data = b""
-        while nbytes < 0 or len(data) < nbytes:
+        while _nbytes < 0 or len(data) < _nbytes:
             n = _hal.uart_waiting()
             if n:
-                data += self._take(n if nbytes < 0 else min(n, nbytes - len(data)))
+                data += self._take(n if _nbytes < 0 else min(n, _nbytes - len(data)))
             elif not data or not self._more():
                 break
-        return data if data or not nbytes else None
+        return data if data or not _nbytes else None
 
     def _more(self):
         more = None
@@ -156,17 +156,17 @@ class MicroBitUART:
             more = _hal.uart_more()
         return more
 
-    def readline(self, max_size=-1):
-        ints(max_size)
+    def readline(self, _max_size=-1):
+        ints(_max_size)
         n = _hal.uart_line()
-        if max_size >= 0:
-            n = min(n, max_size)
+        if _max_size >= 0:
+            n = min(n, _max_size)
         return self._take(n) if n else None
 
-    def readinto(self, buf, nbytes=-1):
-        ints(nbytes)
+    def readinto(self, buf, _nbytes=-1):
+        ints(_nbytes)
         view = room(buf)
-        data = self.read(len(view) if nbytes < 0 else min(nbytes, len(view)))
+        data = self.read(len(view) if _nbytes < 0 else min(_nbytes, len(view)))
         if data is None:
             return None
         view[: len(data)] = data

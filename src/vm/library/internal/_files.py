@@ -38,18 +38,18 @@ class FileIO:
         self._place += n
         return bytes(data)
 
-    def read(self, n=-1):
-        ints(n)
-        return self._get(_BYTES, n)
+    def read(self, _n=-1):
+        ints(_n)
+        return self._get(_BYTES, _n)
 
-    def readline(self, n=-1):
-        ints(n)
-        return self._get(_LINE, n)
+    def readline(self, _n=-1):
+        ints(_n)
+        return self._get(_LINE, _n)
 
-    def readinto(self, buffer, n=-1):
-        ints(n)
+    def readinto(self, buffer, _n=-1):
+        ints(_n)
         view = room(buffer)
-        data = self._get(_BYTES, len(view) if n < 0 else min(n, len(view)))
+        data = self._get(_BYTES, len(view) if _n < 0 else min(_n, len(view)))
         view[: len(data)] = data
         return len(data)
 
@@ -92,13 +92,13 @@ class FileIO:
 
 
 class TextIO(FileIO):
-    def read(self, n=-1):
-        ints(n)
-        return self._get(_CHARACTERS, n).decode()
+    def read(self, _n=-1):
+        ints(_n)
+        return self._get(_CHARACTERS, _n).decode()
 
-    def readline(self, n=-1):
-        ints(n)
-        return self._get(_LINE, n).decode()
+    def readline(self, _n=-1):
+        ints(_n)
+        return self._get(_LINE, _n).decode()
 
     def write(self, data):
         if not isinstance(data, str):
@@ -125,8 +125,8 @@ def open(name, mode="r"):
     return (FileIO if text == 0 else TextIO)(file, name, writable)
 
 
-def input(prompt=""):
-    print(prompt, end="")
+def input(_prompt=""):
+    print(_prompt, end="")
     line = _line(True)
     while line is None:
         # A callback came in between; what was typed so far is kept.

@@ -137,18 +137,18 @@ class MicroBitImage:
         image._copy_from(self, x, y, image._w, image._h, 0, 0)
         return image
 
-    def blit(self, src, x, y, w, h, xdest=0, ydest=None):
+    def blit(self, src, x, y, w, h, xdest=0, _ydest=None):
         self._own()
         if not isinstance(src, MicroBitImage):
             raise TypeError("expecting an image")
-        if ydest is None:
+        if _ydest is None:
             if xdest:
                 raise TypeError("must specify both offsets")
-            ydest = 0
-        ints(x, y, w, h, xdest, ydest)
+            _ydest = 0
+        ints(x, y, w, h, xdest, _ydest)
         if w < 0 or h < 0:
             raise ValueError("size cannot be negative")
-        self._copy_from(src, x, y, w, h, xdest, ydest)
+        self._copy_from(src, x, y, w, h, xdest, _ydest)
 
     def _copy_from(self, src, x, y, w, h, xdest, ydest):
         # Pixels outside the source count as dark; pixels that land outside this image are dropped.

@@ -8,6 +8,7 @@ import _sys
 import os
 from _sim import on_import as _on_import
 
+_Module = type(builtins)
 _file_size = _hal.file_size
 _import_module = builtins.__import__
 _HIDDEN = (
@@ -35,21 +36,24 @@ def _is_hidden(name):
     return is_ours and _file_size(top + ".py") < 0
 
 
-def _import(name, globals=None, locals=None, names=None, level=0):
-    if level == 0:
+def _import(name, globals=None, locals=None, names=None, _level=0):
+    if _level == 0:
         # There are no packages: the file system is flat.
         if "." in name or _is_hidden(name):
             raise ImportError("no module named '" + name + "'")
         name = _ALIASES.get(name, name)
-    if level == 0 and name in _BUILT_IN and _file_size(name + ".py") < 0:
+    if _level == 0 and name in _BUILT_IN and _file_size(name + ".py") < 0:
         # Whatever a program did to sys.modules and sys.path: what is built in stays.
         if name not in _loaded:
             _loaded[name] = _BUILT_IN[name]
         module = _loaded[name]
     else:
-        module = _import_module(name, globals, locals, names, level)
-    if level == 0 and name in _on_import and _file_size(name + ".py") < 0:
+        module = _import_module(name, globals, locals, names, _level)
+    if _level == 0 and name in _on_import and _file_size(name + ".py") < 0:
         _on_import.pop(name)()
+    if names and "*" in names and not isinstance(module, _Module):
+        # What a program has put into sys.modules: the C code would read it as a module.
+        raise ImportError("can't import name *")
     return module
 
 

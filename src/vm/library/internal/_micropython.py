@@ -36,7 +36,7 @@ def kbd_intr(chr):
     _hal.kbd_intr(chr)
 
 
-def mem_info(verbose=None):
+def mem_info(_verbose=None):
     print("stack: %u out of %u" % (min(stack_use(), _STACK_BYTES), _STACK_BYTES))
     print("GC: total: %u, used: %u, free: %u" % (_heap(0), _heap(1), _heap(2)))
     numbers = (_heap(3), _heap(4), _heap(5), _heap(6))

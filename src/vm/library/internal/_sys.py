@@ -3,6 +3,7 @@ import _hal
 from collections import namedtuple
 from sys import argv, byteorder, exit, maxsize, modules, path, print_exception
 
+__name__ = "sys"
 platform = "microbit"
 version = _hal.board_text("sysVersion")
 version_info = (3, 4, 0)

@@ -44,10 +44,10 @@ mem16 = _Memory(16)
 mem32 = _Memory(32)
 
 
-def time_pulse_us(pin, level, timeout_us=1000000):
-    t = _pulse(_pin_number(pin), level, timeout_us)
+def time_pulse_us(pin, level, _timeout_us=1000000):
+    t = _pulse(_pin_number(pin), level, _timeout_us)
     if t is None:
-        _ints(level, timeout_us)
+        _ints(level, _timeout_us)
     while t < -2:
         # A callback came in between; the measurement goes on meanwhile.
         t = _pulse_on(t)

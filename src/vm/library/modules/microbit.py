@@ -62,11 +62,11 @@ def set_volume(volume):
     _h.set_volume(volume)
 
 
-def panic(n=999):
-    _ints(n)
-    display.show([Image.SAD] + list("%03d" % n), 800, wait=False, loop=True)
+def panic(_n=999):
+    _ints(_n)
+    display.show([Image.SAD] + list("%03d" % _n), 800, wait=False, loop=True)
     _h.run_every_stop()
-    _h.panic(n)
+    _h.panic(_n)
 
 
 def reset():
@@ -84,7 +84,10 @@ class _RunEvery:
     def __init__(self, period):
         self._period = period
 
-    def __call__(self, callback):
+    def __call__(self, *callbacks):
+        if len(callbacks) != 1:
+            raise TypeError("function takes 1 positional arguments but %d were given" % len(callbacks))
+        callback = callbacks[0]
         # Days of milliseconds have more than 32 bits: days and the rest go to the simulation.
         _h.run_every(_remember(callback), self._period // 86400000, self._period % 86400000)
         return self
@@ -107,7 +110,8 @@ def _pair(value):
     return value
 
 
-def scale(value, from_, to):
+# The last parameter lets the others be named, as on the device (src/vm/firmware/native-calls.mjs).
+def scale(value, from_, to, *, _=None):
     start, end = _pair(from_)
     low, high = _pair(to)
     for number in (value, start, end, low, high):

@@ -87,8 +87,8 @@ def pitch(frequency, duration=-1, pin=_DEFAULT_PIN, wait=True):
         _wait()
 
 
-def stop(pin=_DEFAULT_PIN):
-    _check(_h.music_stop(_output(pin)))
+def stop(_pin=_DEFAULT_PIN):
+    _check(_h.music_stop(_output(_pin)))
 
 
 def set_tempo(*, ticks=0, bpm=0):

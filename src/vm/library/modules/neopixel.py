@@ -5,11 +5,12 @@ from microbit import ws2812_write
 class NeoPixel:
     ORDER = (1, 0, 2, 3)
 
-    def __init__(self, pin, n, bpp=3):
-        self.pin = pin
-        self.n = n
-        self.bpp = bpp
-        self.buf = bytearray(n * bpp)
+    # The device's class is Python, too: _self makes its errors those of Python (src/vm/firmware/native-calls.mjs).
+    def __init__(_self, pin, n, bpp=3):
+        _self.pin = pin
+        _self.n = n
+        _self.bpp = bpp
+        _self.buf = bytearray(n * bpp)
 
     def __setitem__(self, index, color):
         place = index * self.bpp

@@ -1,6 +1,7 @@
 import type { OnTable } from '../../work/hardware/misplugged';
 import type { TextKey, TextValues } from '../../page/i18n/texts';
 import { errorTable } from './error-table';
+import { lineAdvice } from './line-advice';
 import { nameAdvice } from './name-slips';
 import { syntaxAdvice, type Mend, type Source } from './syntax-advice';
 
@@ -54,7 +55,9 @@ export function adviceFor(
   if (type === 'MemoryError' && traceback.includes('too long for the board'))
     return { key: 'error.tooLong', values: {}, device };
   const general = type === 'SyntaxError' && message === 'invalid syntax';
-  const found = source && (general ? syntaxAdvice(source) : nameAdvice(type, message, source));
+  const found =
+    source &&
+    (general ? syntaxAdvice(source) : (nameAdvice(type, message, source) ?? lineAdvice({ type, message }, source)));
   if (found !== null) return { ...found, values: shortened(found.values), device };
   const advice = explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message);
   return { ...(table === null ? advice : atTable(advice, table)), device };

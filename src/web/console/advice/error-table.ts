@@ -75,6 +75,8 @@ export const errorTable: readonly ErrorPattern[] = [
   when('TypeError', /^(\w+)\(\) takes (\d+) positional arguments but (\d+) were/, 'error.argumentCount', 'name', 'expected', 'given'),
   when('TypeError', /^function takes (\d+) positional arguments but (\d+) were/, 'error.argumentCountAny', 'expected', 'given'),
   when('TypeError', /^function expected at most (\d+) arguments, got (\d+)/, 'error.argumentCountAny', 'expected', 'given'),
+  when('TypeError', /^'(\w+)' argument required/, 'error.argumentRequired', 'name'),
+  when('TypeError', /^extra keyword arguments given/, 'error.keywordExtra'),
   when('TypeError', /missing (?:\d+ )?(?:required )?(?:positional|keyword)|^extra positional/, 'error.argumentMissing'),
   when('TypeError', /^unexpected keyword argument '(.+)'/, 'error.keywordUnknown', 'name'),
   when('TypeError', /keyword arguments/, 'error.keywordNone'),
@@ -91,6 +93,7 @@ export const errorTable: readonly ErrorPattern[] = [
 
   when('ValueError', /^invalid syntax for integer with base \d+: ''/, 'error.wholeOfNothing'),
   when('ValueError', /^invalid syntax for integer with base \d+: '(.*)'/s, 'error.wholeOfText', 'text'),
+  when('ValueError', /^invalid syntax for integer with base \d+$/, 'error.wholeOfUnknown'),
   when('ValueError', /^invalid syntax for number/, 'error.numberOfText'),
   when('ValueError', /^too many values to unpack \(expected (\d+)\)/, 'error.unpackMany', 'expected'),
   when('ValueError', /^(?:need more than|wrong number of) (\d+)? ?values/, 'error.unpackFew'),

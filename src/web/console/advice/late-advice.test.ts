@@ -100,6 +100,7 @@ describe('a call with the wrong number of values', () => {
     [`${ALL}sleep(0,5)`, 'sleep(ms)'],
     ['def f(a, b=2):\n    return a\nf()', 'f(a, b=2)'],
     ['x = [1]\nx.append(1, 2)', 'x.append(value)'],
+    ['def f(a, b=2):\n    return a\nprint(f(), abs(-1))', 'f(a, b=2)'],
   ])('in %j says what goes into the brackets', (program, code) => {
     expect(lateOf(program).advice).toEqual({ key: 'error.wantsThis', values: { code } });
   });

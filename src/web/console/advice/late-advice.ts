@@ -74,33 +74,47 @@ function renamed({ message }: Failure, meant: string, { text, line }: Source): S
   return mend && { ...mend, code: meant };
 }
 
+/** py/argcheck.c and py/bc.c, about the values of a call. */
+const CALL_REFUSED =
+  /takes \d+ positional|missing \d+ required|missing required positional|argument required|expected at most \d+ arguments|extra (?:positional|keyword)|argument num/;
+
 /** A call with too many or too few values: what its function wants. */
 function callAdvice({ type, message }: Failure, source: Source, written: Written): SyntaxAdvice | null {
-  if (type !== 'TypeError' || !/takes \d+ positional|missing \d+ required|extra positional|argument num/.test(message)) return null; // prettier-ignore
+  if (type !== 'TypeError' || !CALL_REFUSED.test(message)) return null; // prettier-ignore
   const named = /^(\w+)\(\)/.exec(message)?.[1] ?? null;
   const program = readPython(source.text);
   const reader = new Reader(program, contextOf(written));
-  const calls = callsInLine(program, source.line).filter(
-    (call) => named === null || lastWord(program, call.firstChild) === named,
-  );
-  const [call] = calls;
-  const callee = call?.firstChild ?? null;
-  if (call === undefined || callee === null || calls.length !== 1) return null;
-  const item = reader.evaluate(callee, reader.scopeAt(callee.from))?.item;
-  const [only] = item?.calls ?? [];
-  if (only === undefined || item?.calls.length !== 1) return null;
-  const name = textOf(program, callee);
-  const given = argumentsOf(program, call).length;
+  const calls = callsInLine(program, source.line)
+    .filter((call) => named === null || lastWord(program, call.firstChild) === named)
+    .map((call) => knownCall(program, reader, call));
+  // The device does not say which function it was: of several in a line, the one whose brackets do not fit it.
+  const [call = null, another] = calls.length > 1 ? calls.filter((it) => it !== null && !it.fits) : calls;
+  if (call === null || another !== undefined) return null;
+  const { callee, name, given, parameters } = call;
   // A method without self gets one value more than is written.
   if (given === 0 && / takes 0 positional/.test(message))
     return { key: 'error.selfMissing', values: { name: lastWord(program, callee) } };
-  const wanted = parametersOf(only).map(({ name: it, text, rest }) => {
+  const wanted = parameters.map(({ name: it, text, rest }) => {
     const usual = text.includes('=') ? `=${text.slice(text.indexOf('=') + 1).trim()}` : '';
     return rest ? text.split(':')[0] : `${it}${usual}`;
   });
   return wanted.length === 0
     ? { key: 'error.wantsNothing', values: { name } }
     : { key: 'error.wantsThis', values: { code: `${name}(${wanted.join(', ')})` } };
+}
+
+/** A call of a function with one known signature. */
+function knownCall(program: PythonText, reader: Reader, call: SyntaxNode) {
+  const callee = call.firstChild;
+  if (callee === null) return null;
+  const item = reader.evaluate(callee, reader.scopeAt(callee.from))?.item;
+  const [only] = item?.calls ?? [];
+  if (only === undefined || item?.calls.length !== 1) return null;
+  const parameters = parametersOf(only);
+  const given = argumentsOf(program, call).length;
+  const required = parameters.filter(({ text, rest, byName }) => !text.includes('=') && !rest && !byName).length;
+  const most = parameters.some(({ rest }) => rest) ? Infinity : parameters.length;
+  return { callee, name: textOf(program, callee), given, parameters, fits: given >= required && given <= most };
 }
 
 const lastWord = (program: PythonText, callee: SyntaxNode | null): string =>
