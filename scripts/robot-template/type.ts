@@ -2,7 +2,6 @@
 import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import type { RobotType } from '../robot';
-import drawing from './robot.svg?raw';
 
 const TRACK_MM = 80; // distance between the middles of the wheels: chosen
 const WHEEL_RADIUS_MM = 20; // chosen
@@ -45,5 +44,4 @@ export const newRobot: RobotType = {
   modules: ['new_robot'],
   options: [],
   mountMm: null,
-  drawing,
 };

@@ -1,10 +1,11 @@
 import { readdirSync } from 'node:fs';
-import { describe, expect, it } from 'vitest';
+import { beforeAll, describe, expect, it } from 'vitest';
 import { Board } from '#board/board';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { Clock } from '#core/clock';
 import { LANGUAGES, type Texts } from '#core/languages';
 import { robotBuilds } from './builds';
+import { fetchDrawing } from './drawings';
 import { findRobot, robotTypes } from './index';
 import { robotSheets } from './sheets';
 import { putOnFloor } from './testing/floor';
@@ -101,7 +102,12 @@ describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its bod
   });
 });
 
-describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its drawing', (_, { body, drawing }) => {
+describe.each(robotTypes.map((type) => [type.name, type] as const))('%s, its drawing', (_, { id, body }) => {
+  let drawing = '';
+  beforeAll(async () => {
+    drawing = await fetchDrawing(id);
+  });
+
   it('is in millimetres, around the whole body, and its wheels carry names', () => {
     expect(drawing).toContain('<svg xmlns="http://www.w3.org/2000/svg"');
     for (const id of ['body', 'wheel-left', 'wheel-right']) expect(drawing).toContain(`id="${id}"`);
@@ -145,10 +151,10 @@ describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s
 });
 
 describe.each(robotBuilds.map((build) => [build.type.name, build] as const))('%s on a board', (_, build) => {
-  it('tells its state as plain data, and its drawing has a place for each thing in it', () => {
+  it('tells its state as plain data, and its drawing has a place for each thing in it', async () => {
     const state = putOnFloor(build).robot.state();
     expect(structuredClone(state)).toEqual(state);
-    const { drawing } = build.type;
+    const drawing = await fetchDrawing(build.type.id);
     for (const { name } of state.lineSensors) expect(drawing).toContain(`id="line-${name}"`);
     for (let i = 0; i < state.rgb.length; i++) expect(drawing).toContain(`id="rgb-${i}"`);
   });

@@ -53,8 +53,6 @@ export interface RobotType {
   readonly options: readonly Option[];
   /** The mount of an attachment: in the middle of the front edge. `null`: nothing can be fixed. */
   readonly mountMm: Vec | null;
-  /** An SVG document; see the frame above and `robot-drawing.ts` for the names of its parts. */
-  readonly drawing: string;
 }
 
 /** The parts of a robot that a run needs. */

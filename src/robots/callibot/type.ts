@@ -8,7 +8,6 @@ import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import drawing from './robot.svg?raw';
 import type de from './words/de.json';
 
 /** The words of what can be chosen about it. */
@@ -120,5 +119,4 @@ export const callibot: RobotType = {
     ...attachmentOptions(SERVO_PORTS),
   ],
   mountMm: { x: 60, y: 0 },
-  drawing,
 };

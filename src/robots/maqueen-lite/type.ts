@@ -8,7 +8,6 @@ import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import drawing from './robot.svg?raw';
 import type de from './words/de.json';
 
 /** The words of what can be chosen about it. */
@@ -87,5 +86,4 @@ export const maqueenLite: RobotType = {
     incidenceOption,
   ],
   mountMm: { x: 58, y: 0 },
-  drawing,
 };

@@ -7,7 +7,6 @@ import type { Vec } from '#core/geometry';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import drawing from './robot.svg?raw';
 
 /** Ports of the three servos. */
 export const SERVO_PORTS = ['S1', 'S2', 'S3'] as const;
@@ -67,5 +66,4 @@ export const maqueenPlusV1: RobotType = {
   driverNames: ['maqueenplusv1', 'maqueenplus', 'Maqueen_Plus'], // the last two: lawther, Koraze
   options: [...attachmentOptions(SERVO_PORTS), incidenceOption],
   mountMm: { x: 78.5, y: 0 },
-  drawing,
 };

@@ -9,7 +9,6 @@ import { wordsOf } from '#core/words';
 import type { ChassisType } from '#world/chassis';
 import { incidenceOption } from '../incidence';
 import type { RobotType } from '../robot';
-import drawing from './robot.svg?raw';
 import type de from './words/de.json';
 
 /** The words of what can be chosen about it. */
@@ -120,5 +119,4 @@ export const maqueenPlusV2: RobotType = {
   driverNames: ['maqueenplusv2', 'maqueen_plus'], // the latter: almasy
   options,
   mountMm: { x: 78.5, y: 0 },
-  drawing,
 };

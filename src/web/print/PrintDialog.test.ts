@@ -2,6 +2,8 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { fetchDrawing } from '#robots/drawings';
+import { robotTypes } from '#robots/index';
 import { defaultScene, type Scene } from '#scene/scene';
 
 import { downloads, type Download } from '../app/testing/downloads';
@@ -9,6 +11,9 @@ import { byId, fieldById, idsShown, isThere, tap } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import PrintDialog from './PrintDialog.vue';
+
+// The robot is in the picture from the start.
+await Promise.all(robotTypes.map(({ id }) => fetchDrawing(id)));
 
 /** The dialog on a course of this size with a line and a wall. */
 async function dialog(change: Partial<Scene> = {}) {

@@ -3,6 +3,7 @@ import { computed, shallowRef } from 'vue';
 import { radOf } from '#core/angle';
 import type { Scene } from '#scene/scene';
 
+import { useDrawing } from '../work/hardware/use-drawing';
 import { useHardware } from '../work/hardware/use-hardware';
 import { useRun } from '../run/parts';
 import { useTask } from '../task/parts';
@@ -29,18 +30,18 @@ export function usePrint() {
   const hardware = useHardware(app);
   const scene = app.work.scene;
   const name = computed(() => courseName(scene.value, app.work.work.value.project.course));
+  const drawing = useDrawing(() => hardware.value?.robot ?? null);
   const isBusy = shallowRef(false);
   const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
   const pieces = computed(() => (app.run.snapshot.value === null ? [] : piecesOf(app.run.trail)));
 
   function optionsFor(wish: PictureWish): PictureOptions {
     const { at, heading, scale } = scene.value.robot;
-    const look = hardware.value?.robot ?? null;
     const pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
     return {
       grid: wish.grid,
       rulers: wish.rulers,
-      robot: wish.robot && look !== null ? { pose, scale, drawing: look.drawing } : null,
+      robot: wish.robot && drawing.value !== null ? { pose, scale, drawing: drawing.value } : null,
       path: wish.path ? pieces.value : [],
       background: scene.value.background === null ? null : pictureAddress(scene.value.background),
       floor: true,

@@ -6,8 +6,8 @@ import type { LightForm } from '../../work/settings/light-wish';
 /** What is drawn of a robot, during a run or at its start. */
 export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' | 'turnedRad' | 'state'>;
 
-/** What the arena needs to know of a robot type: its drawing and its outline. A `RobotType` fits. */
-export type RobotLook = Pick<RobotType, 'id' | 'drawing'> &
+/** What the arena needs to know of a robot type: which drawing it has, and its outline. A `RobotType` fits. */
+export type RobotLook = Pick<RobotType, 'id'> &
   Partial<Pick<RobotType, 'mountMm'>> & { readonly body: Pick<RobotType['body'], 'outlineMm'> };
 
 /** A block as it lies now. */

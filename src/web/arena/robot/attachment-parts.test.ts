@@ -3,6 +3,7 @@ import { attachmentTitles } from '#attachments/options';
 import { attachmentDrawings } from '#attachments/drawings';
 import { CLOSED_DEG, OPEN_DEG } from '#attachments/claw/claw';
 import { attachmentTypes } from '#attachments/types';
+import { fetchDrawing } from '#robots/drawings';
 import { robotTypes } from '#robots/index';
 import { partsOf, sonarOf } from './attachment-parts';
 import { readRobotDrawing } from './robot-drawing';
@@ -49,8 +50,8 @@ describe('The drawings of the attachments', () => {
 const robotsWithMount = robotTypes.filter(({ mountMm }) => mountMm !== null);
 
 describe.each(robotsWithMount.map((type) => [type.name, type] as const))('The drawing of the %s', (_name, type) => {
-  it('has a distance sensor that a servo can turn about its board, ahead of the axle', () => {
-    const sonar = sonarOf(readRobotDrawing(type.drawing));
+  it('has a distance sensor that a servo can turn about its board, ahead of the axle', async () => {
+    const sonar = sonarOf(readRobotDrawing(await fetchDrawing(type.id)));
     expect(sonar?.head.svg).toContain('id="ultrasonic"');
     expect(sonar?.body.svg).not.toContain('id="ultrasonic"');
     expect(sonar?.head.pivot.x).toBeCloseTo(0, 9);

@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
+import { fetchDrawing } from '#robots/drawings';
 import { robotTypes } from '#robots/index';
 import { readRobotDrawing, withPixelSize } from './robot-drawing';
+
+const robots = await Promise.all(robotTypes.map(async (type) => ({ ...type, drawing: await fetchDrawing(type.id) })));
 
 const svg = `<!-- a <g id="led-left"> in a comment -->
 <svg xmlns="http://www.w3.org/2000/svg" viewBox="-50 -80 100 120" width="100mm" height="120mm">
@@ -90,7 +93,7 @@ describe('the bumper of a drawing', () => {
   });
 });
 
-describe.each(robotTypes)('the drawing of $name', ({ drawing: text, body }) => {
+describe.each(robots)('the drawing of $name', ({ drawing: text, body }) => {
   const drawing = readRobotDrawing(text);
   const { x, y, width, height } = drawing.viewBox;
 
@@ -116,7 +119,7 @@ describe.each(robotTypes)('the drawing of $name', ({ drawing: text, body }) => {
   });
 });
 
-describe.each(robotTypes.filter(({ place }) => place <= 3))('the drawing of $name, which is ours', (type) => {
+describe.each(robots.filter(({ place }) => place <= 3))('the drawing of $name, which is ours', (type) => {
   it('marks both wheels, both red lights and the 25 lights of the display', () => {
     const { wheels, leds, display } = readRobotDrawing(type.drawing);
     expect([wheels.left, wheels.right, leds.left, leds.right]).not.toContain(null);
