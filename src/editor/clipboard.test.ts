@@ -23,7 +23,7 @@ describe('copying', () => {
   it('pastes into another course, as plain data that a clipboard can hold', () => {
     const clip = copied(course(block('b', [300, 300])), of(['b']));
     const paste =
-      clip && pasted(course(block('block-1', [10, 10])), JSON.parse(JSON.stringify(clip)) as typeof clip, 40);
+      clip && pasted(course(block('block-1', [10, 10])), JSON.parse(JSON.stringify(clip)) as typeof clip, 2);
     expect(paste?.edit).toEqual({ type: 'add', objects: [block('block-2', [340, 260])] });
   });
 

@@ -21,7 +21,7 @@ export interface Pasted {
 }
 
 /** Distance of a copy from its original, in mm. Chosen: two lines of the grid, so that both can be seen and grabbed. */
-export const COPY_OFFSET_MM = 20;
+const COPY_OFFSET_MM = 20;
 
 /** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
 export function copied(scene: Scene, selection: Selection): Clip | null {
@@ -33,12 +33,13 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
  * Pastes copied objects into a course: to the right of and below their originals, with ids of its own and checkpoints
  * with the next numbers.
  *
- * @param offsetMm distance; it grows each time the same is pasted
+ * @param time how often the same has been pasted, this time included; each copy lies further away
  * @returns an edit that a full course refuses; `null` if there is nothing to paste, or no number left for a checkpoint
  */
-export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_MM): Pasted | null {
+export function pasted(scene: Scene, clip: Clip, time = 1): Pasted | null {
   const around = boundsAll(clip.objects.map(boundsOf));
   if (!around) return null;
+  const offsetMm = time * COPY_OFFSET_MM;
   const [dx, dy] = stepInside(around, { x: offsetMm, y: -offsetMm }, scene.size);
   const freeId = freeIds(scene);
   const numbers: number[] = [];
@@ -58,7 +59,7 @@ export function pasted(scene: Scene, clip: Clip, offsetMm: number = COPY_OFFSET_
 }
 
 /** Copies what is selected and pastes it in one step. */
-export function duplicated(scene: Scene, selection: Selection, offsetMm?: number): Pasted | null {
+export function duplicated(scene: Scene, selection: Selection): Pasted | null {
   const clip = copied(scene, selection);
-  return clip && pasted(scene, clip, offsetMm);
+  return clip && pasted(scene, clip);
 }

@@ -1,7 +1,6 @@
 import { degOf, radOf, wrappedDeg } from '#core/angle';
 import { exactAtan2, exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { squaredDistance, type Outline } from '#scene/outline';
 import { sceneLimits, type Point } from '#scene/scene';
 
 /** A place of a course as a vector. */
@@ -47,21 +46,6 @@ export function nearestOn(a: Vec, b: Vec, place: Vec): Vec {
   if (square === 0) return a;
   const share = within(((place.x - a.x) * dx + (place.y - a.y) * dy) / square, { min: 0, max: 1 });
   return { x: a.x + dx * share, y: a.y + dy * share };
-}
-
-/** Distance of a place from a convex outline in mm; 0 inside. */
-export function distanceToOutline(outline: Outline, place: Vec): number {
-  let squared = Infinity;
-  let lefts = 0;
-  let rights = 0;
-  outline.forEach((from, index) => {
-    const to = outline[(index + 1) % outline.length] ?? from;
-    squared = Math.min(squared, squaredDistance(place, from, to));
-    const side = (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
-    if (side > 0) lefts += 1;
-    if (side < 0) rights += 1;
-  });
-  return outline.length > 2 && (lefts === 0 || rights === 0) ? 0 : Math.sqrt(squared);
 }
 
 /** Direction from one place to another in degrees, −180 … 180, counter-clockwise from +x. */

@@ -1,13 +1,12 @@
 import type { Vec } from '#core/geometry';
 import { boundsOf } from '#scene/kinds/index';
-import { boundsMeet, boundsOfOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
+import { boundsMeet, boundsOfOutline, distanceToOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
 import { robotOutlines } from '#scene/placement';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene, SceneObject } from '#scene/scene';
 import { boundsAll, cornersOf } from './bounds';
 import { removing } from './edits';
 import { distanceTo, kindOf, meets } from './kinds/index';
-import { distanceToOutline } from './plane';
 import type { Selection } from './tools/tool';
 
 /** Something that can be grabbed: an object by its id, or the robot's start (`null`). */

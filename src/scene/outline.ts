@@ -69,6 +69,21 @@ export function squaredDistance(place: Vec, from: Vec, to: Vec): number {
   return x * x + y * y;
 }
 
+/** Distance of a place from a convex outline in mm; 0 inside. */
+export function distanceToOutline(outline: Outline, place: Vec): number {
+  let squared = Infinity;
+  let lefts = 0;
+  let rights = 0;
+  outline.forEach((from, index) => {
+    const to = outline[(index + 1) % outline.length] ?? from;
+    squared = Math.min(squared, squaredDistance(place, from, to));
+    const side = (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
+    if (side > 0) lefts += 1;
+    if (side < 0) rights += 1;
+  });
+  return outline.length > 2 && (lefts === 0 || rights === 0) ? 0 : Math.sqrt(squared);
+}
+
 /**
  * Overlap of two convex outlines in mm: the distance that one of them must move. 0 or less if a line separates them
  * (separating axis theorem); they are then at least that far apart.

@@ -1,9 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { AnyObject } from '#scene/kinds/kind';
-import { overlapMm, type Bounds, type Outline } from '#scene/outline';
+import { distanceToOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import type { Field } from '../object-fields';
-import { distanceToOutline } from '../plane';
 import type { Drag, Handle, ToolOptions } from '../tools/tool';
 
 /** A kind of object as the tools and the list of objects know it. World mm. */

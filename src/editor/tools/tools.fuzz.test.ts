@@ -33,7 +33,7 @@ function withKeys(rng: Rng, scene: Scene, selection: Selection): SceneEdit | nul
     case 1:
       return turned(scene, selection, wholeFrom(rng, -9, 9), footprint);
     case 2:
-      return duplicated(scene, selection, wholeFrom(rng, -50, 50))?.edit ?? null;
+      return duplicated(scene, selection)?.edit ?? null;
     case 3:
       return removed(scene, selection);
     case 4:

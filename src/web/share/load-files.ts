@@ -13,6 +13,22 @@ export interface Conflict {
   readonly as: string;
 }
 
+/** Takes files in, and asks about each whose name is taken. */
+export const takeFiles = (app: Workplace, files: Iterable<File>): Promise<void> =>
+  loadFiles(app, files, ({ file, as }) =>
+    app.dialogs.ask({
+      kind: 'choose',
+      title: 'files.askTitle',
+      text: 'files.askText',
+      values: { file: file.name },
+      choices: [
+        { key: 'code.cancel', run: () => undefined },
+        { key: 'files.askReplace', look: 'outline', run: () => replaceFile(app, file) },
+        { key: 'files.askRename', values: { as }, look: 'run', run: () => loadBeside(app, file) },
+      ],
+    }),
+  );
+
 /** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
 export async function loadFiles(
   app: Workplace,

@@ -1,26 +1,13 @@
-import type * as SaveWork from './save-work';
 import { THEMES } from '../work/settings/settings';
 import type { Workplace } from '../work/model/parts';
 import { saveFile } from '../work/save-file';
-import { loadBeside, loadFiles, replaceFile } from './load-files';
 
 /** The commands that several bars and keys share. */
 export function useCommands(app: Workplace) {
   /** Takes files in, from the picker or dropped onto the page. */
   function take(files: Iterable<File>): void {
-    void loadFiles(app, files, ({ file, as }) =>
-      app.dialogs.ask({
-        kind: 'choose',
-        title: 'files.askTitle',
-        text: 'files.askText',
-        values: { file: file.name },
-        choices: [
-          { key: 'code.cancel', run: () => undefined },
-          { key: 'files.askReplace', look: 'outline', run: () => replaceFile(app, file) },
-          { key: 'files.askRename', values: { as }, look: 'run', run: () => loadBeside(app, file) },
-        ],
-      }),
-    );
+    const all = [...files]; // a browser empties the list of dropped files at once
+    late(import('./load-files'), (loading) => void loading.takeFiles(app, all));
   }
 
   function load(): void {
@@ -32,17 +19,17 @@ export function useCommands(app: Workplace) {
     picker.click();
   }
 
-  /** Saving other files than programs comes late. */
-  function late(act: (saving: typeof SaveWork) => void): void {
-    import('./save-work').then(act).catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+  /** Taking files in, and saving others than programs, comes late. */
+  function late<T>(part: Promise<T>, act: (part: T) => void): void {
+    part.then(act).catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
   }
 
   return {
     take,
     load,
     /** Everything as one file. */
-    save: (): void => late(({ saveProject }) => saveProject(app)),
-    saveScene: (): void => late(({ saveScene }) => saveScene(app)),
+    save: (): void => late(import('./save-work'), ({ saveProject }) => saveProject(app)),
+    saveScene: (): void => late(import('./save-work'), ({ saveScene }) => saveScene(app)),
     /** The file that is shown. */
     saveProgram: (): void => saveFile(app, app.work.open.value),
     /** Sound on or off, and in words what that means. */

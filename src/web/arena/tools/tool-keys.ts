@@ -130,7 +130,7 @@ function copy(context: ToolContext, ports: SelectionKeyPorts, cuts: boolean): bo
 function paste(scene: Scene, ports: SelectionKeyPorts): boolean {
   const next = ports.clipboard.next();
   if (next === null) return false;
-  insert(pasted(scene, next.clip, next.offsetMm), ports);
+  insert(pasted(scene, next.clip, next.time), ports);
   return true;
 }
 

@@ -1,7 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
-import { kindOf } from '#editor/kinds/index';
 import type { SceneObject } from '#scene/scene';
 import { solidOutline } from '#scene/kinds/index';
+import { distanceToOutline } from '#scene/outline';
 
 import { inSight, marginsPx, zoomLimits, type ArenaSize, type CanvasSize, type View } from './view-transform';
 
@@ -25,9 +25,10 @@ export function nearestMm(
 ): number {
   const toEdge = [at.x, at.y, width - at.x, height - at.y].map((mm) => Math.max(0, mm));
   const moved: Moved = { ...now?.blocks, ...now?.movers };
-  const toObjects = objects
-    .filter((object) => solidOutline(object) !== null)
-    .map((object) => kindOf(object).distanceMm(object, asBefore(at, object, moved[object.id])));
+  const toObjects = objects.flatMap((object) => {
+    const outline = solidOutline(object);
+    return outline === null ? [] : [distanceToOutline(outline, asBefore(at, object, moved[object.id]))];
+  });
   return Math.min(...toEdge, ...toObjects);
 }
 

@@ -1,4 +1,4 @@
-import { COPY_OFFSET_MM, type Clip } from '#editor/clipboard';
+import type { Clip } from '#editor/clipboard';
 
 /** What was copied last. It stays until something else is, also when another course is opened. */
 export class Clipboard {
@@ -14,10 +14,10 @@ export class Clipboard {
     this.pastes = 0;
   }
 
-  /** What is to be pasted, and how far from its original, in mm: further away each time. `null`: nothing was copied. */
-  next(): { readonly clip: Clip; readonly offsetMm: number } | null {
+  /** What is to be pasted, and for which time. `null`: nothing was copied. */
+  next(): { readonly clip: Clip; readonly time: number } | null {
     if (this.clip === null) return null;
     this.pastes += 1;
-    return { clip: this.clip, offsetMm: this.pastes * COPY_OFFSET_MM };
+    return { clip: this.clip, time: this.pastes };
   }
 }

@@ -35,7 +35,7 @@ export function useSelectionActs(app: WorkParts & Pick<CourseEditorParts, 'edito
     },
     paste: (): void => {
       const next = editor.clipboard.next();
-      if (next !== null) insert(pasted(work.scene.value, next.clip, next.offsetMm));
+      if (next !== null) insert(pasted(work.scene.value, next.clip, next.time));
     },
     duplicate: (): void => insert(duplicated(work.scene.value, editor.selection.value)),
     remove,

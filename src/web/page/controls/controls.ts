@@ -1,6 +1,5 @@
 import type { Plugin } from 'vue';
 
-import PageDialog from '../overlays/PageDialog.vue';
 import PageMenu from '../overlays/PageMenu.vue';
 import PageListHeading from './PageListHeading.vue';
 import PageListItem from './PageListItem.vue';
@@ -8,11 +7,10 @@ import PageButton from './PageButton.vue';
 import PageIcon from './PageIcon.vue';
 import PageList from './PageList.vue';
 
-/** Lets the templates of all rooms use the controls of the page without importing them. */
+/** Lets the templates of all rooms use the controls of the page without importing them. Dialogs are fetched late: what shows one imports it. */
 export const controls: Plugin = {
   install(app) {
     app.component('PageButton', PageButton);
-    app.component('PageDialog', PageDialog);
     app.component('PageIcon', PageIcon);
     app.component('PageList', PageList);
     app.component('PageListItem', PageListItem);
@@ -24,7 +22,6 @@ export const controls: Plugin = {
 declare module 'vue' {
   interface GlobalComponents {
     PageButton: typeof PageButton;
-    PageDialog: typeof PageDialog;
     PageIcon: typeof PageIcon;
     PageList: typeof PageList;
     PageListItem: typeof PageListItem;

@@ -1,0 +1,18 @@
+import { computed, type ComputedRef } from 'vue';
+
+import { useDrawing } from '../../work/hardware/use-drawing';
+import type { RobotLook } from '../model/arena-model';
+import { readRobotDrawing } from './robot-drawing';
+import type { RobotPainting } from './robot-painting';
+import { createSpriteShelf } from './robot-sprite';
+
+/** What a robot is painted with; `null` without a robot and until its drawing is there. */
+export function usePainting(robot: () => RobotLook | null, redraw: () => void): ComputedRef<RobotPainting | null> {
+  const svg = useDrawing(robot);
+  return computed(() => {
+    const look = robot();
+    if (look === null || svg.value === null) return null;
+    const drawing = readRobotDrawing(svg.value);
+    return { look, drawing, sprites: createSpriteShelf(drawing, redraw), redraw };
+  });
+}
