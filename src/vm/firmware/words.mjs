@@ -15,7 +15,11 @@ const BOUND = '<bound_method %p ';
 const CLOSURE = '<closure ';
 const FUNCTION = '<function>';
 
+/** The board's MicroPython is older than 1.19; the run-time side says so. */
+const IS_OLD = '(global.get $before_1_19)';
+
 export function speakAsTheDevice(module) {
+  module.head += '\n (global $before_1_19 (mut i32) (i32.const 1))\n (export "before_1_19" (global $before_1_19))';
   const place = (text) => `(i32.const ${addressOfText(module, text)})`;
   const saying = (what, text) => onlyFunction(module, what, new RegExp(escaped(place(text)))).name;
 
@@ -23,7 +27,13 @@ export function speakAsTheDevice(module) {
   callModulesModules(module, saying('mp_load_method', OF_MODULE), place);
   leaveTextOut(module, saying('mp_parse_num_integer', WHOLE), place);
   const order = saying('compile_trailer_paren_helper', ARGUMENT_ORDER);
-  replaceOnce(module, order, 'text', new RegExp(escaped(place(ARGUMENT_ORDER))), place(OF_MODULE));
+  replaceOnce(
+    module,
+    order,
+    'text',
+    new RegExp(escaped(place(ARGUMENT_ORDER))),
+    `(select ${place(OF_MODULE)} ${place(ARGUMENT_ORDER)} ${IS_OLD})`,
+  );
   printOnly(module, saying('bound_meth_print', BOUND), place(BOUND));
   printOnly(module, saying('closure_print', CLOSURE), place(CLOSURE));
   const function_ = addressOfText(module, CALL) + WHOLE_WITHOUT_TEXT.length + 1;
@@ -135,9 +145,9 @@ function refuseStrangersOfTexts(module, place) {
   module.functions.set(
     operate,
     `(func $${operate} (param $0 i32) (param $1 i32) (param $2 i32) (result i32)
-      (if (i32.and
+      (if (i32.and ${IS_OLD} (i32.and
           (i32.eq ${typeOf('(local.get $1)')} ${typeOf(text)})
-          (i32.ne ${typeOf('(local.get $2)')} ${typeOf(text)}))
+          (i32.ne ${typeOf('(local.get $2)')} ${typeOf(text)})))
         (then (if (i32.and
             (i32.le_u (local.get $0) (i32.const ${CONTAINS}))
             (i32.wrap_i64 (i64.shr_u (i64.const ${mask}) (i64.extend_i32_u (local.get $0)))))

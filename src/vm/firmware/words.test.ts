@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { calliopeMini3 } from '#board/boards/calliope-mini-3';
 import { linesOf, play } from '../library/testing/play';
 
 /** The line that ends a traceback, or what the program prints, in place of which the device stands on the right. */
@@ -118,6 +119,17 @@ const ofMicroPython: Readonly<Record<string, readonly Case[]>> = {
 describe('errors of MicroPython, at the device’s level of reporting', () => {
   describe.each(Object.entries(ofMicroPython))('%s', (_, cases) => {
     it.each(cases)('%j', (program, device) => expect(lastLineOf(program)).toBe(device));
+  });
+});
+
+describe('errors of a newer MicroPython, the Calliope mini’s 1.23', () => {
+  it.each([
+    ['"a" + 1', "TypeError: unsupported types for __add__: 'str', 'int'"],
+    ['print(a=1, 2)', 'SyntaxError: positional arg after keyword arg'],
+    ['def f(a): pass\nf()', 'TypeError: function takes 1 positional arguments but 0 were given'],
+  ])('%j', (program, device) => {
+    const run = play(program, {}, undefined, { type: calliopeMini3 }).until(5000);
+    expect(run.printed().trimEnd().split('\n').at(-1)).toBe(device);
   });
 });
 

@@ -49,6 +49,8 @@ export interface Firmware {
   readonly reserve: WebAssembly.Global;
   /** 1: code that is compiled now prints the values of its expressions, as in the REPL. */
   readonly echo: WebAssembly.Global;
+  /** 1: the board's MicroPython is older than 1.19, and some errors have other words. */
+  readonly before_1_19: WebAssembly.Global;
   /** Start of the collector's tables; the heap's blocks follow them. */
   readonly heap_start: WebAssembly.Global;
   /** End of the heap. */

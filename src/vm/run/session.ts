@@ -241,6 +241,8 @@ export class Session {
   private loadLibrary(): void {
     this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;
     this.firmware.library_gas.value = 0x7fffffff;
+    const [major, minor] = this.setup.board.firmware.micropython;
+    this.firmware.before_1_19.value = Number(major === 1 && minor < 19);
     if (!this.engine.run(this.executor(BOOT), Infinity)) throw new VmFault('The library did not load.');
   }
 
