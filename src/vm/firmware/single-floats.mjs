@@ -4,7 +4,7 @@
 // Adding, subtracting, multiplying, dividing and taking a root of two singles in double and rounding then gives the
 // single result exactly (53 bits are more than twice 24 and two), so these operations stay in double. Reading and
 // writing decimal numbers is different: the board does that in single steps of its own (../run/single-float-text.ts).
-import { addressOfText, expressionEnd, flat, onlyFunction, onlyMatch, replaceBytes } from './wat.mjs';
+import { addressOfText, expressionEnd, flat, onlyFunction, replaceBytes } from './wat.mjs';
 
 /** Operations on doubles whose result a single may not hold. */
 const INEXACT = /\((?:f64\.(?:add|sub|mul|div|sqrt|convert_\w+) |call_indirect \$\S+ \(type \$(\S+)\) |call \$(\S+) )/g;

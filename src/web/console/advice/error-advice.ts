@@ -57,7 +57,7 @@ export function adviceFor(
   const general = type === 'SyntaxError' && message === 'invalid syntax';
   const found =
     source &&
-    (general ? syntaxAdvice(source) : (nameAdvice(type, message, source) ?? lineAdvice({ type, message }, source)));
+    (general ? syntaxAdvice(source) : (nameAdvice(type, message, source) ?? lineAdvice(type, message, source)));
   if (found !== null) return { ...found, values: shortened(found.values), device };
   const advice = explained(type === 'ModuleNotFoundError' ? 'ImportError' : type, message);
   return { ...(table === null ? advice : atTable(advice, table)), device };

@@ -1,4 +1,3 @@
-import type { Failure } from './error-advice';
 import type { Source, SyntaxAdvice } from './syntax-advice';
 
 /** What stands in a line between quotation marks, and a comment. */
@@ -9,7 +8,7 @@ const FUNCTIONS: readonly string[] = ['function', 'bound_method', 'closure'];
 const WORDS = /^(?:if|elif|while|for|in|and|or|not|return|print|lambda|yield|assert|del|is|else)$/;
 
 /** The part of the device's words that it leaves out, from the line that failed. In doubt nothing. */
-export function lineAdvice({ type, message }: Failure, { text, line }: Source): SyntaxAdvice | null {
+export function lineAdvice(type: string, message: string, { text, line }: Source): SyntaxAdvice | null {
   const written = text.split('\n')[line - 1] ?? '';
   const code = written.replace(TEXTS, '""');
   if (type === 'ValueError' && /^invalid syntax for integer with base \d+$/.test(message)) return notWhole(written);
