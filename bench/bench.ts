@@ -1,4 +1,5 @@
 /** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
+import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
 import { downloadSubject } from './page/download';
 import { editingSubject } from './page/editing';
@@ -21,7 +22,7 @@ const pageSubjects = [
 ];
 
 /** The lines that need no browser. Runs in the project's folder after set-up. */
-export const headlessRows = (): AsyncGenerator<Row> => measured(headlessSubjects, undefined);
+export const headlessRows = (): AsyncGenerator<Row> => measured([...headlessSubjects, apiCallsSubject], undefined);
 
 /** The lines about the page in Chromium. */
 export const pageRows = (stage: Stage): AsyncGenerator<Row> => measured(pageSubjects, stage);

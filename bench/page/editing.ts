@@ -24,9 +24,9 @@ const MUCH = `${String(FULL.objects)} objects and ${FULL.points.toLocaleString('
 export const editingSubject: Subject<Stage> = {
   budgets: [
     { what: `drawing, ${MUCH}: frames`, budget: '60 a second' },
-    { what: `drawing, ${MUCH}: the page's thread per frame`, budget: '<= 13 ms' },
+    { what: `drawing, ${MUCH}: the page's thread per frame`, budget: '<= 10 ms' },
     { what: `driving, ${MUCH}: frames`, budget: '60 a second' },
-    { what: `driving, ${MUCH}: the page's thread per frame`, budget: '<= 13 ms' },
+    { what: `driving, ${MUCH}: the page's thread per frame`, budget: '<= 10 ms' },
   ],
   measure: (stage) =>
     withPage(stage, { throttle: 4 }, async (opened) => {

@@ -12,7 +12,7 @@ const RESPONSIVE_MS = 100;
 const ENDLESS = [
   { program: 'while True: pass', budgetMs: 100, budget: '<= 100 ms' },
   { program: 'while True: print(1)', budgetMs: 100, budget: '<= 100 ms' },
-  { program: 'sum(range(10**9))', budgetMs: 1_000, budget: '<= 1 s' },
+  { program: 'sum(range(10**9))', budgetMs: 100, budget: '<= 100 ms' },
 ] as const;
 
 /** Whether Stop works on everything. */

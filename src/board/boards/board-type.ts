@@ -44,6 +44,24 @@ export interface BoardCosts {
   readonly callUs: number;
   /** One `read_analog`. */
   readonly analogReadUs: number;
+  /** One pixel of an image that is copied, moved or turned round. */
+  readonly pixelMoveUs: number;
+  /** One pixel of a sum or difference of two images. */
+  readonly pixelSumUs: number;
+  /** One pixel of an image times a number. */
+  readonly pixelScaleUs: number;
+  /** One pixel of an image that is read from text or written as text. */
+  readonly pixelTextUs: number;
+  /** A picture put on the display. */
+  readonly showUs: number;
+  /** One value of a motion sensor: acceleration, gesture, compass. */
+  readonly motionUs: number;
+  /** `scale(…)`. */
+  readonly scaleUs: number;
+  /** One LED of a NeoPixel whose colour is set or asked for. */
+  readonly neopixelUs: number;
+  /** A tone that begins. */
+  readonly toneUs: number;
   /** One byte sent to the console. */
   readonly printByteUs: number;
   /** The pause between two transfers on the I2C bus; part of `I2cBus.transferUs`. */

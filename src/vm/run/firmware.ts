@@ -189,12 +189,11 @@ function boundary(memory: () => Memory, host: () => FirmwareHost): HostFunctions
     call1: (reference: number, _via: number, a: number, out: number) => host().call(reference, [memory().read(a)], out),
     call2: (reference: number, _via: number, a: number, b: number, out: number) =>
       host().call(reference, [memory().read(a), memory().read(b)], out),
-    calln: (reference: number, _via: number, count: number, first: number, out: number) =>
-      host().call(
-        reference,
-        Array.from({ length: count }, (_, i) => memory().read(first + i * VALUE_BYTES)),
-        out,
-      ),
+    calln: (reference: number, _via: number, count: number, first: number, out: number) => {
+      const given: Value[] = [];
+      for (let i = 0; i < count; i++) given.push(memory().read(first + i * VALUE_BYTES));
+      host().call(reference, given, out);
+    },
     has_attr: (reference: number, nameAddress: number) => Number(find(reference, nameAddress) >= 0),
     lookup_attr: (reference: number, nameAddress: number, out: number) => {
       const found = find(reference, nameAddress);

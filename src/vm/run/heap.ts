@@ -18,6 +18,9 @@ const DEVICE_BYTES = 64_512;
 /** Room for errors when the heap is full: the message, the traceback, and the library's report. Chosen. */
 const RESERVE_BLOCKS = 256;
 
+/** Whether one of the four kinds in this byte of the table is FREE (two zero bits). */
+const hasFree = (kinds: number): boolean => ((kinds | (kinds >> 1)) & 0x55) !== 0x55;
+
 /** What `micropython.mem_info()` tells. */
 export interface HeapInfo {
   readonly totalBytes: number;
@@ -43,6 +46,13 @@ export class Heap {
   private isSealed = false;
   /** The gap that was filled last. */
   private gaps = 0;
+  /** Start of the table of kinds, with which the heap begins: two bits for each block. */
+  private tableStart = 0;
+  /**
+   * Start of the blocks. Together with the finaliser table of half its size and the blocks, one byte of the table of
+   * kinds stands for 65.5 bytes of heap.
+   */
+  private poolStart = 0;
 
   constructor(
     private readonly firmware: Firmware,
@@ -51,6 +61,10 @@ export class Heap {
 
   /** Divides the empty heap: everything from here on belongs to the reserve and the program. */
   divide(): void {
+    const [start, end] = [this.firmware.heap_start.value, this.firmware.heap_end.value];
+    const tableBytes = Math.floor(((end - start - 1) * 2) / 131);
+    this.tableStart = start;
+    this.poolStart = end - tableBytes * 64;
     this.firmware.program_start.value = this.firmware.heap_end.value - (PROGRAM_BLOCKS + RESERVE_BLOCKS) * BLOCK_BYTES;
   }
 
@@ -60,22 +74,29 @@ export class Heap {
    */
   seal(): void {
     this.isSealed = true;
-    const { bytes } = this.memory;
     const end = this.blockAt(this.firmware.program_start.value);
     let length = 0;
     for (let block = end - 1; block >= 0; block--) {
+      // Nearly always all four kinds in a byte are taken: this is run after every collection.
+      if (length === 0 && block % 4 === 3 && !hasFree(this.memory.bytes[this.tableStart + (block >> 2)] ?? 0)) {
+        block -= 3;
+        continue;
+      }
       if (this.kind(block) !== Kind.FREE) continue;
       length++;
       const isFirst = block === 0 || this.kind(block - 1) !== Kind.FREE;
       this.setKind(block, isFirst ? Kind.HEAD : Kind.TAIL);
       if (!isFirst) continue;
-      const start = this.poolStart + block * BLOCK_BYTES;
-      bytes.fill(0, start, start + length * BLOCK_BYTES);
-      this.memory.setWord(start, this.gaps);
-      this.gaps = start;
+      this.fillGap(this.poolStart + block * BLOCK_BYTES, length);
       length = 0;
     }
     this.setRoot(Root.GAPS, this.gaps);
+  }
+
+  private fillGap(start: number, blocks: number): void {
+    this.memory.bytes.fill(0, start, start + blocks * BLOCK_BYTES);
+    this.memory.setWord(start, this.gaps);
+    this.gaps = start;
   }
 
   /** Number of bytes of the block that becomes the reserve. */
@@ -176,28 +197,16 @@ export class Heap {
     for (let block = first; block < first + RESERVE_BLOCKS; block++) visit(block);
   }
 
-  /**
-   * Start of the blocks. The heap begins with the table of kinds; together with the finaliser table of half its size
-   * and the blocks, one byte of it stands for 65.5 bytes of heap.
-   */
-  private get poolStart(): number {
-    return this.firmware.heap_end.value - this.tableBytes * 64;
-  }
-
-  private get tableBytes(): number {
-    return Math.floor(((this.firmware.heap_end.value - this.firmware.heap_start.value - 1) * 2) / 131);
-  }
-
   private blockAt(address: number): number {
     return (address - this.poolStart) / BLOCK_BYTES;
   }
 
   private kind(block: number): number {
-    return ((this.memory.bytes[this.firmware.heap_start.value + (block >> 2)] ?? 0) >> (2 * (block & 3))) & 3;
+    return ((this.memory.bytes[this.tableStart + (block >> 2)] ?? 0) >> (2 * (block & 3))) & 3;
   }
 
   private setKind(block: number, kind: number): void {
-    const place = this.firmware.heap_start.value + (block >> 2);
+    const place = this.tableStart + (block >> 2);
     const shift = 2 * (block & 3);
     this.memory.bytes[place] = ((this.memory.bytes[place] ?? 0) & ~(3 << shift)) | (kind << shift);
   }

@@ -170,7 +170,7 @@ describe('the way to the board', () => {
     },
   );
 
-  it.each(['_boot', '_sim', '_repl', '_hal', '_gc'])('has no module %s for programs', (name) => {
+  it.each(['_boot', '_sim', '_repl', '_hal', '_host', '_gc'])('has no module %s for programs', (name) => {
     expect(runProgram(`import ${name}`).ended?.exception?.type).toBe('ImportError');
     expect(runProgram(`import sys\nprint(sys.modules['${name}'])`).console).not.toContain("<module '_hal'");
   });

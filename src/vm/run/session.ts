@@ -141,12 +141,13 @@ export class Session {
         return null;
       },
     };
-    return {
+    const table: SyscallTable = {
       ...createHal(engine, this.setup.board, files, port, rng),
       ...createHeapCalls(this.heap),
-      ...runner,
       ...this.programCalls(engine),
+      names: () => Object.keys(table).join(' '),
     };
+    return { ...table, ...runner };
   }
 
   /**
@@ -230,7 +231,7 @@ export class Session {
     firmware.stack_base.value = base;
     firmware.mp_js_init(PYSTACK_WORDS, HEAP_BYTES);
     firmware.proxy_c_init();
-    const name = memory.allocateText('_hal').address;
+    const name = memory.allocateText('_host').address;
     const value = firmware.malloc(VALUE_BYTES);
     memory.writeReference(HAL_REFERENCE, value);
     firmware.mp_js_register_js_module(name, value);

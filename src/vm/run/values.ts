@@ -8,6 +8,9 @@ const TO_PYTHON = { null: 1, bool: 2, int: 3, double: 4, str: 5, object: 7 } as 
 const decoder = new TextDecoder();
 const encoder = new TextEncoder();
 
+/** Up to this length a text is put together byte by byte. Chosen: below it that is faster. */
+const SHORT_BYTES = 24;
+
 /** The bytes of one value at the boundary: kind and two words. */
 export const VALUE_BYTES = 12;
 
@@ -34,7 +37,19 @@ export class Memory {
 
   /** The UTF-8 text of this many bytes. */
   text(address: number, length: number): string {
-    return decoder.decode(this.bytes.subarray(address, address + length));
+    return this.shortAscii(address, length) ?? decoder.decode(this.bytes.subarray(address, address + length));
+  }
+
+  /** A short text of ASCII: the decoder's own overhead costs more. `null`: it is neither. */
+  private shortAscii(address: number, length: number): string | null {
+    if (length > SHORT_BYTES) return null;
+    let text = '';
+    for (let index = 0; index < length; index++) {
+      const byte = this.bytes[address + index] ?? 0;
+      if (byte > 0x7f) return null;
+      text += String.fromCharCode(byte);
+    }
+    return text;
   }
 
   /** The UTF-8 text up to the next zero byte. */

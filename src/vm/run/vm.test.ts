@@ -207,7 +207,7 @@ describe('stopping a program', () => {
 });
 
 describe('what a program can reach', () => {
-  it.each(['js', 'jsffi', 'vfs', 'asyncio', '_hal'])('finds no module %s', (name) => {
+  it.each(['js', 'jsffi', 'vfs', 'asyncio', '_hal', '_host'])('finds no module %s', (name) => {
     expect(runProgram(`import ${name}`).ended?.exception?.type).toBe('ImportError');
   });
 

@@ -3,6 +3,17 @@ import _hal
 from _sim import addressof, ints
 
 _glyph = _hal.glyph
+_unpack = _hal.image_unpack
+_size = _hal.image_size
+_parse = _hal.image_parse
+_limit = _hal.image_limit
+_sum = _hal.image_sum
+_scale = _hal.image_scale
+_invert = _hal.image_invert
+_fill = _hal.image_fill
+_pixel = _hal.image_pixel
+_blit = _hal.image_blit
+_text = _hal.image_text
 
 # The built-in images (micropython-microbit-v2 microbit_constimage.c): a base-32 digit per row, its highest bit on the left.
 _CONSTANTS = (
@@ -51,36 +62,24 @@ class MicroBitImage:
             if w < 0 or h < 0 or w * h != len(view):
                 raise ValueError("image data is incorrect size")
             self._b = bytearray(view)
-            for i in range(w * h):
-                if self._b[i] > 9:
-                    self._b[i] = 9
+            _limit(addressof(self._b), w * h)
         self._w = w
         self._h = h
 
     def _parse(self, text):
-        rows = text.replace("\n", ":").split(":")
-        if not rows[-1]:
-            rows.pop()
-        w = max(len(row) for row in rows) if rows else 0
-        self._w = w
-        self._h = len(rows)
-        self._b = pixels = bytearray(w * self._h)
-        start = 0
-        for row in rows:
-            i = start
-            for digit in row:
-                if digit > "9":
-                    raise ValueError("unexpected character in Image definition")
-                # Below '0' the device stores whatever comes out; only a space is meant to be dark.
-                if digit > "0":
-                    pixels[i] = ord(digit) - 48
-                i += 1
-            start += w
+        size = _size(text)
+        self._w = size >> 12
+        self._h = size & 4095
+        self._b = bytearray(self._w * self._h)
+        if not _parse(text, addressof(self._b), self._w):
+            raise ValueError("unexpected character in Image definition")
 
     def _pixels(self):
         b = self._b
         if type(b) is int:
-            return bytes((b >> i & 1) * 9 for i in range(24, -1, -1))
+            pixels = bytearray(25)
+            _unpack(b, addressof(pixels))
+            return pixels
         return b
 
     def _own(self):
@@ -96,7 +95,11 @@ class MicroBitImage:
         return self._h
 
     def _place(self, x, y):
-        ints(x, y)
+        _pixel()
+        try:
+            x | y
+        except TypeError:
+            ints(x, y)
         if x < 0 or y < 0:
             raise ValueError("index cannot be negative")
         if x >= self._w or y >= self._h:
@@ -112,7 +115,10 @@ class MicroBitImage:
 
     def set_pixel(self, x, y, value):
         b = self._own()
-        ints(x, y, value)
+        try:
+            x | y | value
+        except TypeError:
+            ints(x, y, value)
         if x >= 0 <= y and not 0 <= value <= 9:
             raise ValueError("brightness out of bounds")
         b[self._place(x, y)] = value
@@ -122,18 +128,20 @@ class MicroBitImage:
         ints(value)
         if not 0 <= value <= 9:
             raise ValueError("brightness out of bounds")
-        for i in range(len(b)):
-            b[i] = value
+        _fill(addressof(b), len(b), value)
 
     def copy(self):
-        return _image(self._w, self._h, self._pixels())
+        return self.crop(0, 0, self._w, self._h)
 
     def invert(self):
-        return _image(self._w, self._h, bytes(9 - p for p in self._pixels()))
+        image = _image(self._w, self._h)
+        pixels = self._pixels()
+        _invert(addressof(pixels), len(pixels), addressof(image._b))
+        return image
 
     def crop(self, x, y, w, h):
         ints(x, y, w, h)
-        image = _image(max(w, 0), max(h, 0), None)
+        image = _image(max(w, 0), max(h, 0))
         image._copy_from(self, x, y, image._w, image._h, 0, 0)
         return image
 
@@ -151,17 +159,11 @@ class MicroBitImage:
         self._copy_from(src, x, y, w, h, xdest, _ydest)
 
     def _copy_from(self, src, x, y, w, h, xdest, ydest):
-        # Pixels outside the source count as dark; pixels that land outside this image are dropped.
         pixels = src._pixels()
-        if src is self:
-            pixels = bytes(pixels)
-        to = self._b
-        for row in range(max(-ydest, 0), min(h, self._h - ydest)):
-            from_y = y + row
-            for column in range(max(-xdest, 0), min(w, self._w - xdest)):
-                from_x = x + column
-                inside = 0 <= from_x < src._w and 0 <= from_y < src._h
-                to[(ydest + row) * self._w + xdest + column] = pixels[from_y * src._w + from_x] if inside else 0
+        _blit(
+            *(addressof(pixels), src._w, src._h, x, y),
+            *(addressof(self._b), self._w, self._h, xdest, ydest, w, h),
+        )
 
     def _shift(self, x, y):
         # As high as it is wide, as on the device (image_shift).
@@ -179,49 +181,53 @@ class MicroBitImage:
     def shift_down(self, n):
         return self._shift(0, -n)
 
-    def _sum(self, other, sign):
+    def _plus(self, other, sign):
         if self._w != other._w or self._h != other._h:
             raise ValueError("images must be the same size")
         a = self._pixels()
         b = other._pixels()
-        return _image(self._w, self._h, bytes(min(max(a[i] + sign * b[i], 0), 9) for i in range(len(a))))
+        image = _image(self._w, self._h)
+        _sum(addressof(a), addressof(b), len(a), sign, addressof(image._b))
+        return image
 
     def __add__(self, other):
         if not isinstance(other, MicroBitImage):
             return NotImplemented
-        return self._sum(other, 1)
+        return self._plus(other, 1)
 
     def __sub__(self, other):
         if not isinstance(other, MicroBitImage):
             return NotImplemented
-        return self._sum(other, -1)
+        return self._plus(other, -1)
 
     def __mul__(self, factor):
         factor = _number(factor)
         if factor < 0:
             raise ValueError("brightness multiplier must not be negative")
-        return _image(self._w, self._h, bytes(min(int(p * factor + 0.5), 9) for p in self._pixels()))
+        image = _image(self._w, self._h)
+        pixels = self._pixels()
+        _scale(addressof(pixels), self._w, self._h, factor, addressof(image._b))
+        return image
 
     def __truediv__(self, divisor):
         return self * (1.0 / _number(divisor))
 
-    def _rows(self):
+    def _rows(self, between):
         pixels = self._pixels()
-        w = self._w
-        return ["".join(str(p) for p in pixels[y * w : (y + 1) * w]) + ":" for y in range(self._h)]
+        return _text(addressof(pixels), self._w, self._h, between)
 
     def __repr__(self):
-        return "Image('" + "".join(self._rows()) + "')"
+        return "Image('" + self._rows("") + "')"
 
     def __str__(self):
-        return "Image(\n    '" + "'\n    '".join(self._rows()) + "'\n)"
+        return "Image(\n    '" + self._rows("'\n    '") + "'\n)"
 
 
-def _image(w, h, pixels):
+def _image(w, h):
     image = object.__new__(MicroBitImage)
     image._w = w
     image._h = h
-    image._b = bytearray(w * h) if pixels is None else bytearray(pixels)
+    image._b = bytearray(w * h)
     return image
 
 

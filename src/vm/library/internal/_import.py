@@ -67,6 +67,6 @@ def _make_way():
 _loaded = _sys.modules
 # The library's own parts, which are no modules of the device's.
 _OURS = [name for name in _loaded if name[0] == "_" and name != "__main__"]
-_BUILT_IN = {name: _loaded[name] for name in _loaded if name not in ("__main__", "_hal", "_boot", "_sim", "_repl")}
+_BUILT_IN = {name: _loaded[name] for name in _loaded if name not in ("__main__", "_hal", "_host", "_boot", "_sim", "_repl")}
 _make_way()
 builtins.__import__ = _builtins.__import__ = _import

@@ -14,6 +14,7 @@ from _pins import MicroBitButton as _Button, board_pins as _board_pins, pin_numb
 from _sim import addressof as _addressof, ints as _ints, number as _number, raw as _raw, remember as _remember
 
 _sleep = _h.sleep_ms
+_spend = _h.spend
 _sleep_until = _h.sleep_until
 _running_time = _h.running_time
 
@@ -116,6 +117,7 @@ def scale(value, from_, to, *, _=None):
     low, high = _pair(to)
     for number in (value, start, end, low, high):
         _number(number)
+    _spend("scale", 1)
     result = (value - start) / (end - start) * (high - low) + low
     return result if isinstance(low, float) or isinstance(high, float) else round(result)
 

@@ -1,5 +1,8 @@
 # NeoPixel as on the device: colours are kept in the order green, red, blue (, white) of the ws2812.
+import _hal
 from microbit import ws2812_write
+
+_spend = _hal.spend
 
 
 class NeoPixel:
@@ -13,11 +16,13 @@ class NeoPixel:
         _self.buf = bytearray(n * bpp)
 
     def __setitem__(self, index, color):
+        _spend("neopixel", 1)
         place = index * self.bpp
         for part in range(self.bpp):
             self.buf[place + self.ORDER[part]] = color[part]
 
     def __getitem__(self, index):
+        _spend("neopixel", 1)
         place = index * self.bpp
         return tuple(self.buf[place + self.ORDER[part]] for part in range(self.bpp))
 

@@ -20,6 +20,8 @@ const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.b
 /**
  * The rest of the board.
  *
+ * - spend(what, times): the cost of what the library does in Python, and the board in C or in Python of its own; `what`
+ *   is 'scale' or 'neopixel'
  * - sensor(id) → its value (ids: board/sensors.ts) · unique_id(address): writes 8 bytes, the same for the same seed
  * - chip_word(address) → the word of the chip's memory there as an int of 32 bits, None if it is not simulated
  */
@@ -32,7 +34,15 @@ export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): Sys
     [DEVICE_ID + 4, wordOf(uniqueId, 4)],
   ]);
   const known = new Set(board.sensors.ids);
+  const costs: ReadonlyMap<string, number> = new Map([
+    ['scale', board.type.costsUs.scaleUs],
+    ['neopixel', board.type.costsUs.neopixelUs],
+  ]);
   return {
+    spend: (what, times) => {
+      machine.spend((costs.get(textOf(what)) ?? 0) * Math.max(0, wholeOf(times) ?? 1));
+      return null;
+    },
     sensor: (id) => {
       machine.spend(board.type.costsUs.callUs);
       return known.has(textOf(id)) ? board.sensors.get(textOf(id)) : null;

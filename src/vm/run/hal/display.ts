@@ -44,7 +44,7 @@ function createStage(machine: Machine, board: Board): Stage {
   let turn = 0;
   return {
     begin: () => {
-      machine.spend(board.type.costsUs.callUs);
+      machine.spend(board.type.costsUs.showUs);
       turn++;
     },
     turn: () => turn,

@@ -8,6 +8,7 @@ import { createDeviceCalls } from './device';
 import { createDisplayCalls } from './display';
 import { createFileCalls } from './files';
 import { createI2cCalls } from './i2c';
+import { createImageCalls } from './image';
 import { createLogCalls } from './log';
 import { createMusicCalls } from './music';
 import { createPinCalls } from './pins';
@@ -33,6 +34,7 @@ export function createHal(machine: Machine, board: Board, files: Files, port: Co
     ...createSpiCalls(machine, board),
     ...createUartCalls(machine, board, port),
     ...createDisplayCalls(machine, board),
+    ...createImageCalls(machine, board),
     ...createMusicCalls(machine, board),
     ...createSoundCalls(machine, board, rng),
     ...createTimeCalls(machine, board),

@@ -16,7 +16,7 @@ import type { Machine, SyscallTable, Value, Wait } from '../syscall';
  */
 export function createMusicCalls(machine: Machine, board: Board): SyscallTable {
   const { music } = board;
-  const { callUs } = board.type.costsUs;
+  const { callUs, toneUs } = board.type.costsUs;
   const pins = pinsByNumber(board);
   let started = 0;
   const pinOf = (n: Value | undefined) => pins[wholeOf(n) ?? -1] ?? null;
@@ -29,7 +29,7 @@ export function createMusicCalls(machine: Machine, board: Board): SyscallTable {
       return refusal(pin) ?? music.play(all, { pin: pinOf(pin), loop: loop === true });
     },
     music_pitch: (hz, ms, pin) => {
-      machine.spend(callUs);
+      machine.spend(toneUs);
       started++;
       return refusal(pin) ?? music.pitch(wholeOf(hz) ?? 0, wholeOf(ms) ?? -1, pinOf(pin));
     },

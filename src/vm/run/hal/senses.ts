@@ -26,30 +26,37 @@ const MOST_SAMPLES = 64 * 1024;
  *   mic_is_recording() · mic_stop() · mic_count() → samples recorded so far
  */
 export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
-  const { callUs } = board.type.costsUs;
-  const priced = (calls: SyscallTable): SyscallTable =>
+  const { callUs, motionUs } = board.type.costsUs;
+  const priced = (calls: SyscallTable, us: number): SyscallTable =>
     Object.fromEntries(
       Object.entries(calls).map(([name, call]): [string, Syscall] => [
         name,
         (...args) => {
-          machine.spend(callUs);
+          machine.spend(us);
           return call(...args);
         },
       ]),
     );
-  const calls = priced({
-    temperature: () => Math.trunc(board.thermometer.value),
-    ...motionCalls(board),
-    ...compassCalls(board),
-    ...microphoneCalls(board),
-    ...recordingCalls(machine, board),
-  });
-  return { ...calls, ...furtherCalls(board) };
+  const motion = priced({ ...motionCalls(board), ...compassCalls(board) }, motionUs);
+  const others = priced(
+    {
+      temperature: () => Math.trunc(board.thermometer.value),
+      ...microphoneCalls(board),
+      ...recordingCalls(machine, board),
+    },
+    callUs,
+  );
+  return { ...motion, ...others, ...furtherCalls(machine, board) };
 }
 
-/** Free of charge: parts of a call that is already paid. */
-function furtherCalls({ motion }: Board): SyscallTable {
-  return { acceleration_too: (axis) => motion.acceleration[axisOf(axis)] };
+/** Parts of a call that is already paid; three values together are one object more. */
+function furtherCalls(machine: Machine, { motion, type }: Board): SyscallTable {
+  return {
+    acceleration_too: (axis) => {
+      if (axis === 1) machine.spend(type.costsUs.allocationUs);
+      return motion.acceleration[axisOf(axis)];
+    },
+  };
 }
 
 const AXES = ['x', 'y', 'z'] as const;
