@@ -80,7 +80,7 @@ describe('the command line', () => {
     ['run main.py --for soon', /--for: "soon" is not a time\. Write it like 500ms, 20s or 2min/],
     ['run main.py --for 0s', /no time at all/],
     ['run main.py --for -5s', /not a time|needs a value/],
-    ['run main.py --for 2000min', /too long; the limit is 1440min/],
+    ['run main.py --for 2000min', /too long; the limit is 24h/],
     ['run main.py --seed x', /--seed: "x" is not a whole number/],
     ['run main.py --seed 1.5', /--seed: "1\.5" is not a whole number/],
     ['run main.py --lang xx', /--lang: "xx" is not available\. Known: de, fr, it, en\./],
@@ -96,6 +96,7 @@ describe('a time', () => {
     expect(parseDuration('500ms')).toEqual({ us: 500_000 });
     expect(parseDuration('20s')).toEqual({ us: 20_000_000 });
     expect(parseDuration('2min')).toEqual({ us: 120_000_000 });
+    expect(parseDuration('24h')).toEqual({ us: 86_400_000_000 });
     expect(parseDuration('0.25s')).toEqual({ us: 250_000 });
   });
 });

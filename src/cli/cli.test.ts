@@ -1,5 +1,5 @@
 import { spawn, spawnSync } from 'node:child_process';
-import { cpSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, existsSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
 import { lastLine, parcours, useFolder } from './testing/parcours';
@@ -148,6 +148,41 @@ describe('parcours run', { timeout: 30_000 }, () => {
   });
 });
 
+describe('files that a run writes', { timeout: 30_000 }, () => {
+  const hello = file('written.py', "print('hello')\n");
+
+  it('never overwrite what it reads, whatever links lead there', () => {
+    symlinkSync(hello, join(folder, 'link.csv'));
+    const { code, err } = parcours('run', hello, '--trace', join(folder, 'link.csv'));
+    expect(code).toBe(2);
+    expect(err).toContain('is read by this run');
+    expect(readFileSync(hello, 'utf8')).toBe("print('hello')\n");
+  });
+
+  it('are not the same for the trace and the log', () => {
+    const { code, err } = parcours(
+      'run',
+      hello,
+      '--trace',
+      join(folder, 'both.csv'),
+      '--log',
+      join(folder, 'both.csv'),
+    );
+    expect(code).toBe(2);
+    expect(err).toContain('can be only one of them');
+  });
+
+  it('may be what is no file, such as /dev/null', () => {
+    expect(parcours('run', hello, '--trace', '/dev/null', '--log', '/dev/null').code).toBe(0);
+  });
+
+  it.runIf(existsSync('/dev/full'))('end the run with a sentence when the disk is full', () => {
+    const { code, err } = parcours('run', hello, '--trace', '/dev/full');
+    expect(code).toBe(2);
+    expect(err).toBe('parcours: A result cannot be written: the disk is full.\n');
+  });
+});
+
 describe('parcours run with something wrong', { timeout: 30_000 }, () => {
   const hello = file('fine.py', "print('hello')\n");
   const table: readonly [what: string, args: readonly string[], message: RegExp][] = [
@@ -159,6 +194,8 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
       /huge\.py: has 10200000 bytes; the limit is 1000000/,
     ],
     ['a program that is no text', [file('photo.py', Uint8Array.of(0xff, 0xd8, 0xff, 0xe0))], /is not text in UTF-8/],
+    ['a program without end', ['/dev/zero'], /\/dev\/zero: has more than 1000000 bytes/],
+    ['signs that steer a terminal', ['\u001b[31mred.py'], /^parcours: \\x1b\[31mred\.py: there is no such file/],
     ['a missing driver', [hello, '--file', 'nothing.py'], /nothing\.py: there is no such file/],
     ['a driver twice', [hello, '--file', hello, '--file', hello], /there is already a file "fine\.py" on the board/],
     ['no unit', [hello, '--for', '20'], /--for: "20" has no unit\. Did you mean 20s\?/],

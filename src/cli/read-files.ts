@@ -1,10 +1,11 @@
-import { readFileSync, statSync } from 'node:fs';
+import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import { parseScene } from '#scene/parse';
 import { defaultScene, sceneLimits, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from './input-file';
+import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
 export interface RunFiles {
@@ -67,6 +68,20 @@ function readInputs(path: string): readonly InputEvent[] {
   return 'inputs' in parsed ? parsed.inputs : refuse(path, parsed.problem);
 }
 
+/** The bytes of a file, at most one more than these: what is no ordinary file tells no size, and may have no end. */
+function readAtMost(path: string, maxBytes: number): Uint8Array {
+  const file = openSync(path, 'r');
+  try {
+    const bytes = new Uint8Array(maxBytes + 1);
+    let length = 0;
+    for (let read = -1; read !== 0 && length < bytes.length; length += read)
+      read = readSync(file, bytes, length, bytes.length - length, null);
+    return bytes.subarray(0, length);
+  } finally {
+    closeSync(file);
+  }
+}
+
 function readText(path: string, maxBytes: number): string {
   let bytes: Uint8Array;
   try {
@@ -74,7 +89,8 @@ function readText(path: string, maxBytes: number): string {
     if (status.isDirectory()) refuse(path, 'is a folder. A file is wanted.');
     if (status.size > maxBytes)
       refuse(path, `has ${status.size} bytes; the limit is ${maxBytes}. Is it the right file?`);
-    bytes = readFileSync(path);
+    bytes = readAtMost(path, maxBytes);
+    if (bytes.length > maxBytes) refuse(path, `has more than ${maxBytes} bytes. Is it the right file?`);
   } catch (error) {
     if (error instanceof BadFile) throw error;
     return refuse(path, reasonOf(error));
@@ -83,21 +99,5 @@ function readText(path: string, maxBytes: number): string {
     return new TextDecoder('utf-8', { fatal: true }).decode(bytes);
   } catch {
     return refuse(path, 'is not text in UTF-8. Save it again as UTF-8.');
-  }
-}
-
-/** Why a file could not be opened, in plain words. */
-export function reasonOf(error: unknown): string {
-  const code = error instanceof Error && 'code' in error ? error.code : undefined;
-  switch (code) {
-    case 'ENOENT':
-      return 'there is no such file.';
-    case 'EACCES':
-      return 'may not be opened (permission denied).';
-    case 'ENOTDIR':
-    case 'EISDIR':
-      return 'a folder and a file are mixed up in this path.';
-    default:
-      return error instanceof Error ? error.message : String(error);
   }
 }

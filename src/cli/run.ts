@@ -1,10 +1,11 @@
-import { closeSync, existsSync, openSync } from 'node:fs';
+import { closeSync, existsSync, openSync, realpathSync, statSync } from 'node:fs';
 import { dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { foreignModules, modulesImportedBy } from '#python/imports';
 import { chooseHardware, hardwareIds, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
-import { reasonOf, readRunFiles, type RunFiles } from './read-files';
+import { readRunFiles, type RunFiles } from './read-files';
+import { reasonOf } from './reason-of';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
@@ -27,6 +28,8 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
     if (options.json) terminal.line(jsonLine(unfit, ''));
     return exitCodeOf(unfit.ended);
   }
+  if (areOneFile(options.trace, options.log))
+    return refuse(`--trace and --log: ${options.log ?? ''} can be only one of them. Choose another name.`, terminal);
   const trace = openResult('--trace', options.trace, options);
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
   const log = openResult('--log', options.log, options);
@@ -108,14 +111,27 @@ function placed(problem: string, options: RunOptions): string {
   return problem;
 }
 
+/** The file that a path leads to, through links; a file that is not there yet is where it will be. */
+function realPath(path: string): string {
+  try {
+    return realpathSync(path);
+  } catch {
+    return resolve(path);
+  }
+}
+
+/** Whether two results would write over each other; into /dev/null and its like any number may be written. */
+const areOneFile = (one: string | null, other: string | null): boolean =>
+  one !== null && other !== null && realPath(one) === realPath(other) && (!existsSync(one) || statSync(one).isFile());
+
 type Opened = { readonly file: number } | { readonly problem: string };
 
 /** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
 function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
   if (path === null) return null;
   const { program, files, scene, input } = options;
-  const read = [program, ...files, scene, input].filter((name) => name !== null).map((name) => resolve(name));
-  if (read.includes(resolve(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
+  const read = [program, ...files, scene, input].filter((name) => name !== null).map(realPath);
+  if (read.includes(realPath(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
   try {
     return { file: openSync(path, 'a') };
   } catch (error) {

@@ -20,6 +20,13 @@ export interface Stream {
 
 const CLEAR_LINE = '\r\u001b[K';
 
+/** Names and values may hold signs that steer a terminal: they are shown, not sent. */
+const printable = (text: string): string =>
+  text.replace(
+    /[\u0000-\u0008\u000b-\u001f\u007f-\u009f]/g,
+    (sign) => `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`,
+  );
+
 /** Creates the terminal of one run. */
 export function createTerminal(out: Stream, err: Stream, quiet: boolean): Terminal {
   const showsProgress = err.isTTY === true && !quiet;
@@ -44,7 +51,7 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
     },
     message(text) {
       clearProgress();
-      err.write(`${text}\n`);
+      err.write(`${printable(text)}\n`);
     },
     progress(simulatedMs, realTimeFactor) {
       // Half a line of the program's output would be overwritten: progress waits for the end of the line.

@@ -1,5 +1,5 @@
 /** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
-import { existsSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
+import { existsSync, fstatSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
@@ -9,6 +9,7 @@ import { packetReport, type PacketReport } from '#simulation/report';
 import { checkRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
 import { reportOf, type Report } from './report';
+import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
 import { traceHeader, traceLine } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
@@ -33,18 +34,23 @@ function readFirmware(): Uint8Array<ArrayBuffer> {
   return new Uint8Array(readFileSync(place));
 }
 
+/** Empties a file; what is none (a terminal, /dev/null) cannot be emptied and need not be. */
+function empty(file: number): void {
+  if (fstatSync(file).isFile()) ftruncateSync(file);
+}
+
 /** Writes the rows since the last call; the first call writes the names of the columns. */
 function createTraceWriter(simulation: Simulation, file: number | null): () => void {
-  let written = -1;
+  let isBegun = false;
   return () => {
     if (file === null) return;
-    if (written < 0) {
-      ftruncateSync(file);
-      writeSync(file, `${traceHeader(simulation.trace[0])}\n`);
+    const rows = simulation.takeTrace();
+    if (!isBegun) {
+      empty(file);
+      writeSync(file, `${traceHeader(rows[0])}\n`);
     }
-    const rows = simulation.trace.slice(Math.max(written, 0));
+    isBegun = true;
     writeSync(file, rows.map((row) => `${traceLine(row)}\n`).join(''));
-    written = simulation.trace.length;
   };
 }
 
@@ -67,7 +73,7 @@ function createNews(task: WorkerTask): {
 }
 
 function writeLog(file: number, events: readonly LogEvent[]): void {
-  ftruncateSync(file);
+  empty(file);
   writeSync(file, csvOf(withLogEvents(emptyLog, events)));
 }
 
@@ -117,6 +123,11 @@ async function work(task: WorkerTask): Promise<void> {
   post({ type: 'done', report });
 }
 
+/** A full disk and the like: not our mistake. */
+const isFailedWrite = (error: unknown): boolean =>
+  error instanceof Error && 'syscall' in error && ['write', 'ftruncate'].includes(String(error.syscall));
+
 await work(workerData as WorkerTask).catch((error: unknown) => {
-  post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) });
+  if (isFailedWrite(error)) post({ type: 'refused', problem: `A result cannot be written: ${reasonOf(error)}` });
+  else post({ type: 'broken', problem: error instanceof Error ? (error.stack ?? error.message) : String(error) });
 });

@@ -103,11 +103,20 @@ describe('a run', { timeout: 30_000 }, () => {
     expect(again.snapshot()).toEqual(first.snapshot());
   });
 
+  it('gives each row of the trace once, so that a day of them needs no memory', async () => {
+    const simulation = await runFor(drive, 1000, { keepTrace: true });
+    simulation.takeTrace();
+    expect(simulation.takeTrace()).toEqual([]);
+    simulation.advanceTo(simulation.nowUs + 40_000);
+    expect(simulation.takeTrace().map((row) => row.timeUs)).toEqual([1_020_000, 1_040_000]);
+  });
+
   it('keeps a row of the trace every 20 ms, beginning at 0, when asked to', async () => {
     const simulation = await runFor(drive, 1000, { keepTrace: true });
-    expect(simulation.trace.map((row) => row.timeUs)).toEqual(Array.from({ length: 51 }, (_, n) => n * 20_000));
-    expect(simulation.trace[0]).toMatchObject({ xMm: 600, yMm: 450, headingRad: 0, collisions: 0 });
-    expect((await runFor(drive, 1000)).trace).toEqual([]);
+    const trace = simulation.takeTrace();
+    expect(trace.map((row) => row.timeUs)).toEqual(Array.from({ length: 51 }, (_, n) => n * 20_000));
+    expect(trace[0]).toMatchObject({ xMm: 600, yMm: 450, headingRad: 0, collisions: 0 });
+    expect((await runFor(drive, 1000)).takeTrace()).toEqual([]);
   });
 
   it('drives twice as fast at scale 2, and sees the line with sensors twice as far apart', async () => {

@@ -142,9 +142,9 @@ export class Simulation {
     return this.inputs.log;
   }
 
-  /** One row per 20 ms, if the set-up asks to keep them; without a robot none. */
-  get trace(): readonly TraceRow[] {
-    return this.recorder.rows;
+  /** The rows since the last call: one per 20 ms, if the set-up asks to keep them; without a robot none. */
+  takeTrace(): readonly TraceRow[] {
+    return this.recorder.take();
   }
 
   /** Fingerprint of the trajectory so far, 64 hexadecimal digits; see `createTraceHash`. */

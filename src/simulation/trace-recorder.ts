@@ -3,8 +3,7 @@ import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
 
 /** Writes down where the robot is, every 20 ms: into the fingerprint always, as a row only if rows are kept. */
 export class TraceRecorder {
-  /** One per 20 ms, if they are kept. */
-  readonly rows: TraceRow[] = [];
+  private rows: TraceRow[] = [];
   private readonly hash = createTraceHash();
 
   /** @param mounted without a robot nothing is written */
@@ -16,6 +15,13 @@ export class TraceRecorder {
   /** Fingerprint of the trajectory so far, 64 hexadecimal digits. */
   fingerprint(): string {
     return this.hash.hex();
+  }
+
+  /** The rows since the last call: one per 20 ms, if they are kept. A run of a day would not fit into memory. */
+  take(): readonly TraceRow[] {
+    const { rows } = this;
+    this.rows = [];
+    return rows;
   }
 
   /** Call it after each step of the world. */
