@@ -28,6 +28,8 @@ export async function violationsBy(
 ): Promise<readonly string[]> {
   if (!(await evaluate(() => 'axe' in window))) await evaluate(`(() => { ${source} })()`);
   const violations = await evaluate(async () => {
+    // What has just come begins to fade in with the next picture.
+    await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     // What fades in or out would be judged by a colour that is gone in a moment.
     const running = document.getAnimations().filter(({ effect }) => effect?.getComputedTiming().endTime !== Infinity);
     await Promise.all(running.map(({ finished }) => finished.catch(() => null)));
