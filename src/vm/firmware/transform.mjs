@@ -4,6 +4,7 @@
 import binaryen from 'binaryen';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
+import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
 import { speakAsTheDevice } from './words.mjs';
@@ -53,6 +54,7 @@ export function transform(published, report) {
   collectInsideFixedHeap(module);
   tellHeapPlace(module);
   freeReserveOnMemoryError(module);
+  collectProgramAlone(module);
   hideLibraryFrames(module, findInterpreter(module));
   exportScheduler(module);
   replaceEndlessLoops(module);

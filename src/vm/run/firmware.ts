@@ -43,6 +43,8 @@ export interface Firmware {
   readonly allocation_cost: WebAssembly.Global;
   /** Address where the library ends and the pupil's part of the heap begins. */
   readonly program_start: WebAssembly.Global;
+  /** End of what the library has filled: from then on a collection goes through the program's part alone. */
+  readonly library_end: WebAssembly.Global;
   /** Start of the C stack (it grows downwards); the collector scans from the stack pointer to here. */
   readonly stack_base: WebAssembly.Global;
   /** A block of the heap that is freed when memory runs out, for the error itself (heap.ts); 0 once it is used. */

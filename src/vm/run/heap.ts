@@ -3,9 +3,8 @@ import type { Memory } from './values';
 
 /** MicroPython py/gc.c: blocks of 16 bytes, two bits for each in a table at the heap's start. */
 const BLOCK_BYTES = 16;
-const WORD_BYTES = 4;
-/** Words before the end of the C stack. The firmware knows the first one (../firmware/transform.mjs). */
-const Root = { RESERVE: 1, GAPS: 2 } as const;
+/** The last word of the C stack, where the collector finds the reserve. The firmware knows it, too (../firmware/transform.mjs). */
+const ROOT_BYTES = 4;
 const Kind = { FREE: 0, HEAD: 1, TAIL: 2, MARK: 3 } as const;
 
 /**
@@ -15,8 +14,11 @@ const Kind = { FREE: 0, HEAD: 1, TAIL: 2, MARK: 3 } as const;
 const PROGRAM_BLOCKS = 4022;
 /** Total size of the device's heap: `gc.mem_free()` and `gc.mem_alloc()` together. */
 const DEVICE_BYTES = 64_512;
-/** Room for errors when the heap is full: the message, the traceback, and the library's report. Chosen. */
-const RESERVE_BLOCKS = 256;
+/**
+ * Room for errors when the heap is full: the message, the traceback, and the library's report. Chosen; together with
+ * the program's blocks a multiple of eight (../firmware/program-alone.mjs).
+ */
+const RESERVE_BLOCKS = 258;
 
 /** Whether one of the four kinds in this byte of the table is FREE (two zero bits). */
 const hasFree = (kinds: number): boolean => ((kinds | (kinds >> 1)) & 0x55) !== 0x55;
@@ -44,8 +46,6 @@ export class Heap {
   private reserve = 0;
   private isHeld = true;
   private isSealed = false;
-  /** The gap that was filled last. */
-  private gaps = 0;
   /** Start of the table of kinds, with which the heap begins: two bits for each block. */
   private tableStart = 0;
   /**
@@ -62,7 +62,7 @@ export class Heap {
   /** Divides the empty heap: everything from here on belongs to the reserve and the program. */
   divide(): void {
     const [start, end] = [this.firmware.heap_start.value, this.firmware.heap_end.value];
-    const tableBytes = Math.floor(((end - start - 1) * 2) / 131);
+    const tableBytes = Math.floor(((end - start - 1) * 2) / 131) & ~1;
     this.tableStart = start;
     this.poolStart = end - tableBytes * 64;
     this.firmware.program_start.value = this.firmware.heap_end.value - (PROGRAM_BLOCKS + RESERVE_BLOCKS) * BLOCK_BYTES;
@@ -70,7 +70,8 @@ export class Heap {
 
   /**
    * Fills the free blocks of the library's part, so that every program finds the same empty heap above it and none of
-   * its code lies below. Each gap becomes an object whose first word points to the next one.
+   * its code lies below. What is there now stays (../firmware/program-alone.mjs); what the library itself gives back
+   * later is filled after the next collection.
    */
   seal(): void {
     this.isSealed = true;
@@ -87,16 +88,17 @@ export class Heap {
       const isFirst = block === 0 || this.kind(block - 1) !== Kind.FREE;
       this.setKind(block, isFirst ? Kind.HEAD : Kind.TAIL);
       if (!isFirst) continue;
-      this.fillGap(this.poolStart + block * BLOCK_BYTES, length);
+      const gap = this.poolStart + block * BLOCK_BYTES;
+      this.memory.bytes.fill(0, gap, gap + length * BLOCK_BYTES);
+      if (block + length === end) this.endLibrary(gap);
       length = 0;
     }
-    this.setRoot(Root.GAPS, this.gaps);
+    this.endLibrary(this.firmware.program_start.value);
   }
 
-  private fillGap(start: number, blocks: number): void {
-    this.memory.bytes.fill(0, start, start + blocks * BLOCK_BYTES);
-    this.memory.setWord(start, this.gaps);
-    this.gaps = start;
+  /** The library ends there, unless that is known already. */
+  private endLibrary(address: number): void {
+    if (this.firmware.library_end.value === 0) this.firmware.library_end.value = address;
   }
 
   /** Number of bytes of the block that becomes the reserve. */
@@ -115,7 +117,7 @@ export class Heap {
     this.isHeld = false;
     if (!this.isArmed) return;
     this.firmware.reserve.value = 0;
-    this.setRoot(Root.RESERVE, 0);
+    this.setRoot(0);
     this.eachReserveBlock((block) => this.setKind(block, Kind.FREE));
   }
 
@@ -184,12 +186,12 @@ export class Heap {
 
   private arm(): void {
     this.firmware.reserve.value = this.reserve;
-    this.setRoot(Root.RESERVE, this.reserve);
+    this.setRoot(this.reserve);
   }
 
-  /** The last words of the C stack; the collector takes them for pointers like all others. */
-  private setRoot(place: number, address: number): void {
-    this.memory.setWord(this.firmware.stack_base.value - place * WORD_BYTES, address);
+  /** The collector takes it for a pointer like all other words of the C stack. */
+  private setRoot(address: number): void {
+    this.memory.setWord(this.firmware.stack_base.value - ROOT_BYTES, address);
   }
 
   private eachReserveBlock(visit: (block: number) => void): void {

@@ -22,9 +22,12 @@ _reboot = _hal.reboot
 
 def run():
     """Runs main.py, reports to the simulation how it ended, and lets the REPL answer until the board restarts."""
-    del _scope["_run"]
     gc.collect()
     _seal()
+    # The names of the program get a table of their own, in its part of the heap.
+    name = _scope["__name__"]
+    _scope.clear()
+    _scope["__name__"] = name
     _reserve(addressof(bytearray(_reserve_bytes)))
     gc.collect()
     failure = None
