@@ -90,8 +90,7 @@ export function instantiateFirmware(
   module: WebAssembly.Module,
   loader: (memory: () => Memory) => Loader,
 ): { readonly firmware: Firmware; readonly memory: Memory; readonly serve: (host: FirmwareHost) => void } {
-  const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost } = {};
-  const running = (): Firmware => loaded.firmware ?? notLoaded();
+  const loaded: { memory?: Memory; host?: FirmwareHost } = {};
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const host = (): FirmwareHost => loaded.host ?? notLoaded();
   const files = loader(inMemory);
@@ -107,7 +106,7 @@ export function instantiateFirmware(
   };
   const firmware = new WebAssembly.Instance(module, imports).exports as unknown as Firmware;
   const memory = new Memory(firmware.memory.buffer, (bytes) => firmware.malloc(bytes));
-  Object.assign(loaded, { firmware, memory });
+  loaded.memory = memory;
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
   return { firmware, memory, serve: (given) => void (loaded.host = given) };
