@@ -10,7 +10,7 @@ const languagesOf = (list) => Array.from(list.matchAll(/^ {2}(\w+): \{ name: /gm
 /** The words of a part: a file per language, such as `src/attachments/words/fr.json` or, of a piece that comes late, `words/about/fr.json`. */
 const WORDS = /^(.*\/words\/(?:[a-z-]+\/)?)([a-z]+)\.json$/;
 /** Words of programs: their member `program` stands under the English texts, and a test of its own looks after it. */
-const OF_PROGRAMS = /^courses\/|\/examples\/words\/$/;
+const OF_PROGRAMS = /^courses\/|\/(examples|programs)\/words\/$/;
 /** Parts whose texts are told by `t` under their names: folder → what stands before the names. */
 const KEYED = { 'src/web/page/words/': '', 'src/web/page/words/error/': 'error.' };
 

@@ -26,6 +26,7 @@ describe('the command line', () => {
       seed: 1,
       reality: 0,
       robotOptions: {},
+      myRobot: null,
       input: null,
       trace: null,
       log: null,
@@ -38,7 +39,7 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
+      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
@@ -50,6 +51,7 @@ describe('the command line', () => {
       seed: 7,
       reality: 0.5,
       robotOptions: { S1: 'push', model: '2E' },
+      myRobot: 'p.json',
       input: 'i.json',
       trace: 't.csv',
       log: 'l.csv',

@@ -18,6 +18,8 @@ export interface RunOptions {
   readonly reality: number;
   /** Options of the robot by id. */
   readonly robotOptions: OptionValues;
+  /** A project file whose own robot drives. */
+  readonly myRobot: string | null;
   readonly input: string | null;
   readonly trace: string | null;
   /** Where the board's data log goes as CSV. */
@@ -48,6 +50,7 @@ const texts = [
     'for',
     'seed',
     'reality',
+    'my-robot',
     'input',
     'trace',
     'log',
@@ -138,6 +141,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       seed,
       reality,
       robotOptions,
+      myRobot: last('my-robot') ?? null,
       input: last('input') ?? null,
       trace: last('trace') ?? null,
       log: last('log') ?? null,

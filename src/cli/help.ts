@@ -45,6 +45,9 @@ How long, and what happens
   --reality NUMBER    from 0, the ideal robot (default), to 1, one like the used robots of a
                       school: unequal motors, weak battery, trembling sensors; from the seed
 
+  --my-robot FILE     a project with a measured robot ("My robot" on the page): it drives as that
+                      one does
+
 What you get
   --json              at the end one line with everything about the run, for other programs;
                       "verdict" tells whether the task of the course is passed

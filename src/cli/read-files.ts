@@ -1,5 +1,8 @@
 import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
+import type { MyRobot } from '#my-robot/my-robot';
+import { parseProject } from '#project/file';
+import { projectLimits } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, sceneLimits, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
@@ -12,6 +15,8 @@ export interface RunFiles {
   readonly scene: Scene;
   readonly files: Readonly<Record<string, string>>;
   readonly inputs: readonly InputEvent[];
+  /** The measured robot that drives; `null`: the one of the type. */
+  readonly myRobot: MyRobot | null;
 }
 
 /** A program or module longer than this is a mistake: the real board has 24 kB for all its files. */
@@ -31,6 +36,7 @@ export function readRunFiles(options: RunOptions): RunFiles | { readonly problem
       scene: options.scene === null ? defaultScene() : readScene(options.scene),
       files,
       inputs: options.input === null ? [] : readInputs(options.input),
+      myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
     };
   } catch (error) {
     if (error instanceof BadFile) return { problem: error.problem };
@@ -66,6 +72,15 @@ function readScene(path: string): Scene {
 function readInputs(path: string): readonly InputEvent[] {
   const parsed = parseInputs(readText(path, MAX_INPUT_BYTES));
   return 'inputs' in parsed ? parsed.inputs : refuse(path, parsed.problem);
+}
+
+function readMyRobot(path: string): MyRobot {
+  const parsed = parseProject(readText(path, projectLimits.textCharacters * 4));
+  if ('problems' in parsed) return refuse(path, parsed.problems.map((problem) => problem.message).join(`\n${path}: `));
+  const { myRobot } = parsed.project.settings ?? {};
+  return (
+    myRobot ?? refuse(path, 'this project has no measured robot. Measure one on the page under "My robot" and save.')
+  );
 }
 
 /** The bytes of a file, at most one more than these: what is no ordinary file tells no size, and may have no end. */

@@ -2,7 +2,8 @@ import { closeSync, existsSync, openSync, realpathSync, statSync } from 'node:fs
 import { dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { foreignModules, modulesImportedBy } from '#python/imports';
-import { chooseHardware, hardwareIds, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
+import type { Traits } from '#robots/traits';
+import { AUTO, chooseHardware, hardwareIds, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
 import { reasonOf } from './reason-of';
@@ -21,8 +22,10 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
   const read = readRunFiles(options);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const chosen = chooseHardware({ ...options, ...read, imports: modulesImportedBy(read.files) });
+  const chosen = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
   if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
+  const traits = traitsOf(read, chosen);
+  if ('problem' in traits) return refuse(traits.problem, terminal);
   const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, ''));
@@ -35,10 +38,21 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
   const { seed, reality, robotOptions } = options;
+  const { scene, files, inputs } = read;
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
-      setup: { ...read, ...hardwareIds(chosen), seed, reality, robotOptions, keepTrace: trace !== null },
+      setup: {
+        scene,
+        files,
+        inputs,
+        ...hardwareIds(chosen),
+        seed,
+        reality,
+        robotOptions,
+        ...traits,
+        keepTrace: trace !== null,
+      },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
@@ -59,6 +73,23 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
       if (options.json) terminal.line(jsonLine(outcome.report, outcome.console));
       return exitCodeOf(outcome.report.ended);
   }
+}
+
+/** Unless a robot is named, a measured one drives. */
+const withMyRobot = (options: RunOptions, { myRobot }: RunFiles): RunOptions =>
+  myRobot === null || options.robot !== AUTO ? options : { ...options, robot: myRobot.robot };
+
+/** What was measured of the robot that drives. */
+function traitsOf(
+  { myRobot }: RunFiles,
+  { robot }: Hardware,
+): { readonly traits?: Traits } | { readonly problem: string } {
+  if (myRobot === null) return {};
+  if (robot?.id === myRobot.robot) return { traits: myRobot.traits };
+  const here = robot === null ? 'there is no robot here' : `here drives a ${robot.id}`;
+  return {
+    problem: `--my-robot: "${myRobot.name}" is a ${myRobot.robot}, but ${here}. Choose --robot ${myRobot.robot}.`,
+  };
 }
 
 function refuse(problem: string, terminal: Terminal): 2 {
@@ -129,8 +160,8 @@ type Opened = { readonly file: number } | { readonly problem: string };
 /** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
 function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
   if (path === null) return null;
-  const { program, files, scene, input } = options;
-  const read = [program, ...files, scene, input].filter((name) => name !== null).map(realPath);
+  const { program, files, scene, input, myRobot } = options;
+  const read = [program, ...files, scene, input, myRobot].filter((name) => name !== null).map(realPath);
   if (read.includes(realPath(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
   try {
     return { file: openSync(path, 'a') };

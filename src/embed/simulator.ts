@@ -18,7 +18,7 @@ export const PARTS = ['bar', 'code', 'board', 'arena', 'tools', 'console'] as co
 export type Part = (typeof PARTS)[number];
 
 /** A host's settings of the page. None are kept in the browser: without the host, the pupil's own choices come back. */
-export interface HostSettings extends Partial<ProjectSettings> {
+export interface HostSettings extends Partial<Omit<ProjectSettings, 'myRobot'>> {
   readonly language?: Language;
   readonly theme?: 'system' | 'light' | 'dark';
   readonly speed?: Speed;

@@ -7,7 +7,7 @@ import { defaultScene } from '#scene/scene';
 import { parseProject, parseProjectValue, projectToText } from './file';
 import type { ProjectProblem } from './problem';
 import { FILE_BYTES, utf8Bytes, type Project } from './project';
-import { fullProject } from './testing/projects';
+import { fullProject, measuredProject } from './testing/projects';
 
 const kept = (name: string): string => readFileSync(new URL(`kept/${name}`, import.meta.url), 'utf8');
 const small: Project = { files: [{ name: 'main.py', text: 'print(1)\n' }], scene: defaultScene(), course: null };
@@ -21,7 +21,7 @@ function problemsOf(value: unknown): readonly ProjectProblem[] {
 
 describe('a project file', () => {
   it('gives back what was saved: files, course, robot and settings', () => {
-    for (const project of [small, fullProject(), { ...small, course: 'closed-line' }])
+    for (const project of [small, fullProject(), measuredProject(), { ...small, course: 'closed-line' }])
       expect(parseProject(projectToText(project))).toEqual({ project });
   });
 
@@ -43,10 +43,31 @@ describe('a project file', () => {
     expect(parseProject(kept('v1.json'))).toEqual({ project: fullProject() });
   });
 
+  it('of version 2 opens as it always did, with the pupil’s own robot; without one it is still of version 1', () => {
+    expect(parseProject(kept('v2.json'))).toEqual({ project: measuredProject() });
+    expect(projectToText(measuredProject())).toBe(kept('v2.json'));
+    expect(projectToText(fullProject())).toContain('"version": 1,');
+  });
+
+  it('names what cannot be about the pupil’s own robot', () => {
+    const project = measuredProject();
+    const wrong = (change: object): readonly ProjectProblem[] =>
+      problemsOf({
+        ...asValue(project),
+        settings: { ...project.settings, myRobot: { ...project.settings?.myRobot, ...change } },
+      });
+    expect(wrong({ name: 'x'.repeat(41) })[0]).toMatchObject({ code: 'too-long', path: 'settings.myRobot.name' });
+    expect(wrong({ traits: null })[0]).toMatchObject({ path: 'settings.myRobot.traits' });
+    const alike = { ...project.settings?.myRobot?.measured, line: { M: { black: 7, floor: 7 } } };
+    expect(wrong({ measured: alike })[0]?.message).toBe(
+      'settings.myRobot.measured.line.M: 7 on black and on white alike: the sensor sees no difference.',
+    );
+  });
+
   it('of a newer version asks to reload the page', () => {
     const [problem] = problemsOf({ ...asValue(small), version: 7 });
-    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 1 } });
-    expect(problem?.message).toBe('Project version 7 is newer than this app (1). Reload the page to update.');
+    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 2 } });
+    expect(problem?.message).toBe('Project version 7 is newer than this app (2). Reload the page to update.');
     for (const version of [0, 1.5, '1', null, undefined])
       expect(problemsOf({ ...asValue(small), version })[0]?.code).toBe('unknown-version');
   });
@@ -66,7 +87,7 @@ describe('a project file', () => {
     const problems = problemsOf({ ...asValue(small), course: 7, files: [file], settings, scene: { version: 2 } });
     expect(problems.map(({ message }) => message)).toEqual([
       'course: must be a text in quotes, not 7.',
-      'settings.colour: unknown property. Known here: device, firmware, robot, robotOptions, reality, seed, arenaSenses.',
+      'settings.colour: unknown property. Known here: device, firmware, robot, robotOptions, reality, seed, arenaSenses, myRobot.',
       'settings.robotOptions.callibot.lamp: must be a text in quotes, not 1.',
       'settings.reality: 2 is not within 0 … 1.',
       'settings.seed: 0.5 is not within 1 … 9999.',

@@ -1,3 +1,4 @@
+import { readMyRobot } from '#my-robot/my-robot';
 import { readJsonFile, summaryOf } from '#scene/json-file';
 import { parseSceneValue } from '#scene/parse';
 import { shown } from '#scene/problem';
@@ -20,11 +21,16 @@ import {
 /** The name of the format in a project file. */
 export const PROJECT_FORMAT = 'parcours-project';
 
-/** The version this app writes, and the newest it reads. Its course has a version of its own (`#scene/scene`). */
-export const PROJECT_VERSION = 1;
+/**
+ * The newest version that this app writes and reads; what an older one can say is written in that. Its course has a
+ * version of its own (`#scene/scene`). 2: with a robot of one's own.
+ */
+export const PROJECT_VERSION = 2;
 
 /** Steps that bring a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
-const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {};
+const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {
+  1: (value) => value,
+};
 
 /** A project, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
 export type ParsedProject =
@@ -37,7 +43,7 @@ export type ParsedProject =
 export function projectToText({ files, scene, course, settings }: Project): string {
   const lines = [
     `"format": ${JSON.stringify(PROJECT_FORMAT)}`,
-    `"version": ${String(PROJECT_VERSION)}`,
+    `"version": ${String(settings?.myRobot === undefined ? 1 : PROJECT_VERSION)}`,
     ...(course === null ? [] : [`"course": ${JSON.stringify(course)}`]),
     ...(settings === undefined ? [] : [`"settings": ${JSON.stringify(settings)}`]),
     `"files": [\n    ${files.map(({ name, text }) => JSON.stringify({ name, text })).join(',\n    ')}\n  ]`,
@@ -131,7 +137,8 @@ function inScene(problem: ProjectProblem): ProjectProblem {
 
 function readSettings(value: unknown, reader: Reader): ProjectSettings {
   const usual = defaultProjectSettings;
-  const fields = reader.fields(value, 'settings', Object.keys(usual));
+  const fields = reader.fields(value, 'settings', [...Object.keys(usual), 'myRobot']);
+  const mine = fields['myRobot'];
   const id = (key: 'device' | 'firmware' | 'robot'): string =>
     reader.text(fields[key], `settings.${key}`, projectLimits.idCharacters, usual[key]);
   return {
@@ -142,6 +149,7 @@ function readSettings(value: unknown, reader: Reader): ProjectSettings {
     reality: reader.number(fields['reality'], 'settings.reality', projectLimits.reality, usual.reality),
     seed: reader.whole(fields['seed'], 'settings.seed', projectLimits.seed, usual.seed),
     arenaSenses: reader.flag(fields['arenaSenses'], 'settings.arenaSenses', usual.arenaSenses),
+    ...(mine === undefined ? {} : { myRobot: readMyRobot(mine, 'settings.myRobot', reader) }),
   };
 }
 

@@ -1,3 +1,4 @@
+import type { MyRobot } from '#my-robot/my-robot';
 import type { Scene } from '#scene/scene';
 
 /** A file of the pupil. */
@@ -33,6 +34,8 @@ export interface ProjectSettings {
   readonly seed: number;
   /** Whether the board on the robot measures the arena. */
   readonly arenaSenses: boolean;
+  /** The pupil's own robot, as it was measured. */
+  readonly myRobot?: MyRobot;
 }
 
 /** Settings of a project that has none. */

@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { describe, expect, it } from 'vitest';
 import { mountLineRow } from './line-row';
+import type { LineReadings } from './traits';
 
 const PLACES = [
   { name: 'left', atMm: { x: 40, y: 10 } },
@@ -9,14 +10,14 @@ const PLACES = [
 const MEASURE = { spotRadiusMm: 2.5, black: 100, floor: 230 };
 
 /** A row over a floor that is black where y > 0, half black after `step`. */
-function mount(scale = 1) {
+function mount(scale = 1, lineReadings: Readonly<Record<string, LineReadings>> = {}) {
   const asked: { spot: Vec; radiusMm: number }[] = [];
   let leftSees = 0;
   const ground = (spot: Vec, radiusMm: number): number => {
     asked.push({ spot, radiusMm });
     return spot.y > 0 ? leftSees : 1;
   };
-  const row = mountLineRow({ ground, scale }, PLACES, MEASURE);
+  const row = mountLineRow({ ground, scale, lineReadings }, PLACES, MEASURE);
   return { row, asked, see: (reflectance: number) => void (leftSees = reflectance) };
 }
 
@@ -39,6 +40,16 @@ describe('a row of line sensors', () => {
     see(0.6);
     row.sample();
     expect(row.isBright('left')).toBe(true);
+  });
+
+  it('reads what was measured of one sensor, which then is dark where the others are light', () => {
+    const { row, see } = mount(1, { left: { black: 90, floor: 170 } });
+    expect(row.reading('left')).toBe(90);
+    see(0.75);
+    row.sample();
+    expect(row.reading('left')).toBe(150);
+    expect(row.isBright('left')).toBe(false);
+    expect(row.reading('right')).toBe(230);
   });
 
   it('looks twice as far ahead, at spots twice as wide, on a robot of scale 2', () => {

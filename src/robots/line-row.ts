@@ -30,16 +30,24 @@ export interface LineRow<Name extends string> {
   states(): LineSensorState[];
 }
 
-/** Mounts line sensors on a robot of any scale; each looks at the ground once. */
+/**
+ * Mounts line sensors on a robot of any scale; each looks at the ground once. A sensor that reads differently from the
+ * others decides between light and dark as if it saw what its reading means to them.
+ */
 export function mountLineRow<Name extends string>(
-  { ground, scale }: Pick<RobotContext, 'ground' | 'scale'>,
+  { ground, scale, lineReadings }: Pick<RobotContext, 'ground' | 'scale' | 'lineReadings'>,
   places: readonly LinePlace<Name>[],
   { spotRadiusMm, black, floor }: LineMeasure,
 ): LineRow<Name> {
   const sensors = new Map<Name, LineComparator>(
     places.map(({ name, atMm }) => {
       const spot = scaled(atMm, scale);
-      return [name, createLineComparator(() => ground(spot, spotRadiusMm * scale))];
+      const own = lineReadings[name] ?? { black, floor };
+      const seen = (reflectance: number): number => own.black + (own.floor - own.black) * reflectance;
+      const seenByType = (reading: number): number => (reading - black) / (floor - black);
+      const look = (): number => ground(spot, spotRadiusMm * scale);
+      const isPlain = own.black === black && own.floor === floor;
+      return [name, createLineComparator(isPlain ? look : () => seenByType(seen(look())))];
     }),
   );
   const isBright = (name: Name): boolean => sensors.get(name)?.isBright() ?? false;

@@ -30,6 +30,7 @@ import type { Stop } from '#core/stop';
 import type { Texts } from '#core/languages';
 import type { Chassis, ChassisType } from '#world/chassis';
 import type { Cone, ConeHit } from '#world/probes/distance-cone';
+import type { LineReadings } from './traits';
 
 /** A kind of robot, as everyone may know it. Light, as the page loads it before anything runs. */
 export interface RobotType {
@@ -125,6 +126,8 @@ export interface RobotContext {
   readonly options: OptionValues;
   /** Size of this robot compared with the real one: 1 = as built. */
   readonly scale: number;
+  /** What its line sensors read, by name, where that differs from the type's. */
+  readonly lineReadings: Readonly<Record<string, LineReadings>>;
 }
 
 /** One attached robot. */

@@ -5,6 +5,7 @@ import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { heardCone } from '#robots/incidence';
 import type { Robot, RobotType } from '#robots/robot';
+import type { Traits } from '#robots/traits';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { World } from '#world/world';
@@ -32,6 +33,7 @@ export interface Place {
   readonly start: RobotStart;
   readonly seed: number;
   readonly reality: number;
+  readonly traits?: Traits | undefined;
 }
 
 /** Puts the robot of a run into the world and plugs the board into it; `null` for the bare board. */
@@ -42,7 +44,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   const { clock, world, start } = place;
   const { at, heading, scale } = start;
   const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
-  const reality = createReality(place.reality, place.seed, () => clock.nowUs);
+  const reality = createReality(place.reality, place.seed, () => clock.nowUs, place.traits);
   const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose);
   let supply = reality.supply({ left: 0, right: 0 });
   const robot = build.attach({
@@ -58,6 +60,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     supplyMv: () => Math.round(FULL_MV * supply),
     options: hardware.options,
     scale,
+    lineReadings: place.traits?.line ?? {},
   });
   const senses = createArenaSenses(place.board.sensors, {
     chassis,

@@ -7,10 +7,14 @@
  *      line         each sensor sees a little lighter or darker than the others, and its reading trembles
  *      ultrasonic   trembles and misses an echo now and then. From slanted walls it hears as the robot's option says
  *
+ * A robot that was measured (`#robots/traits`) brings motors, battery and sensors of its own; chance then only lets its
+ * sensors tremble.
+ *
  * A measurement is a function of its moment, not of the number of readings: an additional snapshot changes nothing.
  */
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
+import { bodyWith, supplyOf, type Traits } from '#robots/traits';
 import type { ChassisType } from '#world/chassis';
 import type { ConeHit } from '#world/probes/distance-cone';
 import { STEP_US } from '#world/step';
@@ -52,30 +56,58 @@ const IDEAL: Reality = {
 /**
  * @param amount 0 … 1
  * @param nowUs simulated time
+ * @param own what was measured of this robot; left out: its faults come from the seed
  */
-export function createReality(amount: number, seed: number, nowUs: () => number): Reality {
-  if (amount === 0) return IDEAL;
+export function createReality(amount: number, seed: number, nowUs: () => number, own?: Traits): Reality {
+  if (amount === 0) return own === undefined ? IDEAL : measured(own, IDEAL);
   const chance = createRng(seed).fork('reality');
   const { least, most } = MOTOR_DIFFERENCE;
   const sign = chance.unit() < 0.5 ? -1 : 1;
   const difference = sign * amount * (least + (most - least) * chance.unit());
   const charge = 1 - amount * FLAT_BATTERY * chance.unit();
-  const salt = chance.u32();
-  const trembling = (channel: number): number => 2 * unitOf(salt, Math.floor(nowUs() / STEP_US), channel) - 1;
-
+  const motors = { difference, charge, sag: amount * SAG_AT_FULL_DUTY, friction: 0 };
+  const offset = own === undefined ? SENSOR_OFFSET : 0;
+  const senses = trembling(amount, chance.u32(), nowUs, offset);
+  if (own !== undefined) return measured(own, senses);
   return {
-    body: (type) => ({ ...type, strength: [1 + difference, 1 - difference] }),
-    supply: ({ left, right }) => charge - (amount * SAG_AT_FULL_DUTY * (Math.abs(left) + Math.abs(right))) / 2,
+    ...senses,
+    body: (type) => bodyWith(type, motors),
+    supply: ({ left, right }) => supplyOf(motors, left, right),
+  };
+}
+
+/** A measured robot whose sensors tremble like these. */
+function measured({ motors, ultrasonic }: Traits, senses: Pick<Reality, 'reflectance' | 'echo'>): Reality {
+  return {
+    body: (type) => bodyWith(type, motors),
+    supply: ({ left, right }) => supplyOf(motors, left, right),
+    reflectance: senses.reflectance,
+    echo: (hit) => {
+      const distanceMm = Math.max(ultrasonic.offsetMm + ultrasonic.scale * hit.distanceMm, 0);
+      return senses.echo({ ...hit, distanceMm });
+    },
+  };
+}
+
+/** Sensors that tremble; each line sensor sees up to `mostOffset` lighter or darker than the others. */
+function trembling(
+  amount: number,
+  salt: number,
+  nowUs: () => number,
+  mostOffset: number,
+): Pick<Reality, 'reflectance' | 'echo'> {
+  const moment = (): number => Math.floor(nowUs() / STEP_US);
+  const tremble = (channel: number): number => 2 * unitOf(salt, moment(), channel) - 1;
+  return {
     reflectance: (seen, spot) => {
       const channel = channelOf(spot);
-      const offset = SENSOR_OFFSET * (2 * unitOf(salt, -1, channel) - 1);
-      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * trembling(channel)), 0), 1);
+      const offset = mostOffset * (2 * unitOf(salt, -1, channel) - 1);
+      return Math.min(Math.max(seen + amount * (offset + SENSOR_NOISE * tremble(channel)), 0), 1);
     },
     echo: (hit) => {
       if (hit.distanceMm === Infinity) return hit;
-      if (unitOf(salt, Math.floor(nowUs() / STEP_US), ECHO_MISSED) < amount * MISSED_ECHOES)
-        return { distanceMm: Infinity, hitMm: null };
-      const noiseMm = (ECHO_NOISE_MM + ECHO_NOISE_SHARE * hit.distanceMm) * trembling(ECHO);
+      if (unitOf(salt, moment(), ECHO_MISSED) < amount * MISSED_ECHOES) return { distanceMm: Infinity, hitMm: null };
+      const noiseMm = (ECHO_NOISE_MM + ECHO_NOISE_SHARE * hit.distanceMm) * tremble(ECHO);
       return { ...hit, distanceMm: Math.max(hit.distanceMm + amount * noiseMm, 0) };
     },
   };

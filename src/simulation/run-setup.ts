@@ -1,4 +1,5 @@
 import type { OptionValues } from '#core/option';
+import type { Traits } from '#robots/traits';
 import type { Scene } from '#scene/scene';
 import type { InputEvent } from './input';
 
@@ -24,6 +25,8 @@ export interface RunSetup {
   readonly robotOptions?: OptionValues;
   /** 0 = ideal … 1 = like a used school robot: see `reality.ts`. */
   readonly reality: number;
+  /** What was measured of this robot; it takes the place of the faults that the seed would give it. Left out: nothing. */
+  readonly traits?: Traits;
   /** A log to replay: each action takes effect at the first step of the world at or after its time. */
   readonly inputs?: readonly InputEvent[];
   /** Keeps every row of the trace in memory (about 3 kB per simulated second). The hash is there either way. */

@@ -89,6 +89,7 @@ export class Simulation {
       start: setup.scene.robot,
       seed: setup.seed,
       reality: setup.reality,
+      traits: setup.traits,
     });
     this.recorder = new TraceRecorder(this.mounted, setup.keepTrace === true);
     this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);

@@ -5,6 +5,7 @@
  *     2   the values one after the other, arithmetically coded by how likely a model finds them (`modelled.ts`)
  *
  *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
+ *     4   for a robot of one's own: as 3, with that robot
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -14,8 +15,10 @@ import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
 import {
   deflatedContent,
+  deflatedRobot,
   deflatedTask,
   modelledContent,
+  modelledRobot,
   modelledTask,
   type Content,
   type ContentCodec,
@@ -28,38 +31,58 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2 | 3;
+  readonly version: 1 | 2 | 3 | 4;
   readonly bytes: Uint8Array;
 }
 
-/** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
-export function bytesOfContent(content: Content): LinkBytes | null {
-  const hasExtras = Object.keys(content.extras).length > 0;
-  const { way, bytes } = packedContent(content, hasExtras) ?? {};
-  if (way === undefined || bytes === undefined) return null;
-  return hasExtras ? { version: 3, bytes: Uint8Array.from([way, ...bytes]) } : { version: way, bytes };
+/** The two ways to pack content: deflated columns, and a model for what is not too large for it. */
+interface Packing {
+  readonly deflated: ContentCodec;
+  readonly modelled: ContentCodec;
 }
 
-function packedContent(content: Content, hasExtras: boolean): { way: 1 | 2; bytes: Uint8Array } | null {
+const plain: Packing = { deflated: deflatedContent, modelled: modelledContent };
+/** The versions that name their way in a first byte. */
+const extended = {
+  3: { deflated: deflatedTask, modelled: modelledTask },
+  4: { deflated: deflatedRobot, modelled: modelledRobot },
+} as const;
+
+/** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
+export function bytesOfContent(content: Content): LinkBytes | null {
+  const version = versionFor(content);
+  const { way, bytes } = packedContent(content, version === null ? plain : extended[version]) ?? {};
+  if (way === undefined || bytes === undefined) return null;
+  return version === null ? { version: way, bytes } : { version, bytes: Uint8Array.from([way, ...bytes]) };
+}
+
+/** The oldest version that can say it all; `null`: one of the first two. */
+function versionFor({ extras, myRobot }: Content): 3 | 4 | null {
+  if (myRobot !== '') return 4;
+  return Object.keys(extras).length > 0 ? 3 : null;
+}
+
+function packedContent(content: Content, packing: Packing): { way: 1 | 2; bytes: Uint8Array } | null {
   const columns = new ColumnWriter();
-  (hasExtras ? deflatedTask : deflatedContent).codec.write(columns, content);
+  packing.deflated.codec.write(columns, content);
   const inColumns = columns.bytes();
   const length = inColumns.figures.length + inColumns.words.length;
   if (length > UNPACKED_BYTES) return null;
   if (length > MODELLED_BYTES) return { way: 1, bytes: deflatedBytes(inColumns) };
   const modelled = new ModelWriter();
-  (hasExtras ? modelledTask : modelledContent).codec.write(modelled, content);
+  packing.modelled.codec.write(modelled, content);
   return { way: 2, bytes: modelled.bytes() };
 }
 
 /** The content of the bytes; never throws. */
 export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
   try {
-    const hasExtras = version === 3;
-    const way = hasExtras ? bytes[0] : version;
-    const rest = hasExtras ? bytes.subarray(1) : bytes;
-    if (way === 1) return contentOfColumns(rest, hasExtras ? deflatedTask : deflatedContent);
-    return way === 2 ? contentOfModel(rest, hasExtras ? modelledTask : modelledContent) : 'damaged';
+    const isPlain = version === 1 || version === 2;
+    const { deflated, modelled } = isPlain ? plain : extended[version];
+    const way = isPlain ? version : bytes[0];
+    const rest = isPlain ? bytes : bytes.subarray(1);
+    if (way === 1) return contentOfColumns(rest, deflated);
+    return way === 2 ? contentOfModel(rest, modelled) : 'damaged';
   } catch (error) {
     if (error instanceof DamagedBytes) return 'damaged';
     if (error instanceof TooManyBytes) return 'too-large';

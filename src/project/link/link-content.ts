@@ -19,14 +19,19 @@ import {
 /** The course in a link: the whole course, or the ready course of the project's `course` with its checksum. */
 export type LinkScene = { readonly ready: number } | { readonly whole: Scene };
 
+/** The settings in a link; the robot of one's own stands apart. */
+type LinkSettings = Omit<ProjectSettings, 'myRobot'>;
+
 /** The content of a link. */
 export interface Content {
   readonly files: readonly SourceFile[];
   readonly course: string | null;
-  readonly settings: ProjectSettings | null;
+  readonly settings: LinkSettings | null;
   readonly scene: LinkScene;
   /** What the task of a whole course has besides its rules; nothing before version 3. */
   readonly extras: TaskExtras;
+  /** The settings' robot of one's own as JSON, checked like a file's; empty before version 4, and without one. */
+  readonly myRobot: string;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -46,13 +51,26 @@ export const modelledContent = contentCodec(handCodec);
 export const deflatedTask = contentCodec(pathCodec, taskExtrasCodec);
 export const modelledTask = contentCodec(handCodec, taskExtrasCodec);
 
+/** Version 4: with a robot of one's own, too. */
+export const deflatedRobot = contentCodec(pathCodec, taskExtrasCodec, jsonCodec);
+export const modelledRobot = contentCodec(handCodec, taskExtrasCodec, jsonCodec);
+
 function noExtras(): Codec<TaskExtras> {
   return constant({});
+}
+
+function noRobot(): Codec<string> {
+  return constant('');
+}
+
+function jsonCodec({ text }: SharedCodecs): Codec<string> {
+  return text;
 }
 
 function contentCodec(
   paths: PathCodec,
   extrasCodec: (shared: SharedCodecs) => Codec<TaskExtras> = noExtras,
+  robotCodec: (shared: SharedCodecs) => Codec<string> = noRobot,
 ): ContentCodec {
   const shared = sharedCodecs();
   const { columns, text, word } = shared;
@@ -64,6 +82,7 @@ function contentCodec(
     settings: columns.optional(settingsCodec(shared)),
     files: columns.list(file, projectLimits.files),
     extras: extrasCodec(shared),
+    myRobot: robotCodec(shared),
   });
   return { codec, columns: columns.used };
 }
@@ -83,8 +102,8 @@ function linkSceneCodec(shared: SharedCodecs, paths: PathCodec): Codec<LinkScene
 }
 
 /** The usual settings are a single flag. */
-function settingsCodec({ columns, word, options }: SharedCodecs): Codec<ProjectSettings> {
-  const chosen = record<ProjectSettings>({
+function settingsCodec({ columns, word, options }: SharedCodecs): Codec<LinkSettings> {
+  const chosen = record<LinkSettings>({
     device: word,
     firmware: word,
     robot: word,
@@ -100,7 +119,7 @@ function settingsCodec({ columns, word, options }: SharedCodecs): Codec<ProjectS
   );
 }
 
-function isUsual(settings: ProjectSettings): boolean {
+function isUsual(settings: LinkSettings): boolean {
   const { robotOptions, ...rest } = settings;
   const keys = Object.keys(rest) as (keyof typeof rest)[];
   return Object.keys(robotOptions).length === 0 && keys.every((key) => rest[key] === defaultProjectSettings[key]);

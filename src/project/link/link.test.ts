@@ -10,9 +10,16 @@ import { BACKGROUND_LINK_CHARACTERS, isProjectLink, linkOf, linkOfBytes, project
 import { deflatedBytes } from './link-bytes';
 import { deflatedContent, modelledContent } from './link-content';
 import { MODELLED_BYTES, ModelWriter } from './model-coder';
-import type { Project } from '../project';
+import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
-import { FORTY_LINES, fortyObjects, fullProject, largeProject, taskProject } from '../testing/projects';
+import {
+  FORTY_LINES,
+  fortyObjects,
+  fullProject,
+  largeProject,
+  measuredProject,
+  taskProject,
+} from '../testing/projects';
 
 const none = (): null => null;
 const ready: Scene = { ...defaultScene(), name: 'Fertig', objects: [{ type: 'wall', id: 'w', from: [0, 0], to: [9, 9], thickness: 10 }] }; // prettier-ignore
@@ -159,8 +166,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=4.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 4; this app reads version 3. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=5.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 5; this app reads version 4. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -180,8 +187,8 @@ describe('a hostile link', () => {
     const endless = new ModelWriter();
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
-    const content = { files: [], course: null, settings: null, scene: { whole: { ...ready, objects } }, extras: {} };
-    modelledContent.codec.write(endless, content);
+    const scene = { whole: { ...ready, objects } };
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '' });
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -228,6 +235,7 @@ describe('a link of version 1', () => {
       settings: settings ?? null,
       scene: { whole: scene },
       extras: {},
+      myRobot: '',
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -290,6 +298,40 @@ describe('a link of version 3', () => {
       project: { scene },
       isCourseChanged: false,
     });
+  });
+});
+
+describe('a link of version 4', () => {
+  const kept = keptLink(4);
+
+  it('opens as it always did, with the pupil’s own robot', () => {
+    expect(projectIn(kept)).toEqual(measuredProject());
+  });
+
+  it('is still made so', () => {
+    expect(link(measuredProject())).toBe(kept);
+  });
+
+  it('is made only for a robot of one’s own', () => {
+    expect(link({ ...measuredProject(), settings: defaultProjectSettings })).toMatch(/^p=2\./);
+  });
+
+  it('brings the task along, too', () => {
+    const project = { ...taskProject(), settings: measuredProject().settings! };
+    expect(projectIn(link(project))).toEqual(project);
+  });
+
+  it('with a robot that cannot be says what is wrong with it', () => {
+    const project = measuredProject();
+    const { myRobot } = project.settings!;
+    const impossible = {
+      ...myRobot!,
+      traits: { ...myRobot!.traits, motors: { ...myRobot!.traits.motors, charge: 9 } },
+    };
+    const read = projectOfLink(link({ ...project, settings: { ...project.settings!, myRobot: impossible } }), courses);
+    expect('problem' in read && read.problem.message).toContain(
+      'settings.myRobot.traits.motors.charge: 9 is not within 0.5 … 1.5.',
+    );
   });
 });
 

@@ -2,7 +2,8 @@
  * A project as the part of an address behind `#`: it opens on another device without any server, because browsers do
  * not send that part.
  *
- *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules
+ *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
+ *                            robot of one's own
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -17,10 +18,10 @@ import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from '
 import { sceneChecksum, type Content } from './link-content';
 import { MODELLED_BYTES } from './model-coder';
 import type { ProjectProblem } from '../problem';
-import { MAIN, type Project } from '../project';
+import { defaultProjectSettings, MAIN, type Project } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 3;
+export const LINK_VERSION = 4;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -114,12 +115,14 @@ function makeLink({ files, scene, course, settings }: Project, courses: ReadyCou
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, ...extras } = scene.task;
+  const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
     course,
-    settings: settings ?? null,
+    settings: settings === undefined ? null : { ...defaultProjectSettings, ...chosen },
     scene: isReady ? { ready: sceneChecksum(scene) } : { whole: { ...scene, task: { seconds, noTouch } } },
     extras: isReady ? {} : extras,
+    myRobot: myRobot === undefined ? '' : JSON.stringify(myRobot),
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -153,13 +156,13 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);
   const content = contentOfBytes({ version: known, bytes });
   if (content === 'too-large') {
-    const isModelled = known === 2 || (known === 3 && bytes[0] === 2);
+    const isModelled = known === 2 || (known > 2 && bytes[0] === 2);
     const max = isModelled ? MODELLED_BYTES : UNPACKED_BYTES;
     return failed('too-large', `The link unpacks to more than ${String(max)} bytes. It is not opened.`, { max });
   }
@@ -172,12 +175,15 @@ function isWhole(all: Uint8Array): boolean {
   return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
 }
 
-function readContent({ files, course, settings, scene, extras }: Content, courses: ReadyCourses): ReadLink {
+function readContent(content: Content, courses: ReadyCourses): ReadLink {
+  const { files, course, scene, extras } = content;
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
     return failed('unknown-course', message, { course: course ?? '' });
   }
+  const settings = settingsIn(content);
+  if (settings === 'damaged') return damaged();
   // Read like a file: the same rules judge the content of a link.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
@@ -195,6 +201,16 @@ function readContent({ files, course, settings, scene, extras }: Content, course
   const project = ready === null ? parsed.project : { ...parsed.project, scene: ready };
   const isCourseChanged = 'ready' in scene && ready !== null && sceneChecksum(ready) !== scene.ready;
   return { project, isCourseChanged };
+}
+
+/** The settings as a file holds them, or `null` without any. */
+function settingsIn({ settings, myRobot }: Content): Readonly<Record<string, unknown>> | null | 'damaged' {
+  if (settings === null || myRobot === '') return settings === null ? null : { ...settings };
+  try {
+    return { ...settings, myRobot: JSON.parse(myRobot) as unknown };
+  } catch {
+    return 'damaged';
+  }
 }
 
 /** A course as its file holds it; one that comes from bytes may hold anything that its types allow. */

@@ -33,7 +33,8 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  deflatedContent.codec.write(out, { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {} });
+  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '' };
+  deflatedContent.codec.write(out, content);
   return out.bytes();
 }
 

@@ -1,5 +1,6 @@
 /** Projects that tests pack, mutate and read again. */
 import { createRng, type Rng } from '#core/rng';
+import type { MyRobot } from '#my-robot/my-robot';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 
 import { defaultProjectSettings, type Project } from '../project';
@@ -173,4 +174,31 @@ export function taskProject(): Project {
     objects: [{ type: 'target', id: 't', at: [900, 450], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 }], // prettier-ignore
   };
   return { files: [{ name: 'main.py', text: 'print("los")\n' }], scene, course: null };
+}
+
+/** A project with the pupil's own robot. */
+export function measuredProject(): Project {
+  const myRobot: MyRobot = {
+    name: 'Roboter 3',
+    robot: 'maqueen-plus-v2',
+    used: true,
+    measured: {
+      drives: { slow: { aheadMm: 384, leftMm: -55 }, usual: { aheadMm: 265.5, leftMm: -23 }, fast: null },
+      turnDeg: 372,
+      echoesMm: [106, null],
+      line: { L1: { black: 98, floor: 212 } },
+    },
+    traits: {
+      motors: { difference: 0.046741, charge: 0.990759, sag: 0.046633, friction: -0.00042 },
+      ultrasonic: { offsetMm: 4.2, scale: 1.002 },
+      line: { L1: { black: 98, floor: 212 } },
+    },
+  };
+  const settings = { ...defaultProjectSettings, robot: 'maqueen-plus-v2', myRobot };
+  return {
+    files: [{ name: 'main.py', text: 'from mbrobot_plusV2 import *\nforward()\n' }],
+    scene: defaultScene(),
+    course: null,
+    settings,
+  };
 }

@@ -240,6 +240,7 @@ describe('Calli:bot, ultrasonic', () => {
       ground: () => 1,
       distance: (from, headingRad, cone) => world.distanceCone(chassis.toWorld(from), headingRad, cone, chassis),
       supplyMv: () => 4800,
+      lineReadings: {},
       options: completeOptions(callibotBuild.type.options, { echo }),
       scale: 1,
     });

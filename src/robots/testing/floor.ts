@@ -65,6 +65,7 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
     supplyMv: () => supplyMv,
     options: completeOptions(build.type.options, options),
     scale,
+    lineReadings: {},
   });
   clock.every(STEP_US, () => {
     world.step();

@@ -140,7 +140,8 @@ function settingsOf({
   layout,
 }: Pick<WorkParts, 'settings'> & Pick<LayoutParts, 'layout'>): ReturnType<EmbeddedSimulator['settings']> {
   const { language, theme, speed, muted } = current.value;
-  return { ...travelling(current.value), language, theme, speed, muted, parts: layout.parts.value };
+  const { myRobot: _, ...chosen } = travelling(current.value);
+  return { ...chosen, language, theme, speed, muted, parts: layout.parts.value };
 }
 
 /** Everything that happens, from what the page itself watches. @returns ends it */

@@ -1,3 +1,4 @@
+import { traitsFor } from '#my-robot/my-robot';
 import { filesByName } from '#project/project';
 import { hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
@@ -18,7 +19,8 @@ import type { WorkParts } from './model/parts';
 export function runSetup(parts: WorkParts, sensed: readonly InputEvent[]): RunSetup {
   const { work, settings } = parts;
   const hardware = hardwareNow(parts);
-  const { device, robot, reality } = settings.current.value;
+  const { device, robot, reality, myRobot } = settings.current.value;
+  const traits = traitsFor(myRobot, hardware?.robot?.id);
   const inputs = hardware === null ? [] : fittingInputs(sensed, hardware.board);
   if (hardware !== null && hardware.robot !== null && settings.current.value.arenaSenses)
     inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });
@@ -30,6 +32,7 @@ export function runSetup(parts: WorkParts, sensed: readonly InputEvent[]): RunSe
     seed: seedOf(settings.current.value),
     robotOptions: hardware?.options ?? {},
     reality,
+    ...(traits === undefined ? {} : { traits }),
     inputs,
   };
 }

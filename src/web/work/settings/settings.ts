@@ -1,6 +1,8 @@
 import type { OptionValues } from '#core/option';
 import { isRecord } from '#core/record';
+import { readMyRobot, type MyRobot } from '#my-robot/my-robot';
 import { robotTypes } from '#robots/index';
+import { Reader } from '#scene/reader';
 
 import { SPEEDS, type Speed } from '#simulation/pace';
 import { LANGUAGES, type Language } from '../../page/i18n/texts';
@@ -43,6 +45,8 @@ export interface Settings {
   readonly reality: number;
   /** Which of the used robots it is, 1 … `LAST_SEED`: the same number always gives the same faults. */
   readonly seed: number;
+  /** The pupil's own robot, as it was measured, or `null`. */
+  readonly myRobot: MyRobot | null;
   /** Whether the editor marks what would not run on the microcomputer. */
   readonly deviceCheck: boolean;
   /** What is unfolded below the board, or `null`. */
@@ -107,6 +111,7 @@ export function defaultSettings(language: Language): Settings {
     robotOptions: {},
     reality: 0,
     seed: 1,
+    myRobot: null,
     deviceCheck: true,
     panel: null,
     arenaSenses: false,
@@ -179,6 +184,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     reality:
       typeof read.reality === 'number' && read.reality >= 0 && read.reality <= 1 ? read.reality : fallback.reality,
     seed: isSeed(read.seed) ? read.seed : fallback.seed,
+    myRobot: myRobotFrom(read.myRobot),
     deviceCheck: flag('deviceCheck'),
     panel: BOARD_PANELS.find((panel) => panel === read.panel) ?? fallback.panel,
     arenaSenses: flag('arenaSenses'),
@@ -198,6 +204,14 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     belowPx: size('belowPx'),
     cinema: flag('cinema'),
   };
+}
+
+/** A measured robot that makes sense, or `null`. */
+function myRobotFrom(value: unknown): MyRobot | null {
+  if (!isRecord(value)) return null;
+  const reader = new Reader();
+  const mine = readMyRobot(value, 'myRobot', reader);
+  return reader.problems.length === 0 && robotTypes.some(({ id }) => id === mine.robot) ? mine : null;
 }
 
 /** Keeps what this version of the app knows: robots come and go, and so do their options. */

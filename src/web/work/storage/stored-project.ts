@@ -60,13 +60,14 @@ function readFile(value: unknown): SourceFile | null {
 /** Checks the shape of settings that this app itself stored; the names in them are checked when they are used. */
 function isSettings(value: unknown): value is ProjectSettings {
   if (!isRecord(value)) return false;
-  const { device, firmware, robot, robotOptions, reality, seed, arenaSenses } = value;
+  const { device, firmware, robot, robotOptions, reality, seed, arenaSenses, myRobot } = value;
   return (
     [device, firmware, robot].every((id) => typeof id === 'string') &&
     isRecord(robotOptions) &&
     Object.values(robotOptions).every(isRecord) &&
     typeof reality === 'number' &&
     typeof seed === 'number' &&
-    typeof arenaSenses === 'boolean'
+    typeof arenaSenses === 'boolean' &&
+    (myRobot === undefined || isRecord(myRobot))
   );
 }
