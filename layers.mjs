@@ -62,10 +62,11 @@ export const webLayers = {
   share: ['page', 'run', 'work', 'visit'],
   'first-steps': ['page', 'run', 'work', 'layout', 'task', 'console', 'course-editor', 'code', 'device', 'share'],
   'real-device': ['page', 'work'],
+  'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
-    'galleries', 'print', 'share', 'first-steps', 'real-device', 'host',
+    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'host',
   ], // prettier-ignore
 };

@@ -166,6 +166,7 @@ async function workerCode(): Promise<string> {
     root: common.root,
     logLevel: 'warn',
     resolve: common.resolve,
+    plugins: [programs()],
     build: {
       write: false,
       target: 'es2022',
@@ -219,7 +220,7 @@ function onePage(): Plugin {
 const folder: UserConfig = {
   ...common,
   plugins: [...commonPlugins(), frameCheck(), installable(), licences()],
-  worker: { format: 'es' },
+  worker: { format: 'es', plugins: () => [programs()] },
   server: { fs: { allow: ['../..'] } },
   build: {
     outDir: '../../dist/app',

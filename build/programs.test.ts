@@ -120,7 +120,7 @@ describe('a folder of programs', () => {
 
 const robots = (await readdir('src/robots')).map((name) => `src/robots/${name}/examples`);
 const courses = (await readdir('courses')).map((name) => `courses/${name}`);
-const folders = [...courses, ...robots, 'scripts/robot-template/examples'].filter((it) =>
+const folders = [...courses, ...robots, 'src/my-robot/programs', 'scripts/robot-template/examples'].filter((it) =>
   existsSync(join(it, 'words')),
 );
 

@@ -8,7 +8,8 @@ import type { RobotType } from '#robots/robot';
 import { plainTraits, traitLimits, type Traits } from '#robots/traits';
 import { defaultScene } from '#scene/scene';
 import { Simulation } from '#simulation/simulation';
-import { fitTraits, missMm } from './fit';
+import { fitTraits } from './fit';
+import { missMm } from './miss';
 import { DRIVES, nothingMeasured, type Drive, type Measured } from './my-robot';
 import { predictMotion, type Driving } from './predict';
 

@@ -5,7 +5,7 @@
 import type { RobotType } from '#robots/robot';
 import { traitLimits, type MotorTraits, type Traits } from '#robots/traits';
 import { leastSquares } from './least-squares';
-import { DRIVES, ECHOES_MM, type Drive, type Measured } from './my-robot';
+import { DRIVES, ECHOES_MM, type Measured } from './my-robot';
 import { predictMotion, type Motion } from './predict';
 
 /** Expected errors of a measurement with ruler and protractor. Chosen: ± 5 mm, of which most are smaller. */
@@ -69,21 +69,6 @@ function misses(measured: Measured, motion: Motion): readonly number[] {
     return [(aheadMm - real.aheadMm) / RULER_MM, (leftMm - real.leftMm) / RULER_MM];
   });
   return measured.turnDeg === null ? drives : [...drives, (motion.turnDeg - measured.turnDeg) / TURN_DEG];
-}
-
-function distance(one: Drive, other: Drive): number {
-  const [ahead, left] = [one.aheadMm - other.aheadMm, one.leftMm - other.leftMm];
-  return Math.sqrt(ahead * ahead + left * left);
-}
-
-/** Mean distance in mm between where the noses were measured and where they are; `null` without a measured drive. */
-export function missMm(measured: Measured, motion: Motion): number | null {
-  const all = DRIVES.flatMap((name) => {
-    const real = measured.drives[name];
-    const here = motion.drives[name];
-    return real === null ? [] : [distance(here, real)];
-  });
-  return all.length === 0 ? null : all.reduce((sum, mm) => sum + mm, 0) / all.length;
 }
 
 /** Offset and scale for which both readings, and what is usual, are missed least: a straight line. */

@@ -1,4 +1,5 @@
 import type { ChassisType } from '#world/chassis';
+import type { DriveLaw } from '#world/drive-law';
 
 /**
  * What makes one robot differ from others of its type: found by measuring it (`#my-robot`). Without them it is as its
@@ -62,4 +63,11 @@ export function bodyWith(type: ChassisType, { difference, friction }: MotorTrait
 /** The battery's voltage compared with a full one while the motors run at these duties, −1 … 1; never below 0. */
 export function supplyOf({ charge, sag }: MotorTraits, left: number, right: number): number {
   return Math.max(charge - (sag * (Math.abs(left) + Math.abs(right))) / 2, 0);
+}
+
+/** The least power byte, 1 … 255, at which both wheels begin to turn. */
+export function leastPower({ coulomb, breakaway }: DriveLaw, { difference, charge, friction }: MotorTraits): number {
+  const needed = Math.max(coulomb + friction, 0) + (breakaway?.share ?? 0);
+  const weaker = charge * (1 - Math.abs(difference));
+  return Math.min(Math.ceil((255 * needed) / weaker), 255);
 }

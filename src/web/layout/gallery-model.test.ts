@@ -15,6 +15,7 @@ describe('the address of a gallery', () => {
     ['#courses=slalom', { kind: 'course', course: 'slalom' }],
     ['#missions', { kind: 'missions', robot: null }],
     ['#missions/callibot', { kind: 'missions', robot: 'callibot' }],
+    ['#my-robot', { kind: 'my-robot' }],
   ])('%s is known', (hash, page) => expect(galleryPage(hash)).toEqual(page));
 
   it.each(['', '#', '#robot', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>

@@ -1,16 +1,18 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What a gallery shows: all robots or one, all courses or one, the missions for a robot. */
+/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own. */
 export type GalleryPage =
   | { readonly kind: 'all' }
   | { readonly kind: 'robot'; readonly robot: string }
   | { readonly kind: 'courses' }
   | { readonly kind: 'course'; readonly course: string }
-  | { readonly kind: 'missions'; readonly robot: string | null };
+  | { readonly kind: 'missions'; readonly robot: string | null }
+  | { readonly kind: 'my-robot' };
 
 /**
  * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
- * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`): teachers can hand them on, and the browser's back button leads back.
+ * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`): teachers
+ * can hand them on, and the browser's back button leads back.
  */
 export interface GalleryModel {
   /** `null`: closed. */
@@ -25,12 +27,15 @@ export interface GalleryModel {
   openMissions(robot?: string): void;
   /** Those for another robot in the same place: the back button leads past them. */
   replaceMissions(robot: string): void;
+  /** Opens the page on which the pupil's own robot is measured. */
+  openMyRobot(): void;
   close(): void;
 }
 
 const ROBOTS = 'robots';
 const COURSES = 'courses';
 const MISSIONS = 'missions';
+const MY_ROBOT = 'my-robot';
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
@@ -43,6 +48,7 @@ export function galleryPage(hash: string): GalleryPage | null {
   if (more.length > 0) return null;
   if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
   if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
+  if (name === MY_ROBOT) return id === '' ? { kind: 'my-robot' } : null;
   if (name === MISSIONS) return { kind: 'missions', robot: id === '' ? null : id };
   return null;
 }
@@ -66,6 +72,7 @@ export function createGallery(): GalleryModel {
     page,
     open: (robot) => go(ROBOTS, robot),
     openCourses: (course) => go(COURSES, course),
+    openMyRobot: () => go(MY_ROBOT, undefined),
     openMissions: (robot) => go(MISSIONS, robot),
     replaceCourse: (course) => replace(COURSES, course),
     replaceMissions: (robot) => replace(MISSIONS, robot),

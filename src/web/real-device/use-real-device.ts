@@ -1,5 +1,6 @@
 import { computed, onBeforeUnmount, shallowRef, type ShallowRef } from 'vue';
 
+import { MAIN, type SourceFile } from '#project/project';
 import { saveText } from '../work/save-file';
 import { useHardware } from '../work/hardware/use-hardware';
 import { usePage } from '../page/parts';
@@ -33,13 +34,24 @@ export type DeviceState =
   | { readonly kind: 'done'; readonly result: Extract<PutResult, { kind: 'done' }> }
   | { readonly kind: 'failed'; readonly problem: PutProblem };
 
-/** The transfer of the project to a real device: over the cable, or as files. */
-export function useRealDevice() {
+/** A program that goes to the device instead of the project. */
+export interface OtherProgram {
+  readonly text: string;
+  /** Id of the robot that it drives. */
+  readonly robot: string;
+  /** Name of the file in which all is saved. */
+  readonly name: string;
+}
+
+/** The transfer of the project, or of another program, to a real device: over the cable, or as files. */
+export function useRealDevice(other: OtherProgram | null = null) {
   const app = { ...usePage(), ...useWork() };
   const hardware = useHardware(app);
   const known = knownPrograms(storage());
   const state = shallowRef<DeviceState>({ kind: 'ready' });
-  const needed = computed(() => filesForDevice(app.work.files.value, hardware.value?.robot?.id ?? null));
+  const needed = computed(() =>
+    filesOf(other ?? { files: app.work.files.value, robot: hardware.value?.robot?.id ?? null }),
+  );
   let stop = new AbortController();
   onBeforeUnmount(() => stop.abort());
 
@@ -76,7 +88,7 @@ export function useRealDevice() {
   }
 
   const ask = askIn(state);
-  const base = (): string => nameToSave(app);
+  const base = (): string => other?.name ?? nameToSave(app);
   return {
     state,
     ability: serialAbility(),
@@ -91,6 +103,10 @@ export function useRealDevice() {
     saveOne: ({ name, text }: DeviceFile): void => saveText(app, name, text, 'text/x-python'),
   };
 }
+
+/** What a board needs for these files and this robot. */
+const filesOf = (of: OtherProgram | { readonly files: readonly SourceFile[]; readonly robot: string | null }) =>
+  filesForDevice('files' in of ? of.files : [{ name: MAIN, text: of.text }], of.robot);
 
 /** Asks in the dialog, where the files can be saved before the answer. */
 function askIn(state: ShallowRef<DeviceState>): PutWish['mayReplace'] {

@@ -1,6 +1,10 @@
-/** The module worker that owns one run. It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`. */
+/**
+ * The module worker that owns one run, or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
+ * of its logic is in `runner.ts`.
+ */
 import { Simulation } from '#simulation/simulation';
 
+import { answerFit, type FitRequest } from './fit';
 import { sealSandbox } from './sandbox';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
@@ -30,4 +34,7 @@ const runner = new Runner({
   create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
 });
 
-addEventListener('message', (event: MessageEvent<ToWorker>) => runner.receive(event.data));
+addEventListener('message', ({ data }: MessageEvent<ToWorker | FitRequest>) => {
+  if (data.type !== 'fit') runner.receive(data);
+  else void answerFit(data).then((answer) => postMessage(answer));
+});
