@@ -3,11 +3,9 @@ import _hal
 from _image import MicroBitImage
 from _sim import addressof, ints, raise_in_program, refuse_attribute, remember, text as as_text
 
-_show_bits = _hal.display_show_bits
 _show_image = _hal.display_show_image
 _show_text = _hal.display_show_text
 _scroll = _hal.display_scroll
-_add_bits = _hal.display_add_bits
 _add_image = _hal.display_add_image
 _add_text = _hal.display_add_text
 _run = _hal.display_run
@@ -24,18 +22,10 @@ def _wait():
         pass
 
 
-def _send(image, bits, pixels):
-    b = image._b
-    if type(b) is int:
-        bits(b)
-    else:
-        pixels(addressof(b), image._w, image._h)
-
-
 def _add(frame):
     """Adds one picture to the sequence. False at a text that is no single character, which ends it; None at anything else."""
     if isinstance(frame, MicroBitImage):
-        _send(frame, _add_bits, _add_image)
+        _add_image(addressof(frame._b))
     elif not isinstance(frame, str):
         return None
     elif len(frame) == 1:
@@ -108,7 +98,7 @@ class MicroBitDisplay:
     def show(self, image, delay=400, *, clear=False, wait=True, loop=False):
         if isinstance(image, MicroBitImage):
             if not clear and not loop:
-                _send(image, _show_bits, _show_image)
+                _show_image(addressof(image._b))
                 return
             image = (image,)
         ints(delay)

@@ -3,6 +3,7 @@ import _hal
 from _sim import addressof, ints
 
 _glyph = _hal.glyph
+_head = _hal.image_head
 _unpack = _hal.image_unpack
 _size = _hal.image_size
 _parse = _hal.image_parse
@@ -10,10 +11,18 @@ _limit = _hal.image_limit
 _sum = _hal.image_sum
 _scale = _hal.image_scale
 _invert = _hal.image_invert
+_copy = _hal.image_copy
+_crop = _hal.image_crop
 _fill = _hal.image_fill
 _pixel = _hal.image_pixel
+_set = _hal.image_set
 _blit = _hal.image_blit
 _text = _hal.image_text
+
+_new = object.__new__
+_NUMBERS = (int, float)
+# In a buffer, before the pixels: width, height, whether it cannot be modified (src/vm/run/hal/image.ts).
+_HEAD = 5
 
 # The built-in images (micropython-microbit-v2 microbit_constimage.c): a base-32 digit per row, its highest bit on the left.
 _CONSTANTS = (
@@ -31,118 +40,115 @@ _CONSTANTS = (
 
 
 class MicroBitImage:
-    # A built-in image is one whole number, 25 bits, until it is looked at; any other has its pixels in a bytearray.
-    _w = 5
-    _h = 5
-
+    # One attribute, the buffer: each further one would make three objects more.
     def __init__(self, *args):
         n = len(args)
         if n == 0:
-            self._b = bytearray(25)
+            self._sized(5, 5)
         elif n == 1:
             text = args[0]
             if not isinstance(text, str):
                 raise TypeError("Image(s) takes a string")
             if len(text) == 1:
-                self._b = bytearray(25)
-                _glyph(text, addressof(self._b))
+                self._sized(5, 5)
+                _glyph(text, addressof(self._b) + _HEAD)
             else:
-                self._parse(text)
+                size = _size(text)
+                self._b = b = bytearray((size >> 12) * (size & 4095) + _HEAD)
+                if not _parse(addressof(b)):
+                    raise ValueError("unexpected character in Image definition")
         elif n <= 3:
             self._sized(*args)
         else:
             raise TypeError("function expected at most 3 arguments, got %d" % n)
 
     def _sized(self, w, h, data=None):
-        ints(w, h)
-        if data is None:
-            self._b = bytearray(w * h)
-        else:
-            view = memoryview(data)
-            if w < 0 or h < 0 or w * h != len(view):
+        try:
+            if (w | h) & -65536:
+                ints(w, h)
+        except TypeError:
+            ints(w, h)
+        if data is not None:
+            data = memoryview(data)
+            if w < 0 or h < 0 or w * h != len(data):
                 raise ValueError("image data is incorrect size")
-            self._b = bytearray(view)
-            _limit(addressof(self._b), w * h)
-        self._w = w
-        self._h = h
-
-    def _parse(self, text):
-        size = _size(text)
-        self._w = size >> 12
-        self._h = size & 4095
-        self._b = bytearray(self._w * self._h)
-        if not _parse(text, addressof(self._b), self._w):
-            raise ValueError("unexpected character in Image definition")
-
-    def _pixels(self):
-        b = self._b
-        if type(b) is int:
-            pixels = bytearray(25)
-            _unpack(b, addressof(pixels))
-            return pixels
-        return b
+        elif w < 0 or h < 0:
+            bytearray(-1)
+        self._b = b = bytearray(w * h + _HEAD)
+        _head(addressof(b), w, h)
+        if data is not None:
+            b[_HEAD:] = data
+            _limit(addressof(b))
 
     def _own(self):
-        b = self._b
-        if type(b) is int:
+        if self._b[4]:
             raise TypeError("image cannot be modified (try copying first)")
-        return b
 
     def width(self):
-        return self._w
+        b = self._b
+        return b[0] | b[1] << 8
 
     def height(self):
-        return self._h
-
-    def _place(self, x, y):
-        _pixel()
-        try:
-            x | y
-        except TypeError:
-            ints(x, y)
-        if x < 0 or y < 0:
-            raise ValueError("index cannot be negative")
-        if x >= self._w or y >= self._h:
-            raise ValueError("index too large")
-        return y * self._w + x
-
-    def get_pixel(self, x, y):
-        i = self._place(x, y)
         b = self._b
-        if type(b) is int:
-            return (b >> 24 - i & 1) * 9
-        return b[i]
+        return b[2] | b[3] << 8
+
+    # Numbers that are negative or too large for any image do not go to the simulation.
+    def get_pixel(self, x, y):
+        try:
+            value = -1 if (x | y) & -65536 else _pixel(addressof(self._b), x, y)
+        except TypeError:
+            value = ints(x, y)
+        if value < 0:
+            raise ValueError("index cannot be negative" if x < 0 or y < 0 else "index too large")
+        return value
 
     def set_pixel(self, x, y, value):
-        b = self._own()
         try:
-            x | y | value
+            if not (x | y | value) & -65536 and not _set(addressof(self._b), x, y, value):
+                return
         except TypeError:
+            self._own()
             ints(x, y, value)
+        self._own()
         if x >= 0 <= y and not 0 <= value <= 9:
             raise ValueError("brightness out of bounds")
-        b[self._place(x, y)] = value
+        raise ValueError("index cannot be negative" if x < 0 or y < 0 else "index too large")
 
     def fill(self, value):
-        b = self._own()
+        try:
+            if not value & -16 and not _fill(addressof(self._b), value | 0):
+                return
+        except TypeError:
+            pass
+        self._own()
         ints(value)
-        if not 0 <= value <= 9:
-            raise ValueError("brightness out of bounds")
-        _fill(addressof(b), len(b), value)
+        raise ValueError("brightness out of bounds")
 
     def copy(self):
-        return self.crop(0, 0, self._w, self._h)
+        b = self._b
+        image = _new(MicroBitImage)
+        image._b = to = bytearray(len(b))
+        _copy(addressof(b), addressof(to))
+        return image
 
     def invert(self):
-        image = _image(self._w, self._h)
-        pixels = self._pixels()
-        _invert(addressof(pixels), len(pixels), addressof(image._b))
+        b = self._b
+        image = _new(MicroBitImage)
+        image._b = to = bytearray(len(b))
+        _invert(addressof(b), addressof(to))
         return image
 
     def crop(self, x, y, w, h):
-        ints(x, y, w, h)
-        image = _image(max(w, 0), max(h, 0))
-        image._copy_from(self, x, y, image._w, image._h, 0, 0)
+        try:
+            if (x | y | w | h) & -65536:
+                ints(x, y, w, h)
+                w = max(w, 0)
+                h = max(h, 0)
+        except TypeError:
+            ints(x, y, w, h)
+        image = _new(MicroBitImage)
+        image._b = to = bytearray(w * h + _HEAD)
+        _crop(addressof(self._b), x, y, w, h, addressof(to))
         return image
 
     def blit(self, src, x, y, w, h, xdest=0, _ydest=None):
@@ -153,94 +159,87 @@ class MicroBitImage:
             if xdest:
                 raise TypeError("must specify both offsets")
             _ydest = 0
-        ints(x, y, w, h, xdest, _ydest)
+        try:
+            if (x | y | w | h | xdest | _ydest) & -65536:
+                ints(x, y, w, h, xdest, _ydest)
+        except TypeError:
+            ints(x, y, w, h, xdest, _ydest)
         if w < 0 or h < 0:
             raise ValueError("size cannot be negative")
-        self._copy_from(src, x, y, w, h, xdest, _ydest)
+        _blit(addressof(src._b), x, y, addressof(self._b), xdest, _ydest, w, h)
 
-    def _copy_from(self, src, x, y, w, h, xdest, ydest):
-        pixels = src._pixels()
-        _blit(
-            *(addressof(pixels), src._w, src._h, x, y),
-            *(addressof(self._b), self._w, self._h, xdest, ydest, w, h),
-        )
-
-    def _shift(self, x, y):
-        # As high as it is wide, as on the device (image_shift).
-        return self.crop(x, y, self._w, self._w)
-
+    # As high as it is wide, as on the device (image_shift).
     def shift_left(self, n):
-        return self._shift(n, 0)
+        b = self._b
+        w = b[0] | b[1] << 8
+        return self.crop(n, 0, w, w)
 
     def shift_right(self, n):
-        return self._shift(-n, 0)
+        b = self._b
+        w = b[0] | b[1] << 8
+        return self.crop(-n, 0, w, w)
 
     def shift_up(self, n):
-        return self._shift(0, n)
+        b = self._b
+        w = b[0] | b[1] << 8
+        return self.crop(0, n, w, w)
 
     def shift_down(self, n):
-        return self._shift(0, -n)
-
-    def _plus(self, other, sign):
-        if self._w != other._w or self._h != other._h:
-            raise ValueError("images must be the same size")
-        a = self._pixels()
-        b = other._pixels()
-        image = _image(self._w, self._h)
-        _sum(addressof(a), addressof(b), len(a), sign, addressof(image._b))
-        return image
+        b = self._b
+        w = b[0] | b[1] << 8
+        return self.crop(0, -n, w, w)
 
     def __add__(self, other):
         if not isinstance(other, MicroBitImage):
             return NotImplemented
-        return self._plus(other, 1)
+        return _plus(self._b, other._b, 1)
 
     def __sub__(self, other):
         if not isinstance(other, MicroBitImage):
             return NotImplemented
-        return self._plus(other, -1)
+        return _plus(self._b, other._b, -1)
 
     def __mul__(self, factor):
-        factor = _number(factor)
-        if factor < 0:
-            raise ValueError("brightness multiplier must not be negative")
-        image = _image(self._w, self._h)
-        pixels = self._pixels()
-        _scale(addressof(pixels), self._w, self._h, factor, addressof(image._b))
-        return image
+        return _scaled(self._b, _number(factor))
 
     def __truediv__(self, divisor):
-        return self * (1.0 / _number(divisor))
-
-    def _rows(self, between):
-        pixels = self._pixels()
-        return _text(addressof(pixels), self._w, self._h, between)
+        return _scaled(self._b, 1.0 / _number(divisor))
 
     def __repr__(self):
-        return "Image('" + self._rows("") + "')"
+        return "Image('" + _text(addressof(self._b), "") + "')"
 
     def __str__(self):
-        return "Image(\n    '" + self._rows("'\n    '") + "'\n)"
+        return "Image(\n    '" + _text(addressof(self._b), "'\n    '") + "'\n)"
 
 
-def _image(w, h):
-    image = object.__new__(MicroBitImage)
-    image._w = w
-    image._h = h
-    image._b = bytearray(w * h)
+def _plus(a, b, sign):
+    image = _new(MicroBitImage)
+    image._b = to = bytearray(len(a))
+    if not _sum(addressof(a), addressof(b), sign, addressof(to)):
+        raise ValueError("images must be the same size")
+    return image
+
+
+def _scaled(b, factor):
+    if factor < 0:
+        raise ValueError("brightness multiplier must not be negative")
+    image = _new(MicroBitImage)
+    image._b = to = bytearray(len(b))
+    _scale(addressof(b), factor, addressof(to))
     return image
 
 
 def _number(value):
-    if isinstance(value, (int, float)):
+    if isinstance(value, _NUMBERS):
         return value
     raise TypeError("can't convert %s to float" % type(value).__name__)
 
 
 def _add_constants(words):
     for i in range(0, len(words), 2):
-        image = object.__new__(MicroBitImage)
-        image._b = int(words[i + 1], 32)
+        image = _new(MicroBitImage)
+        image._b = b = bytearray(25 + _HEAD)
+        _unpack(int(words[i + 1], 32), addressof(b))
         setattr(MicroBitImage, words[i], image)
 
 

@@ -2,17 +2,26 @@ import { describe, expect, it } from 'vitest';
 import { createHalBench } from '../testing/hal-bench';
 
 const HEART = Number.parseInt('avve4', 32);
+/** Where the heart lies in memory. */
+const AT = 1000;
+
+/** The board on the table, with the built-in heart in memory. */
+function withHeart() {
+  const bench = createHalBench();
+  bench.call('image_unpack', HEART, AT);
+  return bench;
+}
 
 describe('display syscalls', () => {
-  it('shows a built-in picture from its 25 bits', () => {
-    const { bench, call } = createHalBench();
-    call('display_show_bits', HEART);
+  it('shows a built-in picture', () => {
+    const { bench, call } = withHeart();
+    call('display_show_image', AT);
     expect(bench.picture()).toBe('.9.9.\n99999\n99999\n.999.\n..9..');
   });
 
   it('cuts a picture of 6 × 2 to the display and leaves the rest dark', () => {
     const { bench, call, put } = createHalBench();
-    call('display_show_image', put([1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 1, 2]), 6, 2);
+    call('display_show_image', put([6, 0, 2, 0, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 0, 1, 2]));
     expect([...bench.board.display.pixels.subarray(0, 12)]).toEqual([1, 2, 3, 4, 5, 7, 8, 9, 0, 1, 0, 0]);
   });
 
@@ -31,10 +40,10 @@ describe('display syscalls', () => {
   });
 
   it('shows a sequence put together piece by piece', () => {
-    const { bench, call, put } = createHalBench();
+    const { bench, call, put } = withHeart();
     call('display_begin');
-    call('display_add_bits', HEART);
-    call('display_add_image', put([9]), 1, 1);
+    call('display_add_image', AT);
+    call('display_add_image', put([1, 0, 1, 0, 0, 9]));
     call('display_add_text', 'I');
     expect(call('display_run', 100, false, true)).toBe(true);
     expect(call('display_busy')).toBe(false);
@@ -42,10 +51,10 @@ describe('display syscalls', () => {
   });
 
   it('tells a waiting program that a callback came in between, and does not wait for a later animation', () => {
-    const { call, interrupted } = createHalBench();
+    const { call, interrupted } = withHeart();
     call('display_scroll', 'hello', 150, false, false);
     expect(interrupted(1000, 'display_busy')).toBe(true);
-    call('display_show_bits', HEART);
+    call('display_show_image', AT);
     expect(call('display_busy')).toBe(false);
   });
 

@@ -1,6 +1,7 @@
 import type { Board } from '#board/board';
 import { textOf, wholeOf } from '../arguments';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
+import { pictureAt } from './image';
 
 const SIDE = 5;
 const LIT = 9;
@@ -8,14 +9,13 @@ const BAD_PLACE = -1;
 const BAD_BRIGHTNESS = -2;
 
 /**
- * The display. A picture is given as 25 bits (the built-in images: first row in the highest bits, lit means 9) or as
- * the address of its pixels, its width and height; pixels beyond 5 × 5 are cut off, missing pixels are dark.
+ * The display. A picture is given by the address of its buffer (image.ts); pixels beyond 5 × 5 are cut off, missing
+ * pixels are dark.
  *
- * - display_show_bits(bits), display_show_image(address, w, h): at once, and stay
+ * - display_show_image(address): at once, and stays
  * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
  *   clears is shown at once, an empty text only ends what was moving
- * - display_begin(), then display_add_bits(bits), display_add_image(address, w, h), display_add_text(text), then
- *   display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
+ * - display_begin(), then display_add_image(address), display_add_text(text), then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
  *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
@@ -35,12 +35,10 @@ interface Stage {
   readonly begin: () => void;
   /** Counts them. */
   readonly turn: () => number;
-  readonly builtIn: (bits: Value | undefined) => Uint8Array;
-  readonly image: (address: Value | undefined, w: Value | undefined, h: Value | undefined) => Uint8Array;
+  readonly image: (address: Value | undefined) => Uint8Array;
 }
 
 function createStage(machine: Machine, board: Board): Stage {
-  const unpacked = new Map<number, Uint8Array>();
   let turn = 0;
   return {
     begin: () => {
@@ -48,15 +46,9 @@ function createStage(machine: Machine, board: Board): Stage {
       turn++;
     },
     turn: () => turn,
-    builtIn: (bits) => {
-      const key = wholeOf(bits) ?? 0;
-      const frame = unpacked.get(key) ?? unpack(key);
-      unpacked.set(key, frame);
-      return frame;
-    },
-    image: (address, w, h) => {
-      const [width, height] = [wholeOf(w) ?? 0, wholeOf(h) ?? 0];
-      return cut(machine.memory(wholeOf(address) ?? 0, width * height), width, height);
+    image: (address) => {
+      const { width, height, pixels } = pictureAt(machine, address);
+      return cut(pixels, width, height);
     },
   };
 }
@@ -69,8 +61,7 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
     return null;
   };
   return {
-    display_show_bits: (bits) => show(stage.builtIn(bits)),
-    display_show_image: (address, w, h) => show(stage.image(address, w, h)),
+    display_show_image: (address) => show(stage.image(address)),
     display_show_text: (text, delayMs, loop, clear) => {
       const characters = Array.from(textOf(text));
       const [first] = characters;
@@ -115,8 +106,7 @@ function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
       display.stopAnimation();
       return null;
     },
-    display_add_bits: (bits) => add(stage.builtIn(bits)),
-    display_add_image: (address, w, h) => add(stage.image(address, w, h)),
+    display_add_image: (address) => add(stage.image(address)),
     display_add_text: (text) => add(display.glyph(textOf(text))),
     display_run: (delayMs, loop, clear, callback) => {
       stage.begin();
@@ -187,10 +177,6 @@ function pixels(machine: Machine, board: Board): SyscallTable {
       return null;
     },
   };
-}
-
-function unpack(bits: number): Uint8Array {
-  return Uint8Array.from({ length: SIDE * SIDE }, (_, i) => ((bits >> (SIDE * SIDE - 1 - i)) & 1) * LIT);
 }
 
 function cut(pixels: Uint8Array, width: number, height: number): Uint8Array {

@@ -6,24 +6,74 @@ const SIDE = 5;
 const BRIGHTEST = 9;
 const ZERO = 0x30;
 
+/**
+ * An image in Python's memory is one buffer: its width and its height in two bytes each, a byte that is 1 if it cannot
+ * be modified, and its pixels, a byte each (0 to 9), row after row.
+ */
+const IMAGE_HEAD = 5;
+const CONSTANT = 4;
+
+/** What image_pixel, image_set and image_fill return instead. */
+const BAD_PLACE = -1;
+
 const single = Math.fround;
 
 /**
- * The pixels of images, a byte each (0 to 9), row after row. Addresses are those of buffers in Python's memory; the
- * library has checked arguments and sizes.
+ * Images, given by the addresses of their buffers. The library has checked arguments, and made the buffers of new images
+ * large enough.
  *
- * - image_unpack(bits, to): a built-in image, 25 bits, first row in the highest, as 25 pixels
- * - image_size(text) → width · 2¹² + height of a picture written in digits, lines ended by `:` or a line's end
- * - image_parse(text, to, width) → False at a character that no picture has
- * - image_limit(at, count): what is brighter than 9 becomes 9
- * - image_sum(a, b, count, sign, to), image_scale(a, width, height, factor, to), image_invert(a, count, to)
- * - image_fill(at, count, value) · image_pixel(): one of them is read or set
- * - image_blit(from, fromWidth, fromHeight, x, y, to, toWidth, toHeight, xTo, yTo, width, height): pixels outside the
- *   source are dark, those outside the target are dropped; source and target may be the same
- * - image_text(at, width, height, between) → the digits of the rows, each with `:` behind it, and `between` between them
+ * - image_head(to, width, height): makes a buffer an image · image_unpack(bits, to): a built-in image, 25 bits, first
+ *   row in the highest
+ * - image_size(text) → width · 2¹² + height of a picture written in digits, lines ended by `:` or a line's end ·
+ *   image_parse(to): that picture → False at a character that no picture has
+ * - image_limit(image): what is brighter than 9 becomes 9
+ * - image_sum(a, b, sign, to) → False if they differ in size · image_scale(a, factor, to) · image_invert(a, to) ·
+ *   image_copy(a, to) · image_crop(a, x, y, width, height, to)
+ * - image_fill(image, value), image_set(image, x, y, value) → 0, or −1 at a wrong place or brightness, and if the image
+ *   cannot be modified · image_pixel(image, x, y) → its value or −1
+ * - image_blit(from, x, y, to, xTo, yTo, width, height): pixels outside the source are dark, those outside the target
+ *   are dropped; source and target may be the same
+ * - image_text(image, between) → the digits of the rows, each with `:` behind it, and `between` between them
  */
 export function createImageCalls(machine: Machine, board: Board): SyscallTable {
-  return { ...makeCalls(machine, board), ...changeCalls(machine, board) };
+  const charge = chargeFor(machine, board);
+  return {
+    ...makeCalls(machine, board, charge),
+    ...arithmeticCalls(machine, board, charge),
+    ...pixelCalls(machine, board, charge),
+    ...partCalls(machine, board, charge),
+  };
+}
+
+/** An image as it lies in memory. */
+export interface Picture {
+  readonly width: number;
+  readonly height: number;
+  readonly isConstant: boolean;
+  readonly pixels: Uint8Array;
+}
+
+/** The image whose buffer is at this address: a view, valid until the syscall returns. */
+export function pictureAt(machine: Machine, address: Value | undefined): Picture {
+  const start = wholeOf(address) ?? 0;
+  const head = machine.memory(start, IMAGE_HEAD);
+  const width = sizeIn(head, 0);
+  const height = sizeIn(head, 2);
+  const pixels = machine.memory(start + IMAGE_HEAD, width * height);
+  return { width, height, isConstant: head[CONSTANT] === 1, pixels };
+}
+
+const sizeIn = (head: Uint8Array, place: number): number => (head[place] ?? 0) + ((head[place + 1] ?? 0) << 8);
+
+/** Writes the head of a new image. */
+function newPicture(machine: Machine, address: Value | undefined, width: number, height: number): Picture {
+  const head = machine.memory(wholeOf(address) ?? 0, IMAGE_HEAD);
+  head[0] = width;
+  head[1] = width >> 8;
+  head[2] = height;
+  head[3] = height >> 8;
+  head[CONSTANT] = 0;
+  return pictureAt(machine, address);
 }
 
 /** What a call that makes or changes so many pixels costs; what it makes is one object more on the heap. */
@@ -37,8 +87,7 @@ const chargeFor =
 /** No image is larger: all of the program's memory holds fewer pixels. */
 const MOST = 65_536;
 const whole = (value: Value | undefined): number => Math.max(-MOST, Math.min(wholeOf(value) ?? 0, MOST));
-/** The pixels of an image; no more than there can be. */
-const area = (width: number, height: number): number => Math.min(Math.max(width, 0) * Math.max(height, 0), MOST);
+const size = (value: Value | undefined): number => Math.max(whole(value), 0);
 
 /** The rows of a picture's text. */
 function rowsOf(text: string): readonly string[] {
@@ -46,105 +95,163 @@ function rowsOf(text: string): readonly string[] {
   return rows.at(-1) === '' ? rows.slice(0, -1) : rows;
 }
 
-function makeCalls(machine: Machine, board: Board): SyscallTable {
+function makeCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
   const { pixelMoveUs, pixelTextUs } = board.type.costsUs;
-  const charge = chargeFor(machine, board);
-  const pixels = (address: Value | undefined, count: number): Uint8Array =>
-    machine.memory(wholeOf(address) ?? 0, count);
+  let written = '';
   return {
+    image_head: (to, width, height) => {
+      newPicture(machine, to, size(width), size(height));
+      return null;
+    },
     image_unpack: (bits, to) => {
       const all = wholeOf(bits) ?? 0;
-      const target = pixels(to, SIDE * SIDE);
-      for (let i = 0; i < SIDE * SIDE; i++) target[i] = ((all >> (SIDE * SIDE - 1 - i)) & 1) * BRIGHTEST;
+      const { pixels } = newPicture(machine, to, SIDE, SIDE);
+      for (let i = 0; i < SIDE * SIDE; i++) pixels[i] = ((all >> (SIDE * SIDE - 1 - i)) & 1) * BRIGHTEST;
+      machine.memory(wholeOf(to) ?? 0, IMAGE_HEAD)[CONSTANT] = 1;
       return null;
     },
     image_size: (text) => {
-      const rows = rowsOf(textOf(text));
+      written = textOf(text);
+      const rows = rowsOf(written);
       return (rows.reduce((most, row) => Math.max(most, row.length), 0) << 12) + rows.length;
     },
-    image_parse: (text, to, width) => {
-      const rows = rowsOf(textOf(text));
-      const target = pixels(to, area(rows.length, whole(width)));
-      charge(textOf(text).length, pixelTextUs);
-      for (const [y, row] of rows.entries())
+    image_parse: (to) => {
+      const rows = rowsOf(written);
+      const width = rows.reduce((most, row) => Math.max(most, row.length), 0);
+      const { pixels } = newPicture(machine, to, width, rows.length);
+      charge(written.length, pixelTextUs);
+      for (let y = 0; y < rows.length; y++) {
+        const row = rows[y] ?? '';
         for (let x = 0; x < row.length; x++) {
           const value = row.charCodeAt(x) - ZERO;
           if (value > BRIGHTEST) return false;
           // Below '0' the device stores whatever comes out; only a space is meant to be dark.
-          target[y * whole(width) + x] = Math.max(value, 0);
+          pixels[y * width + x] = Math.max(value, 0);
         }
+      }
       return true;
     },
-    image_limit: (at, count) => {
-      const given = pixels(at, whole(count));
-      charge(given.length, pixelMoveUs);
-      for (let i = 0; i < given.length; i++) given[i] = Math.min(given[i] ?? 0, BRIGHTEST);
+    image_limit: (image) => {
+      const { pixels } = pictureAt(machine, image);
+      charge(pixels.length, pixelMoveUs);
+      for (let i = 0; i < pixels.length; i++) pixels[i] = Math.min(pixels[i] ?? 0, BRIGHTEST);
       return null;
     },
-    image_text: (at, width, height, between) => {
-      const [w, h] = [whole(width), whole(height)];
-      const given = pixels(at, area(w, h));
-      charge(given.length, pixelTextUs);
-      const rows = Array.from({ length: Math.max(h, 0) }, (_, y) => `${given.subarray(y * w, (y + 1) * w).join('')}:`);
-      return rows.join(textOf(between));
+    image_text: (image, between) => {
+      const { width, height, pixels } = pictureAt(machine, image);
+      charge(pixels.length, pixelTextUs);
+      let text = '';
+      for (let y = 0; y < height; y++) {
+        if (y > 0) text += textOf(between);
+        for (let x = 0; x < width; x++) text += String.fromCharCode(ZERO + (pixels[y * width + x] ?? 0));
+        text += ':';
+      }
+      return text;
     },
   };
 }
 
-function changeCalls(machine: Machine, board: Board): SyscallTable {
+function arithmeticCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
   const { pixelMoveUs, pixelSumUs, pixelScaleUs } = board.type.costsUs;
-  const charge = chargeFor(machine, board);
-  const pixels = (address: Value | undefined, count: number): Uint8Array =>
-    machine.memory(wholeOf(address) ?? 0, count);
+  const like = (to: Value | undefined, { width, height }: Picture): Uint8Array =>
+    newPicture(machine, to, width, height).pixels;
   return {
-    image_sum: (a, b, count, sign, to) => {
-      const [first, second] = [pixels(a, whole(count)), pixels(b, whole(count))];
-      const sum = pixels(to, whole(count));
+    image_sum: (a, b, sign, to) => {
+      const [first, second] = [pictureAt(machine, a), pictureAt(machine, b)];
+      if (first.width !== second.width || first.height !== second.height) return false;
+      const sum = like(to, first);
+      const times = whole(sign);
       charge(sum.length, pixelSumUs);
-      for (let i = 0; i < sum.length; i++)
-        sum[i] = Math.min(Math.max((first[i] ?? 0) + whole(sign) * (second[i] ?? 0), 0), BRIGHTEST);
-      return null;
+      for (let i = 0; i < sum.length; i++) {
+        const value = (first.pixels[i] ?? 0) + times * (second.pixels[i] ?? 0);
+        sum[i] = Math.min(Math.max(value, 0), BRIGHTEST);
+      }
+      return true;
     },
     // micropython-microbit-v2 v2.1.2, image_dim: both loops go up to the width, so rows beyond it stay dark.
-    image_scale: (a, width, height, factor, to) => {
-      const [w, h] = [whole(width), whole(height)];
-      const [given, scaled] = [pixels(a, area(w, h)), pixels(to, area(w, h))];
-      charge(area(w, w), pixelScaleUs);
+    image_scale: (a, factor, to) => {
+      const given = pictureAt(machine, a);
+      const scaled = like(to, given);
+      const count = given.width * given.width;
+      charge(Math.min(count, MOST), pixelScaleUs);
       const by = single(numberOf(factor) ?? 0);
       scaled.fill(0);
-      for (let i = 0; i < Math.min(w * w, scaled.length); i++)
-        scaled[i] = Math.min(Math.trunc((given[i] ?? 0) * by + 0.5), BRIGHTEST);
+      for (let i = 0; i < Math.min(count, scaled.length); i++)
+        scaled[i] = Math.min(Math.trunc((given.pixels[i] ?? 0) * by + 0.5), BRIGHTEST);
       return null;
     },
-    image_invert: (a, count, to) => {
-      const [given, inverted] = [pixels(a, whole(count)), pixels(to, whole(count))];
-      charge(given.length, pixelMoveUs);
-      for (let i = 0; i < given.length; i++) inverted[i] = BRIGHTEST - (given[i] ?? 0);
+    image_invert: (a, to) => {
+      const given = pictureAt(machine, a);
+      const inverted = like(to, given);
+      charge(inverted.length, pixelMoveUs);
+      for (let i = 0; i < inverted.length; i++) inverted[i] = BRIGHTEST - (given.pixels[i] ?? 0);
       return null;
     },
-    image_pixel: () => {
+    image_copy: (a, to) => {
+      const given = pictureAt(machine, a);
+      charge(given.pixels.length, pixelMoveUs);
+      like(to, given).set(given.pixels);
+      return null;
+    },
+  };
+}
+
+function pixelCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
+  const { pixelMoveUs } = board.type.costsUs;
+  /** The place of a pixel among all, or −1. */
+  const placeIn = ({ width, height }: Picture, x: number, y: number): number =>
+    x >= 0 && y >= 0 && x < width && y < height ? y * width + x : BAD_PLACE;
+  const isBrightness = (value: number): boolean => value >= 0 && value <= BRIGHTEST;
+  return {
+    image_pixel: (image, x, y) => {
       charge(1, pixelMoveUs / 2, 'same');
+      const given = pictureAt(machine, image);
+      const place = placeIn(given, whole(x), whole(y));
+      return place < 0 ? BAD_PLACE : (given.pixels[place] ?? 0);
+    },
+    image_set: (image, x, y, value) => {
+      const given = pictureAt(machine, image);
+      if (given.isConstant || !isBrightness(whole(value))) return BAD_PLACE;
+      charge(1, pixelMoveUs / 2, 'same');
+      const place = placeIn(given, whole(x), whole(y));
+      if (place < 0) return BAD_PLACE;
+      given.pixels[place] = whole(value);
+      return 0;
+    },
+    image_fill: (image, value) => {
+      const { isConstant, pixels } = pictureAt(machine, image);
+      if (isConstant || !isBrightness(whole(value))) return BAD_PLACE;
+      charge(pixels.length, pixelMoveUs / 2, 'same');
+      pixels.fill(whole(value));
+      return 0;
+    },
+  };
+}
+
+function partCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
+  const { pixelMoveUs } = board.type.costsUs;
+  /** A part of the source that lies at (x, y) there, at (left, top) in the target. */
+  const blit = (from: Picture, x: number, y: number, to: Picture, left: number, top: number, w: number, h: number) => {
+    charge(Math.min(Math.max(w, 0) * Math.max(h, 0), MOST), pixelMoveUs);
+    if (to.pixels.length < to.width * to.height) return;
+    for (let row = Math.max(-top, 0); row < Math.min(h, to.height - top); row++)
+      for (let column = Math.max(-left, 0); column < Math.min(w, to.width - left); column++) {
+        const [fromX, fromY] = [x + column, y + row];
+        const inside = fromX >= 0 && fromX < from.width && fromY >= 0 && fromY < from.height;
+        to.pixels[(top + row) * to.width + left + column] = inside ? (from.pixels[fromY * from.width + fromX] ?? 0) : 0;
+      }
+  };
+  return {
+    image_crop: (a, x, y, width, height, to) => {
+      const [w, h] = [size(width), size(height)];
+      blit(pictureAt(machine, a), whole(x), whole(y), newPicture(machine, to, w, h), 0, 0, w, h);
       return null;
     },
-    image_fill: (at, count, value) => {
-      const target = pixels(at, whole(count));
-      charge(target.length, pixelMoveUs / 2, 'same');
-      target.fill(whole(value));
-      return null;
-    },
-    image_blit: (from, fromWidth, fromHeight, x, y, to, toWidth, toHeight, xTo, yTo, width, height) => {
-      const [fw, fh, tw, th] = [whole(fromWidth), whole(fromHeight), whole(toWidth), whole(toHeight)];
-      const [left, top] = [whole(xTo), whole(yTo)];
-      const given = pixels(from, area(fw, fh)).slice();
-      const target = pixels(to, area(tw, th));
-      charge(area(whole(width), whole(height)), pixelMoveUs);
-      if (target.length < tw * th) return null;
-      for (let row = Math.max(-top, 0); row < Math.min(whole(height), th - top); row++)
-        for (let column = Math.max(-left, 0); column < Math.min(whole(width), tw - left); column++) {
-          const [fromX, fromY] = [whole(x) + column, whole(y) + row];
-          const inside = fromX >= 0 && fromX < fw && fromY >= 0 && fromY < fh;
-          target[(top + row) * tw + left + column] = inside ? (given[fromY * fw + fromX] ?? 0) : 0;
-        }
+    image_blit: (a, x, y, to, xTo, yTo, width, height) => {
+      const from = pictureAt(machine, a);
+      const apart = { ...from, pixels: from.pixels.slice() };
+      const target = pictureAt(machine, to);
+      blit(apart, whole(x), whole(y), target, whole(xTo), whole(yTo), whole(width), whole(height));
       return null;
     },
   };
