@@ -2,6 +2,7 @@ import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
 import { parseDuration } from './duration';
+import type { ProbeOptions } from './probe/compare-command';
 
 /** The request to `parcours run`. */
 export interface RunOptions {
@@ -35,6 +36,7 @@ export interface RunOptions {
 /** The request on the command line. */
 export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
+  | { readonly type: 'probe'; readonly options: ProbeOptions }
   | { readonly type: 'help' }
   | { readonly type: 'version' }
   | { readonly type: 'bad'; readonly problem: string };
@@ -105,10 +107,19 @@ function commandOf(
   if (set.has('version')) return { type: 'version' };
   const [command, program, ...more] = positionals;
   if (command === undefined) return bad('What shall it do? For example: parcours run main.py');
+  if (command === 'probe') return probeCommand(program, more);
   if (command !== 'run') return bad(`Unknown command "${command}". For example: parcours run main.py`);
   if (program === undefined) return bad('Which program? For example: parcours run main.py');
   if (more.length > 0) return bad(`One program at a time: what is "${more[0] ?? ''}"? Further files come with --file.`);
   return runCommand(program, given, set);
+}
+
+function probeCommand(action: string | undefined, [board, other, ...more]: readonly string[]): Command {
+  const example = 'For example: parcours probe compare board.csv';
+  if (action !== 'compare') return bad(`What shall be done with the probe? ${example}`);
+  if (board === undefined) return bad(`Which output of a board? ${example}`);
+  if (more.length > 0) return bad(`Two tables at most: what is "${more[0] ?? ''}"?`);
+  return { type: 'probe', options: { board, other: other ?? null } };
 }
 
 function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: ReadonlySet<Flag>): Command {

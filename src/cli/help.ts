@@ -11,6 +11,7 @@ const boardNames = boardTypes.map(({ id }) => id).join(' or ');
 export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
 
   npx parcours run MAIN.py [options]
+  npx parcours probe compare BOARD.csv [OTHER.csv]
 
 The program drives exactly as in the browser, only as fast as this computer can. What it
 prints appears here. Two runs with the same files, options and seed are the same.
@@ -58,6 +59,9 @@ What you get
   --quiet             neither the program's output nor progress
 
   --help, --version
+
+probe compare: what a real board printed under the programs of docs/hardware/probe, beside
+what the simulated one prints, or beside another board's; exit code 1 when rows differ.
 
 Exit code: 0 the program finished, or its time was over; 1 it ended with an error;
 2 something is wrong with the command or a file.

@@ -2,6 +2,7 @@
 import { version } from '../../package.json';
 import { parseCommand } from './arguments';
 import { help } from './help';
+import { compareProbes } from './probe/compare-command';
 import { createTerminal } from './terminal';
 import { run } from './run';
 
@@ -28,6 +29,9 @@ switch (command.type) {
       command.options,
       createTerminal(process.stdout, process.stderr, command.options.quiet),
     );
+    break;
+  case 'probe':
+    process.exitCode = await compareProbes(command.options, createTerminal(process.stdout, process.stderr, false));
     break;
   default:
     command satisfies never;

@@ -44,7 +44,17 @@ export function readRunFiles(options: RunOptions): RunFiles | { readonly problem
   }
 }
 
-/** Ends the reading from any depth; only `readRunFiles` catches it. */
+/** The text of a file of at most so many bytes, or one line about what is wrong with it. */
+export function readLimited(path: string, maxBytes: number): { readonly text: string } | { readonly problem: string } {
+  try {
+    return { text: readText(path, maxBytes) };
+  } catch (error) {
+    if (error instanceof BadFile) return { problem: error.problem };
+    throw error;
+  }
+}
+
+/** Ends the reading from any depth; only the functions above catch it. */
 class BadFile {
   constructor(readonly problem: string) {}
 }
