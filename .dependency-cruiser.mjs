@@ -1,6 +1,8 @@
 import { layers, webLayers } from './layers.mjs';
 
 /** Tests may use Node and stand beside what they test; build code of the VM runs in Node only. */
+/** Programs for real boards; the command line runs them, too. */
+const PROBES = '^docs/hardware/probe/.*\\.py$';
 const TEST = '\\.test\\.ts$|/testing/';
 const BUILD = '^src/vm/firmware/';
 /** Made by set-up, so it need not be there yet. */
@@ -72,14 +74,21 @@ export default {
     },
     {
       name: 'outside-src',
-      comment: 'Code in src/ reaches nothing outside it but packages and the ready courses (web, cli and tests).',
+      comment: 'Code in src/ reaches nothing outside it but packages, the ready courses (web, cli and tests) and the probes (cli).',
       severity: 'error',
       from: { path: '^src/', pathNot: [TEST, BUILD] },
       to: {
-        pathNot: ['^src/', '(^|/)node_modules/', '^courses/', '^package\\.json$', MADE],
+        pathNot: ['^src/', '(^|/)node_modules/', '^courses/', PROBES, '^package\\.json$', MADE],
         dependencyTypesNot: ['core'],
         couldNotResolve: false,
       },
+    },
+    {
+      name: 'probes-in-cli',
+      comment: 'The probes are for the command line alone.',
+      severity: 'error',
+      from: { path: '^src/', pathNot: ['^src/cli/', TEST] },
+      to: { path: PROBES },
     },
     {
       name: 'courses-in-web-and-cli',
