@@ -74,7 +74,8 @@ export default {
     },
     {
       name: 'outside-src',
-      comment: 'Code in src/ reaches nothing outside it but packages, the ready courses (web, cli and tests) and the probes (cli).',
+      comment:
+        'Code in src/ reaches nothing outside it but packages, the ready courses (web, cli and tests) and the probes (cli).',
       severity: 'error',
       from: { path: '^src/', pathNot: [TEST, BUILD] },
       to: {

@@ -2,7 +2,6 @@ import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
 import { parseDuration } from './duration';
-import type { ProbeOptions } from './probe/compare-command';
 
 /** The request to `parcours run`. */
 export interface RunOptions {
@@ -31,6 +30,14 @@ export interface RunOptions {
   readonly lang: Language;
   readonly json: boolean;
   readonly quiet: boolean;
+}
+
+/** The request to `parcours probe compare`. */
+export interface ProbeOptions {
+  /** The saved output of a board. */
+  readonly board: string;
+  /** That of another; `null`: the same programs are run here. */
+  readonly other: string | null;
 }
 
 /** The request on the command line. */

@@ -1,18 +1,11 @@
 import { defaultScene } from '#scene/scene';
+import type { ProbeOptions } from '../arguments';
 import { readLimited } from '../read-files';
 import { supervise } from '../supervise';
 import { createTerminal, type Terminal } from '../terminal';
 import { compareTables, type Comparison, type Difference } from './compare';
 import { keptIn, probes } from './programs';
 import { parseProbe, type ProbeTable } from './table';
-
-/** The request to `parcours probe compare`. */
-export interface ProbeOptions {
-  /** The saved output of a board. */
-  readonly board: string;
-  /** That of another; `null`: the same programs are run here. */
-  readonly other: string | null;
-}
 
 /** Largest file that is read. Chosen: a hundred tables. */
 const MOST_BYTES = 4_000_000;
