@@ -2,9 +2,17 @@ import { font } from './font';
 
 const LIT = 9;
 
+const drawn = new Map<string, Uint8Array>();
+
 /** The picture of one character: 25 brightnesses 0 or 9, row by row. Characters without one show as `?`. */
 export function glyphOf(char: string): Uint8Array {
-  const rows = Object.hasOwn(font, char) ? font[char] : font['?'];
+  const known = Object.hasOwn(font, char) ? char : '?';
+  const glyph = drawn.get(known) ?? draw(font[known]);
+  drawn.set(known, glyph);
+  return glyph.slice();
+}
+
+function draw(rows: string | undefined): Uint8Array {
   const pixels = (rows ?? '').replaceAll(':', '');
   return Uint8Array.from(pixels, (pixel) => (pixel === '1' ? LIT : 0));
 }

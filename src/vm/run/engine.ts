@@ -242,8 +242,9 @@ export class Engine implements Machine {
 
   /** Advances the clock by the time that the program has used since the last call. */
   private catchUp(): void {
-    const usedUs = this.stretchUs - this.firmware.gas.value;
-    this.stretchUs = this.firmware.gas.value;
+    const left = this.firmware.gas.value;
+    const usedUs = this.stretchUs - left;
+    this.stretchUs = left;
     if (usedUs > 0) this.clock.advanceTo(this.clock.nowUs + usedUs);
   }
 

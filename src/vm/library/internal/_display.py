@@ -14,6 +14,13 @@ _moves_on = _hal.display_moves_on
 _busy = _hal.display_busy
 _set_pixel = _hal.display_set_pixel
 _get_pixel = _hal.display_get_pixel
+_is_on = _hal.display_is_on
+_light = _hal.light_level
+
+_int = int
+_NUMBERS = (int, float, bool)
+# A text that is made anew is looked for among all names.
+_DIGITS = tuple("0123456789")
 
 
 def _wait():
@@ -101,11 +108,17 @@ class MicroBitDisplay:
                 _show_image(addressof(image._b))
                 return
             image = (image,)
-        ints(delay)
-        if isinstance(image, (int, float, bool)):
+        try:
+            if delay & -0x40000000:
+                ints(delay)
+        except TypeError:
+            ints(delay)
+        if type(image) is _int and 0 <= image <= 9:
+            image = _DIGITS[image]
+        elif isinstance(image, _NUMBERS):
             image = str(image)
         if isinstance(image, str):
-            if _show_text(image, delay, bool(loop), bool(clear)) and wait:
+            if _show_text(image, delay, True if loop else False, True if clear else False) and wait:
                 _wait()
             return
         self._sequence(image, delay, clear, wait, loop)
@@ -178,7 +191,7 @@ class MicroBitDisplay:
         _hal.display_off()
 
     def is_on(self):
-        return _hal.display_is_on()
+        return _is_on()
 
     def read_light_level(self):
-        return _hal.sensor("lightLevel")
+        return _light()

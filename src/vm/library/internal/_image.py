@@ -4,6 +4,8 @@ from _sim import addressof, ints
 
 _glyph = _hal.glyph
 _head = _hal.image_head
+_width = _hal.image_width
+_height = _hal.image_height
 _unpack = _hal.image_unpack
 _size = _hal.image_size
 _parse = _hal.image_parse
@@ -57,8 +59,10 @@ class MicroBitImage:
                 self._b = b = bytearray((size >> 12) * (size & 4095) + _HEAD)
                 if not _parse(addressof(b)):
                     raise ValueError("unexpected character in Image definition")
-        elif n <= 3:
-            self._sized(*args)
+        elif n == 2:
+            self._sized(args[0], args[1])
+        elif n == 3:
+            self._sized(args[0], args[1], args[2])
         else:
             raise TypeError("function expected at most 3 arguments, got %d" % n)
 
@@ -85,12 +89,10 @@ class MicroBitImage:
             raise TypeError("image cannot be modified (try copying first)")
 
     def width(self):
-        b = self._b
-        return b[0] | b[1] << 8
+        return _width(addressof(self._b))
 
     def height(self):
-        b = self._b
-        return b[2] | b[3] << 8
+        return _height(addressof(self._b))
 
     # Numbers that are negative or too large for any image do not go to the simulation.
     def get_pixel(self, x, y):

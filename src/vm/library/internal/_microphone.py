@@ -4,6 +4,7 @@ from _audio import AudioFrame, AudioRecording, AudioTrack, rate_of
 from _sim import addressof, ints, number, refuse_attribute
 
 _has = _hal.board_has
+_level = _hal.mic_level
 
 
 class MicroBitSoundEvent:
@@ -60,7 +61,7 @@ class MicroBitMicrophone:
         _hal.mic_threshold(event._name, value)
 
     def sound_level(self):
-        return _hal.mic_level()
+        return _level()
 
     if _has("sound-level-db"):
 

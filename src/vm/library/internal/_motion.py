@@ -3,18 +3,16 @@ import _hal
 from _sim import ints, refuse_attribute, text
 
 _axis = _hal.acceleration
+_too = _hal.acceleration_too
 _gesture = _hal.gesture
-_GESTURES = (
-    ("", "up", "down", "left", "right", "face up", "face down")
-    + ("freefall", "2g", "3g", "6g", "8g", "shake")
-)
+_was = _hal.gesture_was
+_NAMES = _hal.gesture_names().split("\n")
+_PLACES = {name: place for place, name in enumerate(_NAMES)}
 
 
-def _known(name):
+def _unknown(name):
     text(name)
-    if name not in _GESTURES:
-        raise ValueError("invalid gesture")
-    return name
+    raise ValueError("invalid gesture")
 
 
 class MicroBitAccelerometer:
@@ -33,19 +31,27 @@ class MicroBitAccelerometer:
         return _axis(2)
 
     def get_values(self):
-        return (_axis(0), _hal.acceleration_too(1), _hal.acceleration_too(2))
+        return (_axis(0), _too(1), _too(2))
 
     def get_strength(self):
         return _hal.acceleration_strength()
 
     def current_gesture(self):
-        return _gesture()
+        return _NAMES[_gesture()]
 
     def is_gesture(self, name):
-        return _gesture() == _known(name)
+        gesture = _gesture()
+        try:
+            return gesture == _PLACES[name]
+        except (KeyError, TypeError):
+            _unknown(name)
 
     def was_gesture(self, name):
-        return _hal.gesture_was(_known(name))
+        try:
+            place = _PLACES[name]
+        except (KeyError, TypeError):
+            _unknown(name)
+        return _was(place)
 
     def get_gestures(self):
         made = _hal.gestures()

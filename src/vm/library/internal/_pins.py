@@ -7,6 +7,9 @@ _write = _hal.pin_write
 _read_analog = _hal.pin_read_analog
 _write_analog = _hal.pin_write_analog
 _mode = _hal.pin_mode
+_mode_place = _hal.pin_mode_place
+# A text from the simulation is looked for among all names each time: these are fetched once.
+_MODES = _hal.pin_modes().split()
 _touched = _hal.touch_is
 _pressed = _hal.button_is
 _was_pressed = _hal.button_was
@@ -75,7 +78,7 @@ class MicroBitDigitalPin:
         return pull
 
     def get_mode(self):
-        return _mode(self._n)
+        return _MODES[_mode_place(self._n)]
 
     def set_analog_period(self, period):
         ints(period)

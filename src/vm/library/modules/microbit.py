@@ -14,7 +14,8 @@ from _pins import MicroBitButton as _Button, board_pins as _board_pins, pin_numb
 from _sim import addressof as _addressof, ints as _ints, number as _number, raw as _raw, remember as _remember
 
 _sleep = _h.sleep_ms
-_spend = _h.spend
+_spend = _h.spend_scale
+_temperature = _h.temperature
 _sleep_until = _h.sleep_until
 _running_time = _h.running_time
 
@@ -55,7 +56,7 @@ def running_time():
 
 
 def temperature():
-    return _h.temperature()
+    return _temperature()
 
 
 def set_volume(volume):
@@ -103,6 +104,10 @@ def run_every(callback=None, *, days=0, h=0, min=0, s=0, ms=0):
     return timer if callback is None else timer(callback)
 
 
+_tuple = tuple
+_float = float
+
+
 def _pair(value):
     if not isinstance(value, (tuple, list)):
         raise TypeError("object '%s' isn't a tuple or list" % type(value).__name__)
@@ -113,13 +118,16 @@ def _pair(value):
 
 # The last parameter lets the others be named, as on the device (src/vm/firmware/native-calls.mjs).
 def scale(value, from_, to, *, _=None):
-    start, end = _pair(from_)
-    low, high = _pair(to)
-    for number in (value, start, end, low, high):
-        _number(number)
-    _spend("scale", 1)
-    result = (value - start) / (end - start) * (high - low) + low
-    return result if isinstance(low, float) or isinstance(high, float) else round(result)
+    start, end = from_ if type(from_) is _tuple and len(from_) == 2 else _pair(from_)
+    low, high = to if type(to) is _tuple and len(to) == 2 else _pair(to)
+    try:
+        result = (value - start) / (end - start) * (high - low) + low
+    except TypeError:
+        for number in (value, start, end, low, high):
+            _number(number)
+        raise
+    _spend()
+    return result if type(low) is _float or type(high) is _float else round(result)
 
 
 def _name_module():

@@ -4,6 +4,8 @@ from _audio import DEFAULT_PIN as _DEFAULT_PIN, check as _check, output as _outp
 from _sim import ints as _ints, text as _text
 
 _busy = _h.music_busy
+_pitch = _h.music_pitch
+_stop = _h.music_stop
 
 _MELODIES = {
     "DADADADUM": "r4:2 g g g eb:8 r:2 f f f d:8",
@@ -81,14 +83,22 @@ def play(music, pin=_DEFAULT_PIN, wait=True, loop=False):
 
 
 def pitch(frequency, duration=-1, pin=_DEFAULT_PIN, wait=True):
-    _ints(frequency, duration)
-    _check(_h.music_pitch(frequency, duration, _output(pin)))
+    try:
+        if (frequency | duration) & -0x40000000:
+            _ints(frequency, duration)
+    except TypeError:
+        _ints(frequency, duration)
+    problem = _pitch(frequency, duration, pin if pin is _DEFAULT_PIN else _output(pin))
+    if problem:
+        _check(problem)
     if wait and duration >= 0:
         _wait()
 
 
 def stop(_pin=_DEFAULT_PIN):
-    _check(_h.music_stop(_output(_pin)))
+    problem = _stop(_pin if _pin is _DEFAULT_PIN else _output(_pin))
+    if problem:
+        _check(problem)
 
 
 def set_tempo(*, ticks=0, bpm=0):

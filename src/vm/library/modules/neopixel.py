@@ -2,7 +2,7 @@
 import _hal
 from microbit import ws2812_write
 
-_spend = _hal.spend
+_spend = _hal.spend_neopixel
 
 
 class NeoPixel:
@@ -16,13 +16,13 @@ class NeoPixel:
         _self.buf = bytearray(n * bpp)
 
     def __setitem__(self, index, color):
-        _spend("neopixel", 1)
+        _spend()
         place = index * self.bpp
         for part in range(self.bpp):
             self.buf[place + self.ORDER[part]] = color[part]
 
     def __getitem__(self, index):
-        _spend("neopixel", 1)
+        _spend()
         place = index * self.bpp
         return tuple(self.buf[place + self.ORDER[part]] for part in range(self.bpp))
 

@@ -2,15 +2,11 @@ import { describe, expect, it } from 'vitest';
 import { createHalBench } from '../testing/hal-bench';
 
 describe('device syscalls', () => {
-  it('reads sensors by id; the room has 21 °C', () => {
+  it('reads temperature and light; the room has 21 °C', () => {
     const { bench, call } = createHalBench();
-    expect([call('sensor', 'temperature'), call('sensor', 'lightLevel'), call('sensor', 'nothing')]).toEqual([
-      21,
-      127,
-      null,
-    ]);
+    expect([call('temperature'), call('light_level')]).toEqual([21, 127]);
     bench.board.sensors.set('lightLevel', 10);
-    expect(call('sensor', 'lightLevel')).toBe(10);
+    expect(call('light_level')).toBe(10);
   });
 
   it('has an id of 8 bytes that depends on the seed alone', () => {

@@ -1,6 +1,6 @@
 import type { Board } from '#board/board';
 import type { Rng } from '#core/rng';
-import { numberOf, textOf, wholeOf } from '../arguments';
+import { numberOf, wholeOf } from '../arguments';
 import type { Machine, SyscallTable } from '../syscall';
 
 const UNIQUE_ID_BYTES = 8; // micropython-microbit-v2 modmachine.c: two words of the chip's device number
@@ -20,9 +20,9 @@ const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.b
 /**
  * The rest of the board.
  *
- * - spend(what, times): the cost of what the library does in Python, and the board in C or in Python of its own; `what`
- *   is 'scale' or 'neopixel'
- * - sensor(id) → its value (ids: board/sensors.ts) · unique_id(address): writes 8 bytes, the same for the same seed
+ * - spend_scale(), spend_neopixel(): the cost of what the library does in Python, and the board in C or in Python of its
+ *   own
+ * - unique_id(address): writes 8 bytes, the same for the same seed
  * - chip_word(address) → the word of the chip's memory there as an int of 32 bits, None if it is not simulated
  */
 export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): SyscallTable {
@@ -33,26 +33,22 @@ export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): Sys
     [DEVICE_ID, wordOf(uniqueId, 0)],
     [DEVICE_ID + 4, wordOf(uniqueId, 4)],
   ]);
-  const known = new Set(board.sensors.ids);
-  const costs: ReadonlyMap<string, number> = new Map([
-    ['scale', board.type.costsUs.scaleUs],
-    ['neopixel', board.type.costsUs.neopixelUs],
-  ]);
+  const { callUs, scaleUs, neopixelUs } = board.type.costsUs;
   return {
-    spend: (what, times) => {
-      machine.spend((costs.get(textOf(what)) ?? 0) * Math.max(0, wholeOf(times) ?? 1));
+    spend_scale: () => {
+      machine.spend(scaleUs);
       return null;
     },
-    sensor: (id) => {
-      machine.spend(board.type.costsUs.callUs);
-      return known.has(textOf(id)) ? board.sensors.get(textOf(id)) : null;
+    spend_neopixel: () => {
+      machine.spend(neopixelUs);
+      return null;
     },
     chip_word: (address) => {
-      machine.spend(board.type.costsUs.callUs);
+      machine.spend(callUs);
       return chip.get(numberOf(address) ?? -1) ?? null;
     },
     unique_id: (address) => {
-      machine.spend(board.type.costsUs.callUs);
+      machine.spend(callUs);
       machine.memory(wholeOf(address) ?? 0, UNIQUE_ID_BYTES).set(uniqueId);
       return null;
     },

@@ -35,6 +35,7 @@ interface Stage {
   readonly begin: () => void;
   /** Counts them. */
   readonly turn: () => number;
+  /** Valid until the syscall returns. */
   readonly image: (address: Value | undefined) => Uint8Array;
 }
 
@@ -48,7 +49,7 @@ function createStage(machine: Machine, board: Board): Stage {
     turn: () => turn,
     image: (address) => {
       const { width, height, pixels } = pictureAt(machine, address);
-      return cut(pixels, width, height);
+      return width === SIDE && height === SIDE ? pixels : cut(pixels, width, height);
     },
   };
 }
@@ -63,14 +64,14 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
   return {
     display_show_image: (address) => show(stage.image(address)),
     display_show_text: (text, delayMs, loop, clear) => {
-      const characters = Array.from(textOf(text));
-      const [first] = characters;
-      if (first === undefined) {
+      const given = textOf(text);
+      if (given === '') {
         display.stopAnimation();
         return false;
       }
+      const characters = given.length === 1 ? [given] : Array.from(given);
       if (characters.length === 1 && loop !== true && clear !== true) {
-        show(display.glyph(first));
+        show(display.glyph(given));
         return false;
       }
       stage.begin();
@@ -106,7 +107,7 @@ function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
       display.stopAnimation();
       return null;
     },
-    display_add_image: (address) => add(stage.image(address)),
+    display_add_image: (address) => add(stage.image(address).slice()),
     display_add_text: (text) => add(display.glyph(textOf(text))),
     display_run: (delayMs, loop, clear, callback) => {
       stage.begin();

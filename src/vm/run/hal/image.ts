@@ -29,6 +29,7 @@ const single = Math.fround;
  * - image_limit(image): what is brighter than 9 becomes 9
  * - image_sum(a, b, sign, to) → False if they differ in size · image_scale(a, factor, to) · image_invert(a, to) ·
  *   image_copy(a, to) · image_crop(a, x, y, width, height, to)
+ * - image_width(image), image_height(image)
  * - image_fill(image, value), image_set(image, x, y, value) → 0, or −1 at a wrong place or brightness, and if the image
  *   cannot be modified · image_pixel(image, x, y) → its value or −1
  * - image_blit(from, x, y, to, xTo, yTo, width, height): pixels outside the source are dark, those outside the target
@@ -202,7 +203,16 @@ function pixelCalls(machine: Machine, board: Board, charge: Charge): SyscallTabl
   const placeIn = ({ width, height }: Picture, x: number, y: number): number =>
     x >= 0 && y >= 0 && x < width && y < height ? y * width + x : BAD_PLACE;
   const isBrightness = (value: number): boolean => value >= 0 && value <= BRIGHTEST;
+  const { callUs } = board.type.costsUs;
   return {
+    image_width: (image) => {
+      machine.spend(callUs);
+      return sizeIn(machine.memory(wholeOf(image) ?? 0, IMAGE_HEAD), 0);
+    },
+    image_height: (image) => {
+      machine.spend(callUs);
+      return sizeIn(machine.memory(wholeOf(image) ?? 0, IMAGE_HEAD), 2);
+    },
     image_pixel: (image, x, y) => {
       charge(1, pixelMoveUs / 2, 'same');
       const given = pictureAt(machine, image);

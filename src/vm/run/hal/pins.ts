@@ -1,4 +1,5 @@
 import type { Board } from '#board/board';
+import type { PinMode } from '#board/boards/board-type';
 import type { Pin } from '#board/wires/pin';
 import type { Pull } from '#board/wires/wire';
 import { numberOf, wholeOf } from '../arguments';
@@ -8,6 +9,10 @@ const HELD = -1;
 const OUT_OF_RANGE = -2;
 const NO_NUMBER = -3;
 const ANALOG_MAX = 1023; // microbit_pin.c: microbit_pin_write_analog
+const MODES: readonly PinMode[] = [
+  ...(['unused', 'read_digital', 'write_digital', 'write_analog', 'touch', 'music', 'audio'] as const),
+  ...(['display', 'button', 'i2c', 'spi'] as const),
+];
 /** PULL_UP, PULL_DOWN, NO_PULL: microbithal.h. */
 const PULLS: readonly Pull[] = ['up', 'down', 'none'];
 
@@ -23,7 +28,7 @@ export function pinsByNumber(board: Board): readonly (Pin | undefined)[] {
  *
  * - pin_read(n) → 0, 1 or −1 (held) · pin_write(n, level) → 0, −1 (held), −2 (not 0 or 1)
  * - pin_read_analog(n) → 0 … 1023 or −1 · pin_write_analog(n, value) → 0, −1, −2 (not 0 … 1023), −3 (no number)
- * - pin_mode(n) → text · pin_pull(n) → 0 up, 1 down, 2 none, or −1 · pin_set_pull(n, pull) → 0 or −1
+ * - pin_modes() → the modes' names, separated by blanks · pin_mode(n) → text, pin_mode_place(n) → its place among them · pin_pull(n) → 0 up, 1 down, 2 none, or −1 · pin_set_pull(n, pull) → 0 or −1
  * - pin_period(n) → µs or −1 (no analog output) · pin_set_period(n, us) → 0 or −2
  * - touch_is(n), touch_was(n) → bool or None (held) · touch_count(n) → count or −1 · touch_set_kind(n, kind) → 0 or −1
  * - button_is(i), button_was(i) → bool · button_presses(i) → count; i: 0 is A, 1 is B
@@ -61,6 +66,11 @@ function digital(machine: Machine, board: Board): SyscallTable {
       machine.spend(callUs);
       return at(n)?.mode ?? 'unused';
     },
+    pin_mode_place: (n) => {
+      machine.spend(callUs);
+      return MODES.indexOf(at(n)?.mode ?? 'unused');
+    },
+    pin_modes: () => MODES.join(' '),
     pin_pull: (n) => {
       machine.spend(callUs);
       const pin = at(n);

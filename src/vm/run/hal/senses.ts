@@ -1,7 +1,7 @@
 import type { Board } from '#board/board';
-import { GESTURE_NAMES, type Gesture } from '#board/sensors/gestures';
+import { GESTURE_NAMES } from '#board/sensors/gestures';
 import type { SoundKind } from '#board/sensors/microphone';
-import { numberOf, textOf, wholeOf } from '../arguments';
+import { numberOf, wholeOf } from '../arguments';
 import type { Machine, Syscall, SyscallTable, Value } from '../syscall';
 
 const SOUND_KINDS: readonly SoundKind[] = ['quiet', 'loud', 'clap'];
@@ -12,12 +12,13 @@ const FASTEST_HZ = 1_000_000;
 const MOST_SAMPLES = 64 * 1024;
 
 /**
- * The board's sensors. Gestures and sounds are given by name; lists of them are separated by newlines.
+ * The board's sensors. Gestures are given by their places among gesture_names(), sounds by name; lists are separated by
+ * newlines.
  *
- * - temperature() → whole °C
+ * - temperature() → whole °C · light_level()
  * - acceleration(axis 0 … 2) → mg, acceleration_too(axis): the same within one call · acceleration_strength() ·
  *   acceleration_range(g)
- * - gesture() · gesture_was(name) → bool, None for an unknown one · gestures()
+ * - gesture_names() · gesture() · gesture_was(place) → bool · gestures() → names
  * - compass_heading() · compass_field(axis), compass_strength() → nT · compass_is_calibrated() · compass_calibrate() ·
  *   compass_forget()
  * - mic_level() · mic_level_db() · mic_event() · mic_was(kind) → bool · mic_events() · mic_threshold(kind, level) ·
@@ -49,9 +50,14 @@ export function createSenseCalls(machine: Machine, board: Board): SyscallTable {
   return { ...motion, ...others, ...furtherCalls(machine, board) };
 }
 
-/** Parts of a call that is already paid; three values together are one object more. */
-function furtherCalls(machine: Machine, { motion, type }: Board): SyscallTable {
+/** Parts of a call that is already paid, where three values together are one object more; names; the light. */
+function furtherCalls(machine: Machine, { motion, sensors, type }: Board): SyscallTable {
   return {
+    gesture_names: () => GESTURE_NAMES.join(SEPARATOR),
+    light_level: () => {
+      machine.spend(type.costsUs.callUs);
+      return sensors.get('lightLevel');
+    },
     acceleration_too: (axis) => {
       if (axis === 1) machine.spend(type.costsUs.allocationUs);
       return motion.acceleration[axisOf(axis)];
@@ -63,7 +69,6 @@ const AXES = ['x', 'y', 'z'] as const;
 const axisOf = (value: Value | undefined): 'x' | 'y' | 'z' => AXES[wholeOf(value) ?? 0] ?? 'x';
 
 function motionCalls({ motion }: Board): SyscallTable {
-  const known = (name: string): name is Gesture => (GESTURE_NAMES as readonly string[]).includes(name);
   return {
     acceleration: (axis) => motion.acceleration[axisOf(axis)],
     acceleration_strength: () => motion.strength,
@@ -71,11 +76,8 @@ function motionCalls({ motion }: Board): SyscallTable {
       motion.setRange(wholeOf(g) ?? 0);
       return null;
     },
-    gesture: () => motion.gesture,
-    gesture_was: (name) => {
-      const gesture = textOf(name);
-      return known(gesture) ? motion.wasGesture(gesture) : null;
-    },
+    gesture: () => GESTURE_NAMES.indexOf(motion.gesture),
+    gesture_was: (place) => motion.wasGesture(GESTURE_NAMES[wholeOf(place) ?? 0] ?? ''),
     gestures: () => motion.takeGestures().join(SEPARATOR),
   };
 }
