@@ -4,6 +4,7 @@
 import binaryen from 'binaryen';
 import { catchInside } from './catch-inside.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
+import { hideLibrary } from './library-hidden.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
 import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
@@ -62,6 +63,7 @@ export function transform(published, report) {
   limitStack(module);
   orderKeywordArguments(module);
   refuseCallsAsNative(module);
+  hideLibrary(module);
   speakAsTheDevice(module);
   echoPasted(module);
 

@@ -39,7 +39,7 @@ print(microbit, microbit.display is display, music, neopixel, radio)`;
 import builtins
 print(builtins, builtins.print is print, builtins.open is open, builtins.input is input)
 err(lambda: setattr(builtins, 'range', None))
-del builtins.__dict__['len']
+err(lambda: builtins.__dict__)
 display.show('ab', 10)
 import log
 log.add(x=len(range(3)))
@@ -47,6 +47,7 @@ print('fine')`;
     expect(linesOf(program)).toEqual([
       "<module 'builtins'> True True True",
       "AttributeError: 'module' object has no attribute 'range'",
+      "AttributeError: 'module' object has no attribute '__dict__'", // there it is, and cannot be changed either
       'fine',
     ]);
   });

@@ -117,9 +117,7 @@ export class Report {
 
   /** MicroPython or our side of it failed. */
   fault(thrown: unknown): void {
-    const isKnown = thrown instanceof VmFault;
-    const message = thrown instanceof Error ? thrown.message : String(thrown);
-    const text = isKnown ? message : `Internal error: ${message}`;
+    const text = faultText(thrown);
     this.tell(`${text}\n`);
     this.end ??= { kind: 'fault', exception: { type: 'InternalError', message: text, line: null, traceback: text } };
   }
@@ -160,3 +158,16 @@ function innermostPlace(traceback: string): Place | null {
   const last = places[places.length - 1];
   return last ? { file: last[1] ?? '', line: Number(last[2]) } : null;
 }
+
+/** What is said of a fault. Each engine has words of its own for a wild address or a stack that is full; ours are the same. */
+function faultText(thrown: unknown): string {
+  if (thrown instanceof VmFault) return thrown.message;
+  const isCrash = thrown instanceof WebAssembly.RuntimeError || isStackFull(thrown);
+  if (isCrash)
+    return 'MicroPython has crashed: the program asks for something that breaks it, on the board too. Press Run to begin anew.';
+  return `Internal error: ${thrown instanceof Error ? thrown.message : String(thrown)}`;
+}
+
+/** Firefox says so with an error that has no class for us to name. */
+const isStackFull = (thrown: unknown): boolean =>
+  thrown instanceof RangeError || (thrown instanceof Error && thrown.name === 'InternalError');

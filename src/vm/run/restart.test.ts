@@ -163,16 +163,44 @@ describe('more files than the board has room for', () => {
 });
 
 describe('the way to the board', () => {
-  it.each(['throw', 'on_callback', 'reserve', 'finish', 'report_end', 'repl', 'reboot'])(
-    'has no %s for programs',
-    (name) => {
-      expect(runProgram(`from microbit import _h\n_h.${name}`).ended?.exception?.type).toBe('AttributeError');
-    },
-  );
+  it.each([
+    ['from microbit import _h', 'ImportError'],
+    ['import microbit\nmicrobit._h', 'AttributeError'],
+    ['import micropython\nmicropython._hal', 'AttributeError'],
+    ['import sys\nsys._hal', 'AttributeError'],
+    ['import radio\nradio._addressof', 'AttributeError'],
+    ['import music\nmusic.__dict__', 'AttributeError'],
+    ['import microbit\ntype(microbit.display).scroll.__globals__', 'AttributeError'],
+    ['import microbit\nmicrobit.display.scroll.__globals__', 'AttributeError'],
+    ['import microbit\nmicrobit.sleep.__globals__', 'AttributeError'],
+    ["import sys\nsys.modules['_display']", 'KeyError'],
+    ["import sys\nsys.modules['_import']", 'KeyError'],
+    ['__import__("_hal")', 'ImportError'],
+    ['import uctypes', 'ImportError'],
+  ])('is not in reach of a program: %j', (program, type) => {
+    expect(runProgram(program).ended?.exception?.type).toBe(type);
+  });
+
+  it('leaves a program its own names: with an underscore in its modules, and the table of its names', () => {
+    const files = { 'mine.py': '_x = 7\ndef f():\n    pass\n' };
+    const { console } = runProgram(
+      'import mine\nprint(mine._x, mine.__dict__["_x"], mine.f.__globals__ is mine.__dict__)',
+      { files },
+    );
+    expect(console).toBe('7 7 True\n');
+  });
 
   it.each(['_boot', '_sim', '_repl', '_hal', '_host', '_gc'])('has no module %s for programs', (name) => {
     expect(runProgram(`import ${name}`).ended?.exception?.type).toBe('ImportError');
-    expect(runProgram(`import sys\nprint(sys.modules['${name}'])`).console).not.toContain("<module '_hal'");
+  });
+
+  it('takes no name that only JavaScript’s objects have', () => {
+    const program = 'import audio\nfrom microbit import Sound\naudio.play(type(Sound.GIGGLE)("constructor"))\n';
+    expect(runProgram(program).console).not.toContain('Internal error');
+    const hal = createHalBench();
+    expect(hal.interrupted(1000, 'board_role', 'constructor')).toBe(-1);
+    expect(hal.interrupted(1000, 'board_text', 'constructor')).toBe('');
+    expect(hal.interrupted(1000, 'pin_read', 'map')).toBe(hal.interrupted(1000, 'pin_read', 999));
   });
 
   it('comes back from every function, whatever it is given; at worst the run ends with an error', () => {

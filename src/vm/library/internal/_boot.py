@@ -118,11 +118,13 @@ _booted = _hal.booted
 import _import
 
 sys.path[:] = ["", "/lib"]
-# Only the library may reach the board, and only the runner may call what could break it.
-for _name in ("_hal", "_boot", "_sim", "_repl"):
-    del sys.modules[_name]
 for _module_of_ours in sys.modules.values():
     # Built in, as far as a program can see.
     if hasattr(_module_of_ours, "__file__"):
         del _module_of_ours.__file__
+# Only the library may reach the board, and only the runner may call what could break it. What the library consists of
+# is no module of the device's.
+for _name in list(sys.modules):
+    if _name[0] == "_" and _name != "__main__":
+        del sys.modules[_name]
 _booted()

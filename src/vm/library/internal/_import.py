@@ -44,9 +44,9 @@ def _import(name, globals=None, locals=None, names=None, _level=0):
         name = _ALIASES.get(name, name)
     if _level == 0 and name in _BUILT_IN and _file_size(name + ".py") < 0:
         # Whatever a program did to sys.modules and sys.path: what is built in stays.
-        if name not in _loaded:
+        if name not in _loaded and name[0] != "_":
             _loaded[name] = _BUILT_IN[name]
-        module = _loaded[name]
+        module = _loaded.get(name, _BUILT_IN[name])
     else:
         module = _import_module(name, globals, locals, names, _level)
     if _level == 0 and name in _on_import and _file_size(name + ".py") < 0:

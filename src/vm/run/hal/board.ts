@@ -1,7 +1,7 @@
 import type { Board } from '#board/board';
 import type { Pin } from '#board/wires/pin';
-import { textOf, wholeOf } from '../arguments';
-import type { SyscallTable, Value } from '../syscall';
+import { entryOf, ownOf, textOf } from '../arguments';
+import type { SyscallTable } from '../syscall';
 
 /** Python names of the classes of pins: micropython-microbit-v2 microbit_pin.c. */
 type PinClass = 'touch' | 'analog' | 'digital' | 'touch-only';
@@ -30,21 +30,20 @@ export function createBoardCalls(board: Board): SyscallTable {
     sda: type.i2c.sda,
     rgb: type.rgb?.pin,
   };
-  const pick = <T>(list: readonly T[], place: Value | undefined): T | undefined => list[wholeOf(place) ?? -1];
   return {
-    board_module: (place) => pick(type.modules, place) ?? null,
+    board_module: (place) => entryOf(type.modules, place) ?? null,
     board_pin: (place) => {
-      const pin = pick(pins, place);
+      const pin = entryOf(pins, place);
       return pin ? `${pin.name} ${pin.number} ${classOf(pin)}` : null;
     },
     board_role: (role) => {
-      const name = roles[textOf(role)];
+      const name = ownOf(roles, role);
       return name === undefined ? -1 : board.pin(name).number;
     },
     board_rgb_count: () => type.rgb?.count ?? 0,
     board_has: (feature) => features.includes(textOf(feature)),
-    board_text: (what) => texts[textOf(what)] ?? '',
-    board_micropython: (place) => pick(firmware.micropython, place) ?? 0,
+    board_text: (what) => ownOf(texts, what) ?? '',
+    board_micropython: (place) => entryOf(firmware.micropython, place) ?? 0,
   };
 }
 

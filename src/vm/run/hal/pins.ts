@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { PinMode } from '#board/boards/board-type';
 import type { Pin } from '#board/wires/pin';
 import type { Pull } from '#board/wires/wire';
-import { numberOf, wholeOf } from '../arguments';
+import { entryOf, numberOf, wholeOf } from '../arguments';
 import type { Machine, SyscallTable, Value } from '../syscall';
 
 const HELD = -1;
@@ -46,7 +46,7 @@ export function createPinCalls(machine: Machine, board: Board): SyscallTable {
 function digital(machine: Machine, board: Board): SyscallTable {
   const pins = pinsByNumber(board);
   const { callUs } = board.type.costsUs;
-  const at = (n: Value | undefined): Pin | undefined => pins[n as number];
+  const at = (n: Value | undefined): Pin | undefined => entryOf(pins, n);
   return {
     pin_read: (n) => {
       machine.spend(callUs);
@@ -91,7 +91,7 @@ function digital(machine: Machine, board: Board): SyscallTable {
 function analog(machine: Machine, board: Board): SyscallTable {
   const pins = pinsByNumber(board);
   const { callUs, analogReadUs } = board.type.costsUs;
-  const at = (n: Value | undefined): Pin | undefined => pins[n as number];
+  const at = (n: Value | undefined): Pin | undefined => entryOf(pins, n);
   return {
     pin_read_analog: (n) => {
       machine.spend(analogReadUs);
@@ -177,7 +177,7 @@ function stream(machine: Machine, board: Board): SyscallTable {
     ws2812_write: (n, address, count) => {
       const bytes = machine.memory(wholeOf(address) ?? 0, wholeOf(count) ?? 0).slice();
       machine.spend(Math.round(ws2812SetupUs + ws2812ByteUs * bytes.length));
-      pins[n as number]?.sendStream(bytes);
+      entryOf(pins, n)?.sendStream(bytes);
       return null;
     },
   };

@@ -5,7 +5,7 @@ import { readEffect } from '#board/sound/effect';
 import { phonemesOf } from '#board/sound/letter-rules';
 import { utter, type Voice } from '#board/sound/utter';
 import type { Rng } from '#core/rng';
-import { numberOf, textOf, wholeOf } from '../arguments';
+import { numberOf, ownOf, textOf, wholeOf } from '../arguments';
 import { pinsByNumber } from './pins';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
@@ -53,7 +53,7 @@ function audioCalls(machine: Machine, board: Board, chance: Rng): SyscallTable {
       return pin?.name === SPEAKER_PIN ? SPEAKER_REFUSED : sound.route.select(pin, 'audio');
     }),
     audio_effect: spending((text) => {
-      const parts = readEffect(BUILT_IN_SOUNDS[textOf(text)] ?? textOf(text), chance);
+      const parts = readEffect(ownOf(BUILT_IN_SOUNDS, text) ?? textOf(text), chance);
       if (parts) sound.playEffect(parts);
       return null;
     }),

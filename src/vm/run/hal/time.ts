@@ -2,7 +2,7 @@ import type { Board } from '#board/board';
 import type { Pin } from '#board/wires/pin';
 import type { Level } from '#board/wires/wire';
 import type { Stop } from '#core/stop';
-import { numberOf, textOf, wholeOf } from '../arguments';
+import { entryOf, numberOf, textOf, wholeOf } from '../arguments';
 import { pinsByNumber } from './pins';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
@@ -175,7 +175,7 @@ function createPulseCalls(machine: Machine, board: Board): SyscallTable {
   return {
     pulse: (n, level, timeoutUs) => {
       machine.spend(callUs);
-      const pin = pins[n as number];
+      const pin = entryOf(pins, n);
       const timeout = wholeOf(timeoutUs);
       if (wholeOf(level) === null || timeout === null) return null;
       if (!pin) return NEVER_BEGAN;
