@@ -19,7 +19,10 @@ _temperature = _h.temperature
 _sleep_until = _h.sleep_until
 _running_time = _h.running_time
 
-globals().update(_board_pins())
+# By setattr, which makes texts names: one key that is none makes every look-up here compare texts.
+_this = _sys.modules["microbit"]
+for _name, _value in _board_pins().items():
+    setattr(_this, _name, _value)
 button_a = _Button(0)
 button_b = _Button(1)
 display = _Display()
@@ -139,7 +142,8 @@ def _name_module():
     if __name__ == "calliopemini":
         # Type hints number these pins, too.
         names = ("pin16", "pin_A1_RX"), ("pin17", "pin_A1_TX"), ("pin19", "pin_A0_SCL"), ("pin20", "pin_A0_SDA")
-        globals().update({hint: globals()[name] for hint, name in names})
+        for hint, name in names:
+            setattr(_this, hint, getattr(_this, name))
         import _calliope
 
         _sys.modules["calliope_mini"] = _calliope
@@ -149,6 +153,8 @@ def _name_module():
 # to pupils; the device has these types, but no names for them.
 __all__ = tuple([name for name in globals() if name[0] != "_"])
 Button = _Button
-globals().update({name: getattr(_kinds, name) for name in dir(_kinds) if name.startswith("MicroBit")})
+for _name in dir(_kinds):
+    if _name.startswith("MicroBit"):
+        setattr(_this, _name, getattr(_kinds, _name))
 del MicroBitButton
 _name_module()
