@@ -77,6 +77,7 @@ describe('the command line', () => {
     ['run main.py --speed 3', /Unknown option --speed\. Known: --file, --scene/],
     ['run main.py --scene', /--scene needs a value/],
     ['run main.py --scene --json', /--scene needs a value/],
+    ['run main.py --firmware=', /--firmware needs a value/],
     ['run main.py --json=yes', /--json takes no value/],
     ['run main.py --for 20', /--for: "20" has no unit\. Did you mean 20s\?/],
     ['run main.py --for soon', /--for: "soon" is not a time\. Write it like 500ms, 20s or 2min/],

@@ -95,7 +95,7 @@ export function parseCommand(words: readonly string[]): Command {
       if (value !== undefined) return bad(`${rawName} takes no value.`);
       set.add(name);
     } else if (isText(name)) {
-      if (value === undefined || (value.startsWith('--') && !token.inlineValue))
+      if (value === undefined || value === '' || (value.startsWith('--') && !token.inlineValue))
         return bad(`${rawName} needs a value.`);
       given.set(name, [...(given.get(name) ?? []), value]);
     } else {

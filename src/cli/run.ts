@@ -24,6 +24,9 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   if ('problem' in read) return refuse(read.problem, terminal);
   const chosen = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
   if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
+  const [option] = Object.keys(options.robotOptions);
+  if (chosen.robot === null && option !== undefined)
+    return refuse(`--option ${option}: there is no robot here. Leave it out, or choose --robot.`, terminal);
   const traits = traitsOf(read, chosen);
   if ('problem' in traits) return refuse(traits.problem, terminal);
   const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;

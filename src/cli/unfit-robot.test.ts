@@ -16,6 +16,12 @@ describe('parcours run with a robot that does not fit', { timeout: 60_000 }, () 
     expect(parcours('run', forLite, '--robot', 'none').err).toContain('but there is no robot here');
   });
 
+  it('refuses an option of a robot where there is none', () => {
+    const { err, code } = parcours('run', file('bare.py', ''), '--robot', 'none', '--option', 'S1=claw');
+    expect(err).toBe('parcours: --option S1: there is no robot here. Leave it out, or choose --robot.\n');
+    expect(code).toBe(2);
+  });
+
   it('says on which microcomputer the robot belongs when it stands on the other', () => {
     const { err } = parcours('run', forLite, '--robot', 'maqueen-lite', '--board', 'calliope-mini-3');
     expect(err).toContain('made for the micro:bit V2');

@@ -162,6 +162,19 @@ describe('more files than the board has room for', () => {
   });
 });
 
+describe('a file with bytecode', () => {
+  it('cannot be imported, as on the board, whose firmware loads none', () => {
+    const program = 'with open("x.mpy", "wb") as file:\n    file.write(b"M\\x06\\x00\\x1f")\nimport x';
+    expect(runProgram(program).ended?.exception).toMatchObject({ type: 'ImportError', message: "no module named 'x'" });
+  });
+});
+
+describe('an error after an unfinished line', () => {
+  it('stands on that line: the firmware prints it as it is (codal_port/main.c, microbit_pyexec_file)', () => {
+    expect(runProgram('print("abc", end="")\n1 / 0').console).toContain('abcTraceback (most recent call last):');
+  });
+});
+
 describe('the way to the board', () => {
   it.each([
     ['from microbit import _h', 'ImportError'],

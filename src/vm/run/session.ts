@@ -273,6 +273,7 @@ function lookupIn(files: Files, libraries: Readonly<Record<string, string>>): Fi
   const sources = new Map(Object.entries(libraries).map(([name, text]) => [name, encoder.encode(text)]));
   return (path) => {
     if (path.startsWith('/lib/')) return deviceLibrary.get(path.slice('/lib/'.length));
-    return files.find(path)?.bytes ?? sources.get(path);
+    // The board's firmware loads no bytecode from files (MICROPY_PERSISTENT_CODE_LOAD is off).
+    return path.endsWith('.mpy') ? undefined : (files.find(path)?.bytes ?? sources.get(path));
   };
 }
