@@ -1,0 +1,12 @@
+const NUMBER = /^[+-]?(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?$/i;
+const WITH_COMMA = /^[+-]?\d*,\d+(?:e[+-]?\d+)?$/i;
+
+/** A cell with a point instead of a decimal comma and a plain minus sign, if it is a number then; else as it is. */
+export function plainNumber(cell: string, hasDecimalComma: boolean): string {
+  const text = cell.replace('\u2212', '-');
+  if (hasDecimalComma && WITH_COMMA.test(text)) return text.replace(',', '.');
+  return NUMBER.test(text) ? text : cell;
+}
+
+/** Whether a cell is a number that can be drawn: `nan`, `inf`, words and numbers beyond all bounds are none. */
+export const isNumber = (cell: string): boolean => NUMBER.test(cell) && Number.isFinite(Number(cell));
