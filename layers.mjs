@@ -17,6 +17,7 @@ export const layers = {
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
   'device-check': ['core', 'python', 'reference'],
+  'device-log': [],
   cli: ['core', 'board', 'robots', 'scene', 'project', 'my-robot', 'simulation', 'python', 'device-check'],
   web: [
     'core',
@@ -36,6 +37,7 @@ export const layers = {
     'python',
     'reference',
     'device-check',
+    'device-log',
   ],
 };
 
@@ -51,7 +53,8 @@ export const webLayers = {
   layout: ['page', 'work', 'visit'],
   task: ['page', 'run', 'work', 'layout'],
   console: ['page', 'run', 'work', 'layout'],
-  board: ['page', 'run', 'work', 'visit', 'layout'],
+  'device-log': ['page', 'run', 'work'],
+  board: ['page', 'run', 'work', 'visit', 'layout', 'device-log'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
   narration: ['page', 'run', 'work', 'course-editor'],
   arena: ['page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration'],
@@ -59,7 +62,7 @@ export const webLayers = {
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
   print: ['page', 'run', 'work', 'task', 'arena'],
-  share: ['page', 'run', 'work', 'visit'],
+  share: ['page', 'run', 'work', 'visit', 'device-log'],
   'first-steps': ['page', 'run', 'work', 'layout', 'task', 'console', 'course-editor', 'code', 'device', 'share'],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
@@ -67,6 +70,6 @@ export const webLayers = {
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
-    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'host',
+    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'host',
   ], // prettier-ignore
 };

@@ -81,7 +81,7 @@ describe('the whole page', () => {
       );
     drag('dragover');
     await nextTick();
-    expect(textOf(document.querySelector('.drop'))).toBe('Python-Dateien hier loslassen');
+    expect(textOf(document.querySelector('.drop'))).toBe('Dateien hier loslassen');
     drag('drop');
     await vi.waitFor(() => expect(document.body.textContent).toContain('mine.py ist geladen.'), 20_000);
     expect(document.querySelector('.drop')).toBeNull();

@@ -2,9 +2,13 @@ import { FILE_BYTES, freeName, nameProblem, type SourceFile } from '#project/pro
 
 import { stampSettings } from '../work/stamp-settings';
 import type { PageParts } from '../page/parts';
+import type { RunParts } from '../run/parts';
 import type { WorkParts, Workplace } from '../work/model/parts';
 import { useOpenings } from '../work/use-openings';
 import { workName } from '../work/work-name';
+
+/** Where files of all kinds are taken in. */
+export type TakesFiles = Workplace & Pick<RunParts, 'dataLog'>;
 
 /** A loaded file whose name is taken: the pupil decides what happens to it. */
 export interface Conflict {
@@ -14,7 +18,7 @@ export interface Conflict {
 }
 
 /** Takes files in, and asks about each whose name is taken. */
-export const takeFiles = (app: Workplace, files: Iterable<File>): Promise<void> =>
+export const takeFiles = (app: TakesFiles, files: Iterable<File>): Promise<void> =>
   loadFiles(app, files, ({ file, as }) =>
     app.dialogs.ask({
       kind: 'choose',
@@ -31,7 +35,7 @@ export const takeFiles = (app: Workplace, files: Iterable<File>): Promise<void> 
 
 /** Takes files in. A file with a new name is shown at once; for a taken name `ask` decides. Nothing is ever overwritten here. */
 export async function loadFiles(
-  app: Workplace,
+  app: TakesFiles,
   files: Iterable<File>,
   ask: (conflict: Conflict) => void,
 ): Promise<void> {
@@ -39,7 +43,11 @@ export async function loadFiles(
   const isPython = ({ name }: File): boolean => name.toLowerCase().endsWith('.py');
   // Programs come last: they belong into the project that comes with them.
   const others = all.filter((file) => !isPython(file));
-  if (others.length > 0) await loadOthers(app, others);
+  const logs = others.filter(isLog);
+  const rest = others.filter((file) => !isLog(file));
+  if (rest.length > 0) await late(app, import('./open-json'), ({ openJsonFiles }) => openJsonFiles(app, rest));
+  if (logs.length > 0)
+    await late(app, import('../device-log/open-device-log'), ({ openDeviceLogs }) => openDeviceLogs(app, logs));
   for (const loaded of all.filter(isPython)) {
     const file = await readFile(app, loaded);
     if (file === null) continue;
@@ -55,11 +63,14 @@ export async function loadFiles(
   }
 }
 
-/** Projects, courses, and files that are neither. */
-async function loadOthers(app: Workplace, files: readonly File[]): Promise<void> {
-  const share = await import('./open-json').catch(() => null);
-  if (share === null) app.notices.show({ kind: 'error', key: 'notice.firmware' });
-  else await share.openJsonFiles(app, files);
+/** What a real board has logged, also on the way through a spreadsheet. */
+const isLog = ({ name }: File): boolean => /\.(?:html?|csv|tsv|txt|xlsx?|ods)$/i.test(name);
+
+/** Opens what is no program: what does that comes late. */
+async function late<T>({ notices }: TakesFiles, part: Promise<T>, act: (part: T) => Promise<void>): Promise<void> {
+  const come = await part.catch(() => null);
+  if (come === null) notices.show({ kind: 'error', key: 'notice.firmware' });
+  else await act(come);
 }
 
 async function readFile({ notices }: Pick<PageParts, 'notices'>, loaded: File): Promise<SourceFile | null> {

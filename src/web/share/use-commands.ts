@@ -1,9 +1,9 @@
 import { THEMES } from '../work/settings/settings';
-import type { Workplace } from '../work/model/parts';
 import { saveFile } from '../work/save-file';
+import type { TakesFiles } from './load-files';
 
 /** The commands that several bars and keys share. */
-export function useCommands(app: Workplace) {
+export function useCommands(app: TakesFiles) {
   /** Takes files in, from the picker or dropped onto the page. */
   function take(files: Iterable<File>): void {
     const all = [...files]; // a browser empties the list of dropped files at once
@@ -13,7 +13,7 @@ export function useCommands(app: Workplace) {
   function load(): void {
     const picker = document.createElement('input');
     picker.type = 'file';
-    picker.accept = '.py,.json,text/x-python,application/json';
+    picker.accept = '.py,.json,.htm,.html,.csv,.tsv,.txt,text/x-python,application/json';
     picker.multiple = true;
     picker.addEventListener('change', () => take(picker.files ?? []));
     picker.click();
