@@ -251,7 +251,8 @@ const folder: UserConfig = {
     target: 'es2022',
     // The content policy forbids data: scripts, and the VM must be a file of its own to be compiled while it streams in.
     assetsInlineLimit: 0,
-    modulePreload: { resolveDependencies: fetchedAhead },
+    // The polyfill would only make old Safaris ask a moment earlier.
+    modulePreload: { resolveDependencies: fetchedAhead, polyfill: false },
     rolldownOptions: {
       input: pages().map((page) => here(`src/web/${page}`)),
       output: { codeSplitting: { groups: chunkGroups } },

@@ -123,7 +123,7 @@ function unusedKeys({ folder, keys }, files) {
   for (const [, text] of sources) {
     for (const [, key] of text.matchAll(/['"]([a-zA-Z]+\.\w+)['"]/g)) named.add(key);
     for (const [, key] of text.matchAll(/`([a-zA-Z]*\.?(?:\$\{[^}`]*\}|[\w.])+)`/g))
-      if (key.includes('${')) patterns.add(key.replace(/\$\{[^}]*\}/g, '\\w+'));
+      if (key.includes('${')) patterns.add(key.replace(/\$\{[^}]*\}/g, '[\\w-]+'));
   }
   const fits = [...patterns].filter((it) => /^[a-zA-Z]+\./.test(it)).map((it) => new RegExp(`^${it}$`));
   const isUsed = (key) => named.has(key) || fits.some((pattern) => pattern.test(key) && !pattern.test('error.any'));
