@@ -11,6 +11,14 @@ const encoder = new TextEncoder();
 /** Up to this length a text is put together byte by byte. Chosen: below it that is faster. */
 const SHORT_BYTES = 24;
 
+/** Up to this length a text is written byte by byte. Chosen, likewise. */
+const MOST_SHORT = 80;
+
+function isAscii(text: string): boolean {
+  for (let index = 0; index < text.length; index++) if (text.charCodeAt(index) > 0x7f) return false;
+  return true;
+}
+
 /** The bytes of one value at the boundary: kind and two words. */
 export const VALUE_BYTES = 12;
 
@@ -66,6 +74,10 @@ export class Memory {
 
   /** Puts a text and a closing zero byte into newly allocated memory. */
   allocateText(text: string): { readonly address: number; readonly length: number } {
+    if (text.length <= MOST_SHORT && isAscii(text)) {
+      const address = this.malloc(text.length + 1);
+      return { address, length: this.putAscii(address, text) };
+    }
     const bytes = encoder.encode(text);
     const address = this.malloc(bytes.length + 1);
     this.bytes.set(bytes, address);

@@ -208,10 +208,10 @@ class MicroBitImage:
         return _scaled(self._b, 1.0 / _number(divisor))
 
     def __repr__(self):
-        return "Image('" + _text(addressof(self._b), "") + "')"
+        return _text(addressof(self._b), False)
 
     def __str__(self):
-        return "Image(\n    '" + _text(addressof(self._b), "'\n    '") + "'\n)"
+        return _text(addressof(self._b), True)
 
 
 def _plus(a, b, sign):

@@ -51,7 +51,8 @@ describe('image syscalls', () => {
     expect(call('image_size', '90:1\n')).toBe((2 << 12) + 2);
     expect(call('image_parse', RESULT)).toBe(true);
     expect(result(4)).toEqual([9, 0, 1, 0]);
-    expect(call('image_text', RESULT, '|')).toBe('90:|10:');
+    expect(call('image_text', RESULT, false)).toBe("Image('90:10:')");
+    expect(call('image_text', RESULT, true)).toBe("Image(\n    '90:'\n    '10:'\n)");
     call('image_size', '9x');
     expect(call('image_parse', RESULT)).toBe(false);
   });

@@ -34,7 +34,7 @@ const single = Math.fround;
  *   cannot be modified · image_pixel(image, x, y) → its value or −1
  * - image_blit(from, x, y, to, xTo, yTo, width, height): pixels outside the source are dark, those outside the target
  *   are dropped; source and target may be the same
- * - image_text(image, between) → the digits of the rows, each with `:` behind it, and `between` between them
+ * - image_text(image, lines) → the image as Python writes it, on one line or with a line for each row
  */
 export function createImageCalls(machine: Machine, board: Board): SyscallTable {
   const charge = chargeFor(machine, board);
@@ -138,16 +138,17 @@ function makeCalls(machine: Machine, board: Board, charge: Charge): SyscallTable
       for (let i = 0; i < pixels.length; i++) pixels[i] = Math.min(pixels[i] ?? 0, BRIGHTEST);
       return null;
     },
-    image_text: (image, between) => {
+    image_text: (image, lines) => {
       const { width, height, pixels } = pictureAt(machine, image);
       charge(pixels.length, pixelTextUs);
-      let text = '';
+      const [before, between, after] = lines === true ? ["Image(\n    '", "'\n    '", "'\n)"] : ["Image('", '', "')"];
+      let text = before;
       for (let y = 0; y < height; y++) {
-        if (y > 0) text += textOf(between);
+        if (y > 0) text += between;
         for (let x = 0; x < width; x++) text += String.fromCharCode(ZERO + (pixels[y * width + x] ?? 0));
         text += ':';
       }
-      return text;
+      return text + after;
     },
   };
 }
