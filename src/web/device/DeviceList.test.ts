@@ -2,6 +2,7 @@
 import { describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
+import { plainTraits } from '#robots/traits';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import { startRun } from '../app/testing/run';
@@ -213,5 +214,22 @@ describe('how real the robot is', () => {
     page.settings.change({ seed: last });
     named('Anderer Roboter').click();
     expect(page.settings.current.value.seed).toBe(1);
+  });
+
+  it('says that one’s own robot drives, and stops saying so when it shall not', async () => {
+    const measured = {
+      drives: { slow: null, usual: null, fast: null },
+      turnDeg: 590,
+      echoesMm: [null, null],
+      line: {},
+    } as const;
+    const myRobot = { name: 'Röbi', robot: 'maqueen-lite', used: true, measured, traits: plainTraits };
+    const { page, mounted, choose } = panel({ device: 'auto', robot: 'maqueen-lite', myRobot });
+    expect(mounted.get('.reality small').text()).toContain('Er fährt wie Röbi.');
+    await mounted.get('[data-testid="my-robot-used"]').setValue(false);
+    expect(page.settings.current.value.myRobot?.used).toBe(false);
+    expect(mounted.get('.reality small').text()).toContain('Beide Motoren sind gleich stark');
+    await choose('robot-maqueen-plus-v2');
+    expect(mounted.find('[data-testid="my-robot-used"]').exists()).toBe(false);
   });
 });

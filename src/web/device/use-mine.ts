@@ -1,0 +1,17 @@
+import { computed } from 'vue';
+
+import { say } from '../page/i18n/say';
+import { useHardware } from '../work/hardware/use-hardware';
+import type { Workplace } from '../work/model/parts';
+import { deviceWords as words } from './device-words';
+
+/** The pupil's own robot, if one of the type in use was measured, and what it is called. */
+export function useMine(app: Workplace) {
+  const hardware = useHardware(app);
+  const mine = computed(() => {
+    const kept = app.settings.current.value.myRobot;
+    return kept !== null && kept.robot === hardware.value?.robot?.id ? kept : null;
+  });
+  const name = computed(() => (mine.value === null || mine.value.name === '' ? say(words.myRobot) : mine.value.name));
+  return { mine, name };
+}
