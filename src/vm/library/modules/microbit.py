@@ -107,6 +107,10 @@ def run_every(callback=None, *, days=0, h=0, min=0, s=0, ms=0):
     return timer if callback is None else timer(callback)
 
 
+# Built-in names are looked for here first, among more than a hundred: these are found at once.
+_type = type
+_len = len
+_round = round
 _tuple = tuple
 _float = float
 
@@ -121,8 +125,8 @@ def _pair(value):
 
 # The last parameter lets the others be named, as on the device (src/vm/firmware/native-calls.mjs).
 def scale(value, from_, to, *, _=None):
-    start, end = from_ if type(from_) is _tuple and len(from_) == 2 else _pair(from_)
-    low, high = to if type(to) is _tuple and len(to) == 2 else _pair(to)
+    start, end = from_ if _type(from_) is _tuple and _len(from_) == 2 else _pair(from_)
+    low, high = to if _type(to) is _tuple and _len(to) == 2 else _pair(to)
     try:
         result = (value - start) / (end - start) * (high - low) + low
     except TypeError:
@@ -130,7 +134,7 @@ def scale(value, from_, to, *, _=None):
             _number(number)
         raise
     _spend()
-    return result if type(low) is _float or type(high) is _float else round(result)
+    return result if _type(low) is _float or _type(high) is _float else _round(result)
 
 
 def _name_module():
