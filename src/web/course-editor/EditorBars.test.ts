@@ -12,7 +12,9 @@ import EditorBars from './EditorBars.vue';
 beforeEach(() => void vi.useFakeTimers({ toFake: ['setTimeout', 'clearTimeout'] }));
 afterEach(() => void vi.useRealTimers());
 
-/** The row below the arena while the course is edited; `settle` waits until its problems are looked for. */
+/**
+ * The row below the arena while the course is edited; `settle` waits until the course has been checked for problems.
+ */
 async function bars(objects: readonly SceneObject[], props: object = {}, more: Parameters<typeof editingPage>[1] = {}) {
   const page = await editingPage(objects, more);
   const places: unknown[] = [];
@@ -28,7 +30,7 @@ async function bars(objects: readonly SceneObject[], props: object = {}, more: P
   return { ...page, mounted, places, settle, text };
 }
 
-/** A block in the midst of a wall. */
+/** A block in the middle of a wall. */
 const stuck = { ...samples.block, at: [200, 100] } as const;
 
 describe('the row below the arena', () => {
@@ -38,7 +40,7 @@ describe('the row below the arena', () => {
     expect(text()).toBe('');
     editor.commit({ type: 'add', objects: [stuck] });
     await nextTick();
-    expect(text()).toBe(''); // half-done work is not a problem yet
+    expect(text()).toBe(''); // half-finished work is not a problem yet
     await settle();
     expect(text()).toBe('Block 1 steckt in etwas anderem: Wand 1.');
   });

@@ -10,7 +10,7 @@ import EditorMenu from './EditorMenu.vue';
 import ToolOptions from './ToolOptions.vue';
 import ToolPalette from './palette/ToolPalette.vue';
 
-/** A page with this tool chosen and its options in sight. */
+/** A page with this tool chosen and its options visible. */
 async function optionsOf(tool: ArenaTool, objects: Parameters<typeof editingPage>[0] = [], roomPx = 900) {
   const page = await editingPage(objects);
   page.editor.choose(tool);
@@ -26,7 +26,7 @@ async function openCard(name: string): Promise<void> {
   await vi.waitFor(() => expect(document.querySelector('.card')).not.toBeNull());
 }
 
-/** Chooses in an open card, or among buttons side by side. */
+/** Picks an entry of an open card, or one of the buttons in a row. */
 async function pick(name: string): Promise<void> {
   const all = [...document.querySelectorAll<HTMLElement>('[role="radio"]')];
   all.find((it) => (it.getAttribute('aria-label') ?? textOf(it.querySelector('b'))) === name)!.click();
@@ -353,7 +353,7 @@ describe('the palette', () => {
     expect(focused()).toBe('ruler');
     await keyOn(tool('ruler').element, 'ArrowRight');
     expect(focused()).toBe('hand');
-    expect(editor.tool.value).toBe('hand'); // a key that moves chooses nothing
+    expect(editor.tool.value).toBe('hand'); // arrow keys move without choosing
   });
 
   it('goes down by a row of two in two columns', async () => {

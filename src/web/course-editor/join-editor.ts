@@ -3,7 +3,7 @@ import { editProblem } from '#scene/check-edit';
 import type { CourseEditorModel } from './state/course-editor-model';
 import { wordsFor } from './words/happened-words';
 
-/** Gives the editor what comes with its first use: the limits of a course, and words for what happens. */
+/** Gives the editor what is loaded on first use: the limits of a course, and the announcements for screen readers. */
 export function joinEditor(editor: CourseEditorModel): void {
   editor.join({ problemOf: editProblem, wordsFor });
 }

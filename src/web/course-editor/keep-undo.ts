@@ -4,12 +4,12 @@ import type { WorkParts } from '../work/model/parts';
 import type { VisitParts } from '../visit/parts';
 import type { CourseEditorParts } from './state/parts';
 
-/** Where the steps are in the tab's own storage. */
+/** The key of the steps in the tab's session storage. */
 const UNDO_KEY = 'parcours.undo';
 
 /**
- * Keeps the undo history over a reload of the page, for this tab alone. If the work is not kept here, the history
- * begins with the page. The code is fetched once there is something to keep.
+ * Keeps the undo history across reloads, in this tab only. If this page does not keep the work, the history starts
+ * empty with each load. The code is fetched once there is something to keep.
  */
 export function keepUndo(app: Pick<WorkParts, 'work'> & VisitParts & Pick<CourseEditorParts, 'editor'>): void {
   if (!app.host.wish.keepsWork) return;
@@ -27,6 +27,6 @@ function hasKept(): boolean {
   try {
     return sessionStorage.getItem(UNDO_KEY) !== null;
   } catch {
-    return false; // the browser keeps nothing
+    return false; // the browser has no storage
   }
 }

@@ -5,14 +5,15 @@ import { historyFromText, historyToText } from '#scene/kept-history';
 import type { WorkParts } from '../work/model/parts';
 import type { CourseEditorParts } from './state/parts';
 
-/** The most that is kept, in characters. Chosen: far less than the work itself may take of the browser's five million. */
+/**
+ * The most that is stored, in characters. Chosen: far less than the work itself may take of the browser's five million.
+ */
 const MOST_CHARACTERS = 200_000;
 
 /**
- * Restores the stored undo history, and stores it from now on. If the browser forbids it or has no room, nothing is
- * stored.
+ * Restores the stored undo history and stores it from now on. Stores nothing if the browser forbids it or has no room.
  *
- * @param key its key in the tab's own storage
+ * @param key its key in the tab's session storage
  */
 export function storeUndo(
   { work, editor }: Pick<WorkParts, 'work'> & Pick<CourseEditorParts, 'editor'>,
@@ -22,7 +23,7 @@ export function storeUndo(
     const text = sessionStorage.getItem(key);
     if (text === null) return;
     work.takeUp(historyFromText(text, work.scene.value));
-    // What is taken back before the first tool is chosen is to be said, too.
+    // An undo before the first tool is chosen must be announced, too.
     import('./join-editor').then(({ joinEditor }) => joinEditor(editor)).catch(() => undefined);
   });
   const save = (): void =>
@@ -47,6 +48,6 @@ function quietly(act: () => void): void {
   try {
     act();
   } catch {
-    // nothing is kept
+    // nothing is stored
   }
 }

@@ -6,21 +6,21 @@ import type { CourseEditorParts } from './state/parts';
 import { toolOfLetter } from './palette/tool-list';
 import type { useSelectionActs } from './state/use-selection-acts';
 
-/** Letters that press something on the board while a program runs. */
+/** Letters that press buttons of the board while a program runs. */
 const BOARD_LETTERS = ['a', 'b', 'l'];
 
 /**
- * Keys of the editor. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields; letters choose
- * tools while the arena, the palette or the head has the focus. While a program runs and the hand tool is chosen, A, B
- * and L belong to the board. In the arena itself the drawing surface has the other keys for what is selected; elsewhere
- * on the page Delete and Ctrl with C, X, V, D and A act here, as long as something is selected and seen to be.
+ * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
+ * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
+ * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
+ * elsewhere on the page Delete and Ctrl with C, X, V, D and A are handled here, as long as the selection is visible.
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
   const { editor, run } = app;
   const last = useLastPlace();
-  /** What acts on a selection is fetched with the first one. */
+  /** The actions for a selection, loaded with the first one. */
   function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {
-    import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // without a connection nothing happens
+    import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // offline, nothing happens
   }
 
   function letter(key: string): boolean {
@@ -70,7 +70,7 @@ const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.len
 const removes = (key: string, editor: Editor): boolean =>
   (key === 'delete' || key === 'backspace') && hasSelection(editor);
 
-/** What a key does together with Ctrl; `null`: it is the browser's. */
+/** What a key does together with Ctrl; `null` leaves it to the browser. */
 function commandOf(
   key: string,
   editor: Editor,
@@ -80,13 +80,13 @@ function commandOf(
   if (key === 'v' && !editor.clipboard.isEmpty && (hasSelection(editor) || last === 'arena')) return 'paste';
   if (!hasSelection(editor)) return null;
   if (key === 'd') return 'duplicate';
-  if (getSelection()?.isCollapsed === false) return null; // words that are marked on the page are what is copied
+  if (getSelection()?.isCollapsed === false) return null; // text selected on the page is what gets copied
   return key === 'c' ? 'copy' : key === 'x' ? 'cut' : null;
 }
 
 type Place = 'arena' | 'console' | null;
 
-/** Where somebody has pressed or moved to last; the bar of the page is no place. */
+/** Where the user last clicked or moved the focus to; the page's bar does not count. */
 function useLastPlace(): Readonly<ShallowRef<Place>> {
   const last = shallowRef<Place>(null);
   function use({ target }: Event): void {
@@ -104,7 +104,7 @@ function useLastPlace(): Readonly<ShallowRef<Place>> {
   return last;
 }
 
-/** Text fields, the code, and open menus and dialogs have keys of their own; in the editor's own windows undo goes on. */
+/** Text fields, the code, open menus and dialogs have keys of their own; in the editor's windows undo still works. */
 function takesKeys(target: EventTarget | null): boolean {
   if (!(target instanceof Element)) return false;
   if (target.closest('input, textarea, select, [contenteditable="true"], [role="menu"], [role="listbox"]') !== null)

@@ -1,7 +1,7 @@
 /** Why a drawing is refused. */
 export type SvgProblem = 'no-svg' | 'unsafe';
 
-/** Elements that act, move or bring other documents in. Pictures are still, plain and complete in themselves. */
+/** Elements that run code, move or embed other documents. A picture must be still and self-contained. */
 const FORBIDDEN_ELEMENTS = [
   'script',
   'handler',
@@ -31,7 +31,7 @@ const FORBIDDEN_ELEMENTS = [
 export function svgProblem(text: string): SvgProblem | null {
   const root = rootOf(text);
   if (root === null) return 'no-svg';
-  // A document type with own entities could name anything; a style sheet may come from elsewhere.
+  // A document type with entities of its own could stand for anything; a style sheet may come from elsewhere.
   if (root === 'unsafe' || /<!ENTITY|<!DOCTYPE|<\?xml-stylesheet/i.test(text.slice(root))) return 'unsafe';
   const plain = withoutCharacterReferences(text);
   for (const match of plain.matchAll(/<\s*(?:[\w.-]+:)?([\w.-]+)/g))
@@ -41,7 +41,7 @@ export function svgProblem(text: string): SvgProblem | null {
   return hasForeignReference(plain) ? 'unsafe' : null;
 }
 
-/** Start of the root element, behind the prolog; `null` if it is not an SVG. */
+/** Where the root element starts, after the prolog; `null` if it is not an SVG. */
 function rootOf(text: string): number | 'unsafe' | null {
   let at = /^[\s\uFEFF]*/.exec(text)?.[0].length ?? 0;
   for (;;) {
@@ -59,7 +59,7 @@ function rootOf(text: string): number | 'unsafe' | null {
   }
 }
 
-/** References lead into the drawing itself (`#id`) or to a picture that it brings along. */
+/** References may only point into the drawing itself (`#id`) or to an embedded picture. */
 function hasForeignReference(text: string): boolean {
   const own = /^\s*(#|data:image\/(png|jpe?g|gif|webp);base64,|$)/i;
   for (const match of text.matchAll(/[\s"'](?:[\w.-]+:)?(?:href|src)\s*=\s*(?:"([^"]*)"|'([^']*)')/gi))
@@ -68,7 +68,7 @@ function hasForeignReference(text: string): boolean {
   return false;
 }
 
-/** `&#106;` and `&#x6a;` as the letters they stand for, so that nothing hides behind them; also CSS escapes. */
+/** Decodes `&#106;`, `&#x6a;` and CSS escapes, so that nothing can hide behind them. */
 function withoutCharacterReferences(text: string): string {
   const letter = (code: number): string => (code > 0 && code <= 0x10ffff ? String.fromCodePoint(code) : '');
   return text
@@ -78,7 +78,7 @@ function withoutCharacterReferences(text: string): string {
     .replace(/\\([0-9a-f]{1,6})\s?/gi, (_, hex: string) => letter(Number.parseInt(hex, 16)));
 }
 
-/** Width and height of a drawing in its own units, or `null` where it does not say. */
+/** Width and height of a drawing in its own units, or `null` if it does not state them. */
 export function svgSize(text: string): { readonly width: number; readonly height: number } | null {
   const root = /<(?:\w+:)?svg\b[^>]*>/i.exec(text)?.[0] ?? '';
   const attribute = (name: string): string => {
@@ -91,7 +91,7 @@ export function svgSize(text: string): { readonly width: number; readonly height
     .map(Number);
   const box = isExtent(boxWidth) && isExtent(boxHeight) ? { width: boxWidth, height: boxHeight } : null;
   if (box !== null) return box;
-  // Percentages say nothing of the proportions.
+  // Percentages say nothing about the proportions.
   const length = (value: string): number => (value.trim().endsWith('%') ? NaN : Number.parseFloat(value));
   const [width, height] = [length(attribute('width')), length(attribute('height'))];
   return isExtent(width) && isExtent(height) ? { width, height } : null;

@@ -1,13 +1,13 @@
 import { sceneLimits, type Background, type Point } from '#scene/scene';
 
-/** Side of a cell in mm, if that many cells are allowed. Chosen: a line sensor sees a spot of about 2 mm. */
+/** Side of a cell in mm, unless that makes too many cells. Chosen: a line sensor sees a spot of about 2 mm. */
 const CELL_MM = 2;
 
 /**
- * Where a picture lies when it is taken in: as large as it fits into the arena with its proportions, in the middle; and
- * how many cells its grid has: one each 2 mm, larger ones where there would be more than a background may have.
+ * Where a newly opened picture goes: in the middle of the arena, as large as fits without distorting it. And how many
+ * cells its grid has: one every 2 mm, or larger ones if that would exceed the limit of a background.
  *
- * @param width in whatever unit `height` has; both above 0
+ * @param width in the same unit as `height`; both above 0
  */
 export function fitBackground(width: number, height: number, arena: Point): Pick<Background, 'at' | 'size' | 'cells'> {
   const { min, max } = sceneLimits.backgroundMm;

@@ -32,7 +32,7 @@ function readJpeg(view: DataView): ImageHeader | null {
     if (view.getUint8(at) !== 0xff) return null;
     const marker = view.getUint8(at + 1);
     if (marker === 0xff) {
-      at += 1; // markers may be preceded by any number of these
+      at += 1; // any number of fill bytes may precede a marker
       continue;
     }
     if (isFrame(marker)) return sized('jpeg', view.getUint16(at + 7), view.getUint16(at + 5));

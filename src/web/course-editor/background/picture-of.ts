@@ -1,24 +1,23 @@
 import { sceneLimits } from '#scene/scene';
 
-/** Longest side of the picture that is kept for the eye, in pixels; reduced until it fits. Chosen: sharp on a projector. */
+/** Longest side of the picture that is displayed, in pixels; reduced until it fits. Chosen: sharp on a projector. */
 const LONGEST_PX = 2000;
 
-/** Characters it may have: well below what a course may hold, as all copies of the work share 5 million in the browser. */
+/** Its limit in characters: well below that of a course, as all copies of the work share the browser's 5 million. */
 const MOST_CHARACTERS = Math.min(600_000, sceneLimits.pictureCharacters);
 
-/** What is painted. */
+/** What to paint. */
 interface Source {
   readonly source: CanvasImageSource;
   readonly widthPx: number;
   readonly heightPx: number;
-  /** A photograph, which PNG would make long; and one has no transparent parts. */
+  /** A photograph: too large as a PNG, and without transparent parts. */
   readonly isPhoto: boolean;
 }
 
 /**
- * A picture painted anew as a `data:image/…` address of bounded length: PNG if that is short (drawings), otherwise WebP
- * or JPEG (photographs), smaller and smaller until it fits. All other data in the file (place, camera, name) are
- * dropped.
+ * Repaints a picture as a `data:image/…` URL of limited length: PNG if that is short (drawings), otherwise WebP or JPEG
+ * (photographs), scaled down until it fits. Everything else in the file (location, camera, name) is dropped.
  */
 export function pictureOf(source: Source, mostCharacters: number = MOST_CHARACTERS): string {
   const longest = Math.max(source.widthPx, source.heightPx);
@@ -26,7 +25,7 @@ export function pictureOf(source: Source, mostCharacters: number = MOST_CHARACTE
     const found = encoded(painted(source, px / longest), source.isPhoto, mostCharacters);
     if (found.length <= mostCharacters) return found;
   }
-  return ''; // the levels are shown instead
+  return ''; // the grey levels are shown instead
 }
 
 function encoded(canvas: HTMLCanvasElement, isPhoto: boolean, mostCharacters: number): string {
@@ -34,7 +33,7 @@ function encoded(canvas: HTMLCanvasElement, isPhoto: boolean, mostCharacters: nu
     const png = canvas.toDataURL('image/png');
     if (png.length <= mostCharacters) return png;
   }
-  // A browser that cannot write WebP gives a PNG instead. JPEG has no transparency: see-through parts would turn black.
+  // A browser that cannot write WebP returns a PNG. JPEG has no transparency: transparent parts would turn black.
   const webp = canvas.toDataURL('image/webp', 0.85);
   if (webp.startsWith('data:image/webp')) return webp;
   return isPhoto || isOpaque(canvas) ? canvas.toDataURL('image/jpeg', 0.85) : webp;

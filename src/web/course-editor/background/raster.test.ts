@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { createRaster } from './raster';
 
-/** A picture in signs: `#` black, `.` white, `o` mid grey, ` ` transparent, `r` red. */
+/** A picture as text: `#` black, `.` white, `o` mid grey, ` ` transparent, `r` red. */
 const COLOURS: Readonly<Record<string, readonly number[]>> = {
   '#': [0, 0, 0, 255],
   '.': [255, 255, 255, 255],

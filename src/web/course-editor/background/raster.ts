@@ -1,14 +1,16 @@
 import { BRIGHTEST_LEVEL } from '#scene/background';
 
-/** Turns a picture into the grid of a background. It takes the picture in strips: it is never whole in memory. */
+/** Turns a picture into the grid of a background, strip by strip, so that it is never in memory as a whole. */
 export interface Raster {
   /**
-   * Takes in the next rows of pixels, from the top.
+   * Adds the next rows of pixels, from the top.
    *
    * @param rgba red, green, blue and alpha 0 … 255 per pixel, not premultiplied, row by row
    */
   add(rgba: ArrayLike<number>): void;
-  /** One level per cell, row by row from the upper left: 0 black … 15 bare floor. Read it when all rows are in. */
+  /**
+   * One level per cell, row by row from the upper left: 0 black … 15 bare floor. Read it once all rows have been added.
+   */
   levels(): Uint8Array;
 }
 
@@ -18,20 +20,20 @@ const [RED, GREEN, BLUE] = [54, 183, 19];
 /** A pixel of bare floor: full brightness and full alpha. */
 const FLOOR = 256 * 255 * 255;
 
-/** Brightness of a pixel over the floor, 0 … `FLOOR`, whole: what is transparent is floor. */
+/** Brightness of a pixel over the floor, an integer 0 … `FLOOR`: where it is transparent, the floor shows. */
 function brightnessOf(red: number, green: number, blue: number, alpha: number): number {
   return (RED * red + GREEN * green + BLUE * blue) * alpha + 256 * 255 * (255 - alpha);
 }
 
 /**
- * Averages the pixels of a picture over the cells of a grid, each pixel by the part of it that lies in a cell. All sums
- * are whole numbers below 2⁵³, so that the same pixels give the same levels in every engine.
+ * Averages the pixels of a picture over the cells of a grid, weighting each pixel by the part of it that lies in the
+ * cell. All sums are integers below 2⁵³, so that the same pixels give the same levels in every engine.
  *
  * @param widthPx up to 40 million pixels in all
- * @param columns cells across; may be more than there are pixels
+ * @param columns cells across; may exceed the number of pixels
  */
 export function createRaster(widthPx: number, heightPx: number, columns: number, rows: number): Raster {
-  // Across, a pixel is `columns` long and a cell `widthPx`; up, `rows` and `heightPx`: then every overlap is whole.
+  // With pixels `columns` wide and `rows` high, cells `widthPx` wide and `heightPx` high, every overlap is an integer.
   const sums = new Float64Array(columns * rows);
   const across = new Float64Array(columns);
   let row = 0;
@@ -60,7 +62,7 @@ export function createRaster(widthPx: number, heightPx: number, columns: number,
   };
 }
 
-/** Calls `visit` with each cell that pixel number `pixel` reaches into, and how far it does. */
+/** Calls `visit` with each cell that pixel number `pixel` overlaps, and by how much. */
 function share(pixel: number, cells: number, pixels: number, visit: (cell: number, part: number) => void): void {
   const from = pixel * cells;
   const to = from + cells;

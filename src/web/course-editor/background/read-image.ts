@@ -7,7 +7,7 @@ import { readImageHeader } from './image-header';
 import { pictureOf } from './picture-of';
 import { createRaster } from './raster';
 
-/** Why a file cannot be the floor. */
+/** Why a file cannot be used as the floor. */
 export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
 
 /** Largest file that is opened, in bytes. */
@@ -16,10 +16,10 @@ const MOST_BYTES = 50_000_000;
 /** Most pixels of a picture that is decoded: each needs 4 bytes of memory. */
 const MOST_PIXELS = 50_000_000;
 
-/** A drawing has no pixels of its own: its longer side gets this many, which look sharp on a screen. */
+/** Pixels along the longer side of a drawing, which has none of its own: enough to look sharp on a screen. */
 const SVG_PX = 3000;
 
-/** A strip of the picture that is turned into levels at a time, in pixels. */
+/** Size of the strips in which a picture is turned into levels, in pixels. */
 const STRIP_PIXELS = 1_000_000;
 
 /** A picture that has been opened. */
@@ -31,7 +31,7 @@ interface Opened {
   close(): void;
 }
 
-/** A problem that was found on the way. */
+/** A problem found while reading. */
 class Refusal extends Error {
   constructor(readonly problem: BackgroundProblem) {
     super(problem);
@@ -39,11 +39,11 @@ class Refusal extends Error {
 }
 
 /**
- * Makes a background of a picture file (PNG, JPEG, or an SVG that is nothing but a picture): placed in the middle of
- * the arena as large as it fits, with the grid that the line sensors read, and a repainted picture for the eye, so that
- * nothing else of the file remains.
+ * Makes a background from a picture file (PNG, JPEG, or an SVG that contains only a picture): in the middle of the
+ * arena, as large as fits, with the grid that the line sensors read and the picture that is displayed. That one is
+ * repainted, so that nothing else in the file survives.
  *
- * @param arena its extent in mm
+ * @param arena its size in mm
  * @returns a problem to report (`backgroundProblemTexts`) if the file cannot be read; never rejects
  */
 export async function readBackground(
@@ -70,7 +70,8 @@ export async function readBackground(
 }
 
 /**
- * Makes the picture of a task of a picture file: repainted, so that nothing else of the file remains, and small enough.
+ * Makes the picture of a task from a picture file: small enough, and repainted, so that nothing else in the file
+ * survives.
  *
  * @returns a problem if the file cannot be read; never rejects
  */
@@ -132,7 +133,7 @@ async function openSvg(bytes: Uint8Array): Promise<Opened> {
   return { source: image, widthPx, heightPx, isPhoto: false, close };
 }
 
-/** The drawing with its size in pixels: without a size, Firefox draws nothing on a canvas. */
+/** The drawing with a size in pixels: without one, Firefox draws nothing on a canvas. */
 function sizedSvg(
   text: string,
   size: { readonly width: number; readonly height: number },
@@ -148,7 +149,7 @@ function sizedSvg(
   return new XMLSerializer().serializeToString(document);
 }
 
-/** The pixels, some rows at a time: a large photograph would not fit into a tablet's memory as a whole. */
+/** The pixels, a few rows at a time: a large photograph does not fit into a tablet's memory as a whole. */
 function* stripsOf({ source, widthPx, heightPx }: Opened): Generator<Uint8ClampedArray> {
   const rows = Math.min(heightPx, Math.max(1, Math.floor(STRIP_PIXELS / widthPx)));
   const canvas = document.createElement('canvas');
@@ -164,5 +165,5 @@ function* stripsOf({ source, widthPx, heightPx }: Opened): Generator<Uint8Clampe
   }
 }
 
-/** Lets the page draw and answer in between. */
+/** Lets the page draw and respond in between. */
 const breath = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));

@@ -1,15 +1,15 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** How far a finger may slip in a tap, in px. */
+/** How far a finger may move during a tap, in px. */
 const SLIP_PX = 10;
-/** Mouse events that a browser makes of a tap come within this time, in ms. */
+/** Within this time after a tap, mouse events are those that the browser derives from it, in ms. */
 const TAP_MS = 500;
 /** How long the hint stays, in ms. */
 const SHOW_MS = 5000;
 
 /**
- * Notices taps, and Enter or Space, in the arena while there are no words to put there: the field gets the focus and a
- * hint. Returns the place of the hint, in px; `null` for no hint.
+ * Notices taps, Enter and Space in the arena while there is no text to place: focuses the field and shows a hint.
+ * Returns where the hint goes, in px; `null` for no hint.
  */
 export function useMissingText(
   field: Readonly<ShallowRef<HTMLElement | null>>,
@@ -43,7 +43,7 @@ export function useMissingText(
       askedAtMs = event.timeStamp;
       ask();
     },
-    // What follows a tap would take the focus into the arena again.
+    // The mouse events after a tap would move the focus back into the arena.
     mousedown: (event: MouseEvent) => {
       if (event.timeStamp - askedAtMs < TAP_MS && isWanted(event)) event.preventDefault();
     },

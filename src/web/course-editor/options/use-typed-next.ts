@@ -1,14 +1,14 @@
 import { nextTick, onMounted, onScopeDispose, watch, type ShallowRef } from 'vue';
 
 /**
- * Who chooses the tool for words with the mouse, or has just put words down with it, types next: the field gets the
- * focus, so that letters are words and not the keys of tools. Fingers see no keyboard that they did not ask for, and
- * who works with keys keeps the focus where it is.
+ * Someone who picks the text tool with the mouse, or has just placed a text with it, will type next: the field gets the
+ * focus, so that letters become text instead of choosing tools. Not after a touch, which would bring up the on-screen
+ * keyboard unasked; and those who work with the keyboard keep their focus.
  *
  * @param count how many labels there are
  */
 export function useTypedNext(field: Readonly<ShallowRef<HTMLInputElement | null>>, count: () => number): void {
-  /** The last thing done was to let go of a mouse in the arena. */
+  /** The last thing the user did was to release the mouse button in the arena. */
   let isPlacing = false;
   const listeners = {
     pointerup: ({ pointerType, target }: PointerEvent) => {

@@ -25,6 +25,6 @@ export const toolLetters: Readonly<Record<ArenaTool, string>> = {
   ruler: 'l',
 };
 
-/** The tool of a letter. */
+/** The tool that a letter chooses. */
 export const toolOfLetter = (letter: string): ArenaTool | undefined =>
   toolGroups.flat().find((tool) => toolLetters[tool] === letter);

@@ -3,16 +3,16 @@ import type { ArenaTool } from '../state/course-editor-model';
 /** The fields of a pointer event that matter for a tap. */
 export type Press = Pick<PointerEvent, 'pointerId' | 'clientX' | 'clientY' | 'timeStamp' | 'button'>;
 
-/** How far a finger may slip in a tap, in px. Further, it scrolls. */
+/** How far a finger may move during a tap, in px. Beyond that it scrolls. */
 const SLIP_PX = 10;
-/** A finger that rests longer asks for the hint, in ms: a little less than it takes to show. */
+/** A finger that rests for longer, in ms, asks for the hint: a little less than the hint takes to appear. */
 const REST_MS = 450;
-/** The click of a tap comes within this time, in ms. */
+/** A tap's click follows within this time, in ms. */
 const CLICK_MS = 500;
 
 /**
- * Tells taps on tools apart from scrolling and from resting. A tap counts when the finger leaves: Chromium makes no click
- * of one that comes less than 300 ms after a stroke in the arena, since it might be the second of a double tap.
+ * Tells taps on tools from scrolling and long presses. A tap counts as soon as the finger is lifted: less than 300 ms
+ * after a stroke in the arena Chromium fires no click, since the tap might be the second of a double tap.
  */
 export class ToolPress {
   private from: { readonly tool: ArenaTool; readonly press: Press } | null = null;
@@ -24,7 +24,7 @@ export class ToolPress {
     this.from = press.button === 0 ? { tool, press } : null;
   }
 
-  /** The browser scrolls with it. */
+  /** The browser has taken the gesture over for scrolling. */
   cancel(): void {
     this.from = null;
   }
@@ -40,7 +40,10 @@ export class ToolPress {
     return true;
   }
 
-  /** A click: whether the tool is chosen. It is not where the tap before it was heard; keys have no `detail`. */
+  /**
+   * A click. Returns whether it chooses the tool: not if the tap before it already did. From the keyboard, `detail` is
+   * 0.
+   */
   click({ detail, timeStamp }: Pick<UIEvent, 'detail' | 'timeStamp'>): boolean {
     return detail === 0 || timeStamp - this.chosenAtMs > CLICK_MS;
   }

@@ -4,7 +4,10 @@ import { shownLanguage } from '../../page/i18n';
 import { firstCourse } from '../../work/catalogue/first-course';
 import { knownCourses } from '../../work/catalogue/known-courses';
 
-/** What a course asks for: a ready one in the pupil's language, else as its author has written. `id`: of a ready one. */
+/**
+ * What a course asks for: in the pupil's language if it is ready-made, otherwise as its author wrote it. `id`: of a
+ * ready-made course.
+ */
 export function courseTask(scene: Scene, id: string | null): string {
   const course = (knownCourses.value ?? [firstCourse]).find((one) => one?.id === id);
   return course?.texts[shownLanguage()].task ?? scene.description;

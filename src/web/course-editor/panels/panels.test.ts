@@ -6,7 +6,7 @@ import type { SceneObject } from '#scene/scene';
 
 import { editingPage, fill, keyOn, press, samples } from '../../app/testing/editing';
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
-// Fetched with the first picture: its way here belongs to no test.
+// Loaded up front, so that no test's time includes loading it.
 import '../background/read-image';
 import BackgroundSettings from './BackgroundSettings.vue';
 import CourseSettings from './CourseSettings.vue';
@@ -176,7 +176,7 @@ describe('the settings of a course', () => {
   });
 });
 
-/** The list of objects, with what it shows of them. */
+/** The list of objects, and what it shows. */
 async function list(objects: readonly SceneObject[], more: Parameters<typeof editingPage>[1] = {}) {
   const page = await editingPage(objects, more);
   const mounted = mountOn(page, ObjectList);
@@ -448,7 +448,7 @@ describe('the picture on the floor', () => {
     expect(floor()).toEqual(background);
   });
 
-  /** Chooses this file where the browser would ask for one. */
+  /** Picks this file, as in the browser's file dialog. */
   function offering(file: File): void {
     vi.spyOn(HTMLInputElement.prototype, 'click').mockImplementation(function (this: HTMLInputElement) {
       Object.defineProperty(this, 'files', { value: [file] });

@@ -25,7 +25,7 @@ describe('the task as a teacher writes it', () => {
       translations: [{ language: 'fr', title: '', text: 'Démarre.', hints: [] }],
     });
     expect(wordsIn(both, 'fr', 'it', 'Los.').text).toBe('Démarre.');
-    expect(wordsIn(both, 'de', 'it', 'Los.').text).toBe('Los.'); // German is the first, whoever writes
+    expect(wordsIn(both, 'de', 'it', 'Los.').text).toBe('Los.'); // German stays first, whichever language is written
     expect(wordsIn(both, 'it', 'it', 'Los.').text).toBe('');
     expect(after(both, withWords(both, 'fr', 'it', { text: '' })).task).toEqual(course.task);
   });

@@ -5,23 +5,23 @@ import { helps, sceneDefaults, type Help, type Scene, type Task, type TaskCard, 
 /** The task of a course as it is being written. */
 type Course = Pick<Scene, 'name' | 'description' | 'task'>;
 
-/** The words that are written in one language; what is left out stays. */
+/** New texts in one language; those left out stay as they are. */
 export type WordsPart = Partial<Omit<TaskText, 'language'>>;
 
-/** The card of a task, whether or not it says anything yet. */
+/** The card of a task, empty if it has none yet. */
 export const cardOf = ({ task }: Pick<Scene, 'task'>): TaskCard => task.card ?? sceneDefaults.card;
 
-/** The language of title, description and hints; as long as none is said, that of the page. */
+/** The language of title, description and hints; that of the page as long as none is set. */
 export const firstLanguage = (course: Pick<Scene, 'task'>, page: string): string => cardOf(course).language || page;
 
-/** The words in a language, empty where there are none yet. @param text the description as it is shown */
+/** The texts in a language, empty where there are none yet. @param text the description as shown */
 export function wordsIn(course: Course, language: string, page: string, text: string): Omit<TaskText, 'language'> {
   const { title, hints, translations } = cardOf(course);
   if (language === firstLanguage(course, page)) return { title, text, hints };
   return translations.find((one) => one.language === language) ?? { title: '', text: '', hints: [] };
 }
 
-/** Writes words in a language. The text of the first one is the course's description. */
+/** Writes texts in a language. In the first language the description is that of the course. */
 export function withWords(course: Course, language: string, page: string, part: WordsPart): CourseChanges {
   const card = cardOf(course);
   const first = firstLanguage(course, page);
@@ -37,18 +37,18 @@ export function withWords(course: Course, language: string, page: string, part: 
   const translations = isEmpty
     ? others
     : others.toSpliced(at < 0 ? others.length : at, 0, { language, title, text, hints });
-  // From the second language on it has to be said which one the first is.
+  // With a second language it must be recorded which one is the first.
   return { task: withCard(course.task, { ...card, language: first, translations }) };
 }
 
-/** The task with this card; one that says nothing is left out. */
+/** The task with this card, or without one if the card is empty. */
 export function withCard({ card: _old, ...task }: Task, card: TaskCard): Task {
   const language = card.translations.length === 0 ? '' : card.language;
   const next = { ...card, language };
   return isSame(next, sceneDefaults.card) ? task : { ...task, card: next };
 }
 
-/** The task with this help allowed, or not. */
+/** The task with this kind of help allowed or forbidden. */
 export function withHelp({ allows = [], ...task }: Task, help: Help, isAllowed: boolean): Task {
   const wanted = helps.filter((one) => (one === help ? isAllowed : allows.includes(one)));
   return wanted.length === 0 ? task : { ...task, allows: wanted };

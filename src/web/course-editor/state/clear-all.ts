@@ -2,10 +2,10 @@ import type { SceneEdit } from '#scene/edit';
 import { sceneDefaults } from '#scene/scene';
 
 /**
- * Clears a course in one step. Robot, size and picture stay.
+ * Removes all objects of a course in one step. Robot, size and picture stay.
  *
- * @param isReady whether it is a ready course: its task and its rules describe the removed objects, and are
- *   removed, too. The name and an author's own texts stay.
+ * @param isReady whether it is a ready-made course: its task and rules describe the removed objects, so they go, too.
+ *   The name and an author's own texts stay.
  */
 export const clearAll = (isReady: boolean): SceneEdit => {
   const clear = { type: 'clear' } as const;

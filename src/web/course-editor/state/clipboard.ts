@@ -1,6 +1,6 @@
 import type { Clip } from '#editor/clipboard';
 
-/** What was copied last. It stays until something else is, also when another course is opened. */
+/** What was last copied. It stays until something else is copied, even if another course is opened. */
 export class Clipboard {
   private clip: Clip | null = null;
   private pastes = 0;
@@ -14,7 +14,7 @@ export class Clipboard {
     this.pastes = 0;
   }
 
-  /** What is to be pasted, and for which time. `null`: nothing was copied. */
+  /** What to paste, and for how many times by now, this one included. `null`: nothing was copied. */
   next(): { readonly clip: Clip; readonly time: number } | null {
     if (this.clip === null) return null;
     this.pastes += 1;

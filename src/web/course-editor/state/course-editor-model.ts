@@ -13,76 +13,76 @@ import type { LayoutKind } from '../../layout/layout-model';
 import type { SettingsModel } from '../../work/settings/settings-model';
 import type { WorkModel } from '../../work/model/work-model';
 
-/** What acts in the arena: a tool of the editor, or the hand, which reaches into the run. */
+/** What a pointer does in the arena: a tool edits the course, the hand reaches into the run. */
 export type ArenaTool = ToolId | 'hand';
 
-/** The part of the editor that is loaded late, with its first use. */
+/** The part of the editor that is loaded on first use. */
 export interface EditorParts {
-  /** Why an edit would go beyond what a course may hold, or `null`. */
+  /** Why an edit would exceed the limits of a course, or `null`. */
   problemOf(scene: Scene, edit: SceneEdit): SceneProblem | null;
-  /** What happened, in words for screen readers. */
+  /** Says to screen readers what happened. */
   wordsFor(happened: Happened): string;
 }
 
-/** Something that is said to screen readers. */
+/** Something to announce to screen readers. */
 export type Happened =
-  /** `scene`: the course without the edit. */
+  /** `scene`: the course before the edit. */
   | { readonly type: 'edit' | 'undo' | 'redo'; readonly scene: Scene; readonly edit: SceneEdit }
   | { readonly type: 'problem'; readonly problem: SceneProblem }
   | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
   | { readonly type: 'tool'; readonly tool: ArenaTool };
 
-/** What the course editor is doing: chosen tool, its options, selection. Session state, never in a file. */
+/** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
   readonly tool: Readonly<ShallowRef<ArenaTool>>;
   readonly options: Readonly<ShallowRef<ToolOptions>>;
   readonly selection: Readonly<ShallowRef<Selection>>;
-  /** The palette is unfolded. Folded, only the hand acts. */
+  /** Whether the palette is unfolded. While it is folded, only the hand works. */
   readonly isOpen: ComputedRef<boolean>;
-  /** Snapping is off. */
+  /** Whether snapping is off. */
   readonly free: ShallowRef<boolean>;
   /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
-  /** What the course would be if the gesture ended now; `null`: none is under way. It is kept with the work. */
+  /** The course as it would be if the gesture ended now; `null` if none is under way. Saved with the work. */
   readonly unfinished: WorkModel['unfinished'];
-  /** What the ruler measures, world mm; `null`: nothing yet. */
+  /** What the ruler measures, in world mm; `null` for nothing yet. */
   readonly measure: ShallowRef<{ readonly from: Vec; readonly to: Vec } | null>;
-  /** The course that the run began with whose picture is shown; `null` without a run. */
+  /** The course with which the run on show began; `null` without a run. */
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
-  /** The present run does not know all of the course: walls, fixed things, the start. */
+  /** Whether the run has yet to pick up changes that need a new start: walls, fixed things, the robot's start. */
   readonly isWaiting: ComputedRef<boolean>;
-  /** What has just happened, in words. */
+  /** The announcement of what has just happened. */
   readonly said: Readonly<ShallowRef<string>>;
-  /** Why the last edit was not done, or `null`. */
+  /** Why the last edit was refused, or `null`. */
   readonly problem: ShallowRef<SceneProblem | null>;
   readonly clipboard: Clipboard;
   readonly choose: (tool: ArenaTool) => void;
   readonly setOptions: (part: Partial<ToolOptions>) => void;
   readonly select: (selection: Selection) => void;
-  /** Does an edit, as one step that can be taken back, in the course and in the run. Returns whether it was done. */
+  /** Applies an edit to the course and the run, as one step to undo. Returns whether it was accepted. */
   readonly commit: (edit: SceneEdit, select?: Selection) => boolean;
   readonly undo: () => void;
   readonly redo: () => void;
   /** Unfolds the palette, or folds it away. */
   readonly setOpen: (open: boolean) => void;
-  /** Called by what comes late. */
+  /** Called by the part that is loaded on first use. */
   readonly join: (parts: EditorParts) => void;
 }
 
-/** What the editor works with. */
+/** What the editor depends on. */
 export interface EditorSurroundings {
   readonly work: WorkModel;
   readonly settings: SettingsModel;
   readonly kind: Readonly<ShallowRef<LayoutKind>>;
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
-  /** A run is under way. */
+  /** Whether a run is under way. */
   readonly isActive: Readonly<ShallowRef<boolean>>;
 }
 
-/** Makes the course editor's state; it lives as long as the app. */
+/** Creates the course editor's state, which lives as long as the app. */
 export function createCourseEditor(around: EditorSurroundings): CourseEditorModel {
   const editor = new CourseEditor(around);
-  // Removed objects cannot stay selected.
+  // Removed objects must not stay selected.
   watch(around.work.scene, (scene) => editor.forgetGone(scene), { flush: 'sync' });
   watch(around.work.openings, () => editor.reset());
   onScopeDispose(
@@ -94,7 +94,7 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
   return editor;
 }
 
-/** Its functions can be handed on alone. */
+/** Its functions do not use `this` and can be passed on alone. */
 class CourseEditor implements CourseEditorModel {
   readonly tool = shallowRef<ArenaTool>('hand');
   readonly options = shallowRef<ToolOptions>(usualToolOptions);
@@ -115,7 +115,7 @@ class CourseEditor implements CourseEditorModel {
     const { settings, kind, work, runStart, isActive } = around;
     this.runStart = runStart;
     this.unfinished = work.unfinished;
-    // A phone has room for the arena first; elsewhere the tools are in sight.
+    // On a phone the arena needs the room; elsewhere the tools are shown.
     this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
     this.isWaiting = computed(
       () => isActive.value && runStart.value !== null && waitsForStart(runStart.value, work.scene.value),
@@ -169,11 +169,11 @@ class CourseEditor implements CourseEditorModel {
   readonly join = (parts: EditorParts): void => {
     const isFirst = this.parts === null;
     this.parts = parts;
-    // The tool that brought them has been chosen already.
+    // The tool for which they were loaded has already been chosen.
     if (isFirst && this.tool.value !== 'hand') this.tell({ type: 'tool', tool: this.tool.value });
   };
 
-  /** Deselects what a course does not have. */
+  /** Deselects what is not in a course. */
   forgetGone(scene: Scene): void {
     const { ids, robot } = this.selection.value;
     if (ids.length === 0) return;
@@ -182,7 +182,7 @@ class CourseEditor implements CourseEditorModel {
     if (left.length < ids.length) this.selection.value = { ids: left, robot };
   }
 
-  /** For another course. */
+  /** Starts afresh for another course. */
   reset(): void {
     this.selection.value = nothingSelected;
     this.drag.value = null;
@@ -190,14 +190,14 @@ class CourseEditor implements CourseEditorModel {
     this.problem.value = null;
   }
 
-  /** Says what happened. */
+  /** Announces what happened. */
   tell(happened: Happened): void {
     const words = this.parts?.wordsFor(happened) ?? '';
-    // Screen readers announce the same words again only if something in them differs.
+    // Screen readers repeat a text only if something in it differs.
     this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;
   }
 }
 
-/** Whether two selections hold the same. */
+/** Whether two selections are equal. */
 export const isSameSelection = (one: Selection, other: Selection): boolean =>
   one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);

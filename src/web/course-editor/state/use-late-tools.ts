@@ -4,8 +4,8 @@ import type { LayoutParts } from '../../layout/parts';
 import type { CourseEditorParts } from './parts';
 
 /**
- * Whether palette, undo and keys may load now: where they are in sight, once the page has nothing more urgent to do,
- * otherwise on request. Everything else they need comes with the first tool.
+ * Whether palette, undo and shortcuts may load now: if they are visible, as soon as the page is idle, otherwise on
+ * demand. Everything else they need is loaded with the first tool.
  */
 export function useLateTools({
   editor,
@@ -16,7 +16,7 @@ export function useLateTools({
     mayCome.value = true;
   };
   function soon(): void {
-    const { requestIdleCallback }: Partial<Pick<Window, 'requestIdleCallback'>> = window; // Safari has none
+    const { requestIdleCallback }: Partial<Pick<Window, 'requestIdleCallback'>> = window; // missing in Safari
     if (requestIdleCallback === undefined) setTimeout(come, 300);
     else requestIdleCallback.call(window, come, { timeout: 1500 });
   }

@@ -2,10 +2,10 @@ import { computed, onBeforeUnmount, onMounted, shallowRef, type ComputedRef, typ
 
 import type { LayoutKind } from '../../layout/layout-model';
 
-/** How the palette lies: see `ToolPalette.vue`. */
+/** The layout of the palette: see `ToolPalette.vue`. */
 export type PaletteForm = 'words' | 'icons' | 'pairs' | 'threes' | 'fours' | 'strip';
 
-/** How many tools lie side by side. */
+/** How many tools are side by side. */
 export const PALETTE_COLUMNS: Readonly<Record<PaletteForm, number>> = {
   words: 1,
   icons: 1,
@@ -15,7 +15,7 @@ export const PALETTE_COLUMNS: Readonly<Record<PaletteForm, number>> = {
   strip: 6,
 };
 
-/** Width of the palette in px; height of the strip. */
+/** Width of the palette in px; of the strip, its height. */
 export const PALETTE_PX: Readonly<Record<PaletteForm, number>> = {
   words: 84,
   icons: 58,
@@ -25,18 +25,18 @@ export const PALETTE_PX: Readonly<Record<PaletteForm, number>> = {
   strip: 98,
 };
 
-/** So many tools there are, each at least this high. */
+/** The number of tools, and the least height of each. */
 const TOOLS = 12;
 const TOOL_PX = 44;
-/** Height of all tools one below the other, in px: with four lines between them, and the edge. */
+/** Height of all tools in one column, in px, with the four lines between them and the border. */
 const COLUMN_PX = TOOLS * TOOL_PX + 4 * 3 + 8;
 const EDGES_PX = 8;
-/** As many columns as it takes, and no more than a part of the arena. */
+/** As many columns as it takes, but no more than a share of the arena. */
 const GRIDS = ['pairs', 'threes', 'fours'] as const;
-/** Least width that can spare the room for names: with less the course would be smaller for them. Chosen by eye. */
+/** The least width that leaves room for names: below it they would make the course smaller. Chosen by eye. */
 const NAMES_PX = 752;
 
-/** Suits the palette to the room beside the arena, so that all tools are in sight wherever they can be. */
+/** Fits the palette to the room beside the arena, so that all tools are visible wherever possible. */
 export function paletteForm(
   kind: LayoutKind,
   room: { readonly widthPx: number; readonly heightPx: number },
@@ -47,7 +47,7 @@ export function paletteForm(
   return GRIDS.find((form) => PALETTE_COLUMNS[form] * rows >= TOOLS) ?? 'fours';
 }
 
-/** Follows the size of what holds palette and arena. */
+/** Follows the size of the element that holds palette and arena. */
 export function usePaletteForm(
   host: Readonly<ShallowRef<HTMLElement | null>>,
   kind: Readonly<ShallowRef<LayoutKind>>,

@@ -7,7 +7,7 @@ import { useHardware } from '../../work/hardware/use-hardware';
 import type { WorkParts } from '../../work/model/parts';
 import type { CourseEditorParts } from './parts';
 
-/** What can be done with what is selected in the arena. */
+/** The actions for what is selected in the arena. */
 export function useSelectionActs(app: WorkParts & Pick<CourseEditorParts, 'editor'>) {
   const { editor, work } = app;
   const hardware = useHardware(app);

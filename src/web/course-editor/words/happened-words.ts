@@ -16,7 +16,7 @@ export function wordsFor(happened: Happened): string {
   switch (happened.type) {
     case 'edit':
       return editWords(happened);
-    // What was taken back is what had been done, not its reverse.
+    // Name what had been done, not its reverse.
     case 'undo':
       return say(texts.undone, { what: editWords(happened) });
     case 'redo':

@@ -9,7 +9,7 @@ import { editorWords as words } from './editor-words';
 
 const texts = words.where;
 
-/** mm as cm with at most one decimal. */
+/** Converts mm to cm, with at most one decimal. */
 export const cm = (mm: number): number => Math.round(mm) / 10;
 
 /** A place in cm: `10 | 20`. */
@@ -18,11 +18,11 @@ export function placeText([x, y]: Point): string {
   return `${numberText(cm(x), language)} | ${numberText(cm(y), language)}`;
 }
 
-/** One of a kind by its name, several with their count: `Wand`, `3 Wände`. */
+/** A single object by the name of its kind, several with their number: `Wand`, `3 Wände`. */
 export const countText = (kind: Kind, count: number): string =>
   count === 1 ? say(words.kinds[kind].one) : `${String(count)} ${say(words.kinds[kind].many)}`;
 
-/** What each object is called: `Wand 3`; a checkpoint has its own number, a text its words. */
+/** What each object is called: `Wand 3`. A checkpoint goes by its own number, a label by its text. */
 export function namesOf(scene: Scene): ReadonlyMap<string, string> {
   const counts = new Map<string, number>();
   return new Map(
@@ -39,11 +39,11 @@ function nameOf(object: SceneObject, count: number): string {
   return kindWords[object.type].name?.(object, kind) ?? `${kind} ${String(count)}`;
 }
 
-/** What is said of the objects of a kind. */
+/** How the objects of a kind are named and located. */
 interface KindWords<O extends AnyObject = SceneObject> {
-  /** What one is called, when not by its place among those of its kind. `kind`: what the kind is called. */
+  /** An object's name, unless it is numbered among its kind. `kind`: the name of the kind. */
   name?(object: O, kind: string): string;
-  /** Where one is. */
+  /** Where an object is. */
   where(object: O): string;
 }
 
@@ -51,7 +51,7 @@ const box: KindWords<Extract<SceneObject, { readonly size: unknown }>> = {
   where: ({ at, size }) => say(texts.sizeAt, { x: cm(size[0]), y: cm(size[1]), at: placeText(at) }),
 };
 
-/** What is said of each kind of object. */
+/** How each kind of object is named and located. */
 export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
   wall: { where: ({ from, to }: Wall) => fromTo(from, to) },
   stroke: {

@@ -10,10 +10,10 @@ import { editorWords as words } from './editor-words';
 
 const texts = editingWords.problems;
 
-/** Whether a problem is worth a hint: a line that was drawn twice looks the same, and sensors read the same. */
+/** Whether a problem is worth a hint. A line drawn twice is not: it looks the same, and sensors read the same. */
 const isWorthTelling = ({ code, params }: RuleProblem): boolean => !(code === 'covered' && params['kind'] === 'stroke');
 
-/** What in a course is hardly intended and worth a hint. */
+/** The likely mistakes in a course that are worth a hint. */
 export const problemsOf = (scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] =>
   findProblems(scene, footprint).filter(isWorthTelling);
 
@@ -31,7 +31,7 @@ export function problemWords({ code, params, ids }: RuleProblem, scene: Scene): 
   });
 }
 
-/** A name inside a sentence: in German only an adjective before it begins with a small letter. */
+/** A name within a sentence: in German, nouns keep their capital, and only a leading adjective loses it. */
 function inSentence(name: string): string {
   const isSmall = shownLanguage() !== 'de' || name.includes(' ');
   return isSmall ? name.charAt(0).toLowerCase() + name.slice(1) : name;

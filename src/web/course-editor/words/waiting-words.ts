@@ -6,19 +6,18 @@ import { editorWords as words } from './editor-words';
 
 const texts = words.waiting;
 
-/** Most kinds of things that are named. Chosen: what fits on a line of a phone. */
+/** The most kinds of objects that are named. Chosen: what fits on one line of a phone. */
 const MOST_NAMED = 2;
 
 /**
- * A sentence on the parts of a course that take effect only at the run's next start. `start`: the course as the run
- * began with it.
+ * A sentence about the changes that take effect only at the next start. `start`: the course with which the run began.
  */
 export function waitingWords(start: Scene, now: Scene): string {
   const { coming, going, robot, arena } = pendingChanges(start, now);
   const ids = new Set(coming.map(({ id }) => id));
   const counts = new Map<SceneObject['type'], number>();
   for (const { type } of [...coming, ...going.filter(({ id }) => !ids.has(id))])
-    counts.set(type, (counts.get(type) ?? 0) + 1); // something changed is both removed and added: it is named once
+    counts.set(type, (counts.get(type) ?? 0) + 1); // a changed object counts as both removed and added: name it once
   const names = [...counts].map(([type, count]) => say(words.kinds[type][count === 1 ? 'one' : 'many']));
   if (robot) names.push(say(texts.start));
   if (arena) names.push(say(texts.size));

@@ -9,7 +9,7 @@ import { wordsFor } from './happened-words';
 import { namesOf, whereText } from './object-words';
 import { problemsOf, problemWords } from './problem-words';
 
-// The words are those of the page's language.
+// The texts are in the page's language.
 beforeAll(async () => {
   globalThis.document ??= { documentElement: {} } as Document;
   await setLanguage('de');
