@@ -12,6 +12,8 @@ declare namespace WebAssembly {
   class Global {
     value: number;
   }
+  /** What a compiled program throws that does what it must not. */
+  class RuntimeError extends Error {}
   class Instance {
     constructor(module: Module, imports: Readonly<Record<string, Readonly<Record<string, unknown>>>>);
     readonly exports: Readonly<Record<string, unknown>>;
