@@ -1,7 +1,7 @@
 // Errors of Python are caught inside the firmware. The published build was made for engines without exceptions: from a
 // function that may catch something, every call goes through a function of the host, which calls back and catches what
-// C's longjmp throws. The interpreter is such a function, so that was two changes of side for most bytecodes, a third
-// of a program's time. Engines have had exceptions since 2022 (Chrome 95, Firefox 100, Safari 15.2).
+// C's longjmp throws. The interpreter is such a function, so that was two changes of side for most bytecodes. Engines
+// have had exceptions since 2022 (Chrome 95, Firefox 100, Safari 15.2).
 import binaryen from 'binaryen';
 
 const { i32, none } = binaryen;
