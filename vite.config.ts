@@ -229,10 +229,12 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
 
 /**
  * What comes as one file, as it is needed at one time. All that the page needs at once: parted among the many late lists
- * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars.
+ * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars, and the drawings
+ * of the kinds of objects.
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
+  { name: 'picture-kinds', test: /\/arena\/picture\/(kinds\/|scene-kinds|draw-(outline|background|waiting)\.ts)/ },
   {
     name: 'editor-bars',
     test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon|words\/(editor-words\.ts|\w+\.json))/,
