@@ -19,8 +19,8 @@ const isKept = (name: string): boolean =>
 
 /** What the verdict says in a language when a course is passed. */
 function passedIn(language: Language): string {
-  const words = new URL(`../src/web/arena/words/verdict/${language}.json`, import.meta.url);
-  return (JSON.parse(readFileSync(words, 'utf8')) as { readonly passed: string }).passed;
+  const words = new URL(`../src/web/page/words/${language}.json`, import.meta.url);
+  return (JSON.parse(readFileSync(words, 'utf8')) as { readonly verdict: { readonly passed: string } }).verdict.passed;
 }
 
 async function beginnerAt(page: Page, language: Language): Promise<Beginner> {
