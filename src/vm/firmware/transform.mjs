@@ -2,7 +2,6 @@
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
-import { catchInside } from './catch-inside.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
@@ -82,7 +81,6 @@ export function transform(published, report) {
   binaryen.setShrinkLevel(0);
   binaryen.setPassArgument('asyncify-imports', 'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick');
   const result = build(metered, ['asyncify']);
-  catchInside(result);
   report('optimising');
   result.optimize();
   const bytes = result.emitBinary();

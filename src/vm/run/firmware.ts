@@ -3,9 +3,12 @@ import { formatSingle, parseSingle } from './single-float-text';
 import type { Value } from './syscall';
 import { Memory, VALUE_BYTES } from './values';
 
+type TableFunction = (...args: readonly number[]) => number;
+
 /** What the firmware exports: MicroPython's own entries and those that the build step added (../firmware/transform.mjs). */
 export interface Firmware {
   readonly memory: WebAssembly.Memory;
+  readonly __indirect_function_table: { get(index: number): TableFunction };
   malloc(bytes: number): number;
   free(address: number): void;
   /** pystack in words, heap in bytes. */
@@ -21,7 +24,9 @@ export interface Firmware {
   queued(): number;
   /** Raises the exception object at this address at the program's next jump. */
   set_pending(exception: number): void;
+  emscripten_stack_get_current(): number;
   _emscripten_stack_restore(address: number): void;
+  setThrew(threw: number, value: number): void;
   __wasm_call_ctors(): void;
   emscripten_stack_init(): void;
   asyncify_start_unwind(buffer: number): void;
@@ -40,8 +45,6 @@ export interface Firmware {
   readonly program_start: WebAssembly.Global;
   /** End of what the library has filled: from then on a collection goes through the program's part alone. */
   readonly library_end: WebAssembly.Global;
-  /** Memory for the levels at which errors are caught (../firmware/catch-inside.mjs). */
-  readonly catch_levels: WebAssembly.Global;
   /** Start of the C stack (it grows downwards); the collector scans from the stack pointer to here. */
   readonly stack_base: WebAssembly.Global;
   /** A block of the heap that is freed when memory runs out, for the error itself (heap.ts); 0 once it is used. */
@@ -77,6 +80,7 @@ export interface FirmwareHost {
 /** The reference of the `_hal` object at the boundary; its functions have the references after it. */
 export const HAL_REFERENCE = 100;
 
+const REWINDING = 2;
 const ENOSYS = 52; // WASI error numbers, as the C library of the firmware has them
 const EROFS = 69;
 
@@ -90,7 +94,8 @@ export function instantiateFirmware(
   module: WebAssembly.Module,
   loader: (memory: () => Memory) => Loader,
 ): { readonly firmware: Firmware; readonly memory: Memory; readonly serve: (host: FirmwareHost) => void } {
-  const loaded: { memory?: Memory; host?: FirmwareHost } = {};
+  const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost } = {};
+  const running = (): Firmware => loaded.firmware ?? notLoaded();
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const host = (): FirmwareHost => loaded.host ?? notLoaded();
   const files = loader(inMemory);
@@ -101,12 +106,12 @@ export function instantiateFirmware(
       collected: () => host().collected(),
       ...decimals(inMemory),
     },
-    env: { ...boundary(inMemory, host), ...files.environment, ...system(host) },
+    env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
   const firmware = new WebAssembly.Instance(module, imports).exports as unknown as Firmware;
   const memory = new Memory(firmware.memory.buffer, (bytes) => firmware.malloc(bytes));
-  loaded.memory = memory;
+  Object.assign(loaded, { firmware, memory });
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
   return { firmware, memory, serve: (given) => void (loaded.host = given) };
@@ -121,6 +126,52 @@ const decimals = (memory: () => Memory): HostFunctions => ({
 
 function notLoaded(): never {
   throw new Error('The firmware is not loaded yet.');
+}
+
+/**
+ * Calls through the function table that catch what C's longjmp throws (any number; ours and the engine's errors are
+ * objects and pass). When a suspended call is resumed, the stack pointer is already at the deep place. So the one saved
+ * on entry is kept per nesting depth; otherwise each exception caught after a suspension would leak C stack.
+ */
+function invokers(running: () => Firmware, memory: () => Memory): HostFunctions {
+  const stackAt: number[] = [];
+  const functions: TableFunction[] = []; // asking the table each time takes 3 % of a run
+  let depth = 0;
+  const enter = (index: number): TableFunction => {
+    const firmware = running();
+    if (firmware.asyncify_get_state() !== REWINDING) stackAt[depth] = firmware.emscripten_stack_get_current();
+    depth++;
+    return (functions[index] ??= firmware.__indirect_function_table.get(index));
+  };
+  const caught = (thrown: unknown, level: number): number => {
+    // Remains of frames in the C stack would keep dead objects alive: later frames cover them without filling them, and
+    // the collector takes any word there for a pointer.
+    memory().bytes.fill(0, running().emscripten_stack_get_current(), stackAt[level]);
+    running()._emscripten_stack_restore(stackAt[level] ?? 0);
+    if (typeof thrown !== 'number') throw thrown;
+    running().setThrew(1, 0);
+    return 0;
+  };
+  // Five arguments for all functions. A function ignores those it does not take, and no array is built.
+  const invoke = (index: number, a: number, b: number, c: number, d: number, e: number): number => {
+    const level = depth;
+    try {
+      return enter(index)(a, b, c, d, e);
+    } catch (thrown) {
+      return caught(thrown, level);
+    } finally {
+      depth = level;
+    }
+  };
+  const names = ['v', 'vi', 'vii', 'viii', 'viiii', 'i', 'ii', 'iii', 'iiii', 'iiiii', 'iiiiii'];
+  const throwNumber = (): never => {
+    // eslint-disable-next-line @typescript-eslint/only-throw-error -- the contract of the C library: a number, not an error
+    throw Infinity;
+  };
+  return {
+    ...Object.fromEntries(names.map((name) => [`invoke_${name}`, invoke])),
+    _emscripten_throw_longjmp: throwNumber,
+  };
 }
 
 /** The place where Python meets the host: one object, `_hal`, whose attributes are functions. Everything else is refused. */

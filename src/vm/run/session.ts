@@ -36,8 +36,6 @@ const HEAP_BYTES = 192 * 1024;
 const PYSTACK_WORDS = 16 * 1024;
 /** The C stack. Larger than MicroPython may use (../firmware/transform.mjs), for the calls it makes at the limit. */
 const STACK_BYTES = 256 * 1024;
-/** A word for each level at which errors may be caught. Below each lies a C function with a buffer of 192 bytes. */
-const CATCH_BYTES = 4 * Math.ceil(STACK_BYTES / 192);
 
 const BOOT = "import sys\nsys.path[:]=['/lib']\ndel sys\n_run=__import__('_boot').run";
 const PROGRAM = '_run()';
@@ -225,8 +223,8 @@ export class Session {
   /** Starts MicroPython with a C stack and a heap. */
   private startFirmware(): void {
     const { firmware, memory } = this;
-    const base = (firmware.malloc(STACK_BYTES) + STACK_BYTES) & -STACK_ALIGNMENT;
-    firmware.catch_levels.value = firmware.malloc(CATCH_BYTES);
+    const stack = firmware.malloc(STACK_BYTES);
+    const base = stack + STACK_BYTES;
     // The last words do not belong to a frame: the heap holds its reserve by one of them.
     firmware._emscripten_stack_restore(base - STACK_ALIGNMENT);
     memory.bytes.fill(0, base - STACK_ALIGNMENT, base);
