@@ -19,6 +19,7 @@ export function collectProgramAlone(module) {
   module.functions.set('shift_heap', shiftHeap(area));
   module.functions.set('narrow_heap', narrowHeap(area));
   module.functions.set('mark_from_library', markFromLibrary(area, mark));
+  module.functions.set('used_blocks', usedBlocks(area));
   keepLibraryWhole(module, area);
   const narrowed = `(local.set $shift (call $narrow_heap)) ${text.slice(bodyStart(text))}`.replace(
     /\(call \$(\S+)\) \(call \$collected\)/,
@@ -132,6 +133,27 @@ const narrowHeap = (area) => `(func $narrow_heap (result i32) (local $blocks i32
     (then (i32.store (i32.const ${area + Area.lastUsed}) (local.get $blocks))))
   (call $shift_heap (local.get $blocks))
   (local.get $blocks))`;
+
+/** How many blocks of the program's part are in use. */
+const usedBlocks = (area) => `(func $used_blocks (result i32)
+  (local $at i32) (local $end i32) (local $kinds i32) (local $used i32)
+  (local.set $at (i32.add
+    (i32.load (i32.const ${area + Area.table}))
+    (i32.shr_u
+      (i32.sub (global.get $program_start) (i32.load (i32.const ${area + Area.pool})))
+      (i32.const 6))))
+  (local.set $end (i32.add
+    (local.get $at)
+    (i32.shr_u (i32.sub (global.get $heap_end) (global.get $program_start)) (i32.const 6))))
+  (loop $next
+    (local.set $kinds (i32.load8_u (local.get $at)))
+    (local.set $used (i32.add (local.get $used) (i32.popcnt (i32.and
+      (i32.or (local.get $kinds) (i32.shr_u (local.get $kinds) (i32.const 1)))
+      (i32.const 0x55)))))
+    (br_if $next (i32.lt_u
+      (local.tee $at (i32.add (local.get $at) (i32.const 1)))
+      (local.get $end))))
+  (local.get $used))`;
 
 /** What words of the library point to in the program's part stays. */
 const markFromLibrary = (area, mark) => `(func $mark_from_library (param $blocks i32)

@@ -25,6 +25,8 @@ describe('work inside one call of MicroPython’s C', () => {
     ["S[:50].find('x')", "S.find('x')", 3, 11],
     ["','.join(['ab'] * 30)", "','.join(['ab'] * 300)", 4, 11],
     ['bytes(S, "ascii") * 2', 'bytes(S, "ascii") * 20', 4, 11],
+    ['S[:50].format()', 'S.format()', 4, 11],
+    ['S[:50] % ()', 'S % ()', 4, 11],
     ['B * 3 ** 10', 'B * B', 4, 60],
     ['str(3 ** 100)', 'str(B)', 15, 120],
   ])('takes longer the more it is: %s and %s', (little, much, least, most) => {
@@ -32,6 +34,22 @@ describe('work inside one call of MicroPython’s C', () => {
     const ratio = (usOf(much) - empty) / (usOf(little) - empty);
     expect(ratio).toBeGreaterThan(least);
     expect(ratio).toBeLessThan(most);
+  });
+
+  it('takes some 30 µs to write a decimal number', () => {
+    expect(usOf('str(1.5)') - usOf("str('a')")).toBeGreaterThan(25);
+    expect(usOf('str(1.5)') - usOf("str('a')")).toBeLessThan(60);
+  });
+
+  it('takes longer for a collection that is asked for, the more lives', () => {
+    const usToCollect = (lives: string): number =>
+      Number(runProgram(`${TAKEN}import gc\nL = S = B = None\nX = ${lives}\nprint(us(gc.collect))`).console);
+    const little = usToCollect('None');
+    const much = usToCollect('[[n] for n in range(500)]');
+    expect(little).toBeGreaterThan(1000);
+    expect(little).toBeLessThan(2000);
+    expect(much - little).toBeGreaterThan(900);
+    expect(much - little).toBeLessThan(2500);
   });
 
   it('can be suspended in the middle, and comes to the same end at the same time', () => {
