@@ -1,5 +1,6 @@
 import { readFileSync } from 'node:fs';
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Subject } from './subject';
 
@@ -108,7 +109,7 @@ export const apiCallsSubject: Subject<undefined> = {
 async function factorOf(call: string, firmware: WebAssembly.Module): Promise<number> {
   const files = { 'main.py': PROGRAM(call) };
   const setup = { scene: defaultScene(), files, robot: 'none', board: 'auto', seed: 1, reality: 0 };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(SET_UP_US);
   const startMs = performance.now();
   let us = 0;

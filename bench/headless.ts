@@ -3,7 +3,8 @@ import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'no
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { parseScene } from '#scene/parse';
-import { defaultScene, type Scene } from '#scene/scene';
+import { defaultScene, type Scene, type Stroke } from '#scene/scene';
+import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
@@ -39,6 +40,8 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
     { atLeast: 100, of: 'real time' },
     () => bestFactor(`${FOLLOWER}    delay(10)\n`, fullCourse(closedLine()), 60),
   ),
+  speed('headless, four Maqueen Lite on four lines', { atLeast: 30, of: 'real time' }, () => bestOf(onLines(4), 60)),
+  speed('headless, eight Maqueen Lite on eight lines', { atLeast: 15, of: 'real time' }, () => bestOf(onLines(8), 30)),
   speed('headless, CPU-bound loop (while i<n: i+=1)', { atLeast: 15, of: 'the real board' }, () =>
     bestFactor(COUNTER, defaultScene(), 20),
   ),
@@ -72,13 +75,46 @@ function closedLine(): Scene {
   throw new Error(`${path}: ${parsed.problem}`);
 }
 
+/** Robots that each follow a line of their own. */
+function onLines(count: number): RunSetup {
+  const [width, height] = [700, 500];
+  const cornerOf = (n: number) => [100 + (n % 4) * (width + 100), 100 + (n >> 2) * (height + 100)] as const;
+  const lines = Array.from({ length: count }, (_, n): Stroke => {
+    const [x, y] = cornerOf(n);
+    const [right, top, cut] = [x + width, y + height, 120];
+    const points = [
+      [x + cut, y],
+      [right - cut, y],
+      [right, y + cut],
+      [right, top - cut],
+      [right - cut, top],
+      [x + cut, top],
+      [x, top - cut],
+      [x, y + cut],
+      [x + cut, y],
+    ] as const;
+    return { type: 'stroke', id: `line ${n}`, points, width: 20, color: 'black' };
+  });
+  const scene = { ...defaultScene(), size: [3300, 1300] as const, objects: lines };
+  const robots = lines.map((_, n): DeviceSetup => {
+    const [x, y] = cornerOf(n);
+    const start = { type: null, at: [x + width / 2, y] as const, heading: 0, scale: 1, options: {} };
+    const files = { 'main.py': `${FOLLOWER}    delay(10)\n` };
+    return { name: `robot ${n}`, files, robot: 'maqueen-lite', board: 'auto', start };
+  });
+  return { scene, devices: robots as unknown as RunSetup['devices'], seed: 1, reality: 0 };
+}
+
 /** Simulated seconds per second of wall time. */
-async function bestFactor(program: string, scene: Scene, seconds: number): Promise<number> {
+function bestFactor(program: string, scene: Scene, seconds: number): Promise<number> {
+  const files = { 'main.py': program };
+  return bestOf(soloRun({ scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0 }), seconds);
+}
+
+async function bestOf(setup: RunSetup, seconds: number): Promise<number> {
   const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
   let best = 0;
   for (let round = 0; round < ROUNDS; round++) {
-    const files = { 'main.py': program };
-    const setup = { scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0 };
     const simulation = await Simulation.create(setup, firmware);
     const startMs = performance.now();
     simulation.advanceTo(seconds * 1_000_000);

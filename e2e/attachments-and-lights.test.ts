@@ -397,11 +397,12 @@ tell("set down")
     finds: [/lifted/, /set down/, /ZeroDivisionError/],
   },
 ];
+import { soloRun } from '#simulation/run-setup';
 
 for (const { robot, what, options, program, finds } of PROBES) {
   test(`${what}, like a used one (0.7, number 3), does the same bit for bit as in Node`, async ({ app }) => {
     if (!('scene' in ARENA)) throw new Error(ARENA.problem);
-    const setup = {
+    const setup = soloRun({
       scene: ARENA.scene,
       files: { 'main.py': program },
       robot,
@@ -409,7 +410,7 @@ for (const { robot, what, options, program, finds } of PROBES) {
       seed: 3,
       robotOptions: options,
       reality: 0.7,
-    };
+    });
     const run = { setup, untilMs: 16_000 };
     const inNode = await runInNode(run);
     for (const part of finds) expect(inNode.console).toMatch(part);

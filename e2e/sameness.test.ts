@@ -3,6 +3,7 @@ import { parseScene } from '../src/scene/parse';
 import { defaultScene } from '../src/scene/scene';
 import type { InputAction, InputEvent } from '../src/simulation/input';
 import { expect, test } from './app';
+import { convoyOf } from '../src/simulation/testing/convoy';
 import { runInNode } from './in-node';
 
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
@@ -24,7 +25,7 @@ for (const { folder, forMs, seed, traceHash } of runs) {
     const parsed = parseScene(read(`${folder}/scene.json`));
     if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
     const files = { 'main.py': read(`${folder}/main.py`) };
-    const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0 };
+    const setup = soloRun({ scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0 });
     await app.goto(PROBE);
     const result = await app.evaluate(({ run, untilMs }) => window.probe(run, untilMs), { run: setup, untilMs: forMs });
     expect(result.traceHash).toBe(traceHash);
@@ -62,6 +63,7 @@ for n in range(40):
 tell(temperature(), display.read_light_level(), accelerometer.get_strength(), sum(math.sqrt(i) for i in range(99)))
 1 / 0
 `;
+import { soloRun } from '#simulation/run-setup';
 const at = (ms: number, action: InputAction): InputEvent => ({ timeUs: ms * 1000, action });
 const HANDS: readonly InputEvent[] = [
   at(200, { type: 'button', button: 'a', down: true }),
@@ -80,7 +82,15 @@ test('a program with display, music, radio, gestures and chance says the same at
   app,
 }) => {
   const files = { 'main.py': ALL_AT_ONCE };
-  const setup = { scene: defaultScene(), files, robot: 'none', board: 'auto', seed: 3, reality: 0, inputs: HANDS };
+  const setup = soloRun({
+    scene: defaultScene(),
+    files,
+    robot: 'none',
+    board: 'auto',
+    seed: 3,
+    reality: 0,
+    inputs: HANDS,
+  });
   const run = { setup, untilMs: 8000 };
   const inNode = await runInNode(run);
   for (const part of ['beat', "'shake'", 'hello', 'ZeroDivisionError']) expect(inNode.console).toContain(part);
@@ -88,3 +98,12 @@ test('a program with display, music, radio, gestures and chance says the same at
   await app.goto(PROBE);
   expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
 });
+
+for (const count of [2, 4, 8])
+  test(`${count} devices that talk by radio and drive around each other do the same as in Node`, async ({ app }) => {
+    const run = { setup: convoyOf(count, { reality: count === 4 ? 0.5 : 0 }), untilMs: 6000 };
+    const inNode = await runInNode(run);
+    for (const part of ['ahead', 'near']) expect(inNode.console).toContain(part);
+    await app.goto(PROBE);
+    expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
+  });

@@ -11,10 +11,12 @@ export interface ProbeTask {
 /** What came of it. */
 export interface ProbeResult {
   readonly traceHash: string;
+  /** Of all devices, one after the other. */
   readonly console: string;
   readonly timeUs: number;
-  readonly heapFree: number;
-  /** All that the board said to its surroundings, in order: sounds, radio packets and rows of the data log, as JSON. */
+  /** Of each device. */
+  readonly heapFree: readonly number[];
+  /** All that the boards said to its surroundings, in order: sounds, radio packets and rows of the data log, as JSON. */
   readonly told: readonly string[];
 }
 

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 
 import type { Print } from './example';
@@ -23,7 +24,7 @@ export async function main(print: Print): Promise<void> {
     seed: 1,
     reality: 0,
   };
-  const run = await Simulation.create(setup, firmware);
+  const run = await Simulation.create(soloRun(setup), firmware);
   run.advanceTo(3_000_000);
   const { robot } = run.snapshot();
   print(`at x = ${Math.round(robot?.pose.xMm ?? 0)} mm, y = ${Math.round(robot?.pose.yMm ?? 0)} mm`);

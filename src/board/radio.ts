@@ -113,13 +113,13 @@ export class Radio {
   }
 
   /** Receives a packet, cut to the longest length. It is lost while the radio is off or the queue is full. */
-  receive(packet: Uint8Array): void {
+  receive(packet: Uint8Array, rssiDbm = RSSI_DBM): void {
     if (!this.active) return;
     const bytes = packet.slice(0, this.active.length);
     const used = this.waiting.reduce((sum, message) => sum + message.bytes.length + OVERHEAD_BYTES, 0);
     const room = (this.active.length + OVERHEAD_BYTES) * this.active.queue;
     if (used + bytes.length + OVERHEAD_BYTES > room) return;
-    this.waiting.push({ bytes, rssiDbm: RSSI_DBM, timeUs: this.clock.nowUs });
+    this.waiting.push({ bytes, rssiDbm, timeUs: this.clock.nowUs });
   }
 
   /** The oldest waiting message; it stays in the queue. */

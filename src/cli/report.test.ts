@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { rounded } from '#simulation/report';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceHeader, traceLine } from './trace-csv';
@@ -118,6 +118,7 @@ describe('the line about the task', () => {
 
 describe('the trace file', () => {
   const row = {
+    device: '1',
     timeUs: 20_000,
     xMm: 100.12345,
     yMm: 50,

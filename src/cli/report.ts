@@ -10,7 +10,7 @@ import {
 } from '#simulation/report';
 import type { Ended, Simulation } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** How a run ended, as a word for programs; `time-limit`: its program went on. */
 export type RunEndedWord = EndedWord | 'time-limit';

@@ -10,6 +10,7 @@ import { reasonOf } from './reason-of';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
+import { soloRun } from '#simulation/run-setup';
 
 /** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
 const DEFAULT_LIMIT_US = 600_000_000;
@@ -45,7 +46,7 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
-      setup: {
+      setup: soloRun({
         scene,
         files,
         inputs,
@@ -55,7 +56,7 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
         robotOptions,
         ...traits,
         keepTrace: trace !== null,
-      },
+      }),
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,

@@ -11,7 +11,7 @@ import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 import type { RunPhase, Speed } from '#simulation/pace';
 import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** The parts of the page that a host can show. `tools`: the course editor's beside the arena. */
 export const PARTS = ['bar', 'code', 'board', 'arena', 'tools', 'console'] as const;

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { parseSceneValue } from '#scene/parse';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 
 let firmware: WebAssembly.Module;
@@ -32,7 +33,7 @@ async function run(program: string, seconds: number, setting: Setting = {}) {
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   const files = { 'main.py': `from simrobot import *\n${program}` };
   const setup = { scene: parsed.scene, files, robot, board: 'auto', seed: 1, reality: 0, robotOptions: options };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   if (press) {
     simulation.advanceTo(seconds * 500_000);
     simulation.input({ type: 'button', button: press, down: true });

@@ -7,6 +7,7 @@ import { findRobot } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import { plainTraits, traitLimits, type Traits } from '#robots/traits';
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { fitTraits } from './fit';
 import { missMm } from './miss';
@@ -64,7 +65,7 @@ async function driven(program: string, { type, traits, reality = 0, seed = 1 }: 
   };
   const files = { 'main.py': `from ${type.modules[0] ?? ''} import *\n${program}\n` };
   const setup = { scene, files, robot: type.id, board: type.board, seed, reality };
-  const simulation = await Simulation.create(traits === undefined ? setup : { ...setup, traits }, firmware);
+  const simulation = await Simulation.create(soloRun(traits === undefined ? setup : { ...setup, traits }), firmware);
   simulation.advanceTo(5_000_000);
   expect(simulation.ended?.exception ?? null).toBeNull();
   const { pathMm = 0, turnedRad = 0 } = simulation.snapshot().robot ?? {};

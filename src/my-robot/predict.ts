@@ -6,6 +6,7 @@ import type { RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { DRIVES, type Drive, type DriveName } from './my-robot';
 import { DRIVE_MS, FINGER_MS, programOf, TURN_MS, type Step } from './programs';
@@ -95,7 +96,7 @@ function setupOf(step: Step, pressesMs: readonly number[], { type, traits, reali
     size: [ARENA_MM, ARENA_MM],
     robot: { ...bare.robot, type: type.id, at: [ARENA_MM / 2, ARENA_MM / 2] },
   };
-  return {
+  return soloRun({
     scene,
     files: { 'main.py': programOf(step, type).en },
     robot: type.id,
@@ -104,7 +105,7 @@ function setupOf(step: Step, pressesMs: readonly number[], { type, traits, reali
     reality,
     ...(traits === undefined ? {} : { traits }),
     inputs: pressesMs.flatMap((ms) => [press(ms, true), press(ms + PRESS_MS, false)]),
-  };
+  });
 }
 
 /** Where the nose is after a drive, as seen from where it was before. */

@@ -45,7 +45,7 @@ export const strokeColors = ['black', 'gray', 'white', 'red', 'yellow', 'green',
 export type StrokeColor = (typeof strokeColors)[number];
 
 /**
- * A marked field on the floor. It is seen by people and counted by the verdict (`#simulation/verdict`); neither sensors
+ * A marked field on the floor. It is seen by people and counted by the verdict (`#simulation/task/verdict`); neither sensors
  * nor bodies feel it.
  *
  * - `target`: where the robot shall come to, or where `blocks` movable blocks shall lie;

@@ -1,6 +1,7 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { parseScene } from '#scene/parse';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 import type { RobotSnapshot, Snapshot } from './snapshot';
 
@@ -41,7 +42,7 @@ async function drive(
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   const files = { 'main.py': read(`${folder}/${program}`) };
   const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0, keepTrace: true };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(forMs * 1000);
   return simulation;
 }

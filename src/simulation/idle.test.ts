@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 
 const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
@@ -14,7 +15,7 @@ async function isIdleAfter(
 ): Promise<boolean> {
   const scene = { ...defaultScene(), task: { seconds: limit, noTouch: false } };
   const setup = { scene, files: { 'main.py': program }, robot, board: 'auto', seed: 1, reality: 1 };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(seconds * 1_000_000);
   return simulation.isIdle;
 }

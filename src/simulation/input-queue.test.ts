@@ -13,8 +13,8 @@ function effects(live: readonly (readonly [atMs: number, action: InputAction])[]
   const done: (readonly [atMs: number, action: InputAction])[] = [];
   const rest = [...live];
   for (let nowMs = 0; nowMs <= 10_000; nowMs += 4) {
-    for (let action = queue.takeDue(nowMs * 1000); action; action = queue.takeDue(nowMs * 1000))
-      done.push([nowMs, action]);
+    for (let event = queue.takeDue(nowMs * 1000); event; event = queue.takeDue(nowMs * 1000))
+      done.push([nowMs, event.action]);
     while (rest[0] && rest[0][0] < nowMs + 4) {
       const [atMs, action] = rest.shift()!;
       queue.add(action, atMs * 1000);

@@ -12,8 +12,9 @@ export const LEAST_UP_US = 60_000;
 /** A press that would come later than this becomes one with the press before it, in µs. Chosen: six quick taps. */
 const LATEST_US = 1_000_000;
 
-/** A button or pad, by its sensor id, goes down or up. */
+/** A button or pad goes down or up. */
 interface Press {
+  /** Of its sensor and its device. */
   readonly id: string;
   readonly down: boolean;
 }
@@ -45,45 +46,48 @@ export class InputQueue {
   }
 
   /** Adds an action for a time of its own, after those of the same time. */
-  addAt(timeUs: number, action: InputAction): void {
-    this.waiting.splice(this.until(timeUs).length, 0, { timeUs, action });
+  addAt(timeUs: number, action: InputAction, device?: string): void {
+    this.waiting.splice(this.until(timeUs).length, 0, { timeUs, ...(device !== undefined && { device }), action });
   }
 
   /** Adds what is done now: a press for the time at which the board has noticed the change before it. */
-  add(action: InputAction, nowUs: number): void {
-    const press = pressOf(action);
-    if (press === null) return this.addAt(nowUs, action);
+  add(action: InputAction, nowUs: number, device?: string): void {
+    const press = pressOf(action, device);
+    if (press === null) return this.addAt(nowUs, action, device);
     const last = this.changes.get(press.id);
     if (last?.down === press.down) return; // nothing new
     const timeUs = last ? Math.max(nowUs, last.timeUs + (last.down ? LEAST_DOWN_US : LEAST_UP_US)) : nowUs;
     if (last && press.down && timeUs > nowUs + LATEST_US) return this.takeBack(press.id, last.timeUs);
     this.changes.set(press.id, { down: press.down, timeUs });
-    this.addAt(timeUs, action);
+    this.addAt(timeUs, action, device);
   }
 
   /** Takes out the next action that is due, `null` when none is. */
-  takeDue(nowUs: number): InputAction | null {
+  takeDue(nowUs: number): InputEvent | null {
     const [next] = this.waiting;
     if (next === undefined || next.timeUs > nowUs) return null;
     this.waiting.shift();
-    const press = pressOf(next.action);
+    const press = pressOf(next.action, next.device);
     if (press && (this.changes.get(press.id)?.timeUs ?? 0) <= nowUs)
       this.changes.set(press.id, { down: press.down, timeUs: nowUs });
-    return next.action;
+    return next;
   }
 
   /** The button stays down: that it is let go at `timeUs` is off. */
   private takeBack(id: string, timeUs: number): void {
-    const place = this.waiting.findLastIndex((event) => event.timeUs === timeUs && pressOf(event.action)?.id === id);
+    const place = this.waiting.findLastIndex(
+      (event) => event.timeUs === timeUs && pressOf(event.action, event.device)?.id === id,
+    );
     this.waiting.splice(place, 1);
     this.changes.set(id, { down: true, timeUs: timeUs - LEAST_DOWN_US });
   }
 }
 
 /** The button or pad that an action presses or lets go; `null`: it does something else. */
-function pressOf(action: InputAction): Press | null {
-  if (action.type === 'button') return { id: action.button === 'a' ? 'buttonA' : 'buttonB', down: action.down };
-  if (action.type === 'touch') return { id: action.pad, down: action.down };
+function pressOf(action: InputAction, device = ''): Press | null {
+  const press = (sensor: string, down: boolean): Press => ({ id: `${sensor} ${device}`, down });
+  if (action.type === 'button') return press(action.button === 'a' ? 'buttonA' : 'buttonB', action.down);
+  if (action.type === 'touch') return press(action.pad, action.down);
   if (action.type !== 'sensor' || typeof action.value !== 'number' || !/^(button|pin)/.test(action.id)) return null;
-  return { id: action.id, down: action.value >= 0.5 };
+  return press(action.id, action.value >= 0.5);
 }

@@ -1,3 +1,5 @@
+import { radOf } from '#core/angle';
+import type { Pose } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 
 /** A pose as people write it: degrees counter-clockwise from +x. */
@@ -33,5 +35,10 @@ export type InputAction =
 /** An action and the simulated time at which it takes effect. */
 export interface InputEvent {
   readonly timeUs: number;
+  /** Name of the device that it is for; left out: the first. A packet without a name reaches all of them. */
+  readonly device?: string;
   readonly action: InputAction;
 }
+
+/** A pose as the world has it. */
+export const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });

@@ -3,6 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { modulesImportedBy } from '#python/imports';
 import { defaultScene } from '#scene/scene';
 import { chooseHardware, hardwareIds } from './hardware';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 
 let firmware: WebAssembly.Module;
@@ -15,7 +16,7 @@ async function start(...lines: string[]): Promise<Simulation> {
   const scene = defaultScene();
   const hardware = chooseHardware({ scene, imports: modulesImportedBy(files), robot: 'auto', board: 'auto' });
   if ('problem' in hardware) throw new Error(hardware.problem);
-  return Simulation.create({ scene, files, ...hardwareIds(hardware), seed: 1, reality: 0 }, firmware);
+  return Simulation.create(soloRun({ scene, files, ...hardwareIds(hardware), seed: 1, reality: 0 }), firmware);
 }
 
 describe('chains of lights in a run', { timeout: 30_000 }, () => {

@@ -14,7 +14,7 @@ import {
   type SceneObject,
 } from '#scene/scene';
 import { pendingChanges } from './at-once';
-import type { RunSetup } from './run-setup';
+import { soloRun, type SoloSetup } from './run-setup';
 import { Simulation } from './simulation';
 
 let firmware: WebAssembly.Module;
@@ -49,9 +49,9 @@ const remove = (...ids: readonly string[]): SceneEdit => ({ type: 'remove', ids 
 const DRIVE = 'from mbrobot import *\nsetSpeed(60)\nforward()\n';
 const LOOK = 'from mbrobot import *\nwhile True:\n  print(irLeft.read_digital(), end="")\n  delay(100)\n';
 
-const start = (scene: Scene, program: string, change: Partial<RunSetup> = {}): Promise<Simulation> => {
+const start = (scene: Scene, program: string, change: Partial<SoloSetup> = {}): Promise<Simulation> => {
   const base = { scene, files: { 'main.py': program }, robot: 'auto', board: 'auto', seed: 1, reality: 0 };
-  return Simulation.create({ ...base, ...change }, firmware);
+  return Simulation.create(soloRun({ ...base, ...change }), firmware);
 };
 
 const edit = (simulation: Simulation, change: SceneEdit): void => {

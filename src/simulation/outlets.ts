@@ -20,8 +20,8 @@ export type TimedLogEvent = LogEvent & {
   readonly timeUs: number;
 };
 
-/** The listeners for a run's events, called the moment they happen. Events without a listener are not even made. */
-export interface RunOutlets {
+/** The listeners for one device's events, called the moment they happen. Events without a listener are not even made. */
+export interface DeviceOutlets {
   /** Output of the program; left out, it is kept for `takeConsole`. */
   readonly print?: (text: string) => void;
   readonly sound?: (event: SoundEvent) => void;
@@ -31,8 +31,28 @@ export interface RunOutlets {
   readonly trail?: (point: TrailPoint) => void;
 }
 
+/** The listeners for a run's events; `device` is the place of the one they come from in the set-up. */
+export interface RunOutlets {
+  readonly print?: (text: string, device: number) => void;
+  readonly sound?: (event: SoundEvent, device: number) => void;
+  readonly radio?: (packet: RadioPacket, device: number) => void;
+  readonly log?: (event: TimedLogEvent, device: number) => void;
+  readonly trail?: (point: TrailPoint, device: number) => void;
+}
+
+/** Those of them that one device tells. */
+export function outletsOf({ print, sound, radio, log, trail }: RunOutlets, device: number): DeviceOutlets {
+  return {
+    ...(print && { print: (text) => print(text, device) }),
+    ...(sound && { sound: (event) => sound(event, device) }),
+    ...(radio && { radio: (packet) => radio(packet, device) }),
+    ...(log && { log: (event) => log(event, device) }),
+    ...(trail && { trail: (point) => trail(point, device) }),
+  };
+}
+
 /** Passes on the board's events to those who listen. */
-export function tellEvents(board: Board, clock: Clock, { sound, radio, log }: RunOutlets): void {
+export function tellEvents(board: Board, clock: Clock, { sound, radio, log }: DeviceOutlets): void {
   if (sound) board.sound.onEvent(sound);
   if (radio)
     board.radio.onSend((packet) => radio({ timeUs: clock.nowUs, group: board.radio.group, bytes: Array.from(packet) }));

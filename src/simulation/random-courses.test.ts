@@ -3,8 +3,9 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { randomMaze } from '#scene/random/maze';
 import { randomTrack } from '#scene/random/track';
 import type { Scene } from '#scene/scene';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
-import type { Verdict } from './verdict';
+import type { Verdict } from './task/verdict';
 
 let firmware: WebAssembly.Module;
 beforeAll(() => {
@@ -17,7 +18,7 @@ const words = { name: '', description: '' };
 async function drive(scene: Scene, course: string, seconds: number): Promise<Verdict | null> {
   const files = { 'main.py': readFileSync(`courses/${course}/main.py`, 'utf8') };
   const setup = { scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0, keepTrace: false };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   for (let second = 1; second <= seconds && simulation.verdict?.state === 'open'; second += 1)
     simulation.advanceTo(second * 1_000_000);
   return simulation.verdict;

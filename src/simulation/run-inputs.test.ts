@@ -17,14 +17,14 @@ function inputs(replayed: readonly InputEvent[] = []) {
   const arena = new CourseWorld(scene);
   const check = (action: InputAction, _course: Scene, movable: ReadonlySet<string>): string | null =>
     action.type === 'place-block' && !movable.has(action.id) ? `There is no block ${action.id}.` : null;
-  return { clock, arena, inputs: new RunInputs(replayed, check, arena, clock) };
+  return { clock, arena, inputs: new RunInputs(replayed, { names: ['1'], checks: [check] }, arena, clock) };
 }
 
 describe('what is done to a run', () => {
   it('is taken once, logged with the time at which it takes effect', () => {
     const { inputs: it } = inputs();
     it.add(interrupt);
-    expect(it.takeDue()).toEqual(interrupt);
+    expect(it.takeDue()).toEqual({ action: interrupt, device: null });
     expect(it.takeDue()).toBeNull();
     expect(it.log).toEqual([{ timeUs: 0, action: interrupt }]);
   });
@@ -33,7 +33,7 @@ describe('what is done to a run', () => {
     const { clock, inputs: it } = inputs([{ timeUs: 8000, action: interrupt }]);
     expect(it.takeDue()).toBeNull();
     clock.advanceTo(8000);
-    expect(it.takeDue()).toEqual(interrupt);
+    expect(it.takeDue()).toEqual({ action: interrupt, device: null });
     expect(it.log).toEqual([{ timeUs: 8000, action: interrupt }]);
   });
 

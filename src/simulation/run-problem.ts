@@ -3,44 +3,43 @@ import { askedSensors } from '#board/sensors/asked-sensors';
 import { unpackLevels } from '#scene/background';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import { placementProblems } from '#scene/placement';
 import { DAMAGED_BACKGROUND, runRefusal } from '#scene/run-refusal';
 import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
-import { chooseHardware, type Hardware } from './hardware';
+import { fitDevices, type FittedDevice } from './fit-devices';
 import type { InputAction, PlacedPose } from './input';
 import type { RunSetup } from './run-setup';
 
 /**
  * Why a set-up cannot run: an unknown robot or board, a robot inside a wall, an impossible input.
  *
- * @returns one or several lines that name place and value, or the hardware of the run
+ * @returns one or several lines that name place and value, or the run's devices
  */
-export function checkRun(setup: RunSetup): Hardware | { readonly problem: string } {
-  const hardware = chooseHardware({ ...setup, imports: new Set() });
-  if ('problem' in hardware) return hardware;
-  const problem = firstProblem(setup, hardware);
-  return problem === null ? hardware : { problem };
-}
-
-function firstProblem(setup: RunSetup, { board, robot }: Hardware): string | null {
-  if (!(setup.reality >= 0 && setup.reality <= 1))
-    return `Reality ${String(setup.reality)} is not within 0 (ideal) … 1 (like a used school robot).`;
-  const misplaced = robot ? placementProblems(setup.scene, robot.body.outlineMm) : [];
-  if (misplaced.length > 0) return misplaced.map((problem) => problem.message).join('\n');
-  const refusal = runRefusal(setup.scene);
-  if (refusal !== null) return refusal.message;
-  return inputsProblem(setup, board, robot !== null);
+export function checkRun(
+  setup: RunSetup,
+): { readonly devices: readonly FittedDevice[] } | { readonly problem: string } {
+  const { reality, scene } = setup;
+  if (!(reality >= 0 && reality <= 1))
+    return { problem: `Reality ${String(reality)} is not within 0 (ideal) … 1 (like a used school robot).` };
+  const fitted = fitDevices(setup);
+  if ('problem' in fitted) return fitted;
+  const problem = runRefusal(scene)?.message ?? inputsProblem(setup, fitted.devices);
+  return problem === null ? fitted : { problem };
 }
 
 /** A problem of the replayed log, with the place of its entry. Each is checked against the course as it is then. */
-function inputsProblem({ scene, inputs = [] }: RunSetup, board: BoardType, hasRobot: boolean): string | null {
-  const check = createInputCheck(board, scene, hasRobot);
+function inputsProblem({ scene, inputs = [] }: RunSetup, devices: readonly FittedDevice[]): string | null {
+  const targets = {
+    names: devices.map(({ setup }) => setup.name),
+    checks: devices.map(({ hardware }) => createInputCheck(hardware.board, scene, hardware.robot !== null)),
+  };
   const inOrder = [...inputs.entries()].sort(([, a], [, b]) => a.timeUs - b.timeUs);
   let course = scene;
   let movable = movableIds(new Set(), scene, scene);
-  for (const [index, { timeUs, action }] of inOrder) {
-    const problem = timeUs >= 0 ? check(action, course, movable) : `${timeUs} µs lies before the start.`;
+  for (const [index, { timeUs, device, action }] of inOrder) {
+    const check = checkFor(targets, device);
+    const found = typeof check === 'string' ? check : check(action, course, movable);
+    const problem = timeUs >= 0 ? found : `${timeUs} µs lies before the start.`;
     if (problem !== null) return `[${index}]: ${problem}`;
     if (action.type !== 'edit') continue;
     course = applyEdit(course, action.edit);
@@ -57,6 +56,18 @@ function inputsProblem({ scene, inputs = [] }: RunSetup, board: BoardType, hasRo
  * @returns `null` if the action is possible
  */
 export type InputCheck = (action: InputAction, course: Scene, movable: ReadonlySet<string>) => string | null;
+
+/** The devices of a run, by place: their names, and what may be done to each. */
+export interface InputTargets {
+  readonly names: readonly string[];
+  readonly checks: readonly InputCheck[];
+}
+
+/** The check of the device of this name, or what is wrong with the name. */
+export function checkFor({ names, checks }: InputTargets, device: string | undefined): InputCheck | string {
+  const check = checks[device === undefined ? 0 : names.indexOf(device)];
+  return check ?? `There is no device "${device ?? ''}". Known are ${names.map((name) => `"${name}"`).join(', ')}.`;
+}
 
 /**
  * Makes the check of a run.

@@ -1,6 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseSceneValue } from '#scene/parse';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 
 const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
@@ -13,7 +14,7 @@ async function distances(library: string, robot: string): Promise<{ read: number
   const program = `from ${library} import *\nwhile True:\n    print(getDistance())\n    delay(20)`;
   const files = { 'main.py': program };
   const simulation = await Simulation.create(
-    { scene: parsed.scene, files, robot, board: 'auto', seed: 1, reality: 0 },
+    soloRun({ scene: parsed.scene, files, robot, board: 'auto', seed: 1, reality: 0 }),
     firmware,
   );
   const found = [];

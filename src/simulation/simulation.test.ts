@@ -6,7 +6,7 @@ import { parseSceneValue } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { chooseHardware, hardwareIds, type Hardware, type HardwareWish } from './hardware';
 import type { RadioPacket, TimedLogEvent } from './outlets';
-import type { RunSetup } from './run-setup';
+import { soloRun, type SoloSetup } from './run-setup';
 import { Simulation } from './simulation';
 import { createTraceHash } from './trace';
 
@@ -17,7 +17,7 @@ beforeAll(() => {
 
 const lines = (...texts: string[]): string => texts.join('\n');
 
-function setupOf(program: string, change: Partial<RunSetup> = {}): RunSetup {
+function setupOf(program: string, change: Partial<SoloSetup> = {}) {
   const base = {
     scene: defaultScene(),
     files: { 'main.py': program },
@@ -26,13 +26,13 @@ function setupOf(program: string, change: Partial<RunSetup> = {}): RunSetup {
     seed: 1,
     reality: 0,
   };
-  return { ...base, ...change };
+  return soloRun({ ...base, ...change });
 }
 
-const start = (program: string, change: Partial<RunSetup> = {}) =>
+const start = (program: string, change: Partial<SoloSetup> = {}) =>
   Simulation.create(setupOf(program, change), firmware);
 
-async function runFor(program: string, ms: number, change: Partial<RunSetup> = {}): Promise<Simulation> {
+async function runFor(program: string, ms: number, change: Partial<SoloSetup> = {}): Promise<Simulation> {
   const simulation = await start(program, change);
   simulation.advanceTo(ms * 1000);
   return simulation;

@@ -1,139 +1,124 @@
-import { Board } from '#board/board';
 import { packetOfText } from '#board/radio-text';
-import { radOf } from '#core/angle';
-import { Clock } from '#core/clock';
-import type { Pose } from '#core/geometry';
+import type { Vec } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { watchLedChains, type LedChains } from '#devices/led-chains';
-import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
+import { Air } from './air';
 import { CourseWorld } from './course-world';
-import type { Hardware } from './hardware';
-import type { InputAction, InputEvent, PlacedPose } from './input';
-import { Judge } from './judge';
-import { mountRobot, type Mounted } from './mount-robot';
-import { tellEvents, type RunOutlets } from './outlets';
-import { robotLibraries } from './robot-libraries';
+import { Device, type DeviceAction, type Ended } from './device';
+import { poseOf, type InputAction, type InputEvent } from './input';
+import { Judge } from './task/judge';
+import type { FittedDevice } from './fit-devices';
+import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { scaledBody } from './scaled-body';
+import { seedOfDevice } from './seed-of-device';
 import type { Snapshot } from './snapshot';
-import { boardSnapshot, robotSnapshot } from './take-snapshot';
 import type { TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
-import { spikedIds } from './task-brief';
-import type { Verdict } from './verdict';
-import { createTrailSender } from './trail';
+import { spikedIds } from './task/task-brief';
+import type { Verdict } from './task/verdict';
 
-/** How and when the program ended. */
-export interface Ended extends VmEnd {
-  /** Simulated time. */
-  readonly timeUs: number;
-}
+export type { Ended } from './device';
+
+/** Before the world moves, every device has come to this short a time before. */
+const JUST_BEFORE_US = 1;
 
 /**
- * One run: program, board, robot and world under one clock. The same set-up gives the same run, whatever the pieces in
- * which `advanceTo` is called. Running again from the start means creating it anew.
+ * One run: one world, and one or several devices in it. The first device's clock moves the world, every 4 ms of
+ * simulated time. Before each step the others run on, in their order, up to that step; so what one does reaches another
+ * through the world or the radio, at a step. The same set-up gives the same run, whatever the pieces in which `advanceTo`
+ * is called. Running again from the start means creating it anew.
  */
 export class Simulation {
-  private readonly clock = new Clock();
-  private readonly board: Board;
+  private readonly devices: readonly Device[];
+  private readonly first: Device;
+  private readonly followers: readonly Device[];
   private readonly courseWorld: CourseWorld;
   private readonly world: World;
-  private readonly mounted: Mounted | null;
+  private readonly air: Air;
   private readonly judge: Judge | null;
-  private readonly lights: LedChains;
-  private readonly sendTrail: () => void;
-  private readonly vm: Vm;
   private readonly recorder: TraceRecorder;
   private readonly inputs: RunInputs;
-  private output: string[] = [];
-  private end: Ended | null = null;
   private isFresh = true;
-  private isStopped = false;
 
   /**
-   * Builds a run and loads its program, which begins with the first `advanceTo`.
+   * Builds a run and loads its programs, which begin with the first `advanceTo`.
    *
    * @param outlets receive the run's events the moment they happen
    * @throws RangeError (as a rejection) for a set-up that cannot run, with the words of `checkRun`
    */
   static create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets = {}): Promise<Simulation> {
     return new Promise((resolve) => {
-      const hardware = checkRun(setup);
-      if ('problem' in hardware) throw new RangeError(hardware.problem);
-      resolve(new Simulation(setup, firmware, hardware, outlets));
+      const checked = checkRun(setup);
+      if ('problem' in checked) throw new RangeError(checked.problem);
+      resolve(new Simulation(setup, firmware, checked.devices, outlets));
     });
   }
 
   private constructor(
     private readonly setup: RunSetup,
     firmware: WebAssembly.Module,
-    hardware: Hardware,
+    fitted: readonly FittedDevice[],
     outlets: RunOutlets,
   ) {
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
-    // The step is registered before everything with a rhythm of its own (the robot's sensors): then the world moves
-    // first.
-    this.clock.every(STEP_US, () => this.step());
-    this.board = new Board(hardware.board, this.clock, hardware.firmware);
-    tellEvents(this.board, this.clock, outlets);
-    this.mounted = mountRobot(hardware, {
-      clock: this.clock,
-      board: this.board,
-      world: this.world,
-      start: setup.scene.robot,
-      seed: setup.seed,
-      reality: setup.reality,
-      traits: setup.traits,
+    this.devices = fitted.map((device, place) => {
+      const around = { firmware, world: this.world, setup, seed: seedOfDevice(setup.seed, place) };
+      const own = { ...around, outlets: outletsOf(outlets, place) };
+      return new Device(device, place === 0 ? { ...own, step: () => this.step() } : own);
     });
-    this.recorder = new TraceRecorder(this.mounted, setup.keepTrace === true);
-    this.judge = this.mounted && judgeOf(setup.scene, this.mounted, this.courseWorld);
-    this.sendTrail =
-      this.mounted && outlets.trail ? createTrailSender(this.mounted.chassis, outlets.trail) : () => undefined;
-    this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
-    this.vm = createVm({
-      firmware,
-      board: this.board,
-      clock: this.clock,
-      files: setup.files,
-      libraries: robotLibraries(hardware.robot?.id ?? null),
-      seed: setup.seed,
-      repl: setup.repl ?? 'when-typed',
-      write: outlets.print ?? ((text) => this.output.push(text)),
-    });
-    const check = createInputCheck(hardware.board, setup.scene, hardware.robot !== null);
-    this.inputs = new RunInputs(setup.inputs ?? [], check, this.courseWorld, this.clock);
+    const [first, ...followers] = this.devices;
+    if (first === undefined) throw new RangeError('A run needs at least one device.');
+    this.first = first;
+    this.followers = followers;
+    this.recorder = new TraceRecorder(robotsOf(this.devices), setup.keepTrace === true);
+    this.judge = judgeOf(setup.scene, this.devices, fitted, this.courseWorld);
+    this.air = new Air(this.devices, (device) => this.placeOf(device), setup.seed, setup.reality);
+    const checks = fitted.map(({ hardware }) => createInputCheck(hardware.board, setup.scene, hardware.robot !== null));
+    const names = this.devices.map(({ name }) => name);
+    this.inputs = new RunInputs(setup.inputs ?? [], { names, checks }, this.courseWorld, this.first.clock);
   }
 
   /** Simulated time since the start. */
   get nowUs(): number {
-    return this.clock.nowUs;
+    return this.first.clock.nowUs;
   }
 
   /**
-   * How the program ended, or `null` while it runs; `null` again when it runs again after Ctrl-D at the REPL. The world
-   * goes on in either case.
+   * How the first device's program ended, or `null` while it runs; `null` again when it runs again after Ctrl-D at the
+   * REPL. The world goes on in either case.
    */
   get ended(): Ended | null {
-    return this.end;
+    return this.first.ended;
   }
 
-  /** The program has switched the board off and does not run any more. */
+  /** Every program has ended. */
+  get hasEnded(): boolean {
+    return this.devices.every(({ ended }) => ended !== null);
+  }
+
+  /** How each device's program ended, in their order. */
+  get endings(): readonly (Ended | null)[] {
+    return this.devices.map(({ ended }) => ended);
+  }
+
+  /** The programs have switched all boards off and do not run any more. */
   get isOff(): boolean {
-    return this.board.power.state === 'off';
+    return this.devices.every(({ isOff }) => isOff);
   }
 
   /**
-   * The program has ended, and nothing is set for later: no callback, tone, moving picture or time limit. While the
+   * All programs have ended, and nothing is set for later: no callback, tone, moving picture or time limit. While the
    * world does not move either, nothing happens until the next input.
    */
   get isIdle(): boolean {
-    return this.end !== null && this.clock.alarms <= 1 && this.inputs.isEmpty && this.judge?.awaitsTime !== true;
+    const isQuiet = this.inputs.isEmpty && this.air.isQuiet && this.judge?.awaitsTime !== true;
+    return isQuiet && this.devices.every(({ isIdle }) => isIdle);
   }
 
   /**
@@ -143,12 +128,12 @@ export class Simulation {
     return this.inputs.log;
   }
 
-  /** The rows since the last call: one per 20 ms, if the set-up asks to keep them; without a robot none. */
+  /** The rows since the last call: one per 20 ms and robot, if the set-up asks to keep them. */
   takeTrace(): readonly TraceRow[] {
     return this.recorder.take();
   }
 
-  /** Fingerprint of the trajectory so far, 64 hexadecimal digits; see `createTraceHash`. */
+  /** Fingerprint of the trajectories so far, 64 hexadecimal digits; see `createTraceHash`. */
   get traceHash(): string {
     return this.recorder.fingerprint();
   }
@@ -163,104 +148,100 @@ export class Simulation {
     return this.judge?.verdict() ?? null;
   }
 
-  /** Free bytes on the program's heap now, or when it ended. */
-  heapFree(): number {
-    return this.vm.heapFree();
+  /** Free bytes on a program's heap now, or when it ended. */
+  heapFree(device = 0): number {
+    return this.devices[device]?.heapFree() ?? 0;
   }
 
   /**
-   * Lets program and world run until simulated time `us`; after the program's end the world goes on, and the REPL
-   * waits. A call of the device that is not finished by then is finished first, so the clock may be a little later.
+   * Lets programs and world run until simulated time `us`; after a program's end the world goes on, and the REPL waits. A
+   * call of the device that is not finished by then is finished first, so the clock may be a little later.
    */
   advanceTo(us: number): void {
     this.advanceProgramTo(us);
-    while (us > this.nowUs) this.resume(us);
+    this.first.resumeUntil(us);
   }
 
-  /** Like `advanceTo`, but stops at once when the program ends. */
+  /** Like `advanceTo`, but stops when the program ends: at once, or of several at the step at which all have ended. */
   advanceProgramTo(us: number): void {
     if (this.isFresh) this.begin();
-    if (this.end === null && us > this.nowUs) this.resume(us);
+    while (!this.hasEnded && us > this.nowUs) {
+      const isAlone = this.followers.length === 0;
+      const nextStepUs = (Math.floor(this.nowUs / STEP_US) + 1) * STEP_US;
+      this.first.resume(isAlone ? us : Math.min(us, nextStepUs));
+    }
   }
 
   /**
    * Performs an action from outside. It takes effect at the next step of the world, is stamped with that time and
    * logged. A button or pad waits until the board has noticed its last change, see `InputQueue`.
    *
-   * @throws RangeError for an unknown sensor, pad, block or object, and for a value out of range; then nothing is done
+   * @param device name of the device that it is for; left out: the first
+   * @throws RangeError for an unknown device, sensor, pad, block or object, and for a value out of range; then nothing is
+   *   done
    */
-  input(action: InputAction): void {
-    this.inputs.add(action);
+  input(action: InputAction, device?: string): void {
+    this.inputs.add(action, device);
   }
 
-  /** KeyboardInterrupt in the program, at the next step of the world. */
+  /** KeyboardInterrupt in all programs, at the next step of the world. */
   interrupt(): void {
-    this.input({ type: 'interrupt' });
+    for (const { name } of this.devices) this.input({ type: 'interrupt' }, name);
   }
 
-  /** Ends the program by an interrupt whose traceback is not printed. The output of its `finally` is. */
+  /** Ends all programs by an interrupt whose traceback is not printed. The output of their `finally` is. */
   stop(): void {
-    this.isStopped = true;
+    for (const device of this.devices) device.expectStop();
     this.interrupt();
   }
 
   /** The whole run now. */
   snapshot(): Snapshot {
     return {
-      ...boardSnapshot(this.board),
+      ...this.first.snapshot(),
       timeUs: this.nowUs,
-      running: this.end === null ? 'program' : 'world',
-      awaitsInput: this.vm.awaitsInput,
-      repl: this.vm.isInRepl,
-      robot: this.mounted && robotSnapshot(this.mounted, this.scene.robot.scale),
+      others: this.followers.map((device) => device.snapshot()),
       blocks: this.courseWorld.blockPoses(),
       movers: this.courseWorld.moverPoses(),
       verdict: this.verdict,
-      lights: this.lights.chains(),
-      arenaSenses: this.mounted?.senses.isOn ?? false,
     };
   }
 
-  /** The output since the last call. */
-  takeConsole(): string {
-    const text = this.output.join('');
-    this.output = [];
-    return text;
+  /** The output of a device since the last call. */
+  takeConsole(device = 0): string {
+    return this.devices[device]?.takeConsole() ?? '';
   }
 
-  /** Takes the robot off the board. The memory is freed with the last reference. Call nothing else afterwards. */
+  /** Takes the robots off their boards. The memory is freed with the last reference. Call nothing else afterwards. */
   dispose(): void {
-    this.mounted?.robot.detach();
+    for (const device of this.devices) device.dispose();
   }
 
-  /** Lets the VM go on until `us`, until its program ends, or until its program starts again. */
-  private resume(us: number): void {
-    this.vm.resume(us);
-    const { ended } = this.vm;
-    if (ended === null) this.end = null;
-    else this.end ??= { ...ended, timeUs: this.nowUs };
-  }
-
-  /** The events at time 0, before the program's first bytecode. */
+  /** The events at time 0, before the programs' first bytecode. */
   private begin(): void {
     this.isFresh = false;
     this.takeInputs();
-    this.judge?.step(this.nowUs);
-    this.recorder.step(this.nowUs);
-    this.sendTrail();
+    this.observe();
   }
 
   private step(): void {
+    for (const device of this.followers) device.resumeUntil(this.nowUs - JUST_BEFORE_US);
     this.takeInputs();
     this.world.step();
-    this.mounted?.step();
+    for (const { mounted } of this.devices) mounted?.step();
+    this.air.step(this.nowUs);
+    this.observe();
+  }
+
+  /** Judges, draws and writes down where everything is now. */
+  private observe(): void {
     this.judge?.step(this.nowUs);
-    this.sendTrail();
+    for (const device of this.devices) device.sendTrail();
     this.recorder.step(this.nowUs);
   }
 
   private takeInputs(): void {
-    for (let action = this.inputs.takeDue(); action; action = this.inputs.takeDue()) this.act(action);
+    for (let due = this.inputs.takeDue(); due; due = this.inputs.takeDue()) this.act(due.action, due.device);
   }
 
   private edit(edit: SceneEdit): void {
@@ -269,47 +250,53 @@ export class Simulation {
     this.judge?.take(course);
   }
 
-  private act(action: InputAction): void {
+  /** @param device its place, or `null` if the action names none */
+  private act(action: InputAction, device: number | null): void {
     switch (action.type) {
-      case 'button':
-        return this.board.sensors.set(action.button === 'a' ? 'buttonA' : 'buttonB', action.down ? 1 : 0);
-      case 'touch':
-        return this.board.sensors.set(action.pad, action.down ? 1 : 0);
-      case 'serial':
-        return this.vm.feed(action.text);
-      case 'sensor':
-        // Beyond the range that the program has set, the sensor reports its limit.
-        return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
-      case 'place':
-        this.judge?.takeHand();
-        return this.mounted?.chassis.place(poseOf(action.pose));
+      case 'edit':
+        return this.edit(action.edit);
       case 'place-block':
         this.judge?.takeHand();
         return this.courseWorld.block(action.id)?.place(poseOf(action.pose));
-      case 'edit':
-        return this.edit(action.edit);
       case 'radio':
-        return this.board.radio.receive(packetOf(action));
-      case 'arena-senses':
-        return this.mounted?.senses.switch(action.on);
-      case 'interrupt':
-        return this.isStopped ? this.vm.stop() : this.vm.interrupt();
+        for (const { board } of device === null ? this.devices : this.devices.slice(device, device + 1))
+          board.radio.receive(packetOf(action));
+        return;
+      case 'place':
+        this.judge?.takeHand();
+        return this.devices[device ?? 0]?.act(action);
       default:
-        action satisfies never;
+        return this.devices[device ?? 0]?.act(action satisfies DeviceAction);
     }
+  }
+
+  /** Where a device is; one without a robot is held at the lower edge of the arena. */
+  private placeOf({ mounted }: Device): Vec {
+    if (mounted === null) return { x: this.scene.size[0] / 2, y: 0 };
+    const { xMm, yMm } = mounted.chassis.pose();
+    return { x: xMm, y: yMm };
   }
 }
 
-function judgeOf(course: Scene, { type, chassis }: Mounted, world: CourseWorld): Judge {
+const robotsOf = (devices: readonly Device[]) =>
+  devices.flatMap(({ name, mounted }) => (mounted === null ? [] : [{ device: name, mounted }]));
+
+function judgeOf(
+  course: Scene,
+  devices: readonly Device[],
+  fitted: readonly FittedDevice[],
+  world: CourseWorld,
+): Judge | null {
+  const place = devices.findIndex(({ mounted }) => mounted !== null);
+  const mounted = devices[place]?.mounted;
+  if (!mounted) return null;
   return new Judge(course, {
-    chassis,
-    body: scaledBody(type.body, course.robot.scale).outlineMm,
+    chassis: mounted.chassis,
+    body: scaledBody(mounted.type.body, fitted[place]?.start.scale ?? 1).outlineMm,
     block: (id) => world.block(id),
     spiked: spikedIds(course),
   });
 }
-
-const poseOf = ({ xMm, yMm, headingDeg }: PlacedPose): Pose => ({ xMm, yMm, headingRad: radOf(headingDeg) });
 
 function packetOf(action: Extract<InputAction, { type: 'radio' }>): Uint8Array {
   return 'bytes' in action ? Uint8Array.from(action.bytes) : packetOfText(action.text);

@@ -2,7 +2,7 @@ import type { Pose } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import type { LedChain } from '#devices/led-chains';
 import type { RobotState } from '#robots/robot';
-import type { Verdict } from './verdict';
+import type { Verdict } from './task/verdict';
 
 /** The board at one moment. */
 export interface BoardSnapshot {
@@ -35,10 +35,10 @@ export interface BoardSnapshot {
   readonly isSounding: boolean;
 }
 
-/** The whole run at one moment, as plain data: to be drawn, reported and sent. */
-export interface Snapshot extends BoardSnapshot {
-  /** Simulated time. */
-  readonly timeUs: number;
+/** One device at one moment: its board, its program and its robot. */
+export interface DeviceSnapshot extends BoardSnapshot {
+  /** As the set-up names it. */
+  readonly name: string;
   /** `program` until its end, then `world`, in which the REPL waits. */
   readonly running: 'program' | 'world';
   /** The program waits in `input()` for a line. */
@@ -47,16 +47,24 @@ export interface Snapshot extends BoardSnapshot {
   readonly repl: boolean;
   /** `null` for the bare board. */
   readonly robot: RobotSnapshot | null;
+  /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
+  readonly lights: readonly LedChain[];
+  /** Whether the board measures the arena: see the action `arena-senses`. */
+  readonly arenaSenses: boolean;
+}
+
+/** The whole run at one moment, as plain data: to be drawn, reported and sent. It begins with the first device. */
+export interface Snapshot extends DeviceSnapshot {
+  /** Simulated time. */
+  readonly timeUs: number;
+  /** The devices after the first. */
+  readonly others: readonly DeviceSnapshot[];
   /** Poses of the movable blocks, by object id. */
   readonly blocks: Readonly<Record<string, Pose>>;
   /** Poses of the moving obstacles, by object id. */
   readonly movers: Readonly<Record<string, Pose>>;
   /** How well the task is done, or `null` if the course has no task. */
   readonly verdict: Verdict | null;
-  /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */
-  readonly lights: readonly LedChain[];
-  /** Whether the board measures the arena: see the action `arena-senses`. */
-  readonly arenaSenses: boolean;
 }
 
 /** The robot at one moment. */

@@ -1,14 +1,14 @@
 import type { Mounted } from './mount-robot';
 import { createTraceHash, TRACE_PERIOD_US, type TraceRow } from './trace';
 
-/** Writes down where the robot is, every 20 ms: into the fingerprint always, as a row only if rows are kept. */
+/** Writes down where the robots are, every 20 ms: into the fingerprint always, as rows only if rows are kept. */
 export class TraceRecorder {
   private rows: TraceRow[] = [];
   private readonly hash = createTraceHash();
 
-  /** @param mounted without a robot nothing is written */
+  /** @param robots by device, in their order; without a robot nothing is written */
   constructor(
-    private readonly mounted: Mounted | null,
+    private readonly robots: readonly { readonly device: string; readonly mounted: Mounted }[],
     private readonly keepsRows: boolean,
   ) {}
 
@@ -17,7 +17,7 @@ export class TraceRecorder {
     return this.hash.hex();
   }
 
-  /** The rows since the last call: one per 20 ms, if they are kept. A run of a day would not fit into memory. */
+  /** The rows since the last call: one per 20 ms and robot, if they are kept. A run of a day would not fit into memory. */
   take(): readonly TraceRow[] {
     const { rows } = this;
     this.rows = [];
@@ -26,14 +26,16 @@ export class TraceRecorder {
 
   /** Call it after each step of the world. */
   step(timeUs: number): void {
-    if (this.mounted === null || timeUs % TRACE_PERIOD_US !== 0) return;
-    const { xMm, yMm, headingRad } = this.mounted.chassis.pose();
-    this.hash.add(timeUs, xMm, yMm, headingRad);
-    if (this.keepsRows) this.rows.push(rowOf(this.mounted, timeUs));
+    if (timeUs % TRACE_PERIOD_US !== 0) return;
+    for (const { device, mounted } of this.robots) {
+      const { xMm, yMm, headingRad } = mounted.chassis.pose();
+      this.hash.add(timeUs, xMm, yMm, headingRad);
+      if (this.keepsRows) this.rows.push({ device, ...rowOf(mounted, timeUs) });
+    }
   }
 }
 
-function rowOf({ chassis, robot }: Mounted, timeUs: number): TraceRow {
+function rowOf({ chassis, robot }: Mounted, timeUs: number): Omit<TraceRow, 'device'> {
   const { xMm, yMm, headingRad } = chassis.pose();
   const state = robot.state();
   return {

@@ -3,8 +3,10 @@ import { sha256 } from '@noble/hashes/sha2.js';
 /** Simulated time between two rows of the trace, in µs. */
 export const TRACE_PERIOD_US = 20_000;
 
-/** Position and actions of the robot at one moment. */
+/** Position and actions of a robot at one moment. */
 export interface TraceRow {
+  /** Name of its device. */
+  readonly device: string;
   readonly timeUs: number;
   readonly xMm: number;
   readonly yMm: number;
@@ -27,8 +29,8 @@ export interface TraceRow {
 const ROW_BYTES = 32;
 
 /**
- * The fingerprint of a trajectory: SHA-256 over one row of 32 bytes per 20 ms of simulated time, beginning with time 0:
- * time in ms, x in mm, y in mm and heading in rad as little-endian IEEE doubles, no negative zeros. Two runs with the same
+ * The fingerprint of a trajectory: SHA-256 over one row of 32 bytes per 20 ms of simulated time and robot, beginning with
+ * time 0, several robots in the order of their devices: time in ms, x in mm, y in mm and heading in rad as little-endian IEEE doubles, no negative zeros. Two runs with the same
  * fingerprint were the same to the last bit. Without a robot there are no rows.
  */
 export function createTraceHash(): {

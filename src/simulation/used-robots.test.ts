@@ -2,6 +2,7 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { parseScene } from '#scene/parse';
+import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 
 const REALITY = 0.5;
@@ -27,7 +28,7 @@ async function passes({ folder, seed, forMs, line = '' }: Drive): Promise<boolea
   const solution = readFileSync(`courses/${folder}/main.py`, 'utf8');
   const files = { 'main.py': solution.replace('from mbrobot import *\n', `from mbrobot import *\n${line}\n`) };
   const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: REALITY };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(forMs * 1000);
   return simulation.verdict?.state === 'passed';
 }

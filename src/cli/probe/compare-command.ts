@@ -6,6 +6,7 @@ import { createTerminal, type Terminal } from '../terminal';
 import { compareTables, type Comparison, type Difference } from './compare';
 import { keptIn, probes } from './programs';
 import { parseProbe, type ProbeTable } from './table';
+import { soloRun } from '#simulation/run-setup';
 
 /** Largest file that is read. Chosen: a hundred tables. */
 const MOST_BYTES = 4_000_000;
@@ -58,7 +59,7 @@ async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
     if (probe === undefined) continue; // radio needs a second board
     const board = /calliope/i.test(machine) ? 'calliope-mini-3' : 'microbit-v2';
     const files = { 'main.py': probe.source };
-    const setup = { scene: defaultScene(), files, robot: probe.robot, board, seed: 1, reality: 0, inputs: [] };
+    const setup = soloRun({ scene: defaultScene(), files, robot: probe.robot, board, seed: 1, reality: 0 });
     const silent = createTerminal({ write: () => undefined }, { write: () => undefined }, true);
     const task = { setup, untilUs: MOST_US, untilProgramEnds: true, traceFile: null, logFile: null };
     const outcome = await supervise(task, silent);

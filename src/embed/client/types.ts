@@ -19,7 +19,7 @@ export type * from '../parcours/protocol';
 export type { SourceFile } from '#project/project';
 export type { SceneEdit } from '#scene/edit';
 export type { EndedWord } from '#simulation/report';
-export type { Verdict } from '#simulation/verdict';
+export type { Verdict } from '#simulation/task/verdict';
 
 /** The simulator in another page, for its host. */
 export interface Parcours {

@@ -3,7 +3,7 @@ import type { RunPhase } from '#simulation/pace';
 import { displayText, endedWord, msOf, packetReport, type EndedWord } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 import type { HostConnection } from '../adapter';
 import type { EmbeddedSimulator, HostSettings, SimulatorEvent } from '../simulator';

@@ -15,7 +15,7 @@ import type { PlacedPose } from '#simulation/input';
 import type { RunPhase, Speed } from '#simulation/pace';
 import type { EndedWord, PacketReport, RobotReport } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 import type { Part } from '../simulator';
 

@@ -10,6 +10,7 @@ import { chooseHardware, type Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RunPhase } from '#simulation/pace';
 import { createInputCheck, type InputCheck } from '#simulation/run-problem';
+import { SOLO } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
@@ -100,7 +101,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return {
       ...boardSnapshot(this.rehearsal),
       ...{ timeUs: 0, running: 'program', awaitsInput: false, repl: false, robot: null, blocks: {}, movers: {} },
-      ...{ verdict: null, lights: [], arenaSenses: false },
+      ...{ verdict: null, lights: [], arenaSenses: false, name: SOLO, others: [] },
     };
   }
 

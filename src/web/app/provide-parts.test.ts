@@ -155,7 +155,7 @@ describe('what a run is given', () => {
     expect(page.sent.filter(({ type }) => type === 'run')).toHaveLength(1);
     expect(page.run.phase.value).toBe('running');
     await page.run.start();
-    expect(setupOf(page)?.setup.files['main.py']).toBe('changed = 1\n');
+    expect(setupOf(page)?.setup.devices[0].files['main.py']).toBe('changed = 1\n');
   });
 });
 

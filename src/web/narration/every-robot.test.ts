@@ -5,6 +5,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
 import { chooseHardware, hardwareIds } from '#simulation/hardware';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { defaultScene, type Scene } from '#scene/scene';
 
@@ -31,7 +32,10 @@ async function startOf({ id, body }: RobotType): Promise<string> {
   const hardware = chooseHardware({ scene, imports: new Set(), robot: id, board: 'auto' });
   if ('problem' in hardware) throw new Error(hardware.problem);
   const files = { 'main.py': '' };
-  const run = await Simulation.create({ scene, files, ...hardwareIds(hardware), seed: 1, reality: 0 }, firmware);
+  const run = await Simulation.create(
+    soloRun({ scene, files, ...hardwareIds(hardware), seed: 1, reality: 0 }),
+    firmware,
+  );
   run.advanceTo(300_000);
   const narrator = createNarrator(() => ({ scene, body: body.outlineMm }));
   narrator.see(run.snapshot(), 0);

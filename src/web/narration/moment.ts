@@ -1,6 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** What there is to say about a run at one moment, and nothing that changes with every picture alone. */
 export interface Moment {

@@ -1,4 +1,4 @@
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import type { Moment } from './moment';
 import type { News, Watcher } from './news';
 

@@ -4,6 +4,7 @@ import { findRobot } from '#robots/index';
 import { defaultScene, type Background, type Block, type Mover, type Scene } from '#scene/scene';
 import { checkRun } from '#simulation/run-problem';
 import { failureNotice } from './failure-notice';
+import { soloRun } from '#simulation/run-setup';
 
 const empty = defaultScene();
 const callibot = findRobot('callibot');
@@ -12,7 +13,7 @@ const startAt = (x: number, y: number): Scene => ({ ...empty, robot: { ...empty.
 
 /** What the simulation says about this start, and what the page makes of it. */
 function noticeAt(scene: Scene) {
-  const checked = checkRun({ scene, files: {}, robot: 'callibot', board: 'auto', seed: 1, reality: 0 });
+  const checked = checkRun(soloRun({ scene, files: {}, robot: 'callibot', board: 'auto', seed: 1, reality: 0 }));
   if (!('problem' in checked)) throw new Error('The robot has room there.');
   return failureNotice(checked.problem, { robot: callibot }, scene);
 }

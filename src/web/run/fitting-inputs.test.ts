@@ -6,13 +6,21 @@ import { Clock } from '#core/clock';
 import { defaultScene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import { checkRun } from '#simulation/run-problem';
-import type { RunSetup } from '#simulation/run-setup';
+import { soloRun, type RunSetup } from '#simulation/run-setup';
 
 import { fittingInputs } from './fitting-inputs';
 import { SensorsModel } from './sensors-model';
 
 function setupFor(board: string, inputs: readonly InputEvent[]): RunSetup {
-  return { scene: defaultScene(), files: { 'main.py': '' }, robot: 'none', board, seed: 1, reality: 0, inputs };
+  return soloRun({
+    scene: defaultScene(),
+    files: { 'main.py': '' },
+    robot: 'none',
+    board,
+    seed: 1,
+    reality: 0,
+    inputs,
+  });
 }
 
 describe('what holds for every run', () => {

@@ -5,6 +5,7 @@ import { defaultScene } from '#scene/scene';
 import type { FromWorker, ToWorker } from './worker/protocol';
 import type { WorkerPort } from './run-client';
 import { RunModel, type RunHost } from './run-model';
+import { soloRun } from '#simulation/run-setup';
 
 /** A worker that answers as ours does, a moment later. */
 class QuickWorker implements WorkerPort {
@@ -30,11 +31,12 @@ const newRun = (host: Partial<RunHost> = {}): RunModel =>
   new RunModel({
     createWorker: () => new QuickWorker(),
     firmware: () => Promise.resolve({} as WebAssembly.Module),
-    setup: () => ({
-      scene: defaultScene(),
-      files: { 'main.py': '' },
-      ...{ robot: 'auto', board: 'auto', seed: 1, reality: 0 },
-    }),
+    setup: () =>
+      soloRun({
+        scene: defaultScene(),
+        files: { 'main.py': '' },
+        ...{ robot: 'auto', board: 'auto', seed: 1, reality: 0 },
+      }),
     ...{ onInput: nothing, onStart: nothing, onOutput: nothing, onEnded: nothing, onRestarted: nothing },
     ...{ onEvents: nothing, onUnavailable: nothing, onFailed: nothing, onRefused: nothing, onKilled: nothing },
     ...host,

@@ -3,8 +3,8 @@ import { describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
 import { sceneDefaults, type Scene, type TaskCard as Card } from '#scene/scene';
-import { briefOf } from '#simulation/task-brief';
-import type { Verdict } from '#simulation/verdict';
+import { briefOf } from '#simulation/task/task-brief';
+import type { Verdict } from '#simulation/task/verdict';
 
 import { editingPage, press, samples } from '../app/testing/editing';
 import { mountOn, named, setWindow, textOf } from '../app/testing/mount-on';

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { defaultScene, type Scene, type SceneObject, type Task, type Zone } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 import { goalsInWords, rulesInWords } from './goals';
 

@@ -1,7 +1,7 @@
 import type { Scene } from '#scene/scene';
 import { isSpiked } from '#simulation/kinds';
-import { briefOf } from '#simulation/task-brief';
-import type { Verdict } from '#simulation/verdict';
+import { briefOf } from '#simulation/task/task-brief';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** Which sentence says a goal. */
 export type GoalWords =

@@ -3,7 +3,7 @@ import { beforeAll, beforeEach, describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
 import type { RobotSnapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 
 import { createPage, type TestPage } from '../app/testing/page';

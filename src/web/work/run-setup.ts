@@ -2,7 +2,7 @@ import { traitsFor } from '#my-robot/my-robot';
 import { filesByName } from '#project/project';
 import { hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
-import type { RunSetup } from '#simulation/run-setup';
+import { soloRun, type RunSetup } from '#simulation/run-setup';
 
 import { fittingInputs } from '../run/fitting-inputs';
 import { hardwareNow } from './hardware/use-hardware';
@@ -24,7 +24,7 @@ export function runSetup(parts: WorkParts, sensed: readonly InputEvent[]): RunSe
   const inputs = hardware === null ? [] : fittingInputs(sensed, hardware.board);
   if (hardware !== null && hardware.robot !== null && settings.current.value.arenaSenses)
     inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });
-  return {
+  return soloRun({
     scene: work.scene.value,
     files: filesByName(work.files.value),
     ...(hardware === null ? { robot, board: boardWish(device) } : hardwareIds(hardware)),
@@ -34,5 +34,5 @@ export function runSetup(parts: WorkParts, sensed: readonly InputEvent[]): RunSe
     reality,
     ...(traits === undefined ? {} : { traits }),
     inputs,
-  };
+  });
 }

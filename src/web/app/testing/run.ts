@@ -2,6 +2,7 @@ import { nextTick } from 'vue';
 
 import type { InputAction } from '#simulation/input';
 
+import { SOLO } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
 import type { TestPage } from './page';
 
@@ -27,6 +28,8 @@ export const pictureOf = (changes: Partial<Snapshot> = {}): Snapshot => ({
   awaitsInput: false,
   repl: false,
   robot: null,
+  name: SOLO,
+  others: [],
   blocks: {},
   movers: {},
   verdict: null,

@@ -1,7 +1,7 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { drawScene, type PaintObjects } from '../picture/draw-scene';
 import type { LiveScene } from '../picture/live-scene';
 import { useViewRest } from '../picture/kept-picture';

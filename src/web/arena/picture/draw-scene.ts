@@ -1,5 +1,5 @@
 import type { Scene, SceneObject, Wall } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { drawFixedBlock, placedBlock } from './kinds/block';
 import { drawFloor, drawFloorGrid, drawRim, floorPx } from './draw-floor';
 import { drawRulers } from './draw-rulers';

@@ -4,7 +4,7 @@
  */
 import type { Pose } from '#core/geometry';
 import type { Background, Mover, Scene, SceneObject } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { createBackgroundShelf, drawBackground } from './draw-background';
 import { kindOf } from './kinds/index';
 import { drawMover } from './kinds/mover';

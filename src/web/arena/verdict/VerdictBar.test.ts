@@ -3,7 +3,7 @@ import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import type { SceneObject } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 
 import { editingPage, press, samples } from '../../app/testing/editing';
 import { byId, isThere } from '../../app/testing/find';

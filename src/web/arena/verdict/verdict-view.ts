@@ -1,8 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { Point, Scene, SceneObject, Wall } from '#scene/scene';
 import { isSpiked } from '#simulation/kinds';
-import { briefOf } from '#simulation/task-brief';
-import type { Verdict } from '#simulation/verdict';
+import { briefOf } from '#simulation/task/task-brief';
+import type { Verdict } from '#simulation/task/verdict';
 
 /** One thing that is asked for, and how far it has come. */
 export interface Goal {

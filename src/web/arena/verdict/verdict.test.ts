@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { hasTask } from '#simulation/task-brief';
+import { hasTask } from '#simulation/task/task-brief';
 import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
 import { goalsOf, placeToShow, rulesOf, secondsLeft, verdictAtStart } from './verdict-view';
 

@@ -7,6 +7,7 @@ import { robotReferences } from '#robots/references';
 import { robotTypes } from '#robots/index';
 import { defaultScene } from '#scene/scene';
 import type { Hardware } from '#simulation/hardware';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { LANGUAGES } from '../../page/i18n/texts';
 import { loadWords } from '../help/words';
@@ -54,7 +55,7 @@ describe.each(devices)('the palette for $name', ({ hardware, written }) => {
         reality: 0,
         keepTrace: false,
       };
-      const simulation = await Simulation.create(setup, firmware);
+      const simulation = await Simulation.create(soloRun(setup), firmware);
       simulation.advanceTo(300_000);
       expect(simulation.ended?.exception ?? null).toBeNull();
     },

@@ -5,6 +5,7 @@ import { HostView, noHost } from '../../visit/host-view';
 import type { WorkerPort } from '../../run/run-client';
 import { RunModel } from '../../run/run-model';
 import type { FromWorker, ToWorker } from '../../run/worker/protocol';
+import { soloRun } from '#simulation/run-setup';
 
 /** The page's end of a run whose worker runs no program: it answers at once, except to a start (the test does). */
 export function fakeRun() {
@@ -29,7 +30,7 @@ export function fakeRun() {
   const run = new RunModel({
     createWorker,
     firmware: () => Promise.resolve({} as WebAssembly.Module),
-    setup: () => ({ scene: defaultScene(), files: {}, robot: 'none', board: 'auto', seed: 1, reality: 0 }),
+    setup: () => soloRun({ scene: defaultScene(), files: {}, robot: 'none', board: 'auto', seed: 1, reality: 0 }),
     onInput: (action) => {
       const { type } = action;
       if (type === 'button' || type === 'touch' || type === 'sensor') host.tell({ type: 'sensed', action });

@@ -1,5 +1,5 @@
 import type { RobotSnapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
 import { maqueenLite } from '#robots/maqueen-lite/type';
 

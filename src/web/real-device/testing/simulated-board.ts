@@ -1,4 +1,5 @@
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Port, Timer } from '../port';
 
@@ -32,7 +33,7 @@ export async function simulatedBoard({ files, board, robot = 'none', firmware }:
   const setup = { scene: defaultScene(), files, robot, board, seed: 1, reality: 0, repl: 'at-once' } as const;
   let sent = '';
   let taken = 0;
-  const simulation = await Simulation.create(setup, firmware, { print: (text) => (sent += text) });
+  const simulation = await Simulation.create(soloRun(setup), firmware, { print: (text) => (sent += text) });
   const clock = new WaitingClock();
   let reader: ((bytes: Uint8Array | null) => void) | null = null;
   let isOut = false;

@@ -3,6 +3,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 import type { InputAction } from '#simulation/input';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 
 import type { FromWorker } from './protocol';
@@ -24,7 +25,7 @@ async function printed(program: string, early: readonly InputAction[], pieceMs =
     later: (task) => tasks.push(task),
     create: (...given) => Simulation.create(...given),
   });
-  const setup = { scene: defaultScene(), files: { 'main.py': program }, robot: 'none', board: 'auto', seed: 1, reality: 0 }; // prettier-ignore
+  const setup = soloRun({ scene: defaultScene(), files: { 'main.py': program }, robot: 'none', board: 'auto', seed: 1, reality: 0 }); // prettier-ignore
   runner.receive({ type: 'prepare', firmware });
   runner.receive({ type: 'run', setup, speed: 1, paused: false });
   for (const action of early) runner.receive({ type: 'input', action });

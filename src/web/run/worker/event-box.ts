@@ -1,5 +1,5 @@
 import type { SoundEvent } from '#board/sound/sound-event';
-import type { RadioPacket, RunOutlets, TimedLogEvent } from '#simulation/outlets';
+import type { DeviceOutlets, RadioPacket, TimedLogEvent } from '#simulation/outlets';
 
 /** The events of a run since the last call, oldest first. */
 export interface RunEvents {
@@ -12,7 +12,7 @@ export interface RunEvents {
 
 /** Collects a run's events for the page. */
 export interface EventBox {
-  readonly outlets: RunOutlets;
+  readonly outlets: DeviceOutlets;
   /** Takes out the robot's path: x and y in mm alternately, two `NaN` where the hand tool lifted it. */
   takeTrail(): readonly number[];
   /** Takes out everything else, or `null` when there is nothing. */

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 
 import { createStillness } from './stillness';
@@ -12,7 +13,7 @@ const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 async function isStillAfter(program: string): Promise<boolean> {
   const files = { 'main.py': `from mbrobot import *\n${program}` };
   const setup = { scene: defaultScene(), files, robot: 'maqueen-lite', board: 'auto', seed: 1, reality: 0 };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   const stillness = createStillness();
   let isStill = false;
   for (let ms = 100; ms <= 5000; ms += 100) {

@@ -2,6 +2,7 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 
 import type { FromWorker } from './protocol';
@@ -31,7 +32,7 @@ async function printedUntilStopped(program: string, { runMs = 40, lookMs = 1 } =
   });
   const hardware = { robot: 'none', board: 'auto', seed: 1, reality: 0, repl: 'at-once' } as const;
   runner.receive({ type: 'prepare', firmware });
-  const setup = { scene: defaultScene(), files: { 'main.py': program }, ...hardware };
+  const setup = soloRun({ scene: defaultScene(), files: { 'main.py': program }, ...hardware });
   runner.receive({ type: 'run', setup, speed: 1, paused: false });
   while (tasks.length === 0) await Promise.resolve();
   for (let next = tasks.shift(); next !== undefined && wallMs < runMs; next = tasks.shift()) {

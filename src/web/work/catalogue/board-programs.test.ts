@@ -5,6 +5,7 @@ import { modulesImportedBy } from '#python/imports';
 import { defaultScene } from '#scene/scene';
 import { chooseHardware, hardwareIds } from '#simulation/hardware';
 import type { InputAction, InputEvent } from '#simulation/input';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { LANGUAGES } from '../../page/i18n/texts';
 import { boardPrograms, isBoardProgram } from './board-programs';
@@ -38,7 +39,7 @@ async function play(source: string, inputs: readonly InputEvent[] = HANDS): Prom
   const hardware = chooseHardware({ scene, imports: modulesImportedBy(files), robot: 'none', board: 'auto' });
   if ('problem' in hardware) throw new Error(hardware.problem);
   const setup = { scene, files, ...hardwareIds(hardware), seed: 1, reality: 0, inputs };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(10_000_000);
   return simulation;
 }

@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { optionProblem } from '#core/option';
 import { filesByName, type Project } from '#project/project';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { TraceRow } from '#simulation/trace';
 import type { RobotSnapshot } from '#simulation/snapshot';
@@ -28,7 +29,7 @@ const entryOf = (robot: string, file: string): ExampleOf =>
 /** Puts a robot where a project begins. */
 function begin({ scene, files }: Project, robot: string): Promise<Simulation> {
   const setup = { scene, files: filesByName(files), robot, board: 'auto', seed: 1, reality: 0, keepTrace: true };
-  return Simulation.create(setup, firmware);
+  return Simulation.create(soloRun(setup), firmware);
 }
 
 const robotOf = (simulation: Simulation): RobotSnapshot => simulation.snapshot().robot!;

@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 import { LANGUAGES } from '#core/languages';
 import { robotTypes } from '#robots/index';
 import { findProblems } from '#scene/rules';
+import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { firstCourse } from './first-course';
 import type { MissionCourse } from './mission';
@@ -19,7 +20,7 @@ beforeAll(() => {
 async function drive({ scene, mission }: MissionCourse, program: string, seconds: number): Promise<Simulation> {
   const files = { 'main.py': program };
   const setup = { scene, files, robot: mission.robot, board: 'auto', seed: 1, reality: 0, keepTrace: false };
-  const simulation = await Simulation.create(setup, firmware);
+  const simulation = await Simulation.create(soloRun(setup), firmware);
   simulation.advanceTo(seconds * 1_000_000);
   return simulation;
 }

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { AnyObject } from '#scene/kinds/kind';
 import type { SceneObject } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import type { View } from '../../view/view-transform';
 import type { Palette } from '../../model/palette';
 

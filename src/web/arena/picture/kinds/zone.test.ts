@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Zone } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { zoneState } from './zone';
 
 const zone = (type: Zone['type'], number = 0, blocks = 0): Zone => {

@@ -1,6 +1,6 @@
 import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
 import type { SceneObject, Zone } from '#scene/scene';
-import type { Verdict } from '#simulation/verdict';
+import type { Verdict } from '#simulation/task/verdict';
 import { canvasFont, type Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
 

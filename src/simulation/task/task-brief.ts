@@ -1,5 +1,5 @@
 import type { Block, Scene, Task, Zone } from '#scene/scene';
-import { isSpiked } from './kinds';
+import { isSpiked } from '../kinds';
 
 /** The parts of a course that matter to the judge. */
 export interface TaskBrief {

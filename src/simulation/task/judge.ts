@@ -5,7 +5,7 @@ import { lengthOf, movedOutline, type Outline } from '#scene/outline';
 import { helps, type Help, type Scene, type Task, type Zone } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
 import type { BlockHandle } from '#world/shapes';
-import { changesRun } from './at-once';
+import { changesRun } from '../at-once';
 import { createDeliveries, isSame, type Deliveries } from './deliveries';
 import { briefOf, hasGoal, isTask, type TaskBrief } from './task-brief';
 import type { EarlyArrival, Verdict } from './verdict';

@@ -1,0 +1,167 @@
+import { Board } from '#board/board';
+import { Clock } from '#core/clock';
+import { watchLedChains, type LedChains } from '#devices/led-chains';
+import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
+import { STEP_US } from '#world/step';
+import type { World } from '#world/world';
+import type { FittedDevice } from './fit-devices';
+import { poseOf, type InputAction } from './input';
+import { mountRobot, type Mounted } from './mount-robot';
+import { tellEvents, type DeviceOutlets } from './outlets';
+import { robotLibraries } from './robot-libraries';
+import type { RunSetup } from './run-setup';
+import type { DeviceSnapshot } from './snapshot';
+import { boardSnapshot, robotSnapshot } from './take-snapshot';
+import { createTrailSender } from './trail';
+
+/** How and when a program ended. */
+export interface Ended extends VmEnd {
+  /** Simulated time. */
+  readonly timeUs: number;
+}
+
+/** The run around a device. */
+export interface Around {
+  readonly firmware: WebAssembly.Module;
+  readonly world: World;
+  readonly setup: Pick<RunSetup, 'reality' | 'repl'>;
+  /** Whole number from which this device's random numbers are drawn. */
+  readonly seed: number;
+  readonly outlets: DeviceOutlets;
+  /** Moves the world on, every `STEP_US` of this device's clock; left out: another device does. */
+  readonly step?: () => void;
+}
+
+/** What is done to one device from outside. */
+export type DeviceAction = Exclude<InputAction, { readonly type: 'edit' | 'place-block' | 'radio' }>;
+
+/** One microcomputer of a run: program, board and, if it has one, its robot, on a clock of its own. */
+export class Device {
+  readonly name: string;
+  readonly clock = new Clock();
+  readonly board: Board;
+  readonly mounted: Mounted | null;
+  /** Reports the robot's path; call it after each step of the world. */
+  readonly sendTrail: () => void;
+  private readonly scale: number;
+  private readonly ownAlarms: number;
+  private readonly lights: LedChains;
+  private readonly vm: Vm;
+  private output: string[] = [];
+  private end: Ended | null = null;
+  private isStopped = false;
+
+  /** Puts the robot into the world and loads the program, which begins with the first `resume`. */
+  constructor({ setup, hardware, start }: FittedDevice, around: Around) {
+    this.name = setup.name;
+    this.scale = start.scale;
+    // The step is registered before everything with a rhythm of its own (the robot's sensors): then the world moves
+    // first.
+    if (around.step) this.clock.every(STEP_US, around.step);
+    this.ownAlarms = this.clock.alarms;
+    this.board = new Board(hardware.board, this.clock, hardware.firmware);
+    const { outlets, world, seed } = around;
+    tellEvents(this.board, this.clock, outlets);
+    const { reality } = around.setup;
+    const place = { clock: this.clock, board: this.board, world, start, seed, reality, traits: setup.traits };
+    this.mounted = mountRobot(hardware, place);
+    this.sendTrail =
+      this.mounted && outlets.trail ? createTrailSender(this.mounted.chassis, outlets.trail) : () => undefined;
+    this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
+    this.vm = createVm({
+      firmware: around.firmware,
+      board: this.board,
+      clock: this.clock,
+      files: setup.files,
+      libraries: robotLibraries(hardware.robot?.id ?? null),
+      seed,
+      repl: around.setup.repl ?? 'when-typed',
+      write: outlets.print ?? ((text) => this.output.push(text)),
+    });
+  }
+
+  /** How the program ended, or `null` while it runs; `null` again when it runs again after Ctrl-D at the REPL. */
+  get ended(): Ended | null {
+    return this.end;
+  }
+
+  /** The program has switched the board off and does not run any more. */
+  get isOff(): boolean {
+    return this.board.power.state === 'off';
+  }
+
+  /** The program has ended, and nothing is set for later: no callback, tone, moving picture. */
+  get isIdle(): boolean {
+    return this.end !== null && this.clock.alarms <= this.ownAlarms;
+  }
+
+  /** Free bytes on the program's heap now, or when it ended. */
+  heapFree(): number {
+    return this.vm.heapFree();
+  }
+
+  /** Lets the VM go on until `us` of its clock, until its program ends, or until its program starts again. */
+  resume(us: number): void {
+    this.vm.resume(us);
+    const { ended } = this.vm;
+    if (ended === null) this.end = null;
+    else this.end ??= { ...ended, timeUs: this.clock.nowUs };
+  }
+
+  /** Lets the VM go on until `us`, also over the end of its program. */
+  resumeUntil(us: number): void {
+    while (this.clock.nowUs < us) this.resume(us);
+  }
+
+  /** The interrupt that follows ends the program; its traceback is not printed. */
+  expectStop(): void {
+    this.isStopped = true;
+  }
+
+  act(action: DeviceAction): void {
+    switch (action.type) {
+      case 'button':
+        return this.board.sensors.set(action.button === 'a' ? 'buttonA' : 'buttonB', action.down ? 1 : 0);
+      case 'touch':
+        return this.board.sensors.set(action.pad, action.down ? 1 : 0);
+      case 'serial':
+        return this.vm.feed(action.text);
+      case 'sensor':
+        // Beyond the range that the program has set, the sensor reports its limit.
+        return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
+      case 'place':
+        return this.mounted?.chassis.place(poseOf(action.pose));
+      case 'arena-senses':
+        return this.mounted?.senses.switch(action.on);
+      case 'interrupt':
+        return this.isStopped ? this.vm.stop() : this.vm.interrupt();
+      default:
+        action satisfies never;
+    }
+  }
+
+  snapshot(): DeviceSnapshot {
+    return {
+      ...boardSnapshot(this.board),
+      name: this.name,
+      running: this.end === null ? 'program' : 'world',
+      awaitsInput: this.vm.awaitsInput,
+      repl: this.vm.isInRepl,
+      robot: this.mounted && robotSnapshot(this.mounted, this.scale),
+      lights: this.lights.chains(),
+      arenaSenses: this.mounted?.senses.isOn ?? false,
+    };
+  }
+
+  /** The output since the last call. */
+  takeConsole(): string {
+    const text = this.output.join('');
+    this.output = [];
+    return text;
+  }
+
+  /** Takes the robot off the board. */
+  dispose(): void {
+    this.mounted?.robot.detach();
+  }
+}
