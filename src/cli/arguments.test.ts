@@ -18,6 +18,7 @@ describe('the command line', () => {
     expect(optionsOf('run main.py')).toEqual({
       program: 'main.py',
       files: [],
+      devices: [],
       scene: null,
       robot: 'auto',
       board: 'auto',
@@ -39,10 +40,14 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
+      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
+      devices: [
+        { name: 'remote', program: 'r.py', files: ['c.py'], robot: 'none', board: 'auto' },
+        { name: 'two', program: 't.py', files: [], robot: 'auto', board: 'auto' },
+      ],
       scene: 's.json',
       robot: 'none',
       board: 'microbit-v2',
@@ -74,7 +79,7 @@ describe('the command line', () => {
     ['run', /Which program\?/],
     ['drive main.py', /Unknown command "drive"/],
     ['run a.py b.py', /what is "b\.py"\? Further files come with --file/],
-    ['run main.py --speed 3', /Unknown option --speed\. Known: --file, --scene/],
+    ['run main.py --speed 3', /Unknown option --speed\. Known: --file, --device, --scene/],
     ['run main.py --scene', /--scene needs a value/],
     ['run main.py --scene --json', /--scene needs a value/],
     ['run main.py --firmware=', /--firmware needs a value/],

@@ -1,12 +1,15 @@
 import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
+import { parseDevice, type DeviceOption } from './device-option';
 import { parseDuration } from './duration';
 
 /** The request to `parcours run`. */
 export interface RunOptions {
   readonly program: string;
   readonly files: readonly string[];
+  /** Devices besides the first, which runs the program. */
+  readonly devices: readonly DeviceOption[];
   readonly scene: string | null;
   readonly robot: string;
   readonly board: string;
@@ -51,6 +54,7 @@ export type Command =
 const texts = [
   ...([
     'file',
+    'device',
     'scene',
     'robot',
     'board',
@@ -143,6 +147,8 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
   const robotOptions = readOptions(given.get('option') ?? []);
   if (typeof robotOptions === 'string') return bad(robotOptions);
+  const devices = readDevices(given.get('device') ?? []);
+  if (typeof devices === 'string') return bad(devices);
   const langText = last('lang') ?? 'en';
   const lang = LANGUAGES.find((known) => known === langText);
   if (lang === undefined) return bad(`--lang: "${langText}" is not available. Known: ${LANGUAGES.join(', ')}.`);
@@ -151,6 +157,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
     options: {
       program,
       files: given.get('file') ?? [],
+      devices,
       scene: last('scene') ?? null,
       robot: last('robot') ?? 'auto',
       board: last('board') ?? 'auto',
@@ -169,6 +176,17 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       quiet: set.has('quiet'),
     },
   };
+}
+
+/** The further devices in their order; or what is wrong with one of them. */
+function readDevices(texts: readonly string[]): readonly DeviceOption[] | string {
+  const devices: DeviceOption[] = [];
+  for (const text of texts) {
+    const device = parseDevice(text);
+    if (typeof device === 'string') return device;
+    devices.push(device);
+  }
+  return devices;
 }
 
 /** Options of the robot from `ID=CHOICE`, the last of an id wins; or what is wrong with one of them. */

@@ -33,6 +33,7 @@ describe('parcours run', { timeout: 30_000 }, () => {
         'console',
         'heapFree',
         'traceHash',
+        'devices',
       ],
     ]);
     expect(Object.keys(report.robot ?? {})).toEqual([

@@ -28,6 +28,10 @@ Which course, which robot
   --firmware NAME     for the micro:bit v2.1.2 (default) or newest, with the names that came later
   --file DRIVER.py    puts a further file on the board, for instance a module that
                       MAIN.py imports; may be given several times
+  --device NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]
+                      a further microcomputer in the same arena, with a robot or without, which
+                      hears the others by radio; up to seven. Its robot starts beside the first.
+                      What is printed has the name of its device before each line
 
 How long, and what happens
   --for TIME          run for exactly this long, for example 500ms, 20s or 2min; the world
@@ -39,6 +43,7 @@ How long, and what happens
                         { "at": "2s", "serial": "hello\\r\\n" },
                         { "at": "3s", "sensor": "lightLevel", "value": 10 },
                         { "at": "4s", "radio": "go" },
+                        { "at": "4s", "device": "remote", "button": "b", "down": true },
                         { "at": "5s", "place": { "xMm": 300, "yMm": 200, "headingDeg": 90 } },
                         { "at": "6s", "edit": { "type": "remove", "ids": ["stroke-1"] } } ]
                       what is typed after the program's end goes to the REPL
@@ -51,11 +56,13 @@ How long, and what happens
 
 What you get
   --json              at the end one line with everything about the run, for other programs;
-                      "verdict" tells whether the task of the course is passed
+                      "verdict" tells whether the task of the course is passed, "devices" what
+                      became of each device
   --strict            refuses to run what the real board would not understand, and says why
   --lang NAME         the language in which --strict explains: de, fr, it or en (default)
   --log FILE.csv      the board's data log, for a spreadsheet
-  --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet
+  --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet; with several devices
+                      the last column names the device
   --quiet             neither the program's output nor progress
 
   --help, --version

@@ -53,7 +53,7 @@ describe('an input file', () => {
     ['[{"at":"1s","serial":"x"},{"at":"1s","button":"c","down":true}]', /^\[1\]\.button: must be "a" or "b", not "c"/],
     ['[{"at":"1s","button":"a"}]', /^\[0\]\.down: is missing; it must be true or false/],
     ['[{"at":"1s","button":"a","down":1}]', /^\[0\]\.down: must be true or false, not 1/],
-    ['[{"at":"1s","button":"a","dwon":true}]', /^\[0\]\.dwon: is unknown here\. Known: at, button, down/],
+    ['[{"at":"1s","button":"a","dwon":true}]', /^\[0\]\.dwon: is unknown here\. Known: at, device, button, down/],
     ['[{"at":"1s","touch":"pin9","down":true}]', /^\[0\]\.touch: must be one of pinLogo/],
     ['[{"at":"1s","sensor":"lightLevel","value":null}]', /^\[0\]\.value: must be a number or a text, not null/],
     ['[{"at":"1s","place":{"xMm":1}}]', /^\[0\]\.place\.yMm: is missing/],

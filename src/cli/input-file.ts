@@ -55,11 +55,15 @@ function readEntry(entry: unknown): InputEvent | Bad {
     return { field: '', problem: `must have one of ${Object.keys(readers).join(', ')}; it has ${found}.` };
   }
   const { fields, read } = reader;
-  const strange = Object.keys(entry).find((key) => key !== 'at' && key !== kind && !fields.includes(key));
+  const known = ['at', 'device', kind, ...fields];
+  const strange = Object.keys(entry).find((key) => !known.includes(key));
   if (strange !== undefined)
-    return { field: strange.slice(0, 40), problem: `is unknown here. Known: ${['at', kind, ...fields].join(', ')}.` };
+    return { field: strange.slice(0, 40), problem: `is unknown here. Known: ${known.join(', ')}.` };
+  const { device } = entry;
+  if (device !== undefined && typeof device !== 'string')
+    return wrong('device', 'the name of a device in quotes', device);
   const action = read(entry);
-  return 'problem' in action ? action : { timeUs: at.us, action };
+  return 'problem' in action ? action : { timeUs: at.us, ...(device !== undefined && { device }), action };
 }
 
 /** Of all boards together; whether the run's board has a pad is checked when the run is made. */

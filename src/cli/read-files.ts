@@ -14,6 +14,8 @@ import { reasonOf } from './reason-of';
 export interface RunFiles {
   readonly scene: Scene;
   readonly files: Readonly<Record<string, string>>;
+  /** Files on the boards of the further devices, in their order. */
+  readonly deviceFiles: readonly Readonly<Record<string, string>>[];
   readonly inputs: readonly InputEvent[];
   /** The measured robot that drives; `null`: the one of the type. */
   readonly myRobot: MyRobot | null;
@@ -30,11 +32,11 @@ const MAX_NAME_CHARACTERS = 120;
 /** Reads everything a run needs; a problem is one line or several, each naming the file. */
 export function readRunFiles(options: RunOptions): RunFiles | { readonly problem: string } {
   try {
-    const files: Record<string, string> = { 'main.py': readText(options.program, MAX_PROGRAM_BYTES) };
-    for (const path of options.files) addFile(files, path);
+    const files = readBoard(options);
     return {
       scene: options.scene === null ? defaultScene() : readScene(options.scene),
       files,
+      deviceFiles: options.devices.map(readBoard),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
     };
@@ -62,6 +64,13 @@ class BadFile {
 function refuse(path: string, what: string): never {
   // eslint-disable-next-line @typescript-eslint/only-throw-error -- no stack is needed: it never leaves this file
   throw new BadFile(`${path}: ${what}`);
+}
+
+/** The files on a board: its program as main.py, and others. */
+function readBoard({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Readonly<Record<string, string>> {
+  const files: Record<string, string> = { 'main.py': readText(program, MAX_PROGRAM_BYTES) };
+  for (const path of paths) addFile(files, path);
+  return files;
 }
 
 function addFile(files: Record<string, string>, path: string): void {

@@ -3,7 +3,7 @@ import { rounded } from '#simulation/report';
 import type { Verdict } from '#simulation/task/verdict';
 import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
 import { createTerminal } from './terminal';
-import { traceHeader, traceLine } from './trace-csv';
+import { traceColumns, traceHeader, traceLine } from './trace-csv';
 
 const report: Report = {
   ended: 'finished',
@@ -18,11 +18,12 @@ const report: Report = {
   traceHash: 'ab',
   radio: [],
   lights: [],
+  devices: [],
 };
 
 describe('the report', () => {
   it('is one line with exactly the promised fields in their order', () => {
-    const line = jsonLine(report, 'one\ntwo\n');
+    const line = jsonLine(report, ['one\ntwo\n']);
     expect(line).not.toContain('\n');
     expect(Object.keys(JSON.parse(line) as object)).toEqual([
       ...[
@@ -37,13 +38,14 @@ describe('the report', () => {
         'console',
         'heapFree',
         'traceHash',
+        'devices',
       ],
     ]);
   });
 
   it('tells what was sent by radio, when something was', () => {
     const sent = { ...report, radio: [{ atMs: 5, text: 'go' }] };
-    expect(JSON.parse(jsonLine(sent, ''))).toMatchObject({ radio: [{ atMs: 5, text: 'go' }] });
+    expect(JSON.parse(jsonLine(sent, ['']))).toMatchObject({ radio: [{ atMs: 5, text: 'go' }] });
   });
 
   it('gives exit code 1 for a program that ended badly, else 0', () => {
@@ -136,13 +138,13 @@ describe('the trace file', () => {
   };
 
   it('names its columns, one for each line sensor', () => {
-    expect(traceHeader(row)).toBe(
+    expect(traceHeader(traceColumns([row], 1))).toBe(
       't_ms,x_mm,y_mm,heading_deg,left_mm_s,right_mm_s,left_duty,right_duty,line_left,line_right,distance_mm,collisions',
     );
   });
 
   it('has one line per moment, with nothing where there is no distance', () => {
-    expect(traceLine(row)).toBe('20,100.123,50,90,100,-100,0.5,-0.5,1,0,,3');
+    expect(traceLine(row, traceColumns([row], 1))).toBe('20,100.123,50,90,100,-100,0.5,-0.5,1,0,,3');
   });
 });
 

@@ -9,7 +9,7 @@ import {
   type RobotReport,
 } from '#simulation/report';
 import type { Ended, Simulation } from '#simulation/simulation';
-import type { Snapshot } from '#simulation/snapshot';
+import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 
 /** How a run ended, as a word for programs; `time-limit`: its program went on. */
@@ -33,40 +33,88 @@ export interface Report {
   readonly radio: readonly PacketReport[];
   /** Chains of colour lights on pins that no robot uses: rings and strips to which the program has sent colours. */
   readonly lights: Snapshot['lights'];
+  /** Each device, the first one first: what stands above is the first one's. */
+  readonly devices: readonly DeviceReport[];
 }
 
-/** The report on a run now. While its program goes on, `ended` is `time-limit`. */
-export function reportOf(simulation: Simulation, sent: readonly PacketReport[], wallMs: number): Report {
-  const { ended, nowUs } = simulation;
+/** One device. */
+export interface DeviceReport extends Pick<
+  Report,
+  'ended' | 'exception' | 'robot' | 'display' | 'heapFree' | 'lights'
+> {
+  readonly name: string;
+  /** The packets that it has sent. */
+  readonly radio: readonly PacketReport[];
+}
+
+/**
+ * The report on a run now. While a program goes on, its `ended` is `time-limit`.
+ *
+ * @param sent the packets that each device has sent
+ */
+export function reportOf(simulation: Simulation, sent: readonly (readonly PacketReport[])[], wallMs: number): Report {
   const snapshot = simulation.snapshot();
-  const simulatedMs = nowUs / 1000;
+  const simulatedMs = simulation.nowUs / 1000;
+  const reportAt = (device: DeviceSnapshot, place: number): DeviceReport => {
+    const ended = simulation.endings[place] ?? null;
+    return {
+      name: device.name,
+      ended: runEndedWord(ended, device.power === 'off'),
+      exception: ended?.exception ?? null,
+      robot: device.robot && robotReport(device.robot),
+      display: displayText(device.display),
+      heapFree: simulation.heapFree(place),
+      radio: sent[place] ?? [],
+      lights: device.lights,
+    };
+  };
+  const first = reportAt(snapshot, 0);
+  const { ended, exception, robot, display, heapFree, radio, lights } = first;
   return {
-    ended: runEndedWord(simulation),
-    exception: ended?.exception ?? null,
+    ...{ ended, exception, robot, display, heapFree, radio, lights },
     simulatedMs,
     wallMs: rounded(wallMs),
     realTimeFactor: wallMs > 0 ? rounded(simulatedMs / wallMs) : 0,
-    robot: snapshot.robot && robotReport(snapshot.robot),
-    display: displayText(snapshot.display),
     verdict: snapshot.verdict,
-    heapFree: simulation.heapFree(),
     traceHash: simulation.traceHash,
-    radio: sent,
-    lights: snapshot.lights,
+    devices: [first, ...snapshot.others.map((device, place) => reportAt(device, place + 1))],
   };
 }
 
 /** A program that switches the board off has finished, too. */
-function runEndedWord({ ended, isOff }: Pick<Simulation, 'ended' | 'isOff'>): RunEndedWord {
+function runEndedWord(ended: Ended | null, isOff: boolean): RunEndedWord {
   return ended === null ? (isOff ? 'finished' : 'time-limit') : endedWord(ended);
 }
 
-/** The line that `--json` prints; it has `radio` and `lights` only if they are not empty. */
-export function jsonLine(report: Report, console: string): string {
-  const { heapFree, traceHash, radio, lights, ...rest } = report;
-  const some = { ...(radio.length > 0 ? { radio } : {}), ...(lights.length > 0 ? { lights } : {}) };
-  return JSON.stringify({ ...rest, console, heapFree, traceHash, ...some });
+/**
+ * The line that `--json` prints; it has `radio` and `lights` only if they are not empty.
+ *
+ * @param consoles what each device's program has printed
+ */
+export function jsonLine(report: Report, consoles: readonly string[]): string {
+  const { ended, exception, simulatedMs, wallMs, realTimeFactor, robot, display, verdict } = report;
+  const { heapFree, traceHash, devices } = report;
+  return JSON.stringify({
+    ...{ ended, exception, simulatedMs, wallMs, realTimeFactor, robot, display, verdict },
+    console: consoles[0] ?? '',
+    ...{ heapFree, traceHash, ...someOf(report) },
+    devices: devices.map((device, place) => deviceLine(device, consoles[place] ?? '')),
+  });
 }
+
+const deviceLine = (device: DeviceReport, console: string) => {
+  const { name, ended, exception, display, robot, heapFree } = device;
+  return { name, ended, exception, console, display, robot, heapFree, ...someOf(device) };
+};
+
+const someOf = ({ radio, lights }: Pick<Report, 'radio' | 'lights'>) => ({
+  ...(radio.length > 0 ? { radio } : {}),
+  ...(lights.length > 0 ? { lights } : {}),
+});
+
+/** How the run ended as a whole: badly, if one of its programs did. */
+export const runEnding = ({ ended, devices }: Report): RunEndedWord =>
+  devices.map((device) => device.ended).find((one) => exitCodeOf(one) === 1) ?? ended;
 
 /** 0 for a run without exception, 1 for one that ended badly. */
 export function exitCodeOf(ended: RunEndedWord): 0 | 1 {

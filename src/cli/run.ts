@@ -1,16 +1,24 @@
 import { closeSync, existsSync, openSync, realpathSync, statSync } from 'node:fs';
-import { dirname, resolve } from 'node:path';
+import { basename, dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { foreignModules, modulesImportedBy } from '#python/imports';
 import type { Traits } from '#robots/traits';
-import { AUTO, chooseHardware, hardwareIds, isMisplugged, robotMeant, type Hardware } from '#simulation/hardware';
+import {
+  AUTO,
+  chooseHardware,
+  hardwareIds,
+  isMisplugged,
+  NO_ROBOT,
+  robotMeant,
+  type Hardware,
+} from '#simulation/hardware';
+import type { DeviceSetup } from '#simulation/run-setup';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
 import { reasonOf } from './reason-of';
-import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
+import { exitCodeOf, jsonLine, runEnding, verdictLine, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
-import { soloRun } from '#simulation/run-setup';
 
 /** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
 const DEFAULT_LIMIT_US = 600_000_000;
@@ -32,9 +40,11 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   if ('problem' in traits) return refuse(traits.problem, terminal);
   const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;
   if (unfit) {
-    if (options.json) terminal.line(jsonLine(unfit, ''));
+    if (options.json) terminal.line(jsonLine(unfit, []));
     return exitCodeOf(unfit.ended);
   }
+  const further = furtherDevices(options, read);
+  if ('problem' in further) return refuse(further.problem, terminal);
   if (areOneFile(options.trace, options.log))
     return refuse(`--trace and --log: ${options.log ?? ''} can be only one of them. Choose another name.`, terminal);
   const trace = openResult('--trace', options.trace, options);
@@ -46,17 +56,17 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
-      setup: soloRun({
+      setup: {
         scene,
-        files,
+        devices: [
+          { name: firstName(options), files, ...hardwareIds(chosen), robotOptions, ...traits },
+          ...further.devices,
+        ],
         inputs,
-        ...hardwareIds(chosen),
         seed,
         reality,
-        robotOptions,
-        ...traits,
         keepTrace: trace !== null,
-      }),
+      },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
@@ -74,9 +84,30 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
     case 'ran':
       tellEnd(outcome.report, options, terminal);
       if (!options.json && !options.quiet) tellVerdict(outcome.report, terminal);
-      if (options.json) terminal.line(jsonLine(outcome.report, outcome.console));
-      return exitCodeOf(outcome.report.ended);
+      if (options.json) terminal.line(jsonLine(outcome.report, outcome.consoles));
+      return exitCodeOf(runEnding(outcome.report));
   }
+}
+
+/** The first device has the name of its program. */
+const firstName = ({ program }: RunOptions): string => basename(program).replace(/\.[^.]*$/, '') || basename(program);
+
+/** The devices that `--device` adds: what their programs import decides what is not said. */
+function furtherDevices(
+  { devices }: RunOptions,
+  { scene, deviceFiles }: RunFiles,
+): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
+  const free = { ...scene, board: null, robot: { ...scene.robot, type: null, options: {} } };
+  const made: DeviceSetup[] = [];
+  for (const [place, { name, robot, board }] of devices.entries()) {
+    const files = deviceFiles[place] ?? {};
+    const imports = modulesImportedBy(files);
+    const wished = robot === AUTO ? (robotMeant(imports, null)?.id ?? NO_ROBOT) : robot;
+    const hardware = chooseHardware({ scene: free, imports, robot: wished, board });
+    if ('problem' in hardware) return { problem: `--device ${name}: ${hardware.problem}` };
+    made.push({ name, files, ...hardwareIds(hardware) });
+  }
+  return { devices: made };
 }
 
 /** Unless a robot is named, a measured one drives. */
@@ -164,8 +195,9 @@ type Opened = { readonly file: number } | { readonly problem: string };
 /** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
 function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
   if (path === null) return null;
-  const { program, files, scene, input, myRobot } = options;
-  const read = [program, ...files, scene, input, myRobot].filter((name) => name !== null).map(realPath);
+  const { program, files, devices, scene, input, myRobot } = options;
+  const others = devices.flatMap((device) => [device.program, ...device.files]);
+  const read = [program, ...files, ...others, scene, input, myRobot].filter((name) => name !== null).map(realPath);
   if (read.includes(realPath(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
   try {
     return { file: openSync(path, 'a') };

@@ -1,12 +1,23 @@
 /**
- * The program's output on its way from the worker to the main thread, in shared memory: output is available at once,
- * even if the worker never returns from what it does next. A full buffer makes the worker wait.
+ * The programs' output on its way from the worker to the main thread, in shared memory: output is available at once,
+ * even if the worker never returns from what it does next. A full buffer makes the worker wait. Where the output of
+ * another device begins, two bytes tell: `SWITCH` and the device's place. At the start it is the first one's.
  */
 export interface SharedConsole {
   /** Two counters of bytes, written and read since the start, modulo 2³². */
   readonly counters: Int32Array;
   readonly bytes: Uint8Array;
 }
+
+/** Output of one device. */
+export interface Said {
+  /** Its place among the devices. */
+  readonly device: number;
+  readonly text: string;
+}
+
+/** No byte of a text in UTF-8. */
+const SWITCH = 0xff;
 
 const WRITTEN = 0;
 const READ = 1;
@@ -26,10 +37,11 @@ export function createSharedConsole(): SharedConsole {
 }
 
 /** The worker's side: writes text, and waits for room if necessary. */
-export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: string) => void {
+export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: string, device?: number) => void {
   const encoder = new TextEncoder();
-  return (text) => {
-    let rest = encoder.encode(text);
+  let speaker = 0;
+  const write = (given: Uint8Array): void => {
+    let rest = given;
     while (rest.length > 0) {
       const written = Atomics.load(counters, WRITTEN);
       const read = Atomics.load(counters, READ);
@@ -45,22 +57,62 @@ export function createConsoleWriter({ counters, bytes }: SharedConsole): (text: 
       rest = rest.subarray(part.length);
     }
   };
+  return (text, device = 0) => {
+    if (device !== speaker) write(Uint8Array.of(SWITCH, device));
+    speaker = device;
+    write(encoder.encode(text));
+  };
 }
 
-/** The main thread's side: returns what has come since the last call, never half a character. */
-export function createConsoleReader({ counters, bytes }: SharedConsole): () => string {
-  const decoder = new TextDecoder();
+/** The main thread's side: returns what has come since the last call, in its order, never half a character. */
+export function createConsoleReader({ counters, bytes }: SharedConsole): () => readonly Said[] {
+  const sorter = createSorter();
   return () => {
-    let text = '';
     for (;;) {
       const read = Atomics.load(counters, READ);
       const waiting = (Atomics.load(counters, WRITTEN) - read) >>> 0;
-      if (waiting === 0) return text;
+      if (waiting === 0) return sorter.take();
       const start = (read >>> 0) % BYTES;
       const count = Math.min(waiting, BYTES - start);
-      text += decoder.decode(bytes.slice(start, start + count), { stream: true });
+      sorter.add(bytes.slice(start, start + count));
       Atomics.store(counters, READ, (read + count) | 0);
       Atomics.notify(counters, READ);
     }
+  };
+}
+
+/** Parts the stream of bytes by device, and decodes each device's own. */
+function createSorter() {
+  const decoders = new Map<number, TextDecoder>();
+  let said: Said[] = [];
+  let speaker = 0;
+  let isSwitching = false;
+  const decode = (part: Uint8Array): void => {
+    const decoder = decoders.get(speaker) ?? new TextDecoder();
+    decoders.set(speaker, decoder);
+    const text = decoder.decode(part, { stream: true });
+    if (text !== '') said.push({ device: speaker, text });
+  };
+  return {
+    add(bytes: Uint8Array): void {
+      let from = 0;
+      while (from < bytes.length) {
+        if (isSwitching) {
+          speaker = bytes[from] ?? 0;
+          isSwitching = false;
+          from += 1;
+          continue;
+        }
+        const at = bytes.indexOf(SWITCH, from);
+        decode(bytes.subarray(from, at < 0 ? bytes.length : at));
+        isSwitching = at >= 0;
+        from = at < 0 ? bytes.length : at + 1;
+      }
+    },
+    take(): readonly Said[] {
+      const taken = said;
+      said = [];
+      return taken;
+    },
   };
 }

@@ -1,13 +1,15 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
 import type { Report } from './report';
+import { createDeviceLines } from './device-lines';
 import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
 import type { Terminal } from './terminal';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
 /** The result of a run. */
 export type Outcome =
-  | { readonly type: 'ran'; readonly report: Report; readonly console: string }
+  /** With the output of each device. */
+  | { readonly type: 'ran'; readonly report: Report; readonly consoles: readonly string[] }
   | { readonly type: 'refused'; readonly problem: string }
   | { readonly type: 'broken'; readonly problem: string };
 
@@ -45,12 +47,14 @@ export const nothingYet: Report = {
   traceHash: '',
   radio: [],
   lights: [],
+  devices: [],
 };
 
 /** Runs the task in a thread of its own, passes its output on, and ends it if it is stuck or Ctrl-C is pressed. */
 export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal: Terminal): Promise<Outcome> {
   const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
-  const output = passOn(createSharedConsole(), terminal);
+  const names = task.setup.devices.map(({ name }) => name);
+  const output = passOn(createSharedConsole(), names, terminal);
   const workerData: WorkerTask = { ...task, shared, console: output.shared };
   const worker = new Worker(fileURLToPath(new URL('./worker.mjs', import.meta.url)), {
     workerData,
@@ -58,7 +62,7 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
   });
   let latest = nothingYet;
   return new Promise((resolve) => {
-    const ran = (report: Report): void => finish(() => ({ type: 'ran', report, console: output.all() }));
+    const ran = (report: Report): void => finish(() => ({ type: 'ran', report, consoles: output.all() }));
     const watch = watchBeat(shared, () => ran({ ...latest, ended: 'stuck' }));
     const interruption = onInterrupt(shared, () => ran({ ...latest, ended: 'stopped' }));
     function finish(outcome: () => Outcome): void {
@@ -87,14 +91,26 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
   });
 }
 
-/** Passes the program's output on to the terminal, every `DRAIN_MS` and at the end, and keeps it for the report. */
-function passOn(shared: SharedConsole, terminal: Terminal): { shared: SharedConsole; stop(): void; all(): string } {
+/** The programs' output on its way. */
+interface Output {
+  readonly shared: SharedConsole;
+  stop(): void;
+  /** All of it so far, by device. */
+  all(): readonly string[];
+}
+
+/** Passes the programs' output on to the terminal, every `DRAIN_MS` and at the end, and keeps it for the report. */
+function passOn(shared: SharedConsole, names: readonly string[], terminal: Terminal): Output {
   const read = createConsoleReader(shared);
-  let all = '';
+  const all = names.map(() => '');
+  const lines = names.length > 1 ? createDeviceLines(names, (text) => terminal.program(text)) : null;
   const drain = (): void => {
-    const text = read();
-    if (all.length < MAX_CONSOLE_CHARACTERS) all += text;
-    terminal.program(text);
+    for (const { device, text } of read()) {
+      const before = all[device] ?? '';
+      if (before.length < MAX_CONSOLE_CHARACTERS) all[device] = before + text;
+      if (lines === null) terminal.program(text);
+      else lines.add(device, text);
+    }
   };
   const timer = setInterval(drain, DRAIN_MS);
   return {
@@ -103,6 +119,7 @@ function passOn(shared: SharedConsole, terminal: Terminal): { shared: SharedCons
     stop() {
       clearInterval(timer);
       drain();
+      lines?.end();
     },
   };
 }

@@ -11,7 +11,7 @@ import { Simulation } from '#simulation/simulation';
 import { reportOf, type Report } from './report';
 import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
-import { traceHeader, traceLine } from './trace-csv';
+import { traceColumns, traceHeader, traceLine, type TraceColumns } from './trace-csv';
 import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
 
 /** Simulated time between two checks of the outside. Chosen: some ms of wall time, few suspensions of the program. */
@@ -40,34 +40,43 @@ function empty(file: number): void {
 }
 
 /** Writes the rows since the last call; the first call writes the names of the columns. */
-function createTraceWriter(simulation: Simulation, file: number | null): () => void {
-  let isBegun = false;
+function createTraceWriter(simulation: Simulation, file: number | null, devices: number): () => void {
+  let columns: TraceColumns | null = null;
   return () => {
     if (file === null) return;
     const rows = simulation.takeTrace();
-    if (!isBegun) {
+    if (columns === null) {
+      columns = traceColumns(rows, devices);
       empty(file);
-      writeSync(file, `${traceHeader(rows[0])}\n`);
+      writeSync(file, `${traceHeader(columns)}\n`);
     }
-    isBegun = true;
-    writeSync(file, rows.map((row) => `${traceLine(row)}\n`).join(''));
+    const shown = columns;
+    writeSync(file, rows.map((row) => `${traceLine(row, shown)}\n`).join(''));
   };
 }
 
-/** Collects the program's packets and log rows; its text goes straight to the terminal. */
+/** Collects the programs' packets and the first one's log rows; their text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
-  readonly radio: PacketReport[];
+  /** By device. */
+  readonly radio: readonly PacketReport[][];
   readonly log: LogEvent[];
 } {
-  const radio: PacketReport[] = [];
+  const radio = task.setup.devices.map((): PacketReport[] => []);
   const log: LogEvent[] = [];
   const outlets: RunOutlets = {
     print: createConsoleWriter(task.console),
-    radio: (packet) => {
-      if (radio.length < MAX_PACKETS) radio.push(packetReport(packet));
+    radio: (packet, device) => {
+      const sent = radio[device] ?? [];
+      if (sent.length < MAX_PACKETS) sent.push(packetReport(packet));
     },
-    ...(task.logFile === null ? {} : { log: (event) => log.push(event) }),
+    ...(task.logFile === null
+      ? {}
+      : {
+          log: (event, device) => {
+            if (device === 0) log.push(event);
+          },
+        }),
   };
   return { outlets, radio, log };
 }
@@ -77,13 +86,13 @@ function writeLog(file: number, events: readonly LogEvent[]): void {
   writeSync(file, csvOf(withLogEvents(emptyLog, events)));
 }
 
-function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly PacketReport[]): Report {
+function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (readonly PacketReport[])[]): Report {
   const { shared, untilUs, untilProgramEnds } = task;
-  const writeTrace = createTraceWriter(simulation, task.traceFile);
+  const writeTrace = createTraceWriter(simulation, task.traceFile, task.setup.devices.length);
   const startMs = performance.now();
   let toldMs = startMs;
   let isInterrupted = false;
-  const hasEnded = (): boolean => simulation.ended !== null || simulation.isOff;
+  const hasEnded = (): boolean => simulation.hasEnded || simulation.isOff;
   const isOver = (): boolean => simulation.nowUs >= untilUs || (hasEnded() && (untilProgramEnds || isInterrupted));
   // A program that is stuck in its very first call is reported in its state at that moment.
   post({ type: 'progress', report: reportOf(simulation, sent, 0) });

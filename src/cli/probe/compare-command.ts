@@ -64,7 +64,7 @@ async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
     const task = { setup, untilUs: MOST_US, untilProgramEnds: true, traceFile: null, logFile: null };
     const outcome = await supervise(task, silent);
     if (outcome.type !== 'ran') return { problem: `${program} could not run here: ${outcome.problem}` };
-    const parsed = parseProbe(outcome.console);
+    const parsed = parseProbe(outcome.consoles[0] ?? '');
     if ('problem' in parsed) return { problem: `${program}, run here: ${parsed.problem}` };
     found.push(...parsed.tables);
   }

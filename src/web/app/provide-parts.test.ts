@@ -142,8 +142,13 @@ describe('what a run is given', () => {
     await page.run.start();
     const sent = setupOf(page);
     expect(sent?.setup).toMatchObject({
-      ...{ files: { 'main.py': 'x = 1\n', 'turn.py': 'left = 1\n' }, scene: page.work.scene.value },
-      ...{ board: 'calliope-mini-3', robot: 'callibot', seed: 7, reality: 0.5 },
+      ...{ scene: page.work.scene.value, seed: 7, reality: 0.5 },
+      devices: [
+        {
+          files: { 'main.py': 'x = 1\n', 'turn.py': 'left = 1\n' },
+          ...{ board: 'calliope-mini-3', robot: 'callibot' },
+        },
+      ],
     });
     expect([sent?.speed, sent?.paused]).toEqual([4, false]);
   });

@@ -1,0 +1,35 @@
+/** A further device from the command line: `NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]`. */
+export interface DeviceOption {
+  readonly name: string;
+  readonly program: string;
+  /** Further files on its board. */
+  readonly files: readonly string[];
+  /** Id of a robot type, `none`, or `auto`: the one whose module the program imports, else none. */
+  readonly robot: string;
+  /** Id of a board type, or `auto`: the robot's, else by what the program imports. */
+  readonly board: string;
+}
+
+/** The longest name of a device. Chosen: it fits on its card. */
+const MAX_NAME_CHARACTERS = 30;
+const EXAMPLE = 'remote=remote.py,robot=none';
+
+/** Reads one `--device`; or what is wrong with it, in words. */
+export function parseDevice(text: string): DeviceOption | string {
+  const [first = '', ...parts] = text.split(',');
+  const [, name = '', program = ''] = /^([^=]*)=(.*)$/.exec(first) ?? [];
+  if (name === '' || program === '') return `--device: "${text}" is not like ${EXAMPLE}.`;
+  if (name.length > MAX_NAME_CHARACTERS)
+    return `--device: the name "${name}" has ${name.length} characters; the limit is ${MAX_NAME_CHARACTERS}.`;
+  const files: string[] = [];
+  const chosen = new Map<string, string>();
+  for (const part of parts) {
+    const [, key = '', value = ''] = /^(\w+)=(.+)$/.exec(part) ?? [];
+    if (key === 'file') files.push(value);
+    else if (key !== 'robot' && key !== 'board')
+      return `--device ${name}: "${part}" is unknown here. Known: robot=ID, board=ID, file=DRIVER.py.`;
+    else if (chosen.has(key)) return `--device ${name}: ${key} is given twice.`;
+    else chosen.set(key, value);
+  }
+  return { name, program, files, robot: chosen.get('robot') ?? 'auto', board: chosen.get('board') ?? 'auto' };
+}

@@ -1,0 +1,106 @@
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { describe, expect, it } from 'vitest';
+import { lastLine, parcours, useFolder } from './testing/parcours';
+
+const { folder, file } = useFolder();
+
+const remote = file(
+  'remote.py',
+  'from microbit import *\nimport radio\nradio.on()\nwhile not button_b.is_pressed(): sleep(5)\nradio.send("go")\nprint("sent")\n',
+);
+const robot = file(
+  'robot.py',
+  'from mbrobot import *\nimport radio\nradio.on()\nwhile radio.receive() != "go": delay(5)\nforward()\ndelay(500)\nstop()\nprint("there")\n',
+);
+const press = file(
+  'press.json',
+  JSON.stringify([
+    { at: '200ms', device: 'remote', button: 'b', down: true },
+    { at: '350ms', device: 'remote', button: 'b', down: false },
+  ]),
+);
+const DEVICES = ['run', robot, '--device', `remote=${remote}`, '--input', press];
+
+describe('parcours run with --device', { timeout: 60_000 }, () => {
+  it('lets a remote control start the robot, and says who prints what', () => {
+    expect(parcours(...DEVICES)).toEqual({ code: 0, out: 'remote: sent\nrobot: there\n', err: '' });
+  });
+
+  it('tells of each device in "devices", the first one first, and of the first one where it always did', () => {
+    const report = lastLine(parcours(...DEVICES, '--json').out);
+    expect(report).toMatchObject({ ended: 'finished', console: 'there\n', robot: { type: 'maqueen-lite' } });
+    expect(report.devices).toMatchObject([
+      { name: 'robot', ended: 'finished', exception: null, console: 'there\n', robot: { type: 'maqueen-lite' } },
+      { name: 'remote', ended: 'finished', console: 'sent\n', robot: null, radio: [{ text: 'go' }] },
+    ]);
+    expect(report.robot?.pathMm).toBeGreaterThan(50);
+  });
+
+  it('gives the same line again, but for the time it took', () => {
+    const told = () => ({ ...lastLine(parcours(...DEVICES, '--json').out), wallMs: 0, realTimeFactor: 0 });
+    expect(told()).toEqual(told());
+  });
+
+  it('has one device, named by its program, without --device', () => {
+    const { devices } = lastLine(parcours('run', file('alone.py', 'print(1)'), '--json').out);
+    expect(devices).toMatchObject([{ name: 'alone', console: '1\n' }]);
+  });
+
+  it('puts the robot of a further device beside the first, with its own driver', () => {
+    const driver = file('twice.py', 'def twice(n): return 2 * n\n');
+    const second = file('second.py', 'from callibot import *\nfrom twice import twice\nprint(twice(4))\n');
+    const { out } = parcours('run', robot, '--device', `two=${second},robot=callibot,file=${driver}`, '--for', '1s', '--json'); // prettier-ignore
+    const [first, two] = lastLine(out).devices;
+    expect(two).toMatchObject({ console: '8\n', robot: { type: 'callibot', collisions: 0 } });
+    expect(two?.robot?.yMm).toBeGreaterThan((first?.robot?.yMm ?? 0) + 100);
+  });
+
+  it('writes the device into each line of the trace', () => {
+    const trace = join(folder, 'both.csv');
+    parcours('run', robot, '--device', `too=${robot},robot=maqueen-plus-v2`, '--for', '100ms', '--trace', trace);
+    const [header = '', first = '', second = ''] = readFileSync(trace, 'utf8').split('\n');
+    expect(header).toMatch(/^t_ms,.*,collisions,device$/);
+    expect([first, second].map((line) => line.split(',').at(-1))).toEqual(['robot', 'too']);
+    expect(first.split(',').length).toBe(header.split(',').length);
+  });
+
+  it('ends with 1 when the program of any device fails', () => {
+    expect(parcours('run', file('ok.py', 'pass'), '--device', `bad=${file('bad.py', '1/0')}`).code).toBe(1);
+  });
+
+  it.each([
+    [['--device', 'remote'], '--device: "remote" is not like remote=remote.py,robot=none.'],
+    [
+      ['--device', `a=${remote},speed=3`],
+      '--device a: "speed=3" is unknown here. Known: robot=ID, board=ID, file=DRIVER.py.',
+    ],
+    [
+      ['--device', `a=${remote},robot=tank`],
+      /^parcours: --device a: Unknown robot "tank"\. Known robots: maqueen-lite, /,
+    ],
+    [
+      ['--device', `a=${remote}`, '--device', `a=${remote}`],
+      'Two devices are named "a". Give one of them another name.',
+    ],
+    [['--device', 'a=missing.py'], /missing\.py: /],
+    [
+      Array.from({ length: 8 }, (_, n) => ['--device', `d${n}=${remote}`]).flat(),
+      '9 devices are too many: at most 8 share a run. Take some away.',
+    ],
+    [
+      [
+        '--device',
+        `a=${remote}`,
+        '--input',
+        file('wrong.json', '[{"at": "1s", "device": "b", "button": "a", "down": true}]'),
+      ],
+      'There is no device "b". Known are "robot", "a".',
+    ],
+  ] as const)('refuses %j', (args, message) => {
+    const { code, err } = parcours('run', robot, ...args);
+    expect(code).toBe(2);
+    if (typeof message === 'string') expect(err).toContain(message);
+    else expect(err).toMatch(message);
+  });
+});
