@@ -103,7 +103,7 @@ for (const count of [2, 4, 8])
   test(`${count} devices that talk by radio and drive around each other do the same as in Node`, async ({ app }) => {
     const run = { setup: convoyOf(count, { reality: count === 4 ? 0.5 : 0 }), untilMs: 6000 };
     const inNode = await runInNode(run);
-    for (const part of ['ahead', 'near']) expect(inNode.console).toContain(part);
+    for (const part of count > 2 ? ['ahead', 'near'] : ['ahead']) expect(inNode.console).toContain(part);
     await app.goto(PROBE);
     expect(await app.evaluate((task) => window.probe(task.setup, task.untilMs), run)).toEqual(inNode);
   });
