@@ -236,7 +236,28 @@ function meter(module, interpreter) {
         ${use('gas')})
       (else (global.set $in_program (i32.const 0)) ${use('library_gas')}))
     ${expression})`;
-  module.functions.set(interpreter, text.slice(0, operand) + metered + text.slice(end));
+  const inner = `${interpreter}_metered`;
+  const body = (text.slice(0, operand) + metered + text.slice(end)).replace(
+    `(func $${interpreter} `,
+    `(func $${inner} `,
+  );
+  module.functions.set(inner, body);
+  module.functions.set(interpreter, returningTo(interpreter, inner, text));
+}
+
+/**
+ * C code that the program has called goes on as the program's when it has asked a function of the library in between:
+ * an iterator, a `__getattr__`.
+ */
+function returningTo(name, inner, text) {
+  const [parameters] = /^(?:\(param \$\d+ i32\) )+\(result i32\)/.exec(text.slice(text.indexOf('(param'))) ?? [];
+  if (parameters === undefined) throw new Error('The interpreter has another signature.');
+  const given = [...parameters.matchAll(/\$\d+/g)].map(([parameter]) => `(local.get ${parameter})`).join(' ');
+  return `(func $${name} ${parameters} (local $asked_by i32) (local $how i32)
+    (local.set $asked_by (global.get $in_program))
+    (local.set $how (call $${inner} ${given}))
+    (global.set $in_program (local.get $asked_by))
+    (local.get $how))`;
 }
 
 /**

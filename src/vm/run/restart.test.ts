@@ -194,6 +194,11 @@ describe('the way to the board', () => {
     expect(runProgram(program).ended?.exception?.type).toBe(type);
   });
 
+  it('is not in what dir() lists, also of a module that is asked for its names by a function of ours', () => {
+    const program = 'import music, micropython, radio\nprint([n for m in (music, micropython, radio) for n in dir(m) if n[0] == "_" != n[1]])'; // prettier-ignore
+    expect(runProgram(program).console).toBe('[]\n');
+  });
+
   it('leaves a program its own names: with an underscore in its modules, and the table of its names', () => {
     const files = { 'mine.py': '_x = 7\ndef f():\n    pass\n' };
     const { console } = runProgram(
