@@ -21,6 +21,8 @@ const pageSubjects = [
   stopSubject,
 ];
 
+export { apiCalls } from './api-calls';
+
 /** The lines that need no browser. Runs in the project's folder after set-up. */
 export const headlessRows = (): AsyncGenerator<Row> => measured([...headlessSubjects, apiCallsSubject], undefined);
 

@@ -1,5 +1,6 @@
 // npm run bench: prints every budget with its figure (docs/architecture.md, "Budgets"). A missed budget is marked and fails nothing.
-// With `-- --long` the page drives its ten minutes as people see them, not as fast as it can.
+// With `-- --long` the page drives its ten minutes as people see them, not as fast as it can. With `-- --calls` it only
+// tells how fast a loop with each API call runs, the slowest first.
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -25,6 +26,13 @@ async function buildBench() {
     ]),
   );
   return import(pathToFileURL(join(root, 'dist/bench/bench.mjs')).href);
+}
+
+async function printCalls(bench) {
+  const calls = [];
+  for await (const call of bench.apiCalls()) calls.push(call);
+  calls.sort((a, b) => a.factor - b.factor);
+  for (const { call, factor } of calls) process.stdout.write(`${call.padEnd(50)} ${factor.toFixed(1)} x\n`);
 }
 
 /** The lines about the page, from the built app in headless Chromium. */
@@ -57,6 +65,7 @@ await main(import.meta.url, async (args) => {
   note(
     `Load (means of 1, 5 and 15 min): ${load()}. Headless: the best of 3; page: the median of 3, Chromium on the same machine.`,
   );
+  if (args.includes('--calls')) return printCalls(bench);
   print({ what: 'what', figure: 'figure', budget: 'budget', met: null });
   for await (const row of bench.headlessRows()) print(row);
   await printPage(bench, args.includes('--long'));
