@@ -194,9 +194,20 @@ describe('the way to the board', () => {
     expect(runProgram(program).ended?.exception?.type).toBe(type);
   });
 
-  it('is not in what dir() lists, also of a module that is asked for its names by a function of ours', () => {
-    const program = 'import music, micropython, radio\nprint([n for m in (music, micropython, radio) for n in dir(m) if n[0] == "_" != n[1]])'; // prettier-ignore
-    expect(runProgram(program).console).toBe('[]\n');
+  it('is not in what dir() lists of the device’s modules, classes and objects', () => {
+    const program = 'import microbit, music, micropython, radio\nfor thing in (microbit, music, micropython, radio, microbit.display, microbit.Image, microbit.Image(), microbit.display.show):\n    print([n for n in dir(thing) if n[0] == "_"])'; // prettier-ignore
+    expect(new Set(runProgram(program).console.trim().split('\n'))).toEqual(
+      new Set(["['__class__', '__name__']", "['__class__']"]),
+    );
+  });
+
+  it('is not in what help() says of them', () => {
+    expect(runProgram('from microbit import *\nhelp(button_a)').console).toBe(
+      [
+        'object <MicroBitButton> is of type MicroBitButton',
+        ...['  was_pressed -- <function>', '  get_presses -- <function>', '  is_pressed -- <function>', ''],
+      ].join('\n'),
+    );
   });
 
   it('leaves a program its own names: with an underscore in its modules, and the table of its names', () => {
