@@ -27,7 +27,7 @@ export const randomOptions = (rng: Rng): ToolOptions => ({
   penWidth: wholeFrom(rng, 1, 500),
   penColor: oneOf(rng, strokeColors),
   penShape: oneOf(rng, ['free', 'straight', 'curve']),
-  eraser: oneOf(rng, ['parts', 'objects']),
+  eraser: oneOf(rng, ['all', 'lines']),
   eraserWidth: wholeFrom(rng, 5, 300),
   block: oneOf(rng, ['block', 'fixed-block', 'spikes', 'mover']),
   blockSize: extent(rng),

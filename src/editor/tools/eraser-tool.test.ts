@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import { applyEdit } from '#scene/edit';
+import { inverse } from '#scene/inverse';
 import { sceneLimits, type Point, type Scene } from '#scene/scene';
 import { eraserTool } from './eraser-tool';
 import { block, contextOf, course, drag, stroke, target, used, wall } from '../testing/desk';
@@ -6,8 +8,9 @@ import type { Drag } from './tool';
 
 const wipe = (scene: Scene, one: Drag, eraserWidth = 40) =>
   used(eraserTool, one, contextOf(scene, { eraserWidth })).objects;
-const take = (scene: Scene, one: Drag) =>
-  used(eraserTool, one, contextOf(scene, { eraser: 'objects' })).objects.map(({ id }) => id);
+const take = (scene: Scene, one: Drag) => used(eraserTool, one, contextOf(scene)).objects.map(({ id }) => id);
+const going = (scene: Scene, one: Drag, isDown = false) =>
+  eraserTool.marks?.(one, contextOf(scene), isDown).flatMap((mark) => (mark.type === 'goes' ? [mark.object.id] : []));
 
 describe('eraser of lines', () => {
   it('cuts a line in two where it crosses it: no ink stays under its 40 mm', () => {
@@ -39,9 +42,9 @@ describe('eraser of lines', () => {
     expect(wipe(scene, drag([500, 300]))).toHaveLength(2);
   });
 
-  it('takes no walls, blocks or zones', () => {
+  it('takes no walls, blocks or zones where only lines are wanted', () => {
     const scene = course(wall('w', [100, 300], [900, 300]), block('b', [500, 320]), target('t', [500, 300]));
-    expect(eraserTool.edit(drag([500, 200], [500, 400]), contextOf(scene))).toBeNull();
+    expect(eraserTool.edit(drag([500, 200], [500, 400]), contextOf(scene, { eraser: 'lines' }))).toBeNull();
   });
 
   it('wipes off one end of a line 2 mm at a time as in one go', () => {
@@ -71,18 +74,21 @@ describe('eraser of lines', () => {
   });
 });
 
-describe('eraser of objects', () => {
+describe('eraser of things', () => {
   const scene = course(target('t', [500, 300]), stroke('s', [100, 300], [900, 300]), block('b', [500, 300]));
 
-  it('takes the topmost away when it is tapped', () => {
+  it('takes the topmost away when it is tapped, and leaves the line below whole', () => {
     expect(take(scene, drag([500, 300]))).toEqual(['t', 's']);
-    expect(take(scene, drag([430, 302]))).toEqual(['t', 'b']);
     expect(take(scene, drag([450, 360]))).toEqual(['s', 'b']);
   });
 
+  it('only dabs where a tapped line lies above', () => {
+    expect(take(scene, drag([430, 302]))).toEqual(['t', 's', 'stroke-1', 'b']);
+  });
+
   it('takes what is within half the reach of 8 mm', () => {
-    expect(take(course(block('b', [500, 300])), drag([528, 300]))).toEqual([]);
     expect(take(course(block('b', [500, 300])), drag([530, 300]))).toEqual(['b']);
+    expect(take(course(block('b', [500, 300])), drag([528, 300]))).toEqual([]);
   });
 
   it('takes everything that a drag passes over, however fast', () => {
@@ -90,7 +96,21 @@ describe('eraser of objects', () => {
     expect(take(row, drag([50, 300], [850, 300]))).toEqual(['b8', 'b9']);
   });
 
+  it('cuts lines and takes things in one drag, and one undo brings all back', () => {
+    const mixed = course(stroke('s', [100, 300], [900, 300]), wall('w', [300, 400], [700, 400]));
+    const edit = eraserTool.edit(drag([500, 200], [500, 450]), contextOf(mixed))!;
+    const after = applyEdit(mixed, edit);
+    expect(after.objects.map(({ id }) => id)).toEqual(['s', 'stroke-1']);
+    expect(applyEdit(after, inverse(mixed, edit))).toEqual(mixed);
+  });
+
+  it('shows before what a tap would take, and while it is dragged what goes', () => {
+    expect(going(scene, drag([500, 300]))).toEqual(['b']);
+    expect(going(scene, drag([50, 50]))).toEqual([]);
+    expect(going(scene, drag([500, 180], [500, 310]), true)).toEqual(['t', 'b']);
+  });
+
   it('does nothing on an empty place', () => {
-    expect(eraserTool.edit(drag([50, 50]), contextOf(scene, { eraser: 'objects' }))).toBeNull();
+    expect(eraserTool.edit(drag([50, 50]), contextOf(scene))).toBeNull();
   });
 });

@@ -3,7 +3,7 @@ import type { Replacement, SceneEdit } from '#scene/edit';
 import { eraserAlong, erased, type Eraser } from '#scene/erase';
 import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, type Bounds } from '#scene/outline';
-import type { Scene, Stroke } from '#scene/scene';
+import type { Scene, SceneObject, Stroke } from '#scene/scene';
 import { simplified } from '#scene/simplify';
 import { grown } from '../bounds';
 import { endOf, isTap, startOf } from '../drag';
@@ -16,15 +16,24 @@ import { alongPath } from './path-fold';
 import { thingsAt } from '../selection';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
-/** Wipes strokes where it passes, or takes whole objects away. */
+/** Cuts strokes where it passes, and takes away all else that it passes over, unless only lines are wanted. */
 export const eraserTool: Tool = {
   id: 'eraser',
   cursor: 'cell',
-  edit: (drag, context) =>
-    context.options.eraser === 'parts' ? wiped(drag, context) : removing(objectsUnder(drag, context)),
-  marks: (drag, { options }): readonly Mark[] =>
-    options.eraser === 'parts' ? [{ type: 'eraser', at: endOf(drag), radiusMm: options.eraserWidth / 2 }] : [],
+  edit(drag, context): SceneEdit | null {
+    const gone = thingsUnder(drag, context);
+    return isOnThing(drag, gone) ? removing(gone.map(({ id }) => id)) : wiped(drag, context, gone);
+  },
+  marks(drag, context): readonly Mark[] {
+    const gone = thingsUnder(drag, context);
+    const outlines = gone.map((object): Mark => ({ type: 'goes', object }));
+    if (isOnThing(drag, gone)) return outlines;
+    return [...outlines, { type: 'eraser', at: endOf(drag), radiusMm: context.options.eraserWidth / 2 }];
+  },
 };
+
+/** A tap on a thing takes just that: the line below it stays whole. */
+const isOnThing = (drag: Drag, gone: readonly SceneObject[]): boolean => isTap(drag) && gone.length > 0;
 
 /** The rests of the strokes that were cut, by the id of the whole stroke. */
 type Cuts = ReadonlyMap<string, readonly Stroke[]>;
@@ -60,10 +69,9 @@ function piecesLeft(piece: Stroke, eraser: Eraser, around: Bounds): readonly Str
   return lines === null ? [piece] : lines.map((points) => ({ ...piece, points }));
 }
 
-function wiped(drag: Drag, context: ToolContext): SceneEdit | null {
+function wiped(drag: Drag, context: ToolContext, things: readonly SceneObject[]): SceneEdit | null {
   const { scene } = context;
   const cuts = cutsAlong(drag, context);
-  if (cuts.size === 0) return null;
   const room = roomIn(scene);
   let objects = 0;
   let points = 0;
@@ -74,7 +82,8 @@ function wiped(drag: Drag, context: ToolContext): SceneEdit | null {
     points += pieces.reduce((sum, piece) => sum + piece.points.length, -object.points.length);
   }
   const fits = objects <= room.objects && points <= room.points;
-  return leaving(scene, fits ? cuts : new Map([...cuts].map(([id, pieces]) => [id, longest(pieces)])));
+  const kept = fits ? cuts : new Map([...cuts].map(([id, pieces]) => [id, longest(pieces)]));
+  return leaving(scene, kept, things);
 }
 
 /** In a full course, cutting would make too many: the longest piece stays, which never needs more room. */
@@ -84,10 +93,10 @@ function longest(pieces: readonly Stroke[]): readonly Stroke[] {
   return pieces.filter((_, index) => lengths[index] === most).slice(0, 1);
 }
 
-/** The first piece keeps the stroke's id; a stroke of which nothing is left goes. */
-function leaving(scene: Scene, cuts: Cuts): SceneEdit | null {
+/** The first piece keeps the stroke's id; a stroke of which nothing is left goes, like the things. */
+function leaving(scene: Scene, cuts: Cuts, things: readonly SceneObject[]): SceneEdit | null {
   const freeId = freeIds(scene);
-  const gone: string[] = [];
+  const gone = things.map(({ id }) => id);
   const changes: Replacement[] = [];
   for (const [id, pieces] of cuts) {
     if (pieces.length === 0) gone.push(id);
@@ -100,13 +109,17 @@ function leaving(scene: Scene, cuts: Cuts): SceneEdit | null {
   return combined([replacing(changes), removing(gone)]);
 }
 
-/** A tap removes the topmost object within half the reach (mistakes hurt); a drag also removes all in its path. */
-function objectsUnder(drag: Drag, context: ToolContext): readonly string[] {
-  const { scene } = context;
+/**
+ * What goes besides lines. A tap takes the topmost thing within half the reach (mistakes hurt), if no line lies above it;
+ * a drag also takes all in its path.
+ */
+function thingsUnder(drag: Drag, context: ToolContext): readonly SceneObject[] {
+  const { scene, options } = context;
+  if (options.eraser === 'lines') return [];
   const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm / 2);
   const passed = isTap(drag) ? new Set<string>() : new Set(passedAlong(drag, context));
   if (topmost !== undefined && topmost !== null) passed.add(topmost);
-  return scene.objects.filter(({ id }) => passed.has(id)).map(({ id }) => id);
+  return scene.objects.filter(({ id, type }) => type !== 'stroke' && passed.has(id));
 }
 
 const passedAlong = alongPath<ReadonlySet<string>>({
@@ -116,8 +129,10 @@ const passedAlong = alongPath<ReadonlySet<string>>({
     const next = new Set(passed);
     const places = fewer(path);
     const around = boundsOfOutline(places);
-    for (const object of scene.objects)
-      if (!next.has(object.id) && boundsMeet(boundsOf(object), around) && isPassed(object, places)) next.add(object.id);
+    for (const object of scene.objects) {
+      if (object.type === 'stroke' || next.has(object.id) || !boundsMeet(boundsOf(object), around)) continue;
+      if (isPassed(object, places)) next.add(object.id);
+    }
     return next;
   },
 });

@@ -6,7 +6,7 @@ export const usualToolOptions: ToolOptions = {
   penWidth: sceneDefaults.width,
   penColor: sceneDefaults.color,
   penShape: 'free',
-  eraser: 'parts',
+  eraser: 'all',
   eraserWidth: 30, // chosen: takes a line of 20 mm in one go
   block: 'block',
   blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
-import type { Point, Scene, StrokeColor, Zone } from '#scene/scene';
+import type { Point, Scene, SceneObject, StrokeColor, Zone } from '#scene/scene';
 
 /** The tools of the palette. The hand is not among them: it reaches into the run, never into the course. */
 export type ToolId =
@@ -32,8 +32,8 @@ export interface ToolOptions {
   readonly penColor: StrokeColor;
   /** `free`: as drawn; `straight`: from start to end, snapped to 45°; `curve`: smoothed. */
   readonly penShape: 'free' | 'straight' | 'curve';
-  /** `parts`: cuts strokes where it passes; `objects`: takes whole objects away. */
-  readonly eraser: 'parts' | 'objects';
+  /** `all`: cuts strokes where it passes and takes everything else away; `lines`: strokes alone. */
+  readonly eraser: 'all' | 'lines';
   readonly eraserWidth: number;
   readonly block: 'block' | 'fixed-block' | 'spikes' | 'mover';
   readonly blockSize: Point;
@@ -72,6 +72,8 @@ export type Mark =
   | { readonly type: 'snap'; readonly at: Vec }
   /** The area of the eraser. */
   | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }
+  /** An object that is about to be taken away. */
+  | { readonly type: 'goes'; readonly object: SceneObject }
   /** The grid on whose edges a maze is built, and the edge that a tap would change. */
   | { readonly type: 'grid'; readonly cellMm: number; readonly edge: readonly [Vec, Vec] | null };
 

@@ -108,11 +108,11 @@ describe('the options of a tool', () => {
     expect(radio('20 mm breit').tabIndex).toBe(-1);
   });
 
-  it('make the eraser take whole things, and as wide as one likes', async () => {
+  it('make the eraser spare things, and as wide as one likes', async () => {
     const { set } = await optionsOf('eraser');
-    await pick('Ganze Objekte');
+    await pick('Nur Linien');
     await pick('60 mm breit');
-    expect(set()).toMatchObject({ eraser: 'objects', eraserWidth: 60 });
+    expect(set()).toMatchObject({ eraser: 'lines', eraserWidth: 60 });
   });
 
   it('choose among four blocks and set the tempo of one that drives', async () => {

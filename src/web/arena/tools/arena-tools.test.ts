@@ -110,13 +110,23 @@ describe('drawing in the arena', () => {
     expect([tip?.left, tip?.right, tip?.top, tip?.bottom]).toEqual([480, 520, 480, 520]);
   });
 
-  it('erases what the eraser goes over, whole things where that is set', async () => {
+  it('erases things that the eraser goes over, which one undo brings back, and spares them where that is set', async () => {
     const { editor, drag, ids } = await toolsOver('eraser', [samples.stroke, samples.wall]);
-    editor.setOptions({ eraser: 'objects' });
     drag([200, 90], [200, 110]);
     expect(ids()).toEqual(['line']);
     editor.undo();
     expect(ids()).toEqual(['line', 'wall']);
+    editor.setOptions({ eraser: 'lines' });
+    drag([200, 90], [200, 110]);
+    expect(ids()).toEqual(['line', 'wall']);
+  });
+
+  it('outlines in red what a click would take, before it is taken', async () => {
+    const { move, look, ids } = await toolsOver('eraser', [samples.wall]);
+    expect(look().in(palette.forbidden)).toEqual([]);
+    move(200, 100);
+    expect(look().in(palette.forbidden)).toHaveLength(1);
+    expect(ids()).toEqual(['wall']);
   });
 
   it('cuts a line in two where a piece is erased out of its middle', async () => {

@@ -91,6 +91,7 @@ function objectBox(view: View, object: SceneObject): PxBox {
 function markBox(view: View, mark: Mark): PxBox {
   if (mark.type === 'frame') return unionOf([mark.from, mark.to].map((at) => boxAround(toPx(view, at), 4)));
   if (mark.type === 'snap') return boxAround(toPx(view, mark.at), 16);
+  if (mark.type === 'goes') return objectBox(view, mark.object);
   if (mark.type === 'eraser') return boxAround(toPx(view, mark.at), mark.radiusMm * view.pxPerMm + 6);
   return { left: 0, top: 0, width: 0, height: 0 };
 }

@@ -38,6 +38,11 @@ export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, ma
       context.fill();
       cased(context, palette.wall, 1.5, () => undefined);
       break;
+    case 'goes':
+      context.fillStyle = palette.forbiddenFill;
+      cased(context, palette.forbidden, 2.5, () => outlinePath(context, view, mark.object, 3));
+      context.fill();
+      break;
     case 'grid':
       drawGrid(context, frame, mark);
       break;

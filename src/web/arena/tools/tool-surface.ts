@@ -330,7 +330,8 @@ export class ToolSurface {
     const tool = this.ports.tool();
     if (at === null) return [...this.kept, ...(tool?.marksAtRest?.(this.ports.context()) ?? [])];
     if (tool?.marks === undefined || this.pinched) return this.kept;
-    const drag: Drag = { path: [at], free: this.ports.isFree(), adds: false, reachMm: this.reachMm };
+    const reachMm = this.keyAt === null ? this.reachMm : Math.min(this.reachMm, KEY_REACH_MM);
+    const drag: Drag = { path: [at], free: this.ports.isFree(), adds: false, reachMm };
     return [...this.kept, ...tool.marks(drag, this.ports.context(), false)];
   }
 
@@ -370,7 +371,7 @@ const MANY_POINTS = 4000;
 
 /** The path of an eraser over many lines, in the colour of paper: cutting them for each picture takes too long. */
 function veilOf({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
-  if (id !== 'eraser' || options.eraser !== 'parts') return null;
+  if (id !== 'eraser') return null;
   let points = 0;
   for (const object of scene.objects) if (object.type === 'stroke') points += object.points.length;
   return points < MANY_POINTS ? null : { width: options.eraserWidth, color: 'white' };
