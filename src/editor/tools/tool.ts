@@ -10,9 +10,9 @@ export type ToolId =
 export interface Drag {
   /** World mm, not rounded; at least one. The first is where it began. */
   readonly path: readonly Vec[];
-  /** No snapping, fine steps (the Shift key, or the switch beside the tool). */
+  /** No snapping, fine steps (the Ctrl or ⌘ key, or the switch beside the tool). */
   readonly free: boolean;
-  /** Adds to the selection instead of making a new one (Ctrl or ⌘). */
+  /** Adds to the selection instead of making a new one (Shift, Ctrl or ⌘ at the press). */
   readonly adds: boolean;
   /** How near counts as on a thing, in mm: larger for a finger than for a mouse, and when zoomed out. */
   readonly reachMm: number;

@@ -275,12 +275,33 @@ describe('selecting in the arena', () => {
     expect(look().in(palette.hand)).toEqual([]);
   });
 
-  it('takes more with Ctrl, and all in a frame that is drawn around them', async () => {
+  it.each(['shiftKey', 'ctrlKey', 'metaKey'])('takes more and less again with %s', async (held) => {
+    const { tap, editor } = await toolsOver('select', two);
+    tap(400, 200);
+    tap(200, 100, { [held]: true });
+    expect([...editor.selection.value.ids].sort()).toEqual(['block', 'wall']);
+    tap(200, 100, { [held]: true });
+    expect(editor.selection.value.ids).toEqual(['block']);
+  });
+
+  it('does not snap while Ctrl is held in a drag, which moves nothing else then, and snaps with Shift', async () => {
+    const { tap, down, move, up, object } = await toolsOver('select', two);
+    const wall = object('wall', 'wall');
+    tap(200, 100);
+    down(400, 200);
+    move(453, 200, { ctrlKey: true });
+    up(453, 200);
+    expect(object('block', 'block')).toMatchObject({ at: [453, 200] });
+    expect(object('wall', 'wall')).toEqual(wall);
+    down(453, 200);
+    move(502, 200, { shiftKey: true });
+    up(502, 200);
+    expect(object('block', 'block')).toMatchObject({ at: [500, 200] });
+  });
+
+  it('takes all in a frame that is drawn around them', async () => {
     const { tap, drag, editor } = await toolsOver('select', two);
     tap(400, 200);
-    tap(200, 100, { ctrlKey: true });
-    expect([...editor.selection.value.ids].sort()).toEqual(['block', 'wall']);
-    tap(700, 800);
     drag([50, 50], [300, 200], [450, 300]);
     expect([...editor.selection.value.ids].sort()).toEqual(['block', 'wall']);
   });

@@ -82,9 +82,10 @@ export function pushed(at: number, side: number): number {
   return 0;
 }
 
+/** As in tldraw: Shift and Ctrl add at the press; Ctrl held while something is dragged keeps it from snapping. */
 const keysOf = (event: PointerNews): Pick<SurfacePress, 'free' | 'adds'> => ({
-  free: event.shiftKey,
-  adds: event.ctrlKey || event.metaKey,
+  free: event.ctrlKey || event.metaKey,
+  adds: event.shiftKey || event.ctrlKey || event.metaKey,
 });
 
 const placeOf = (event: PointerNews): Vec => ({ x: event.offsetX, y: event.offsetY });

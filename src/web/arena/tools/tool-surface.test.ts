@@ -109,7 +109,7 @@ describe('a tool in the arena', () => {
   it('gets every place that the pointer came by, also several of one event', () => {
     const { surface, down } = surfaceOf(inkTool);
     down(px(100, 100));
-    surface.pointerMove(1, [px(110, 100), px(110, 100), px(120, 100)], { free: false, adds: false });
+    surface.pointerMove(1, [px(110, 100), px(110, 100), px(120, 100)], { free: false });
     expect(surface.picture().ink?.path.map(({ x }) => x)).toEqual([100, 110, 120]);
   });
 

@@ -77,7 +77,7 @@ interface Gesture {
   readonly reachMm: number;
   readonly ink: Omit<Ink, 'path'> | null;
   free: boolean;
-  adds: boolean;
+  readonly adds: boolean;
   edit: SceneEdit | null;
   after: Scene | null;
   /** The path has grown since the last call of the tool. */
@@ -156,7 +156,7 @@ export class ToolSurface {
   }
 
   /** A pointer moves, pressed or not, over these places (CSS px, oldest first). */
-  pointerMove(id: number, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
+  pointerMove(id: number, places: readonly Vec[], keys: Pick<SurfacePress, 'free'>): void {
     const last = places[places.length - 1];
     const pointer = this.pointers.get(id);
     if (last === undefined) return;
@@ -296,15 +296,14 @@ export class ToolSurface {
     };
   }
 
-  private extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free' | 'adds'>): void {
+  private extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free'>): void {
     const view = this.ports.view();
     for (const place of places) {
       const at = toMm(view, place);
       const before = gesture.path[gesture.path.length - 1];
       if (before === undefined || before.x !== at.x || before.y !== at.y) gesture.path.push(at);
     }
-    gesture.free = keys.free || this.ports.isFree();
-    gesture.adds = keys.adds;
+    gesture.free = keys.free || this.ports.isFree(); // what it adds to was settled at the press
     gesture.isStale = true;
   }
 
