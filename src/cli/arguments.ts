@@ -17,8 +17,10 @@ export interface RunOptions {
   readonly firmware: string;
   /** `null`: until the program ends. */
   readonly forUs: number | null;
-  readonly seed: number;
-  readonly reality: number;
+  /** `null`: the project's, else 1. */
+  readonly seed: number | null;
+  /** `null`: the project's, else 0. */
+  readonly reality: number | null;
   /** Options of the robot by id. */
   readonly robotOptions: OptionValues;
   /** A project file whose own robot drives. */
@@ -139,12 +141,13 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
   const duration = forText === undefined ? null : parseDuration(forText);
   if (duration && 'problem' in duration) return bad(`--for: ${duration.problem}`);
   if (duration?.us === 0) return bad(`--for: "${forText ?? ''}" is no time at all.`);
-  const seed = numberOf(last('seed') ?? '1');
-  if (!Number.isInteger(seed) || seed < 0 || seed > 0xffffffff) {
+  const seed = given.has('seed') ? numberOf(last('seed') ?? '') : null;
+  if (seed !== null && !(Number.isInteger(seed) && seed >= 0 && seed <= 0xffffffff)) {
     return bad(`--seed: "${last('seed') ?? ''}" is not a whole number from 0 to 4294967295.`);
   }
-  const reality = numberOf(last('reality') ?? '0');
-  if (!(reality >= 0 && reality <= 1)) return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
+  const reality = given.has('reality') ? numberOf(last('reality') ?? '') : null;
+  if (reality !== null && !(reality >= 0 && reality <= 1))
+    return bad(`--reality: "${last('reality') ?? ''}" is not a number from 0 to 1.`);
   const robotOptions = readOptions(given.get('option') ?? []);
   if (typeof robotOptions === 'string') return bad(robotOptions);
   const devices = readDevices(given.get('device') ?? []);

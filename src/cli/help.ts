@@ -11,7 +11,10 @@ const boardNames = boardTypes.map(({ id }) => id).join(' or ');
 export const help = `Parcours runs a micro:bit program with a simulated robot, without a window.
 
   npx parcours run MAIN.py [options]
+  npx parcours run PROJECT.json|LINK [options]
   npx parcours probe compare BOARD.csv [OTHER.csv]
+
+A project or a link brings its program, course, robot and settings; options win over them.
 
 The program drives exactly as in the browser, only as fast as this computer can. What it
 prints appears here. Two runs with the same files, options and seed are the same.

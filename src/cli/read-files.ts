@@ -2,22 +2,25 @@ import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
-import { projectLimits } from '#project/project';
+import { projectLimits, type ProjectSettings } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, sceneLimits, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from './input-file';
+import { isAddress, workOfAddress, workOfJson, type Work } from './read-work';
 import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
 export interface RunFiles {
   readonly scene: Scene;
   readonly files: Readonly<Record<string, string>>;
+  /** What the project says about its run; empty for a program alone. */
+  readonly settings: Partial<ProjectSettings>;
   /** Files on the boards of the further devices, in their order. */
   readonly deviceFiles: readonly Readonly<Record<string, string>>[];
   readonly inputs: readonly InputEvent[];
-  /** The measured robot that drives; `null`: the one of the type. */
+  /** The measured robot that `--my-robot` lets drive; `null`: the project's, or the one of the type. */
   readonly myRobot: MyRobot | null;
 }
 
@@ -30,12 +33,13 @@ const MAX_INPUT_BYTES = 20_000_000; // 100,000 entries of 200 characters
 const MAX_NAME_CHARACTERS = 120;
 
 /** Reads everything a run needs; a problem is one line or several, each naming the file. */
-export function readRunFiles(options: RunOptions): RunFiles | { readonly problem: string } {
+export async function readRunFiles(options: RunOptions): Promise<RunFiles | { readonly problem: string }> {
   try {
-    const files = readBoard(options);
+    const work = await readWork(options);
     return {
-      scene: options.scene === null ? defaultScene() : readScene(options.scene),
-      files,
+      scene: options.scene === null ? (work.scene ?? defaultScene()) : readScene(options.scene),
+      files: work.files,
+      settings: work.settings,
       deviceFiles: options.devices.map(readBoard),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
@@ -63,8 +67,30 @@ class BadFile {
 
 function refuse(path: string, what: string): never {
   // eslint-disable-next-line @typescript-eslint/only-throw-error -- no stack is needed: it never leaves this file
-  throw new BadFile(`${path}: ${what}`);
+  throw new BadFile(
+    what
+      .split('\n')
+      .map((line) => `${path}: ${line}`)
+      .join('\n'),
+  );
 }
+
+/** The program, or the project that stands in its place, and further files on its board. */
+async function readWork(options: RunOptions): Promise<Work> {
+  const { program, files: paths } = options;
+  const isProject = !isAddress(program) && /\.json$/i.test(program);
+  if (!isProject && !isAddress(program)) return { files: readBoard(options), scene: null, settings: {} };
+  const read = isProject
+    ? workOfJson(readText(program, projectLimits.textCharacters * 4))
+    : await workOfAddress(program);
+  if ('problem' in read) return refuse(isProject ? program : shortened(program), read.problem);
+  const files = { ...read.files };
+  for (const path of paths) addFile(files, path);
+  return { ...read, files };
+}
+
+/** An address may be as long as a program. */
+const shortened = (address: string): string => (address.length > 60 ? `${address.slice(0, 57)}…` : address);
 
 /** The files on a board: its program as main.py, and others. */
 function readBoard({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Readonly<Record<string, string>> {

@@ -1,6 +1,7 @@
 import { closeSync, existsSync, openSync, realpathSync, statSync } from 'node:fs';
 import { basename, dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
+import { traitsFor } from '#my-robot/my-robot';
 import { foreignModules, modulesImportedBy } from '#python/imports';
 import type { Traits } from '#robots/traits';
 import {
@@ -12,9 +13,12 @@ import {
   robotMeant,
   type Hardware,
 } from '#simulation/hardware';
-import type { DeviceSetup } from '#simulation/run-setup';
+import { boardOf } from '#board/boards/board-of-device';
+import type { InputEvent } from '#simulation/input';
+import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
+import { isAddress } from './read-work';
 import { reasonOf } from './reason-of';
 import { exitCodeOf, jsonLine, runEnding, verdictLine, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
@@ -28,45 +32,32 @@ const DEFAULT_LIMIT_US = 600_000_000;
  *
  * @returns the exit code: 0 success, 1 the program ended with an error, 2 bad usage or a bad file
  */
-export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
-  const read = readRunFiles(options);
+export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
+  const read = await readRunFiles(asked);
   if ('problem' in read) return refuse(read.problem, terminal);
+  const options = withProject(asked, read);
   const chosen = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
   if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
   const [option] = Object.keys(options.robotOptions);
   if (chosen.robot === null && option !== undefined)
     return refuse(`--option ${option}: there is no robot here. Leave it out, or choose --robot.`, terminal);
-  const traits = traitsOf(read, chosen);
-  if ('problem' in traits) return refuse(traits.problem, terminal);
   const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, []));
     return exitCodeOf(unfit.ended);
   }
-  const further = furtherDevices(options, read);
-  if ('problem' in further) return refuse(further.problem, terminal);
+  const setup = setupOf(options, read, chosen);
+  if ('problem' in setup) return refuse(setup.problem, terminal);
   if (areOneFile(options.trace, options.log))
     return refuse(`--trace and --log: ${options.log ?? ''} can be only one of them. Choose another name.`, terminal);
   const trace = openResult('--trace', options.trace, options);
   if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
   const log = openResult('--log', options.log, options);
   if (log && 'problem' in log) return refuse(log.problem, terminal);
-  const { seed, reality, robotOptions } = options;
-  const { scene, files, inputs } = read;
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
-      setup: {
-        scene,
-        devices: [
-          { name: firstName(options), files, ...hardwareIds(chosen), robotOptions, ...traits },
-          ...further.devices,
-        ],
-        inputs,
-        seed,
-        reality,
-        keepTrace: trace !== null,
-      },
+      setup: { ...setup, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
       traceFile: trace && trace.file,
@@ -90,7 +81,8 @@ export async function run(options: RunOptions, terminal: Terminal): Promise<0 | 
 }
 
 /** The first device has the name of its program. */
-const firstName = ({ program }: RunOptions): string => basename(program).replace(/\.[^.]*$/, '') || basename(program);
+const firstName = ({ program }: RunOptions): string =>
+  isAddress(program) ? 'link' : basename(program).replace(/(\.parcours)?\.[^.]*$/, '') || basename(program);
 
 /** The devices that `--device` adds: what their programs import decides what is not said. */
 function furtherDevices(
@@ -110,16 +102,57 @@ function furtherDevices(
   return { devices: made };
 }
 
+/** The run of the program on this hardware, with the devices that are added. */
+function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSetup | { readonly problem: string } {
+  const traits = traitsOf(read, hardware);
+  if ('problem' in traits) return traits;
+  const further = furtherDevices(options, read);
+  if ('problem' in further) return further;
+  const { scene, files, inputs, settings } = read;
+  const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? ''], ...options.robotOptions };
+  const first = { name: firstName(options), files, ...hardwareIds(hardware), robotOptions, ...traits };
+  const feels = hardware.robot !== null && settings.arenaSenses === true;
+  return {
+    scene,
+    devices: [first, ...further.devices],
+    inputs: feels ? [SENSES, ...inputs] : inputs,
+    ...chanceOf(options, read),
+  };
+}
+
+/** The board on the robot feels the arena from the start. */
+const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
+
+/** What a project says where the command line says nothing. */
+function withProject(options: RunOptions, { settings }: RunFiles): RunOptions {
+  const { device = AUTO, firmware = '', robot = AUTO } = settings;
+  return {
+    ...options,
+    robot: options.robot === AUTO ? robot : options.robot,
+    board: options.board === AUTO ? boardOf(device) : options.board,
+    firmware: options.firmware === '' && options.board === AUTO ? firmware : options.firmware,
+  };
+}
+
+/** Seed and *reality*; an ideal robot of a project has no number. */
+function chanceOf(options: RunOptions, { settings }: RunFiles): { readonly seed: number; readonly reality: number } {
+  const reality = options.reality ?? settings.reality ?? 0;
+  return { reality, seed: options.seed ?? (reality > 0 ? (settings.seed ?? 1) : 1) };
+}
+
 /** Unless a robot is named, a measured one drives. */
 const withMyRobot = (options: RunOptions, { myRobot }: RunFiles): RunOptions =>
   myRobot === null || options.robot !== AUTO ? options : { ...options, robot: myRobot.robot };
 
 /** What was measured of the robot that drives. */
 function traitsOf(
-  { myRobot }: RunFiles,
+  { myRobot, settings }: RunFiles,
   { robot }: Hardware,
 ): { readonly traits?: Traits } | { readonly problem: string } {
-  if (myRobot === null) return {};
+  if (myRobot === null) {
+    const traits = traitsFor(settings.myRobot, robot?.id);
+    return traits === undefined ? {} : { traits };
+  }
   if (robot?.id === myRobot.robot) return { traits: myRobot.traits };
   const here = robot === null ? 'there is no robot here' : `here drives a ${robot.id}`;
   return {

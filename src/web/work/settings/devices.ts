@@ -1,3 +1,4 @@
+import { CALLIOPE_1_2 } from '#board/boards/board-of-device';
 import type { BoardType, FirmwareType } from '#board/boards/board-type';
 import { boardTypes, findBoard } from '#board/boards/index';
 import { findRobot } from '#robots/index';
@@ -25,10 +26,9 @@ export interface Device {
 }
 
 /** Calliope mini 1 and 2 have another chip and no MicroPython of their own; their programs run on the board of the mini 3. */
-const CALLIOPE_1_2: Device = {
-  id: 'calliope-mini-2',
+const OLDER_CALLIOPE: Device = {
+  ...CALLIOPE_1_2,
   name: 'Calliope mini 1/2',
-  board: 'calliope-mini-3',
   about: 'device.aboutCalliope12',
   picture: 'device.pictureCalliope12',
 };
@@ -41,7 +41,7 @@ const ABOUT: Readonly<Record<string, TextKey>> = {
 /** Every microcomputer that can be chosen by name. */
 export const devices: readonly Device[] = [
   ...boardTypes.map(({ id, name }) => ({ id, name, board: id, about: ABOUT[id] ?? null, picture: null })),
-  CALLIOPE_1_2,
+  OLDER_CALLIOPE,
 ];
 
 /** Whether the settings may name this as the device. */
