@@ -57,8 +57,11 @@ export const webLayers = {
   board: ['page', 'run', 'work', 'visit', 'layout', 'device-log'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
   narration: ['page', 'run', 'work', 'course-editor'],
-  arena: ['page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration'],
-  code: ['page', 'run', 'work', 'visit', 'layout', 'console'],
+  arena: [
+    'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'several-devices',
+  ], // prettier-ignore
+  'several-devices': ['page', 'run', 'work', 'board'],
+  code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices'],
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
   print: ['page', 'run', 'work', 'task', 'arena'],
@@ -70,6 +73,6 @@ export const webLayers = {
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
-    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'host',
+    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
   ], // prettier-ignore
 };

@@ -3,7 +3,7 @@ import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
 import { downloadSubject } from './page/download';
 import { editingSubject } from './page/editing';
-import { framesSubject } from './page/frames';
+import { fourRobotsSubject, framesSubject } from './page/frames';
 import { memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
@@ -15,6 +15,7 @@ const pageSubjects = [
   startSubject,
   downloadSubject,
   framesSubject,
+  fourRobotsSubject,
   editingSubject,
   memorySubject,
   runsSubject,

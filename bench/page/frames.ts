@@ -1,4 +1,6 @@
+import type { Page } from '@playwright/test';
 import type { Subject } from '../subject';
+import { closedLine, fourRobots } from './kept-work';
 import { untilKept, untilMoving, withPage, type Stage } from './stage';
 import { smoothness } from './stretch';
 
@@ -17,7 +19,7 @@ export const framesSubject: Subject<Stage> = {
     { what: `${DRIVING}, all files kept: the page's thread per frame`, budget: '<= 10 ms' },
   ],
   measure: (stage) =>
-    withPage(stage, { throttle: 4, pressRun: true, withLine: true }, async (opened) => {
+    withPage(stage, { throttle: 4, pressRun: true, work: closedLine() }, async (opened) => {
       const { page, tools } = opened;
       await untilMoving(page);
       await tools.send('Performance.enable');
@@ -31,3 +33,34 @@ export const framesSubject: Subject<Stage> = {
       });
     }),
 };
+
+const FOUR = 'four robots driving, no GPU, throttled 4x';
+
+/** How smoothly four robots drive, and whether their time is that of the clock on the wall. */
+export const fourRobotsSubject: Subject<Stage> = {
+  budgets: [
+    { what: `${FOUR}: frames`, budget: '60 a second' },
+    { what: `${FOUR}: simulated time`, budget: '>= 0.99 of real time' },
+  ],
+  measure: (stage) =>
+    withPage(stage, { throttle: 4, pressRun: true, work: fourRobots() }, async (opened) => {
+      const { page, tools } = opened;
+      await untilMoving(page);
+      await tools.send('Performance.enable');
+      await page.waitForTimeout(WARM_UP_MS);
+      const [from, fromMs] = [await simulatedMs(page), performance.now()];
+      const { frames, thread } = await smoothness(opened, () => page.waitForTimeout(STRETCH_MS));
+      const factor = ((await simulatedMs(page)) - from) / (performance.now() - fromMs);
+      return [
+        { text: `${frames.text} (${frames.longest}; ${thread.text})`, met: frames.met },
+        { text: factor.toFixed(2), met: factor >= 0.99 },
+      ];
+    }),
+};
+
+/** Simulated time of the run, as the console's clock shows it to a tenth of a second. */
+async function simulatedMs(page: Page): Promise<number> {
+  const text = await page.locator('.pane-console .clock').innerText();
+  const [, minutes = '', seconds = ''] = /(\d+):(\d+[.,]\d)/.exec(text) ?? [];
+  return 60_000 * Number(minutes) + 1000 * Number(seconds.replace(',', '.'));
+}

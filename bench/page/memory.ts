@@ -1,5 +1,6 @@
 import type { Page } from '@playwright/test';
 import type { Figure, Subject } from '../subject';
+import { closedLine } from './kept-work';
 import { chooseMaximumSpeed, until, untilUsable, withPage, type Opened, type Stage } from './stage';
 import { PLACES } from './watch';
 import { memoryUse, noteVms, type MemoryUse } from './worker-memory';
@@ -22,7 +23,7 @@ export const memorySubject: Subject<Stage> = {
     { what: 'worker memory, 100 restarts', budget: 'flat, <= 80 MB' },
   ],
   measure: (stage) =>
-    withPage(stage, { noServiceWorker: true, withLine: true }, async (opened) => {
+    withPage(stage, { noServiceWorker: true, work: closedLine() }, async (opened) => {
       noteVms(opened.page);
       await untilUsable(opened.page);
       await settle(opened.page);

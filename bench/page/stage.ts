@@ -1,5 +1,4 @@
 import type { Browser, CDPSession, Page } from '@playwright/test';
-import { openedCourse } from '../../e2e/opened-course';
 import { PLACES, watchOptions, watchPage } from './watch';
 
 /** Where the page is measured. */
@@ -27,8 +26,8 @@ export interface OpenOptions {
   /** Presses Run as soon as the editor is usable. */
   readonly pressRun?: boolean;
   readonly url?: string;
-  /** Somebody was here before and left the closed line open, with its solution: the robot drives as long as one looks. */
-  readonly withLine?: boolean;
+  /** What somebody who was here before left open, as the browser's storage holds it: `closedLine`, `fourRobots`. */
+  readonly work?: string;
   /** Leaves the service worker out. The tools keep it alive; otherwise it ends 30 s after its work, and its 30 MB with it. */
   readonly noServiceWorker?: boolean;
 }
@@ -39,7 +38,7 @@ const PATIENCE_MS = 60_000;
 /** Opens the app in a new browser, measures, and ends the browser. */
 export async function withPage<T>(
   stage: Stage,
-  { throttle = 1, pressRun = false, url = stage.url, withLine = false, noServiceWorker = false }: OpenOptions,
+  { throttle = 1, pressRun = false, url = stage.url, work, noServiceWorker = false }: OpenOptions,
   measure: (opened: Opened) => Promise<T>,
 ): Promise<T> {
   const browser = await stage.launch();
@@ -51,8 +50,7 @@ export async function withPage<T>(
     page.setDefaultTimeout(PATIENCE_MS);
     const tools = await page.context().newCDPSession(page);
     await page.addInitScript(watchPage, watchOptions(pressRun));
-    if (withLine)
-      await page.addInitScript((work) => sessionStorage.setItem('parcours.work', work), openedCourse('closed-line'));
+    if (work !== undefined) await page.addInitScript((kept) => sessionStorage.setItem('parcours.work', kept), work);
     if (throttle > 1) await tools.send('Emulation.setCPUThrottlingRate', { rate: throttle });
     await page.goto(url, { waitUntil: 'commit' });
     return await measure({ browser, page, tools });

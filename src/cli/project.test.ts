@@ -2,7 +2,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { projectToText } from '#project/file';
 import { linkOf } from '#project/link/link';
-import { defaultProjectSettings, type Project } from '#project/project';
+import { anyHardware, defaultProjectSettings, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import { lastLine, parcours, useFolder } from './testing/parcours';
@@ -43,6 +43,23 @@ describe('parcours run with a project', { timeout: 60_000 }, () => {
 
   it('names its device by the file', () => {
     expect(lastLine(parcours('run', anna, '--json').out).devices[0]?.name).toBe('anna');
+  });
+
+  it('with several devices lets all of them run, and adds those of --device', () => {
+    const remote = { name: 'main.py', text: 'import radio\nradio.on()\nradio.send("go")\n' };
+    const robot = { name: 'main.py', text: 'from callibot import *\nimport radio\nradio.on()\nwhile radio.receive() != "go": delay(5)\nprint("started")\n' }; // prettier-ignore
+    const further = { ...anyHardware, sameAs: '', robot: 'none', name: 'Hand', files: [remote] };
+    const pair = file('pair.json', projectToText({ ...project, files: [robot], devices: { first: 'Robi', others: [further] } })); // prettier-ignore
+    expect(parcours('run', pair).out).toContain('Robi: started\n');
+    const third = file('third.py', 'print("here")\n');
+    const { devices } = lastLine(parcours('run', pair, '--device', `third=${third}`, '--json').out);
+    expect(devices.map(({ name, ended, robot: body }) => [name, ended, body?.type])).toEqual([
+      ['Robi', 'finished', 'callibot'],
+      ['Hand', 'finished', undefined],
+      ['third', 'finished', undefined],
+    ]);
+    const wrong = file('wrong.json', projectToText({ ...project, devices: { first: 'Robi', others: [{ ...further, robot: 'k9' }] } })); // prettier-ignore
+    expect(parcours('run', wrong)).toMatchObject({ code: 2, err: expect.stringContaining('device "Hand": Unknown robot "k9"') as string }); // prettier-ignore
   });
 
   it('takes what the command line says instead', () => {

@@ -2,22 +2,19 @@ import { closeSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
-import { projectLimits, type ProjectSettings } from '#project/project';
+import { projectLimits } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, sceneLimits, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from './input-file';
-import { isAddress, workOfAddress, workOfJson, type Work } from './read-work';
+import { isAddress, onlyProgram, workOfAddress, workOfJson, type Work } from './read-work';
 import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
-export interface RunFiles {
+export interface RunFiles extends Work {
   readonly scene: Scene;
-  readonly files: Readonly<Record<string, string>>;
-  /** What the project says about its run; empty for a program alone. */
-  readonly settings: Partial<ProjectSettings>;
-  /** Files on the boards of the further devices, in their order. */
+  /** Files on the boards of the devices that `--device` adds, in their order. */
   readonly deviceFiles: readonly Readonly<Record<string, string>>[];
   readonly inputs: readonly InputEvent[];
   /** The measured robot that `--my-robot` lets drive; `null`: the project's, or the one of the type. */
@@ -37,9 +34,8 @@ export async function readRunFiles(options: RunOptions): Promise<RunFiles | { re
   try {
     const work = await readWork(options);
     return {
+      ...work,
       scene: options.scene === null ? (work.scene ?? defaultScene()) : readScene(options.scene),
-      files: work.files,
-      settings: work.settings,
       deviceFiles: options.devices.map(readBoard),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
@@ -79,7 +75,7 @@ function refuse(path: string, what: string): never {
 async function readWork(options: RunOptions): Promise<Work> {
   const { program, files: paths } = options;
   const isProject = !isAddress(program) && /\.json$/i.test(program);
-  if (!isProject && !isAddress(program)) return { files: readBoard(options), scene: null, settings: {} };
+  if (!isProject && !isAddress(program)) return onlyProgram(readBoard(options));
   const read = isProject
     ? workOfJson(readText(program, projectLimits.textCharacters * 4))
     : await workOfAddress(program);

@@ -1,8 +1,11 @@
 import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
 import { isProjectLink, projectOfLink } from '#project/link/link';
+import { boardOf } from '#board/boards/board-of-device';
 import { openJson } from '#project/open-json';
-import { filesByName, type ProjectSettings } from '#project/project';
+import { runFilesOf } from '#project/devices';
+import { filesByName, type Project, type ProjectSettings } from '#project/project';
 import type { Scene } from '#scene/scene';
+import type { FurtherWish } from '#simulation/hardware';
 
 /** What stands in the place of a program: a program alone, or a project with what belongs to it. */
 export interface Work {
@@ -10,7 +13,24 @@ export interface Work {
   /** `null`: the work has no course. */
   readonly scene: Scene | null;
   readonly settings: Partial<ProjectSettings>;
+  /** Name of its first device; `null`: it has only one. */
+  readonly firstName: string | null;
+  /** The devices after the first. */
+  readonly devices: readonly DeviceWork[];
 }
+
+/** A device after the first, as a project has it. */
+export interface DeviceWork extends Pick<FurtherWish, 'robot' | 'board' | 'robotOptions'> {
+  readonly name: string;
+  readonly files: Readonly<Record<string, string>>;
+  readonly firmware: string;
+}
+
+/** A program alone. */
+export const onlyProgram = (files: Work['files']): Work => ({
+  files,
+  ...{ scene: null, settings: {}, firstName: null, devices: [] },
+});
 
 type Read = Work | { readonly problem: string };
 
@@ -24,14 +44,14 @@ export async function workOfAddress(address: string): Promise<Read> {
     const { readyCourse } = await import('./ready-courses');
     const read = projectOfLink(fragment, readyCourse);
     if ('problem' in read) return { problem: `The link cannot be opened. ${withoutReload(read.problem.message)}` };
-    const { files, scene, settings = {} } = read.project;
-    return { files: filesByName(files), scene, settings };
+    return workOfProject(read.project);
   }
   if (!hasProgram(address))
     return { problem: 'The address holds neither a project nor a program. Copy the whole link.' };
   const read = programOfLink(address);
   if ('problem' in read) return { problem: `The link cannot be opened. ${read.problem.message}` };
-  return { files: filesByName(read.files), scene: null, settings: read.device === null ? {} : { device: read.device } };
+  const program = onlyProgram(filesByName(read.files));
+  return read.device === null ? program : { ...program, settings: { device: read.device } };
 }
 
 /** A project from the text of its file. */
@@ -40,8 +60,16 @@ export function workOfJson(text: string): Read {
   if (opened.kind === 'problem') return { problem: opened.problems.map(({ message }) => message).join('\n') };
   if (opened.kind === 'scene')
     return { problem: 'is a course without a program. Give it with --scene, and name a program.' };
-  const { files, scene, settings = {} } = opened.project;
-  return { files: filesByName(files), scene, settings };
+  return workOfProject(opened.project);
+}
+
+function workOfProject(project: Project): Work {
+  const { scene, settings = {}, devices } = project;
+  const others = (devices?.others ?? []).map(({ name, device, firmware, robot, robotOptions }, index) => {
+    const files = runFilesOf(project, index + 1);
+    return { name, files, firmware, robot, board: boardOf(device), robotOptions };
+  });
+  return { files: runFilesOf(project, 0), scene, settings, firstName: devices?.first ?? null, devices: others };
 }
 
 /** The page says so to people who have it open. */

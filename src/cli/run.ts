@@ -6,10 +6,10 @@ import { foreignModules, modulesImportedBy } from '#python/imports';
 import type { Traits } from '#robots/traits';
 import {
   AUTO,
+  chooseFurtherHardware,
   chooseHardware,
   hardwareIds,
   isMisplugged,
-  NO_ROBOT,
   robotMeant,
   type Hardware,
 } from '#simulation/hardware';
@@ -84,20 +84,23 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
 const firstName = ({ program }: RunOptions): string =>
   isAddress(program) ? 'link' : basename(program).replace(/(\.parcours)?\.[^.]*$/, '') || basename(program);
 
-/** The devices that `--device` adds: what their programs import decides what is not said. */
+/** The devices after the first: those of the project, then those that `--device` adds. */
 function furtherDevices(
   { devices }: RunOptions,
-  { scene, deviceFiles }: RunFiles,
+  read: RunFiles,
 ): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
-  const free = { ...scene, board: null, robot: { ...scene.robot, type: null, options: {} } };
+  const { scene, deviceFiles } = read;
+  const added = devices.map(({ name, robot, board }, place) => ({
+    ...{ name, robot, board, firmware: '', robotOptions: {} },
+    files: deviceFiles[place] ?? {},
+    from: `--device ${name}`,
+  }));
+  const ofProject = read.devices.map((device) => ({ ...device, from: `device "${device.name}"` }));
   const made: DeviceSetup[] = [];
-  for (const [place, { name, robot, board }] of devices.entries()) {
-    const files = deviceFiles[place] ?? {};
-    const imports = modulesImportedBy(files);
-    const wished = robot === AUTO ? (robotMeant(imports, null)?.id ?? NO_ROBOT) : robot;
-    const hardware = chooseHardware({ scene: free, imports, robot: wished, board });
-    if ('problem' in hardware) return { problem: `--device ${name}: ${hardware.problem}` };
-    made.push({ name, files, ...hardwareIds(hardware) });
+  for (const { name, files, from, ...wish } of [...ofProject, ...added]) {
+    const hardware = chooseFurtherHardware({ ...wish, scene, imports: modulesImportedBy(files) });
+    if ('problem' in hardware) return { problem: `${from}: ${hardware.problem}` };
+    made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
   }
   return { devices: made };
 }
@@ -110,7 +113,13 @@ function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSe
   if ('problem' in further) return further;
   const { scene, files, inputs, settings } = read;
   const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? ''], ...options.robotOptions };
-  const first = { name: firstName(options), files, ...hardwareIds(hardware), robotOptions, ...traits };
+  const first = {
+    name: read.firstName ?? firstName(options),
+    files,
+    ...hardwareIds(hardware),
+    robotOptions,
+    ...traits,
+  };
   const feels = hardware.robot !== null && settings.arenaSenses === true;
   return {
     scene,

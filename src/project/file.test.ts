@@ -7,7 +7,7 @@ import { defaultScene } from '#scene/scene';
 import { parseProject, parseProjectValue, projectToText } from './file';
 import type { ProjectProblem } from './problem';
 import { FILE_BYTES, utf8Bytes, type Project } from './project';
-import { fullProject, measuredProject } from './testing/projects';
+import { devicesProject, fullProject, measuredProject } from './testing/projects';
 
 const kept = (name: string): string => readFileSync(new URL(`kept/${name}`, import.meta.url), 'utf8');
 const small: Project = { files: [{ name: 'main.py', text: 'print(1)\n' }], scene: defaultScene(), course: null };
@@ -21,7 +21,13 @@ function problemsOf(value: unknown): readonly ProjectProblem[] {
 
 describe('a project file', () => {
   it('gives back what was saved: files, course, robot and settings', () => {
-    for (const project of [small, fullProject(), measuredProject(), { ...small, course: 'closed-line' }])
+    for (const project of [
+      small,
+      fullProject(),
+      measuredProject(),
+      devicesProject(),
+      { ...small, course: 'closed-line' },
+    ])
       expect(parseProject(projectToText(project))).toEqual({ project });
   });
 
@@ -49,6 +55,36 @@ describe('a project file', () => {
     expect(projectToText(fullProject())).toContain('"version": 1,');
   });
 
+  it('of version 3 opens as it always did, with several devices', () => {
+    expect(parseProject(kept('v3.json'))).toEqual({ project: devicesProject() });
+    expect(projectToText(devicesProject())).toBe(kept('v3.json'));
+  });
+
+  it('names the device, and the way out, where devices do not fit together', () => {
+    const { devices } = devicesProject();
+    const [remote, third] = devices?.others ?? [];
+    const wrong = (...others: readonly object[]): readonly string[] =>
+      problemsOf({ ...asValue(small), devices: { first: 'Roboter', others } }).map(({ message }) => message);
+    const own = { ...remote, sameAs: undefined };
+    const third2 = { ...third, files: undefined };
+    expect(wrong(own, third2)).toEqual([]);
+    expect(wrong({ ...own, name: 'Roboter' })).toEqual([
+      'devices.others[0].name: "Roboter" cannot be the name of a device: another device has it.',
+    ]);
+    expect(wrong({ ...own, name: '' })[0]).toContain('it is empty');
+    expect(wrong({ ...own, name: 'a=b' })[0]).toContain('none of , = "');
+    expect(wrong({ ...third2, sameAs: 'Ärzt 2' })).toEqual([
+      'devices.others[0].sameAs: "Ärzt 2" cannot run the program of "Ärzt 2". Name another device that has files of its own.',
+    ]);
+    expect(wrong({ ...third2, sameAs: 'Zoe' })[0]).toContain('cannot run the program of "Zoe"');
+    expect(wrong({ ...own, sameAs: 'Roboter' })[0]).toContain('files of its own or "sameAs", not both');
+    expect(wrong({ ...own, files: [] })[0]).toBe('devices.others[0].files: 0 entries; there may be 1 … 20.');
+    expect(wrong()[0]).toBe('devices.others: 0 entries; there may be 1 … 7.');
+    expect(wrong(...Array.from({ length: 8 }, (_, at) => ({ ...own, name: `R${String(at)}` })))[0]).toBe(
+      'devices.others: 8 entries; there may be 1 … 7.',
+    );
+  });
+
   it('names what cannot be about the pupil’s own robot', () => {
     const project = measuredProject();
     const wrong = (change: object): readonly ProjectProblem[] =>
@@ -66,8 +102,8 @@ describe('a project file', () => {
 
   it('of a newer version asks to reload the page', () => {
     const [problem] = problemsOf({ ...asValue(small), version: 7 });
-    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 2 } });
-    expect(problem?.message).toBe('Project version 7 is newer than this app (2). Reload the page to update.');
+    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 3 } });
+    expect(problem?.message).toBe('Project version 7 is newer than this app (3). Reload the page to update.');
     for (const version of [0, 1.5, '1', null, undefined])
       expect(problemsOf({ ...asValue(small), version })[0]?.code).toBe('unknown-version');
   });

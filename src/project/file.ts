@@ -1,3 +1,4 @@
+import { isRecord } from '#core/record';
 import { readMyRobot } from '#my-robot/my-robot';
 import { readJsonFile, summaryOf } from '#scene/json-file';
 import { parseSceneValue } from '#scene/parse';
@@ -6,30 +7,24 @@ import { Reader, type Fields } from '#scene/reader';
 import { serializeScene } from '#scene/serialize';
 
 import type { ProjectProblem } from './problem';
-import {
-  defaultProjectSettings,
-  FILE_BYTES,
-  MAIN,
-  nameProblem,
-  projectLimits,
-  utf8Bytes,
-  type Project,
-  type ProjectSettings,
-  type SourceFile,
-} from './project';
+import { defaultProjectSettings, projectLimits, type Project, type ProjectSettings } from './project';
+import { devicesText, readDevices } from './read-devices';
+import { readFiles } from './read-files';
+import { readHardware } from './read-hardware';
 
 /** The name of the format in a project file. */
 export const PROJECT_FORMAT = 'parcours-project';
 
 /**
  * The newest version that this app writes and reads; what an older one can say is written in that. Its course has a
- * version of its own (`#scene/scene`). 2: with a robot of one's own.
+ * version of its own (`#scene/scene`). 2: with a robot of one's own. 3: with several devices.
  */
-export const PROJECT_VERSION = 2;
+export const PROJECT_VERSION = 3;
 
 /** Steps that bring a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
 const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {
   1: (value) => value,
+  2: (value) => value,
 };
 
 /** A project, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
@@ -40,18 +35,24 @@ export type ParsedProject =
  * A project as its file: readable JSON in a fixed order, ending in a newline. Reading it back gives an equal project, and
  * the same project always gives the same text.
  */
-export function projectToText({ files, scene, course, settings }: Project): string {
+export function projectToText(project: Project): string {
+  const { files, scene, course, settings, devices } = project;
   const lines = [
     `"format": ${JSON.stringify(PROJECT_FORMAT)}`,
-    `"version": ${String(settings?.myRobot === undefined ? 1 : PROJECT_VERSION)}`,
+    `"version": ${String(versionFor(project))}`,
     ...(course === null ? [] : [`"course": ${JSON.stringify(course)}`]),
     ...(settings === undefined ? [] : [`"settings": ${JSON.stringify(settings)}`]),
     `"files": [\n    ${files.map(({ name, text }) => JSON.stringify({ name, text })).join(',\n    ')}\n  ]`,
+    ...(devices === undefined ? [] : [`"devices": ${devicesText(devices)}`]),
     // Texts in JSON contain no line ends of their own: all line ends belong to the layout.
     `"scene": ${serializeScene(scene).trimEnd().replaceAll('\n', '\n  ')}`,
   ];
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
+
+/** The oldest version that can say it all. */
+const versionFor = ({ settings, devices }: Project): number =>
+  devices !== undefined ? 3 : settings?.myRobot !== undefined ? 2 : 1;
 
 /** Reads a project file. Never throws; a file with a problem loads nothing. */
 export function parseProject(text: string): ParsedProject {
@@ -66,13 +67,10 @@ export function parseProjectValue(value: unknown): ParsedProject {
 }
 
 /** The format that a JSON value names, if any. */
-export const formatOf = (value: unknown): unknown => (isFields(value) ? value['format'] : undefined);
+export const formatOf = (value: unknown): unknown => (isRecord(value) ? value['format'] : undefined);
 
 /** Whether a JSON value says that it is a project file, of any version. */
 export const isProjectFile = (value: unknown): value is Fields => formatOf(value) === PROJECT_FORMAT;
-
-const isFields = (value: unknown): value is Fields =>
-  typeof value === 'object' && value !== null && !Array.isArray(value);
 
 const failed = (problems: readonly ProjectProblem[]): ParsedProject => ({ problem: summaryOf(problems), problems });
 
@@ -108,26 +106,35 @@ function versionProblem(version: unknown): ProjectProblem {
 
 function readProject(value: Fields): ParsedProject {
   const reader = new Reader();
-  const { course, settings, files, scene } = reader.fields(value, '', [
+  const { course, settings, files, devices, scene } = reader.fields(value, '', [
     'format',
     'version',
     'course',
     'settings',
     'files',
+    'devices',
     'scene',
   ]);
   const id = course === undefined || course === null ? null : reader.text(course, 'course', projectLimits.idCharacters);
   const chosen = settings === undefined ? undefined : readSettings(settings, reader);
-  const { files: read, problems } = readFiles(files, reader);
+  const { files: read, problems } = readFiles(files, 'files', reader);
+  const several = devices === undefined ? undefined : readDevices(devices, reader);
   const parsed = parseSceneValue(scene);
   const wrong: readonly ProjectProblem[] = [
     ...reader.problems,
     ...problems,
+    ...(several?.problems ?? []),
     ...('problems' in parsed ? parsed.problems.map(inScene) : []),
   ];
   if (wrong.length > 0 || !('scene' in parsed)) return failed(wrong);
-  const project: Project = { files: read, scene: parsed.scene, course: id };
-  return { project: chosen === undefined ? project : { ...project, settings: chosen } };
+  const project: Project = {
+    files: read,
+    scene: parsed.scene,
+    course: id,
+    ...(chosen !== undefined && { settings: chosen }),
+    ...(several !== undefined && { devices: several.devices }),
+  };
+  return { project };
 }
 
 function inScene(problem: ProjectProblem): ProjectProblem {
@@ -139,89 +146,11 @@ function readSettings(value: unknown, reader: Reader): ProjectSettings {
   const usual = defaultProjectSettings;
   const fields = reader.fields(value, 'settings', [...Object.keys(usual), 'myRobot']);
   const mine = fields['myRobot'];
-  const id = (key: 'device' | 'firmware' | 'robot'): string =>
-    reader.text(fields[key], `settings.${key}`, projectLimits.idCharacters, usual[key]);
   return {
-    device: id('device'),
-    firmware: id('firmware'),
-    robot: id('robot'),
-    robotOptions: readRobotOptions(fields['robotOptions'], reader),
+    ...readHardware(fields, 'settings', reader),
     reality: reader.number(fields['reality'], 'settings.reality', projectLimits.reality, usual.reality),
     seed: reader.whole(fields['seed'], 'settings.seed', projectLimits.seed, usual.seed),
     arenaSenses: reader.flag(fields['arenaSenses'], 'settings.arenaSenses', usual.arenaSenses),
     ...(mine === undefined ? {} : { myRobot: readMyRobot(mine, 'settings.myRobot', reader) }),
   };
 }
-
-function readRobotOptions(value: unknown, reader: Reader): ProjectSettings['robotOptions'] {
-  const path = 'settings.robotOptions';
-  const robots = readEntries(value, path, reader);
-  return Object.fromEntries(
-    robots.map(([robot, options]) => {
-      const place = `${path}.${robot.slice(0, 40)}`;
-      const own = readEntries(options, place, reader).map(([option, choice]): [string, string] => {
-        return [option, reader.text(choice, `${place}.${option.slice(0, 40)}`, projectLimits.idCharacters)];
-      });
-      return [robot, Object.fromEntries(own)];
-    }),
-  );
-}
-
-function readEntries(value: unknown, path: string, reader: Reader): readonly (readonly [string, unknown])[] {
-  if (value === undefined) return [];
-  if (!isFields(value)) {
-    reader.wrongType(value, path, 'an object { … }');
-    return [];
-  }
-  const entries = Object.entries(value);
-  for (const [key] of entries) {
-    reader.text(key, path, projectLimits.idCharacters);
-    if (key === '__proto__') reader.report('unknown-value', path, key, '"__proto__" cannot be an id.');
-  }
-  return reader.list(entries, path, { min: 0, max: projectLimits.options }) as typeof entries;
-}
-
-/** The files, and what is wrong with their names and sizes. */
-function readFiles(value: unknown, reader: Reader): { files: readonly SourceFile[]; problems: ProjectProblem[] } {
-  const entries = reader.list(value, 'files', { min: 1, max: projectLimits.files });
-  const files: SourceFile[] = [];
-  const problems: ProjectProblem[] = [];
-  for (const [index, entry] of entries.entries()) {
-    const path = `files[${String(index)}]`;
-    const fields = reader.fields(entry, path, ['name', 'text']);
-    const name = reader.text(fields['name'], `${path}.name`, projectLimits.textCharacters);
-    const text = reader.text(fields['text'], `${path}.text`, projectLimits.textCharacters);
-    if (typeof fields['name'] === 'string' && typeof fields['text'] === 'string')
-      problems.push(...fileProblems({ name, text }, files, path));
-    files.push({ name, text });
-  }
-  return { files, problems };
-}
-
-/** What is wrong with a file that comes after `before`. */
-function fileProblems(file: SourceFile, before: readonly SourceFile[], path: string): ProjectProblem[] {
-  const { name, text } = file;
-  const wrong = nameProblem(name, before);
-  const bytes = utf8Bytes(text);
-  const problems: ProjectProblem[] = [];
-  if (wrong !== null) {
-    const message = `${path}.name: ${shown(name)} cannot be the name of a file: ${NAME_RULES[wrong]}`;
-    problems.push({ code: 'file-name', path: `${path}.name`, value: shown(name), params: { rule: wrong }, message });
-  } else if (before.length === 0 && name !== MAIN) {
-    const message = `${path}.name: the first file must be ${MAIN}, not ${shown(name)}.`;
-    problems.push({ code: 'no-main', path: `${path}.name`, value: shown(name), params: {}, message });
-  }
-  if (bytes > FILE_BYTES) {
-    const message = `${path}.text: ${String(bytes)} bytes are too many; the limit is ${String(FILE_BYTES)}.`;
-    const params = { length: bytes, max: FILE_BYTES };
-    problems.push({ code: 'file-too-large', path: `${path}.text`, value: '', params, message });
-  }
-  return problems;
-}
-
-const NAME_RULES = {
-  nameEmpty: 'it is empty.',
-  nameTaken: 'another file has it.',
-  nameCharacters: 'it may have letters, digits, "_", "-" and "." only.',
-  nameLong: 'it is too long.',
-} as const;

@@ -2,7 +2,14 @@ import type { SceneProblem, SceneProblemCode } from '#scene/problem';
 
 /** What can be wrong with a project file. The web translates by this code and the problem's parameters. */
 export type ProjectProblemCode =
-  SceneProblemCode | 'not-a-project' | 'not-a-level' | 'no-main' | 'file-name' | 'file-too-large';
+  | SceneProblemCode
+  | 'not-a-project'
+  | 'not-a-level'
+  | 'no-main'
+  | 'file-name'
+  | 'file-too-large'
+  | 'device-name'
+  | 'same-as';
 
 /** One thing that is wrong with a project file; the places of its course begin with `scene`. */
 export interface ProjectProblem extends Omit<SceneProblem, 'code'> {

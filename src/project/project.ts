@@ -16,10 +16,12 @@ export interface Project {
   readonly course: string | null;
   /** The settings of its run; left out: those chosen by the person who opens it. */
   readonly settings?: ProjectSettings;
+  /** Its microcomputers; left out: there is one. */
+  readonly devices?: ProjectDevices;
 }
 
-/** The settings that travel with a project, because a run depends on them. Language, theme and panes stay with the person. */
-export interface ProjectSettings {
+/** What a program is to run on. */
+export interface HardwareWish {
   /** Id of the microcomputer, or `auto`. */
   readonly device: string;
   /** Id of its firmware; empty: the board's usual one. */
@@ -28,6 +30,30 @@ export interface ProjectSettings {
   readonly robot: string;
   /** Changed options of robots: id of the robot → id of the option → id of the choice. */
   readonly robotOptions: Readonly<Record<string, Readonly<Record<string, string>>>>;
+}
+
+/** A microcomputer of a project after the first one. */
+export interface FurtherDevice extends HardwareWish {
+  /** Unlike the others of the project. */
+  readonly name: string;
+  /** Its own files, main.py first; none if it runs those of another device. */
+  readonly files: readonly SourceFile[];
+  /** Name of the device with files of its own whose files it runs; empty: its own. */
+  readonly sameAs: string;
+}
+
+/** The microcomputers of a project that has several. */
+export interface ProjectDevices {
+  /** Name of the first device, whose files and hardware are those of the project. */
+  readonly first: string;
+  readonly others: readonly FurtherDevice[];
+}
+
+/**
+ * The settings that travel with a project, because a run depends on them; the hardware is that of the first device.
+ * Language, theme and panes stay with the person.
+ */
+export interface ProjectSettings extends HardwareWish {
   /** How much the robot resembles a used one, 0 (ideal) … 1. */
   readonly reality: number;
   /** Which of the used robots it is, 1 … 9999. */
@@ -38,12 +64,12 @@ export interface ProjectSettings {
   readonly myRobot?: MyRobot;
 }
 
+/** The hardware that the program's imports suggest. */
+export const anyHardware: HardwareWish = { device: 'auto', firmware: '', robot: 'auto', robotOptions: {} };
+
 /** Settings of a project that has none. */
 export const defaultProjectSettings: ProjectSettings = {
-  device: 'auto',
-  firmware: '',
-  robot: 'auto',
-  robotOptions: {},
+  ...anyHardware,
   reality: 0,
   seed: 1,
   arenaSenses: false,

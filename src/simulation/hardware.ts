@@ -65,6 +65,23 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
   return 'problem' in options ? options : { board, firmware, robot, options: options.values };
 }
 
+/** The wish for a device after the first: the course's board and robot are the first one's. */
+export interface FurtherWish extends Omit<HardwareWish, 'robotOptions'> {
+  /** By the id of the robot. */
+  readonly robotOptions: Readonly<Record<string, OptionValues>>;
+}
+
+/**
+ * The same for a device after the first. What is left to `auto` its program's imports decide: without the module of a
+ * robot it has none.
+ */
+export function chooseFurtherHardware(wish: FurtherWish): Hardware | { readonly problem: string } {
+  const { scene, imports } = wish;
+  const robot = wish.robot === AUTO ? (robotMeant(imports, null)?.id ?? NO_ROBOT) : wish.robot;
+  const free = { ...scene, board: null, robot: { ...scene.robot, type: null, options: {} } };
+  return chooseHardware({ ...wish, scene: free, robot, robotOptions: wish.robotOptions[robot] ?? {} });
+}
+
 /** Whether the robot is on a board that it does not fit: then nothing of it is connected. */
 export function isMisplugged({ board, robot }: Pick<Hardware, 'board' | 'robot'>): boolean {
   return robot !== null && robot.board !== board.id;

@@ -1,7 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { createBench } from '../testing/bench';
 import { calliopeMini3 } from './calliope-mini-3';
-import { deviceChoices } from './device-choices';
 import { boardTypes, findBoard } from './index';
 import { microbitV2 } from './microbit-v2';
 
@@ -57,22 +56,5 @@ describe('the Calliope mini 3', () => {
   it('is found by its id, after the micro:bit', () => {
     expect(boardTypes.map((type) => type.id)).toEqual(['microbit-v2', 'calliope-mini-3']);
     expect(findBoard('calliope-mini-3')).toBe(calliopeMini3);
-  });
-});
-
-describe('the device menu', () => {
-  it('offers three devices, each on a board that exists', () => {
-    expect(deviceChoices.map((choice) => choice.id)).toEqual(['microbit-v2', 'calliope-mini-3', 'calliope-mini-1-2']);
-    expect(deviceChoices.map((choice) => findBoard(choice.board)?.id)).toEqual([
-      'microbit-v2',
-      'calliope-mini-3',
-      'calliope-mini-3',
-    ]);
-  });
-
-  it('tells in what a Calliope mini 1 or 2 differs, each thing once', () => {
-    const differences = deviceChoices.find((choice) => choice.id === 'calliope-mini-1-2')?.differences ?? [];
-    expect(differences.length).toBeGreaterThan(4);
-    expect(new Set(differences).size).toBe(differences.length);
   });
 });

@@ -6,6 +6,7 @@
  *
  *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
  *     4   for a robot of one's own: as 3, with that robot
+ *     5   for several devices: as 4, with those after the first
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -15,9 +16,11 @@ import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
 import {
   deflatedContent,
+  deflatedDevices,
   deflatedRobot,
   deflatedTask,
   modelledContent,
+  modelledDevices,
   modelledRobot,
   modelledTask,
   type Content,
@@ -31,7 +34,7 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2 | 3 | 4;
+  readonly version: 1 | 2 | 3 | 4 | 5;
   readonly bytes: Uint8Array;
 }
 
@@ -46,6 +49,7 @@ const plain: Packing = { deflated: deflatedContent, modelled: modelledContent };
 const extended = {
   3: { deflated: deflatedTask, modelled: modelledTask },
   4: { deflated: deflatedRobot, modelled: modelledRobot },
+  5: { deflated: deflatedDevices, modelled: modelledDevices },
 } as const;
 
 /** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
@@ -57,7 +61,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 }
 
 /** The oldest version that can say it all; `null`: one of the first two. */
-function versionFor({ extras, myRobot }: Content): 3 | 4 | null {
+function versionFor({ extras, myRobot, devices }: Content): 3 | 4 | 5 | null {
+  if (devices !== null) return 5;
   if (myRobot !== '') return 4;
   return Object.keys(extras).length > 0 ? 3 : null;
 }

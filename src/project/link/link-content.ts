@@ -5,7 +5,15 @@ import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
 import { handCodec } from './hand-codec';
 import { pathCodec } from './path-codec';
-import { defaultProjectSettings, projectLimits, type ProjectSettings, type SourceFile } from '../project';
+import { MOST_DEVICES } from '../devices';
+import {
+  defaultProjectSettings,
+  projectLimits,
+  type FurtherDevice,
+  type ProjectDevices,
+  type ProjectSettings,
+  type SourceFile,
+} from '../project';
 import {
   dictionary,
   sceneCodec,
@@ -32,6 +40,8 @@ export interface Content {
   readonly extras: TaskExtras;
   /** The settings' robot of one's own as JSON, checked like a file's; empty before version 4, and without one. */
   readonly myRobot: string;
+  /** Several devices; `null` before version 5, and of a project that has one. */
+  readonly devices: ProjectDevices | null;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -55,12 +65,20 @@ export const modelledTask = contentCodec(handCodec, taskExtrasCodec);
 export const deflatedRobot = contentCodec(pathCodec, taskExtrasCodec, jsonCodec);
 export const modelledRobot = contentCodec(handCodec, taskExtrasCodec, jsonCodec);
 
+/** Version 5: with several devices, too. */
+export const deflatedDevices = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec);
+export const modelledDevices = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec);
+
 function noExtras(): Codec<TaskExtras> {
   return constant({});
 }
 
 function noRobot(): Codec<string> {
   return constant('');
+}
+
+function oneDevice(): Codec<null> {
+  return constant(null);
 }
 
 function jsonCodec({ text }: SharedCodecs): Codec<string> {
@@ -71,20 +89,39 @@ function contentCodec(
   paths: PathCodec,
   extrasCodec: (shared: SharedCodecs) => Codec<TaskExtras> = noExtras,
   robotCodec: (shared: SharedCodecs) => Codec<string> = noRobot,
+  severalCodec: (shared: SharedCodecs) => Codec<ProjectDevices | null> = oneDevice,
 ): ContentCodec {
   const shared = sharedCodecs();
-  const { columns, text, word } = shared;
+  const { columns, word } = shared;
   const scene = linkSceneCodec(shared, paths);
-  const file = record<SourceFile>({ name: word, text });
   const codec = record<Content>({
     course: columns.optional(word),
     scene,
     settings: columns.optional(settingsCodec(shared)),
-    files: columns.list(file, projectLimits.files),
+    files: filesCodec(shared),
     extras: extrasCodec(shared),
     myRobot: robotCodec(shared),
+    devices: severalCodec(shared),
   });
   return { codec, columns: columns.used };
+}
+
+function filesCodec({ columns, word, text }: SharedCodecs): Codec<readonly SourceFile[]> {
+  return columns.list(record<SourceFile>({ name: word, text }), projectLimits.files);
+}
+
+function devicesCodec(shared: SharedCodecs): Codec<ProjectDevices | null> {
+  const { columns, word, text, options } = shared;
+  const device = record<FurtherDevice>({
+    name: text,
+    device: word,
+    firmware: word,
+    robot: word,
+    robotOptions: dictionary(columns, word, options, projectLimits.options),
+    sameAs: text,
+    files: filesCodec(shared),
+  });
+  return columns.optional(record<ProjectDevices>({ first: text, others: columns.list(device, MOST_DEVICES - 1) }));
 }
 
 function linkSceneCodec(shared: SharedCodecs, paths: PathCodec): Codec<LinkScene> {

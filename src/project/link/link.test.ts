@@ -13,6 +13,7 @@ import { MODELLED_BYTES, ModelWriter } from './model-coder';
 import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
 import {
+  devicesProject,
   FORTY_LINES,
   fortyObjects,
   fullProject,
@@ -166,8 +167,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=5.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 5; this app reads version 4. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=6.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 6; this app reads version 5. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -188,7 +189,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '' });
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -236,6 +237,7 @@ describe('a link of version 1', () => {
       scene: { whole: scene },
       extras: {},
       myRobot: '',
+      devices: null,
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -360,6 +362,29 @@ const noiseOf = (bytes: number): string => {
   const rng = createRng(5);
   return Buffer.from(Uint8Array.from({ length: bytes }, () => rng.u32() & 255)).toString('base64');
 };
+
+describe('a link of version 5', () => {
+  const kept = keptLink(5);
+
+  it('opens as it always did, with all devices', () => {
+    expect(projectIn(kept)).toEqual(devicesProject());
+  });
+
+  it('is still made so, and only for several devices', () => {
+    expect(link(devicesProject())).toBe(kept);
+    const { devices, ...alone } = devicesProject();
+    expect(devices?.others).toHaveLength(2);
+    expect(link(alone)).toMatch(/^p=2\./);
+  });
+
+  it('without the programs leaves each device an empty one, or that of another device', () => {
+    const read = projectIn(link(devicesProject(), false));
+    expect(read?.devices?.others.map(({ files, sameAs }) => [files[0]?.text, sameAs])).toEqual([
+      ['', ''],
+      [undefined, 'Fernbedienung'],
+    ]);
+  });
+});
 
 function keptLink(version: number): string {
   return readFileSync(new URL(`kept/link-v${String(version)}.txt`, import.meta.url), 'utf8').trim();

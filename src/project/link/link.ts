@@ -3,7 +3,7 @@
  * not send that part.
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
- *                            robot of one's own
+ *                            robot of one's own, 5 for several devices
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -16,12 +16,13 @@ import { fromBase64Url, toBase64Url } from './base64';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
 import { sceneChecksum, type Content } from './link-content';
+import { deviceValue } from '../read-devices';
 import { MODELLED_BYTES } from './model-coder';
 import type { ProjectProblem } from '../problem';
-import { defaultProjectSettings, MAIN, type Project } from '../project';
+import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 4;
+export const LINK_VERSION = 5;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -111,7 +112,8 @@ const without: Readonly<Record<Omitted, (scene: Scene) => Scene>> = {
   },
 };
 
-function makeLink({ files, scene, course, settings }: Project, courses: ReadyCourses, program: boolean): string | null {
+function makeLink(project: Project, courses: ReadyCourses, program: boolean): string | null {
+  const { files, scene, course, settings, devices } = project;
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, ...extras } = scene.task;
@@ -123,11 +125,20 @@ function makeLink({ files, scene, course, settings }: Project, courses: ReadyCou
     scene: isReady ? { ready: sceneChecksum(scene) } : { whole: { ...scene, task: { seconds, noTouch } } },
     extras: isReady ? {} : extras,
     myRobot: myRobot === undefined ? '' : JSON.stringify(myRobot),
+    devices: devices === undefined ? null : program ? devices : withoutPrograms(devices),
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
   return link === null || link.length > LINK_CHARACTERS ? null : link;
 }
+
+/** Each device with an empty program of its own, or still with the one of another device. */
+const withoutPrograms = ({ first, others }: ProjectDevices): ProjectDevices => ({
+  first,
+  others: others.map((device) => (device.sameAs === '' ? { ...device, files: [EMPTY_PROGRAM] } : device)),
+});
+
+const EMPTY_PROGRAM = { name: MAIN, text: '' };
 
 const SUM_BYTES = 4;
 
@@ -156,7 +167,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);
@@ -176,7 +187,7 @@ function isWhole(all: Uint8Array): boolean {
 }
 
 function readContent(content: Content, courses: ReadyCourses): ReadLink {
-  const { files, course, scene, extras } = content;
+  const { files, course, scene, extras, devices } = content;
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
@@ -190,7 +201,8 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     version: PROJECT_VERSION,
     course,
     ...(settings === null ? {} : { settings }),
-    files: files.length === 0 ? [{ name: MAIN, text: '' }] : files,
+    files: files.length === 0 ? [EMPTY_PROGRAM] : files,
+    ...(devices === null ? {} : { devices: { first: devices.first, others: devices.others.map(deviceValue) } }),
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())

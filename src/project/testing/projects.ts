@@ -3,7 +3,7 @@ import { createRng, type Rng } from '#core/rng';
 import type { MyRobot } from '#my-robot/my-robot';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 
-import { defaultProjectSettings, type Project } from '../project';
+import { anyHardware, defaultProjectSettings, type Project } from '../project';
 import { drawn, track } from './drawings';
 
 /** Forty objects of all kinds except strokes, as a course would have them. */
@@ -200,5 +200,30 @@ export function measuredProject(): Project {
     scene: defaultScene(),
     course: null,
     settings,
+  };
+}
+
+/** A project with three devices: a robot, a board to hold in the hand, and one that runs the same program. */
+export function devicesProject(): Project {
+  const remote = [
+    { name: 'main.py', text: 'import radio\nradio.on()\nradio.send("vor")\n' },
+    { name: 'tasten.py', text: 'A = 1\n' },
+  ];
+  return {
+    ...fullProject(),
+    devices: {
+      first: 'Roboter',
+      others: [
+        { ...anyHardware, name: 'Fernbedienung', device: 'microbit-v2', robot: 'none', files: remote, sameAs: '' },
+        {
+          ...anyHardware,
+          name: 'Ärzt 2',
+          robot: 'maqueen-lite',
+          robotOptions: { 'maqueen-lite': { lamp: 'on' } },
+          files: [],
+          sameAs: 'Fernbedienung',
+        },
+      ],
+    },
   };
 }

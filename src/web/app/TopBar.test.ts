@@ -78,7 +78,7 @@ describe('the bar at the top', () => {
     const { page, bar } = topBar(1400);
     await startRun(page);
     expect(bar.get('.run').classes()).toContain('ctl--again');
-    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
     await nextTick();
     expect(names()).toContain('Nochmals');
     expect(bar.get('.run').classes()).toContain('ctl--run');

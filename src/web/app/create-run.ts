@@ -36,15 +36,17 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
   const run: RunModel = new RunModel({
     ...engine,
     setup: () => {
-      const setup = runSetup(around, sensors.startInputs());
+      const setup = runSetup(around, (place) => sensors.startInputs(place));
       around.runStart.value = setup.scene;
       return setup;
     },
+    device: () => around.work.place.value,
     ...outcome(around, () => run),
-    onEvents: (events) => {
-      radio.take(events.radio, events.radioDropped);
-      dataLog.take(events.log);
-      sound.take(events.sound);
+    onEvents: (events, device) => {
+      radio.take(events.radio, events.radioDropped, device);
+      dataLog.take(events.log, device);
+      if (device === run.device) sound.take(events.sound);
+      if (device > 0) return; // a host knows of the first
       if (events.radio.length > 0)
         around.host.tell({ type: 'radio', packets: events.radio, dropped: events.radioDropped });
       if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log });
@@ -76,13 +78,13 @@ function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStar
       host.tell({ type: 'started' });
       jump.wrong.value = null;
       showStart(around);
-      console.startRun(runs);
+      console.startRun(runs, around.work.devices.value.length);
       if (runs === 1) setTimeout(() => void fetchAdvice(), ADVICE_AFTER_MS);
       dataLog.clear();
       clearRadio();
     },
-    onRestarted: () => {
-      host.tell({ type: 'program-restarted' });
+    onRestarted: (device) => {
+      if (device === 0) host.tell({ type: 'program-restarted' });
       jump.wrong.value = null;
       notices.close();
     },
@@ -93,16 +95,18 @@ function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStar
 function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' | 'onOutput' | 'onEnded'> {
   const { host, console } = around;
   return {
-    onInput: (action) => {
+    onInput: (action, device) => {
       const { type } = action;
+      if (device > 0) return; // a host knows of the first
       if (type === 'button' || type === 'touch' || type === 'sensor') host.tell({ type: 'sensed', action });
     },
-    onOutput: (text) => {
-      console.write(text);
-      host.tell({ type: 'output', text });
+    onOutput: ({ text, device, timeUs }) => {
+      console.write(text, device, timeUs);
+      if (device === 0) host.tell({ type: 'output', text });
     },
-    onEnded: (ended) => {
-      showEnd(around, ended, run());
+    onEnded: (ended, device) => {
+      showEnd(around, ended, run(), device);
+      if (device > 0) return;
       host.tell({ type: 'program-ended', ended, verdict: run().snapshot.value?.verdict ?? null });
     },
   };

@@ -351,7 +351,7 @@ describe('what screen readers hear of a run', () => {
   it('is that the program has ended, while the world goes on', async () => {
     const { page, said } = region();
     await startRun(page);
-    page.say({ type: 'program-ended', ended: finished });
+    page.say({ type: 'program-ended', ended: finished, device: 0 });
     await flushPromises();
     expect(said()).toBe('Das Programm ist zu Ende. Die Simulation läuft weiter.');
   });
@@ -359,14 +359,14 @@ describe('what screen readers hear of a run', () => {
   it('is an error with its file, its line and what it means', async () => {
     const { page, said } = region();
     await startRun(page);
-    page.say({ type: 'program-ended', ended: failed });
+    page.say({ type: 'program-ended', ended: failed, device: 0 });
     await vi.waitFor(() => expect(said()).toMatch(/^Fehler in main\.py, Zeile 2: Durch null /), 20_000);
   });
 
   it('is not the error of the run before, when a new one has begun meanwhile', async () => {
     const { page, said } = region();
     await startRun(page);
-    page.say({ type: 'program-ended', ended: failed });
+    page.say({ type: 'program-ended', ended: failed, device: 0 });
     void page.run.start();
     await flushPromises();
     page.say({ type: 'started' });
@@ -384,7 +384,7 @@ describe('how a run ends, in the console and at the foot of the page', () => {
     page.work.setText('main.py', 'x = 0\nprint(1 / x)\n');
     await startRun(page);
     const end = async (ended: object) => {
-      page.say({ type: 'program-ended', ended: ended as typeof finished });
+      page.say({ type: 'program-ended', ended: ended as typeof finished, device: 0 });
       await flushPromises();
     };
     /** The keys of the notes that the console shows. */
@@ -407,7 +407,7 @@ describe('how a run ends, in the console and at the foot of the page', () => {
   it('is a card with the line for an exception, and the line is marked in the program', async () => {
     const { page, end } = await running();
     await end(failed);
-    expect(page.jump.wrong.value).toEqual({ file: 'main.py', line: 2 });
+    expect(page.jump.wrong.value).toEqual({ file: 'main.py', line: 2, device: 0 });
     expect(page.console.entries.value.map(({ kind }) => kind)).toContain('error');
     await page.run.start();
     expect(page.jump.wrong.value).toBeNull();

@@ -226,10 +226,10 @@ describe('a run', () => {
 
   it('is numbered in the console, with what the program printed below', async () => {
     const page = await running();
-    page.say({ type: 'console', text: 'eins\n' });
+    page.say({ type: 'console', output: [{ device: 0, text: 'eins\n', timeUs: 0 }] });
     await page.run.start();
     page.say({ type: 'started' });
-    page.say({ type: 'console', text: 'zwei\n' });
+    page.say({ type: 'console', output: [{ device: 0, text: 'zwei\n', timeUs: 0 }] });
     page.console.toText();
     const lines = page.console.entries.value.map((entry) =>
       entry.kind === 'run' ? entry.number : entry.kind === 'text' ? entry.text.trim() : entry.kind,
@@ -239,14 +239,14 @@ describe('a run', () => {
 
   it('tells the worker that its output was taken: without it the program would wait for ever', async () => {
     const page = await running();
-    page.say({ type: 'console', text: 'eins\n' });
+    page.say({ type: 'console', output: [{ device: 0, text: 'eins\n', timeUs: 0 }] });
     expect(page.sent.at(-1)).toEqual({ type: 'console-taken' });
   });
 
   it('begins with an empty data log and no radio of the one before', async () => {
     const page = await running();
     const row = { type: 'row', headings: ['x'], values: ['1'], timeUs: 0 } as const;
-    page.say({ type: 'events', events: { log: [row], radio: [], radioDropped: 0, sound: [] } });
+    page.say({ type: 'events', events: { log: [row], radio: [], radioDropped: 0, sound: [] }, device: 0 });
     expect(page.dataLog.table.value.rows).toHaveLength(1);
     await page.run.start();
     expect(page.dataLog.table.value.rows).toHaveLength(0);
@@ -254,9 +254,9 @@ describe('a run', () => {
 
   it('that begins anew on the device takes the mark of the error away', async () => {
     const page = await running();
-    page.jump.wrong.value = { file: 'main.py', line: 1 };
+    page.jump.wrong.value = { file: 'main.py', line: 1, device: 0 };
     page.notices.show({ kind: 'error', key: 'notice.firmware' });
-    page.say({ type: 'program-restarted' });
+    page.say({ type: 'program-restarted', device: 0 });
     expect(page.jump.wrong.value).toBeNull();
     expect(page.notices.current.value).toBeNull();
   });
@@ -298,10 +298,10 @@ describe('what the page around hears of a run', () => {
 
   it('is its beginning, its output and its end with the verdict', async () => {
     const { page, events } = await heard();
-    page.say({ type: 'console', text: 'Hallo\r\n' });
+    page.say({ type: 'console', output: [{ device: 0, text: 'Hallo\r\n', timeUs: 0 }] });
     const verdict = { kind: 'passed', timeUs: 900 } as never;
     await show(page, { verdict });
-    page.say({ type: 'program-ended', ended: finished });
+    page.say({ type: 'program-ended', ended: finished, device: 0 });
     expect(events).toEqual([
       { type: 'started' },
       { type: 'output', text: 'Hallo\r\n' },
@@ -318,17 +318,17 @@ describe('what the page around hears of a run', () => {
 
   it('is what was sent by radio and what was logged, each only when there is something', async () => {
     const { page, types } = await heard();
-    page.say({ type: 'events', events: { log: [], radio: [], radioDropped: 0, sound: [] } });
+    page.say({ type: 'events', events: { log: [], radio: [], radioDropped: 0, sound: [] }, device: 0 });
     expect(types()).toEqual(['started']);
     const row = { type: 'row', headings: ['x'], values: ['1'], timeUs: 0 } as const;
-    page.say({ type: 'events', events: { log: [row], radio: [], radioDropped: 0, sound: [] } });
+    page.say({ type: 'events', events: { log: [row], radio: [], radioDropped: 0, sound: [] }, device: 0 });
     expect(types()).toEqual(['started', 'log']);
   });
 
   it('is what it did not take, that it began anew, or that it failed', async () => {
     const { page, events } = await heard();
     page.say({ type: 'refused', message: 'No such block.' });
-    page.say({ type: 'program-restarted' });
+    page.say({ type: 'program-restarted', device: 0 });
     page.say({ type: 'failed', message: 'Too many bodies.' });
     expect(events.slice(1)).toEqual([
       { type: 'refused', message: 'No such block.' },

@@ -1,6 +1,6 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-import { MAIN } from '#project/project';
+import { MAIN, type Project } from '#project/project';
 import { defaultScene, type Scene } from '#scene/scene';
 
 import { ConsoleModel } from '../console/console-model';
@@ -60,9 +60,10 @@ export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngi
     alone: new ArenaAlone(),
     gallery: createGallery(),
   };
-  const talk = { console: new ConsoleModel(() => tableNow(mine)), jump: createJump(work) };
+  const shownDevice = (): number => work.place.value;
+  const talk = { console: new ConsoleModel((device) => tableNow(mine, device), shownDevice), jump: createJump(work) };
   const runStart = shallowRef<Scene | null>(null);
-  const results = { hand: createHand(), dataLog: new DataLogModel(), sound: new SoundPlayer() };
+  const results = { hand: createHand(), dataLog: new DataLogModel(shownDevice), sound: new SoundPlayer() };
   const running = createRun({ ...page, ...mine, ...sight, ...talk, ...results, host, runStart }, engine);
   followSettings({ ...mine, ...running });
   emptyConsole({ work, ...running, ...talk });
@@ -108,7 +109,7 @@ function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run
   );
   // Another device is another start. At once: a host that chooses one and starts must not be stopped by it afterwards.
   watch(
-    () => JSON.stringify(deviceSettings(settings.current.value)),
+    () => JSON.stringify([deviceSettings(settings.current.value), devicesOf(work.work.value.project)]),
     () => void run.reset(),
     { flush: 'sync' },
   );
@@ -119,6 +120,10 @@ function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run
     { immediate: true },
   );
 }
+
+/** What of a project's further devices makes another run: all but what is written in their files. */
+const devicesOf = ({ devices }: Project): unknown =>
+  devices && [devices.first, devices.others.map(({ files: _, ...device }) => device)];
 
 /** The course editor beside the run. */
 function createEditor(

@@ -1,3 +1,4 @@
+import { filesOfDevice } from '#project/devices';
 import type { Ended } from '#simulation/simulation';
 
 import { fetchAdvice } from '../console/advice/explain';
@@ -35,29 +36,34 @@ export async function showFailure(parts: RunMessages, message: string): Promise<
 }
 
 /** Shows how the program ended: an exception on a card with its line, anything else in the state of the run. */
-export function showEnd(parts: RunMessages, ended: Ended, run: RunModel): void {
+export function showEnd(parts: RunMessages, ended: Ended, run: RunModel, device: number): void {
   const { work, console, jump } = parts;
   const { exception, kind } = ended;
-  const drives = isDriving(run);
+  const drives = isDriving(run, device);
   if (kind === 'stopped') {
-    console.quieten(); // the pupil wanted it: nothing is wrong
-    console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted');
+    console.quieten(device); // the pupil wanted it: nothing is wrong
+    console.addNote(drives ? 'console.interruptedDriving' : 'console.interrupted', device);
     return;
   }
   if (kind === 'panic') {
-    console.addNote('console.panic');
+    console.addNote('console.panic', device);
     return;
   }
   if (exception === null) {
-    console.addNote(drives ? 'console.finishedDriving' : 'console.finished');
+    console.addNote(drives ? 'console.finishedDriving' : 'console.finished', device);
     return;
   }
-  const files = work.files.value;
+  const files = filesOfDevice(work.work.value.project, device);
   const place = placeIn(exception.traceback, files);
-  jump.wrong.value = place;
-  console.addError(place, { failure: exception, source: sourceAt(place, files), table: tableNow(parts) });
-  if (drives) console.addNote('console.motorsOn');
-  showErrorOnPhone(parts, ended, run);
+  jump.wrong.value = place === null ? null : { ...place, device };
+  console.addError(
+    place,
+    { failure: exception, source: sourceAt(place, files), table: tableNow(parts, device) },
+    device,
+  );
+  if (drives) console.addNote('console.motorsOn', device);
+  if (device === run.device) console.isTogether.value = false; // the explanation is there
+  if (device === run.device) showErrorOnPhone(parts, ended, run);
 }
 
 /** A phone shows one pane: an error must not stay hidden behind a tab. Where a host has no console here, it shows its own. */
@@ -73,7 +79,7 @@ function showErrorOnPhone(parts: RunMessages, ended: Ended, run: RunModel): void
 }
 
 /** Whether the motors turn: they go on when the program is over, as on the real robot. */
-function isDriving(run: RunModel): boolean {
-  const duty = run.snapshot.value?.robot?.state.duty;
+function isDriving(run: RunModel, device: number): boolean {
+  const duty = run.deviceNow(device)?.robot?.state.duty;
   return duty !== undefined && (duty.left !== 0 || duty.right !== 0);
 }

@@ -2,20 +2,19 @@ import { watch } from 'vue';
 
 import type { LayoutParts } from '../layout/parts';
 import type { RunParts } from '../run/parts';
-import { useHardware } from '../work/hardware/use-hardware';
+import { hasRobot } from '../work/hardware/use-hardware';
 import type { WorkParts } from '../work/model/parts';
 
 /**
- * On a phone, where the program hides the rest, a run turns to what it shows: the arena, or the board where no robot is
- * chosen; and to the console when the program asks something. Whoever looks at something else when it starts goes on
+ * On a phone, where the program hides the rest, a run turns to what it shows: the arena, or the board where no device has
+ * a robot; and to the console when the program asks something. Whoever looks at something else when it starts goes on
  * looking at it.
  */
 export function useTurnToRun(app: Pick<RunParts, 'run'> & Pick<LayoutParts, 'layout'> & WorkParts): void {
   const { run, layout } = app;
-  const hardware = useHardware(app);
   watch(run.phase, (phase) => {
     if (phase !== 'starting' || layout.arrangement.value !== 'phone' || !layout.isShown.value.code) return;
-    const pane = hardware.value?.robot ? 'arena' : 'board';
+    const pane = hasRobot(app) ? 'arena' : 'board';
     if (layout.tabs.value.includes(pane)) layout.tab.value = pane;
   });
   watch(run.isWaitingForInput, (asks) => {

@@ -1,17 +1,22 @@
-import { computed } from 'vue';
+import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import type { Scene, SceneObject } from '#scene/scene';
 import type { PlacedPose } from '#simulation/input';
 
 import type { RunParts } from '../run/parts';
+import type { RobotStarts } from './others/use-starts';
 import type { WorkParts } from '../work/model/parts';
 
 /** What the arena shows and what the hand does in it: it changes the run, never the course. */
-export function useArenaRun({ run, work, hand }: Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>) {
+export function useArenaRun(
+  { run, work, hand }: Pick<RunParts, 'run' | 'hand'> & Pick<WorkParts, 'work'>,
+  starts: Readonly<ShallowRef<RobotStarts>> = shallowRef([]),
+) {
   /** The course, with robot and blocks where the hand put them, until the next start. */
   const shownScene = computed<Scene>(() => {
-    const scene = work.scene.value;
     const { pose, blocks } = hand;
+    const start = starts.value[work.place.value] ?? null;
+    const scene = start === null || work.place.value === 0 ? work.scene.value : { ...work.scene.value, robot: start };
     if (run.snapshot.value !== null) return scene;
     const objects = Object.keys(blocks.value).length === 0 ? scene.objects : scene.objects.map(inHand);
     if (pose.value === null) return objects === scene.objects ? scene : { ...scene, objects };

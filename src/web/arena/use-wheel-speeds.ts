@@ -23,7 +23,7 @@ export function useWheelSpeeds(
 ): Readonly<ShallowRef<WheelSpeeds | null>> {
   const speeds = shallowRef<WheelSpeeds | null>(null);
   let since: { timeUs: number; turnRad: readonly [number, number] } | null = null;
-  watch(run.snapshot, (snapshot) => {
+  watch(run.shown, (snapshot) => {
     const robot = snapshot?.robot ?? null;
     if (snapshot === null || robot === null) {
       since = speeds.value = null;

@@ -100,7 +100,7 @@ describe('a line that is wrong', () => {
 
   it('is marked until it is mended; a change elsewhere leaves the mark', async () => {
     const { page, wrong, type } = await pane({ 'main.py': three });
-    page.jump.wrong.value = { file: 'main.py', line: 2 };
+    page.jump.wrong.value = { file: 'main.py', line: 2, device: 0 };
     await nextTick();
     expect(wrong()).toEqual(['zwei']);
     type(0, '# ');
@@ -111,7 +111,7 @@ describe('a line that is wrong', () => {
 
   it('moves with its text', async () => {
     const { page, wrong, type } = await pane({ 'main.py': three });
-    page.jump.wrong.value = { file: 'main.py', line: 3 };
+    page.jump.wrong.value = { file: 'main.py', line: 3, device: 0 };
     await nextTick();
     type(0, '\n\n');
     expect(wrong()).toEqual(['drei']);
@@ -119,7 +119,7 @@ describe('a line that is wrong', () => {
 
   it('of another file is marked once that file is shown', async () => {
     const { page, wrong } = await pane({ 'main.py': three, 'helfer.py': 'x = 1\ny = 2\n' });
-    page.jump.wrong.value = { file: 'helfer.py', line: 2 };
+    page.jump.wrong.value = { file: 'helfer.py', line: 2, device: 0 };
     await nextTick();
     expect(wrong()).toEqual([]);
     page.work.show('helfer.py');
@@ -129,7 +129,7 @@ describe('a line that is wrong', () => {
 
   it('loses its mark with the next run', async () => {
     const { page, wrong } = await pane({ 'main.py': three });
-    page.jump.wrong.value = { file: 'main.py', line: 2 };
+    page.jump.wrong.value = { file: 'main.py', line: 2, device: 0 };
     await nextTick();
     void page.run.start();
     await nextTick();
@@ -138,7 +138,7 @@ describe('a line that is wrong', () => {
 
   it('beyond the end of the file marks nothing', async () => {
     const { page, wrong } = await pane({ 'main.py': three });
-    page.jump.wrong.value = { file: 'main.py', line: 99 };
+    page.jump.wrong.value = { file: 'main.py', line: 99, device: 0 };
     await nextTick();
     expect(wrong()).toEqual([]);
   });

@@ -6,6 +6,8 @@ import { markWrongLine } from './wrong-line';
 
 /** What the editor should show. */
 export interface Shown {
+  /** Unlike that of any other file. */
+  readonly key: string;
   readonly name: string;
   readonly text: string;
 }
@@ -14,6 +16,7 @@ export interface Shown {
 export class FileStates {
   readonly view: EditorView;
   private readonly hidden = new Map<string, { state: EditorState; top: number }>();
+  private key: string;
   private name: string;
 
   constructor(
@@ -21,6 +24,7 @@ export class FileStates {
     shown: Shown,
     private readonly extensionsFor: (name: string) => Extension,
   ) {
+    this.key = shown.key;
     this.name = shown.name;
     this.view = new EditorView({ parent, state: this.stateOf(shown) });
   }
@@ -28,9 +32,10 @@ export class FileStates {
   /** Shows a file; a text that was changed elsewhere replaces the one that was being edited. */
   show(shown: Shown): void {
     const { view } = this;
-    if (shown.name !== this.name) {
-      this.hidden.set(this.name, { state: view.state, top: view.scrollDOM.scrollTop });
-      const kept = this.hidden.get(shown.name);
+    if (shown.key !== this.key) {
+      this.hidden.set(this.key, { state: view.state, top: view.scrollDOM.scrollTop });
+      const kept = this.hidden.get(shown.key);
+      this.key = shown.key;
       this.name = shown.name;
       view.setState(kept?.state ?? this.stateOf(shown));
       requestAnimationFrame(() => view.scrollDOM.scrollTo({ top: kept?.top ?? 0 }));
@@ -39,8 +44,8 @@ export class FileStates {
   }
 
   /** Forgets files that are gone. */
-  keepOnly(names: readonly string[]): void {
-    for (const name of this.hidden.keys()) if (!names.includes(name)) this.hidden.delete(name);
+  keepOnly(keys: readonly string[]): void {
+    for (const key of this.hidden.keys()) if (!keys.includes(key)) this.hidden.delete(key);
   }
 
   /** Forgets all other files' states, for instance when another language renames them. */

@@ -3,16 +3,18 @@ import { computed, watch, type ComputedRef } from 'vue';
 import { filesByName } from '#project/project';
 import type { Hardware } from '#simulation/hardware';
 import type { WorkParts } from '../work/model/parts';
+import { deviceAt } from '../work/hardware/device-at';
 import { AUTO_DEVICE, deviceName } from '../work/settings/devices';
 import { isAsFound } from '../work/catalogue/first-course';
 import type { DeviceMarksOptions, DeviceQuestion } from './device-question';
 
 /** What the marks of each file are about: the microcomputer that is chosen now, and its firmware. */
 export function useDeviceMarks(
-  { work, settings }: WorkParts,
+  parts: WorkParts,
   hardware: ComputedRef<Hardware | null>,
 ): (file: string) => DeviceMarksOptions {
-  const board = computed(() => deviceName(settings.current.value.device, hardware.value?.board));
+  const { work, settings } = parts;
+  const board = computed(() => deviceName(deviceAt(parts).settings.device, hardware.value?.board));
   const key = computed(() => [board.value, hardware.value?.firmware.id, settings.current.value.deviceCheck].join());
   const question = (file: string): DeviceQuestion | null => {
     const firmware = hardware.value?.firmware;

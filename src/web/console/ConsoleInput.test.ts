@@ -34,7 +34,7 @@ async function running() {
 /** Likewise once the program is over and the REPL waits. */
 async function atRepl() {
   const all = await running();
-  all.page.say({ type: 'program-ended', ended: finished });
+  all.page.say({ type: 'program-ended', ended: finished, device: 0 });
   await show(all.page, { repl: true, running: 'world' });
   return all;
 }
@@ -208,7 +208,7 @@ describe('the console’s line while the program waits in input()', () => {
 describe('the console’s line at the REPL', () => {
   it('asks for a Python line behind the prompt', async () => {
     const { page, line, field } = await atRepl();
-    page.say({ type: 'console', text: '>>> ' });
+    page.say({ type: 'console', output: [{ device: 0, text: '>>> ', timeUs: 0 }] });
     page.console.toText(); // shows what waits
     await nextTick();
     expect(field.attributes('placeholder')).toBe('Python-Zeile ausprobieren');
@@ -219,7 +219,7 @@ describe('the console’s line at the REPL', () => {
     const { page, field, press } = await running();
     await field.trigger('focus');
     await press('5');
-    page.say({ type: 'program-ended', ended: finished });
+    page.say({ type: 'program-ended', ended: finished, device: 0 });
     await show(page, { repl: true, running: 'world' });
     expect(page.console.isReplVisited.value).toBe(false);
     await press('p');
@@ -254,7 +254,7 @@ describe('the console’s line at the REPL', () => {
 describe('the console’s line while the display shows an error', () => {
   it('says how to go on', async () => {
     const { page, field } = await running();
-    page.say({ type: 'program-ended', ended: failed });
+    page.say({ type: 'program-ended', ended: failed, device: 0 });
     await show(page, { repl: false });
     const long = 'Für Python-Zeilen zuerst «Unterbrechen» drücken.';
     expect(field.attributes('placeholder')).toBe(long);
@@ -264,7 +264,7 @@ describe('the console’s line while the display shows an error', () => {
   it('in few words on a phone, where the field is narrow', async () => {
     setWindow(390, 800);
     const { page, field } = await running();
-    page.say({ type: 'program-ended', ended: failed });
+    page.say({ type: 'program-ended', ended: failed, device: 0 });
     await show(page, { repl: false });
     expect(field.attributes('placeholder')).toBe('Zuerst Unterbrechen');
     expect(field.attributes('aria-label')).toBe('Für Python-Zeilen zuerst «Unterbrechen» drücken.');

@@ -105,7 +105,7 @@ describe('the pane of the console', () => {
     expect(pane.find('form').exists()).toBe(false);
     await startRun(page);
     expect(pane.find('form').exists()).toBe(true);
-    page.say({ type: 'program-ended', ended: { kind: 'panic', exception: null, timeUs: 1 } });
+    page.say({ type: 'program-ended', ended: { kind: 'panic', exception: null, timeUs: 1 }, device: 0 });
     await nextTick();
     expect(pane.find('form').exists()).toBe(false);
   });
@@ -114,7 +114,7 @@ describe('the pane of the console', () => {
     const page = createPage();
     const pane = mountOn(page, ConsolePane);
     await startRun(page);
-    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
     await show(page, { repl: true });
     expect(tags(pane)).toHaveLength(1); // nobody has gone there yet
     await pane.get('input').trigger('focus');

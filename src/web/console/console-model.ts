@@ -2,6 +2,7 @@ import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { ConsoleLog, type ConsoleEntry, type ErrorPlace } from './log/console-log';
 import { foldGreetings } from './log/fold-greeting';
+import { SharedLines } from './log/shared-lines';
 import type { OnTable } from '../work/hardware/misplugged';
 import type { ErrorReport } from './advice/error-advice';
 import type { TextKey } from '../page/i18n/texts';
@@ -11,8 +12,15 @@ const SHOW_EVERY_MS = 50; // chosen: 20 times a second reads as at once
 
 /** The console as the page shows it: output is gathered and shown in one go, twenty times a second at most. */
 export class ConsoleModel {
-  readonly entries: ShallowRef<readonly ConsoleEntry[]> = shallowRef([]);
-  readonly isCut = shallowRef(false);
+  /** Of the device that is shown. */
+  readonly entries: ComputedRef<readonly ConsoleEntry[]> = computed(() => this.lists.value[this.device()] ?? []);
+  readonly isCut = computed(() => this.entries.value.length > 0 && this.logOf(this.device()).isCut);
+  /** Of each device, by its place. */
+  private readonly lists: ShallowRef<readonly (readonly ConsoleEntry[])[]> = shallowRef([]);
+  /** The lines of all devices of a run that has several. */
+  readonly together = new SharedLines();
+  /** All of them are to be seen where there are several; else those of the one that is shown. */
+  readonly isTogether = shallowRef(true);
   /** There is output the pupil may not have seen, on a screen where the console is behind a tab. */
   readonly isNew = shallowRef(false);
   /** Counts what the pupil has sent: from then on the console shows its end. */
@@ -26,52 +34,60 @@ export class ConsoleModel {
   readonly shown: ComputedRef<readonly ConsoleEntry[]> = computed(() =>
     foldGreetings(this.entries.value, this.visited.value, this.run.value),
   );
-  private readonly log: ConsoleLog;
-  private pending = '';
+  private readonly logs: ConsoleLog[] = [];
+  private readonly pending: string[] = [];
   private timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** @param table what is plugged in, for errors of a robot that does not answer */
-  constructor(table: () => OnTable | null) {
-    this.log = new ConsoleLog(table);
-  }
+  /**
+   * @param table what is plugged into a device, for errors of a robot that does not answer
+   * @param device place of the device that is shown
+   */
+  constructor(
+    private readonly table: (device: number) => OnTable | null,
+    private readonly device: () => number = () => 0,
+  ) {}
 
-  /** Adds output of the program. */
-  write(text: string): void {
-    this.pending += text;
+  /** Adds output of a device's program. */
+  write(text: string, device = 0, timeUs = 0): void {
+    this.together.write(text, device, timeUs);
+    this.pending[device] = (this.pending[device] ?? '') + text;
     this.timer ??= setTimeout(() => this.show(), SHOW_EVERY_MS);
   }
 
-  startRun(number: number): void {
+  /** A run begins. @param devices how many it has */
+  startRun(number: number, devices = 1): void {
     this.show();
     this.run.value = number;
-    this.log.add({ kind: 'run', number });
+    this.together.startRun(number, devices);
+    for (let device = 0; device < devices; device++) this.logOf(device).add({ kind: 'run', number });
     this.show();
   }
 
   /** Adds a sentence of the app itself. */
-  addNote(key: TextKey): void {
+  addNote(key: TextKey, device = 0): void {
     this.show();
-    this.log.add({ kind: 'note', key });
+    this.logOf(device).add({ kind: 'note', key });
     this.show();
   }
 
-  addError(place: ErrorPlace | null, report: ErrorReport): void {
+  addError(place: ErrorPlace | null, report: ErrorReport, device = 0): void {
     this.show();
-    this.log.add({ kind: 'error', place, report });
+    this.logOf(device).add({ kind: 'error', place, report });
     this.isNew.value = true;
     this.show();
   }
 
   /** The pupil stopped the program: its last traceback is not an alarm. */
-  quieten(): void {
+  quieten(device = 0): void {
     this.show();
-    this.log.quieten();
+    this.logOf(device).quieten();
     this.show();
   }
 
   clear(): void {
-    this.pending = '';
-    this.log.clear();
+    this.pending.length = 0;
+    this.together.clear();
+    for (const log of this.logs) log.clear();
     this.show();
     this.isNew.value = false;
   }
@@ -81,21 +97,28 @@ export class ConsoleModel {
     if (!this.isReplVisited.value) this.visited.value = new Set([...this.visited.value, this.run.value]);
   }
 
-  /** Everything that is kept, as text. */
+  /** Everything that is kept of the device that is shown, as text. */
   toText(): string {
     this.show();
-    return this.log.toText();
+    return this.logOf(this.device()).toText();
+  }
+
+  private logOf(device: number): ConsoleLog {
+    for (let place = this.logs.length; place <= device; place++)
+      this.logs.push(new ConsoleLog(() => this.table(place)));
+    return this.logs[device] as ConsoleLog;
   }
 
   private show(): void {
     clearTimeout(this.timer);
     this.timer = undefined;
-    if (this.pending !== '') {
-      this.log.write(this.pending);
+    for (const [device, text] of this.pending.entries()) {
+      if (!text) continue;
+      this.logOf(device).write(text);
       this.isNew.value = true;
-      this.pending = '';
     }
-    this.entries.value = this.log.entries;
-    this.isCut.value = this.log.isCut;
+    this.pending.length = 0;
+    this.together.show();
+    this.lists.value = this.logs.map(({ entries }) => entries);
   }
 }

@@ -25,9 +25,9 @@ describe('the wish to see a line', () => {
 
   it('is not the mark of a wrong line, which the next run takes away', async () => {
     const { run, jump } = createPage();
-    jump.wrong.value = { file: 'main.py', line: 1 };
+    jump.wrong.value = { file: 'main.py', line: 1, device: 0 };
     jump.to({ file: 'main.py', line: 5 });
-    expect(jump.wrong.value).toEqual({ file: 'main.py', line: 1 });
+    expect(jump.wrong.value).toEqual({ file: 'main.py', line: 1, device: 0 });
     await run.start();
     expect(jump.wrong.value).toBeNull();
   });

@@ -16,7 +16,7 @@ export type Jump = ReturnType<typeof createJump>;
 /** Makes the wish; asking for a line shows its file. */
 export function createJump(work: WorkModel) {
   const target = shallowRef<ErrorPlace | null>(null);
-  const wrong = shallowRef<ErrorPlace | null>(null);
+  const wrong = shallowRef<(ErrorPlace & { readonly device: number }) | null>(null);
   const mending = shallowRef<Mending | null>(null);
   return {
     target,

@@ -14,7 +14,7 @@ export function useRepl({
 }: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'> & Pick<ConsoleParts, 'console'>) {
   const ended = run.ended;
   /** The REPL has greeted; before that the display shows the error, half a minute at times. */
-  const isRepl = computed(() => run.isActive.value && ended.value !== null && run.snapshot.value?.repl === true);
+  const isRepl = computed(() => run.isActive.value && ended.value !== null && run.shown.value?.repl === true);
   const readsInput = computed(() => work.files.value.some(({ text }) => /\binput\s*\(/.test(text)));
   return {
     isRepl,

@@ -33,8 +33,8 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
     phase: () => run.phase.value,
     nowUs: () => run.nowUs.value,
     snapshot: () => run.snapshot.value,
-    ended: () => run.ended.value,
-    board: () => hardwareNow(app)?.board.id ?? '',
+    ended: () => run.endings.value[0] ?? null,
+    board: () => hardwareNow(app, 0)?.board.id ?? '',
     project: () => presentProject(app),
     settings: () => settingsOf(app),
     sensorWishes: () => app.sensors.wishes.value,
@@ -156,7 +156,11 @@ function listenTo(
     watch(run.phase, (phase) => tell({ type: 'phase', phase }), atOnce),
     watch(run.snapshot, (snapshot) => snapshot && tell({ type: 'snapshot', snapshot }), atOnce),
     watch(work.scene, (scene) => tell({ type: 'scene', scene }), atOnce),
-    watch(work.files, (files) => tell({ type: 'files', files }), atOnce),
+    watch(
+      () => work.work.value.project.files,
+      (files) => tell({ type: 'files', files }),
+      atOnce,
+    ),
     watch(
       () => JSON.stringify(settingsOf(app)),
       () => tell({ type: 'settings', settings: settingsOf(app) }),

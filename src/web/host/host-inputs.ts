@@ -21,8 +21,8 @@ export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts)
   const act = (action: InputAction): void => {
     isOwn = true;
     try {
-      if (action.type === 'sensor' && typeof action.value === 'number') sensors.set(action.id, action.value);
-      else run.input(action);
+      if (action.type === 'sensor' && typeof action.value === 'number') sensors.set(action.id, action.value, 0);
+      else run.input(action, 0);
     } finally {
       isOwn = false;
     }

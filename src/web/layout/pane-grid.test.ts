@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
-import { gridOf, limitsOf, withLargeArena, withRoomForPanel } from './pane-grid';
+import { gridOf, limitsOf, withDeviceRow, withLargeArena, withRoomForPanel } from './pane-grid';
 
 const all = { code: true, board: true, arena: true, console: true };
 const room = { widthPx: 1424, heightPx: 900 };
@@ -28,6 +28,22 @@ describe('the grid of the panes', () => {
     expect(grid.rows).toBe('minmax(0, 1fr) 8px 208px 8px 186px');
     expect(rowsOf(grid.areas).map(([left]) => left)).toEqual(['code', 's-below', 'board', 's-console', 'console']);
     expect(rowsOf(grid.areas).every(([, bar, right]) => bar === 's-code' && right === 'arena')).toBe(true);
+  });
+
+  it('has the row of devices above what is written and read; beside it the arena keeps its full height', () => {
+    const wide = withDeviceRow(gridOf('wide', all, sizes, room));
+    expect(wide.rows).toBe('76px 8px minmax(0, 1fr) 8px 186px');
+    expect(rowsOf(wide.areas).slice(0, 3)).toEqual([
+      ['devices', 'devices', 'devices', 's-board', 'arena'],
+      ['.', '.', '.', 's-board', 'arena'],
+      ['code', 's-code', 'board', 's-board', 'arena'],
+    ]);
+    const medium = withDeviceRow(gridOf('medium', all, sizes, { widthPx: 1008, heightPx: 768 }));
+    expect(rowsOf(medium.areas)[0]).toEqual(['devices', 's-code', 'arena']);
+    const narrow = withDeviceRow(gridOf('narrow', all, sizes, { widthPx: 800, heightPx: 1100 }));
+    expect(new Set(rowsOf(narrow.areas)[0])).toEqual(new Set(['devices']));
+    const phone = withDeviceRow(gridOf('phone', { ...all, code: false }, sizes, { widthPx: 390, heightPx: 800 }));
+    expect(rowsOf(phone.areas)).toEqual([['devices'], ['.'], ['board']]);
   });
 
   it('leaves the program 160 px in a low window, whatever the board would like to have', () => {

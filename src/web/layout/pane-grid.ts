@@ -83,6 +83,23 @@ export function gridOf(
   return kind === 'wide' ? beside(shown, wished, fit) : inColumn(shown, wished, room, fit);
 }
 
+/** Height of the row of devices, in px. */
+const DEVICES_PX = 76;
+
+/** The grid with the row of devices on top; an arena at the full height stays beside it. */
+export function withDeviceRow({ columns, rows, areas, splitters }: PaneGrid): PaneGrid {
+  const lines = areas.match(/[^']*[^' ][^']*/g)?.map((line) => line.split(' ')) ?? [];
+  const isBeside = lines.length > 0 && lines.every((line) => line.length > 2 && line.at(-1) === 'arena');
+  const line = (name: string): string =>
+    `'${(lines[0] ?? []).map((area, at, all) => (isBeside && at >= all.length - 2 ? area : name)).join(' ')}'`;
+  return {
+    columns,
+    rows: `${DEVICES_PX}px ${GAP} ${rows}`,
+    areas: `${line('devices')} ${line('.')} ${areas}`,
+    splitters,
+  };
+}
+
 /** What takes the room that the others leave. */
 const REST = 'minmax(0, 1fr)';
 

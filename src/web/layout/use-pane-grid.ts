@@ -1,7 +1,7 @@
 import { computed, onMounted, onScopeDispose, shallowRef, type Ref } from 'vue';
 
 import type { TextKey } from '../page/i18n/texts';
-import { gridOf, limitsOf, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
+import { gridOf, limitsOf, withDeviceRow, withLargeArena, withRoomForPanel, type SplitterId } from './pane-grid';
 import type { WorkParts } from '../work/model/parts';
 import type { LayoutParts } from './parts';
 
@@ -21,7 +21,7 @@ const SETTING = { code: 'codePx', board: 'boardPx', console: 'consolePx', top: '
 
 /** The panes' grid as CSS variables, and the splitters that are in it. Sizes always fit the window. */
 export function usePaneGrid(
-  { layout, settings }: Pick<WorkParts, 'settings'> & Pick<LayoutParts, 'layout'>,
+  { layout, settings, work }: WorkParts & Pick<LayoutParts, 'layout'>,
   root: Ref<HTMLElement | null>,
 ) {
   const room = shallowRef({ widthPx: innerWidth, heightPx: innerHeight });
@@ -38,7 +38,10 @@ export function usePaneGrid(
     const wished = withRoomForPanel(layout.sizes.value, isUnfolded.value);
     return settings.current.value.cinema ? withLargeArena(wished, room.value) : wished;
   });
-  const grid = computed(() => gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value));
+  const grid = computed(() => {
+    const panes = gridOf(layout.arrangement.value, layout.isShown.value, sizes.value, room.value);
+    return work.hasSeveral.value ? withDeviceRow(panes) : panes;
+  });
   const style = computed(() => ({
     '--columns': grid.value.columns,
     '--rows': grid.value.rows,

@@ -89,11 +89,11 @@ describe('measuring one’s own robot', () => {
     const { page } = await opened();
     await write(field('drive-usual', 0), '36');
     await pause();
-    expect(runSetup(page, []).devices[0].traits).toBeUndefined();
+    expect(runSetup(page, () => []).devices[0].traits).toBeUndefined();
     await tap('my-robot-use');
-    expect(runSetup(page, []).devices[0].traits).toEqual(weakRight);
+    expect(runSetup(page, () => []).devices[0].traits).toEqual(weakRight);
     page.settings.change({ robot: 'maqueen-plus-v2' });
-    expect(runSetup(page, []).devices[0].traits).toBeUndefined();
+    expect(runSetup(page, () => []).devices[0].traits).toBeUndefined();
   });
 
   it('counts whole turns and adds the angle', async () => {

@@ -89,7 +89,7 @@ describe('the region in which the drive is told', () => {
     const made = await page();
     await startRun(made);
     await made.drive({}, 4500);
-    made.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 } });
+    made.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
     await made.drive({ aheadMm: 120 }, 1000);
     expect(made.said()).toBe('Start bei x 20, y 45 cm, Richtung 0 Grad.');
     await made.drive({ aheadMm: 120 }, 400);

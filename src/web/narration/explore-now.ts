@@ -35,7 +35,7 @@ function askedOf({ run, hand, scene, robot, crosshair }: Explored): Asked {
   const course = scene();
   const type = robot();
   const { at, heading, scale } = course.robot;
-  const snapshot = run.snapshot.value;
+  const snapshot = run.shown.value;
   const start: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
   const inHand = Object.entries(hand.blocks.value).map(([id, { xMm, yMm, headingDeg }]): [string, Pose] => [
     id,

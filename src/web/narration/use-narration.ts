@@ -39,7 +39,7 @@ export function useNarration(app: Pick<RunParts, 'run'> & WorkParts, begin: () =
 
   function ask(): void {
     const nowMs = performance.now();
-    const snapshot = run.snapshot.value;
+    const snapshot = run.shown.value;
     if (run.phase.value === 'running' && snapshot !== null) narrator?.see(snapshot, nowMs);
     const words = narrator?.next(nowMs) ?? null;
     if (words !== null) tell(words);
@@ -50,7 +50,7 @@ export function useNarration(app: Pick<RunParts, 'run'> & WorkParts, begin: () =
     timer = setInterval(ask, ASK_MS);
   }
 
-  watch(run.snapshot, (snapshot) => {
+  watch(run.shown, (snapshot) => {
     if (snapshot === null || run.phase.value !== 'running') return;
     narrator ??= createNarrator(around);
     narrator.see(snapshot, performance.now());

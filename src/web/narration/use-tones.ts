@@ -24,7 +24,7 @@ export function useTones({
   const isStill = watchStill();
 
   function follow(): void {
-    const snapshot = run.snapshot.value;
+    const snapshot = run.shown.value;
     const nowMs = performance.now();
     const moment = snapshot === null ? null : momentOf(snapshot, nowMs);
     player.play(moment === null || isStill(moment) ? silence : tonesOf(moment), nowMs);

@@ -36,8 +36,8 @@ describe('questions to the pupil', () => {
     dialogs.ask(question('b'));
     dialogs.close();
     dialogs.ask(question('c'));
-    expect(dialogs.current.value?.values).toEqual({ file: 'b' });
+    expect(dialogs.current.value).toMatchObject({ values: { file: 'b' } });
     dialogs.close();
-    expect(dialogs.current.value?.values).toEqual({ file: 'c' });
+    expect(dialogs.current.value).toMatchObject({ values: { file: 'c' } });
   });
 });

@@ -1,4 +1,4 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { shallowRef, type Component, type ShallowRef } from 'vue';
 
 import type { TextKey, TextValues } from './i18n/texts';
 
@@ -10,7 +10,7 @@ export interface Choice {
   readonly run: () => void;
 }
 
-/** A question in a dialog: with answers to choose from, or a file name to type. */
+/** A question in a dialog: with answers to choose from, a file name to type, or a form. */
 export type Question =
   | {
       readonly kind: 'choose';
@@ -26,7 +26,9 @@ export type Question =
       /** The name the file has now; absent for a new file. */
       readonly own?: string;
       readonly done: (name: string) => void;
-    };
+    }
+  /** A form of its own; it emits `close` when it is done. */
+  | { readonly kind: 'form'; readonly title: () => string; readonly form: Component };
 
 /** The current question; further ones wait for their turn. */
 export interface DialogsModel {

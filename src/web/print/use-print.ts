@@ -33,7 +33,7 @@ export function usePrint() {
   const drawing = useDrawing(() => hardware.value?.robot ?? null);
   const isBusy = shallowRef(false);
   const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
-  const pieces = computed(() => (app.run.snapshot.value === null ? [] : piecesOf(app.run.trail)));
+  const pieces = computed(() => (app.run.snapshot.value === null ? [] : piecesOf(app.run.trails.first)));
 
   function optionsFor(wish: PictureWish): PictureOptions {
     const { at, heading, scale } = scene.value.robot;

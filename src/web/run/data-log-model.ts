@@ -1,4 +1,4 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { DeviceLog } from '#device-log/device-log';
 import { emptyLog, withLogEvents, type LogTable } from '#simulation/log-table';
@@ -10,26 +10,37 @@ export interface OpenedLog {
   readonly log: DeviceLog;
 }
 
-/** The board's data log as the page keeps it: every row, because the device's own memory already limits it. */
+/** What a simulated board has logged. */
+interface BoardLog {
+  readonly table: LogTable;
+  readonly isFull: boolean;
+}
+
+/** The boards' data logs as the page keeps them: every row, because a device's own memory already limits it. */
 export class DataLogModel {
-  readonly table: ShallowRef<LogTable> = shallowRef(emptyLog);
-  readonly isFull = shallowRef(false);
+  /** Of the device that is shown. */
+  readonly table: ComputedRef<LogTable> = computed(() => this.boards.value[this.shown()]?.table ?? emptyLog);
+  readonly isFull = computed(() => this.boards.value[this.shown()]?.isFull ?? false);
+  /** By the place of the device. */
+  private readonly boards: ShallowRef<Readonly<Record<number, BoardLog>>> = shallowRef({});
   /** The log of a real board that is open beside the simulated one; no run changes it. */
   readonly device = shallowRef<OpenedLog | null>(null);
   /** Whether both are being looked at. */
   readonly isCompared = shallowRef(false);
 
-  take(events: readonly TimedLogEvent[]): void {
+  /** @param shown place of the device that is shown */
+  constructor(private readonly shown: () => number = () => 0) {}
+
+  /** Adds what a device has logged. */
+  take(events: readonly TimedLogEvent[], device = 0): void {
     if (events.length === 0) return;
-    for (const { type } of events) {
-      if (type === 'full') this.isFull.value = true;
-      if (type === 'clear') this.isFull.value = false;
-    }
-    this.table.value = withLogEvents(this.table.value, events);
+    const { table = emptyLog, isFull: wasFull = false } = this.boards.value[device] ?? {};
+    let isFull = wasFull;
+    for (const { type } of events) if (type === 'full' || type === 'clear') isFull = type === 'full';
+    this.boards.value = { ...this.boards.value, [device]: { table: withLogEvents(table, events), isFull } };
   }
 
   clear(): void {
-    this.table.value = emptyLog;
-    this.isFull.value = false;
+    this.boards.value = {};
   }
 }

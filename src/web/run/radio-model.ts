@@ -10,8 +10,10 @@ export interface RadioEntry {
   readonly id: number;
   /** Simulated time. */
   readonly timeUs: number;
-  /** Sent by the program, or by hand to the program. */
+  /** Sent by a program, or by hand to all of them. */
   readonly from: 'program' | 'hand';
+  /** Place of the device whose program sent it; 0 if it was sent by hand. */
+  readonly device: number;
   /** Its text, or its bytes as hexadecimal digits if it has none. */
   readonly text: string;
   readonly isText: boolean;
@@ -39,17 +41,18 @@ export class RadioModel {
 
   constructor(private readonly run: Pick<RunModel, 'input' | 'nowUs'>) {}
 
-  /** Adds packets of the program. @param dropped number of packets before these that were not kept */
-  take(packets: readonly RadioPacket[], dropped: number): void {
+  /** Adds packets of a device's program. @param dropped number of packets before these that were not kept */
+  take(packets: readonly RadioPacket[], dropped: number, device = 0): void {
     if (dropped > 0) this.isCut.value = true;
     if (packets.length === 0) return;
-    this.add(packets.map(({ timeUs, bytes }) => ({ timeUs, from: 'program' as const, ...readable(bytes) })));
+    this.add(packets.map(({ timeUs, bytes }) => ({ timeUs, from: 'program' as const, device, ...readable(bytes) })));
   }
 
   /** Sends a text to the program. @param heard whether its radio is on */
   send(text: string, heard = true): void {
     this.run.input({ type: 'radio', text });
-    this.add([{ timeUs: this.run.nowUs.value, from: 'hand', text, isText: true, ...(!heard && { isLost: true }) }]);
+    const sent = { timeUs: this.run.nowUs.value, from: 'hand', device: 0, text, isText: true } as const;
+    this.add([{ ...sent, ...(!heard && { isLost: true }) }]);
   }
 
   clear(): void {
@@ -59,6 +62,7 @@ export class RadioModel {
 
   private add(news: readonly Omit<RadioEntry, 'id'>[]): void {
     const all = [...this.entries.value, ...news.map((entry) => ({ ...entry, id: this.nextId++ }))];
+    all.sort((one, other) => one.timeUs - other.timeUs); // each device's packets come by themselves
     if (all.length > RADIO_ENTRIES) this.isCut.value = true;
     this.entries.value = all.slice(-RADIO_ENTRIES);
   }

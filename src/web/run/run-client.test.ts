@@ -99,7 +99,8 @@ describe('the page’s end of a run', () => {
     await b.start();
     const { onmessage } = b.workers[0]!;
     await b.start();
-    onmessage?.({ data: { type: 'console', text: 'late' } } as MessageEvent<FromWorker>);
+    const late: FromWorker = { type: 'console', output: [{ device: 0, text: 'late', timeUs: 0 }] };
+    onmessage?.({ data: late } as MessageEvent<FromWorker>);
     expect(b.heard).toEqual([]);
   });
 

@@ -1,13 +1,13 @@
-import { computed, shallowRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { InputAction } from '#simulation/input';
 import { SPEEDS, type RunPhase, type Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
-import type { Snapshot } from '#simulation/snapshot';
-import { Trail } from './trail';
-import type { FromWorker, RunEvents } from './worker/protocol';
+import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
+import { Trails } from './trails';
+import type { FromWorker, Output, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions, type ToRun } from './run-client';
 
 /** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
@@ -16,15 +16,17 @@ const BUSY_AFTER_MS = 1000;
 /** What a run needs of the app around it. */
 export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
   setup(): RunSetup;
-  /** Something was done to the board, whether a run takes it or not. */
-  onInput(action: InputAction): void;
+  /** Place of the device whose board and program are shown. Left out: the first. */
+  device?(): number;
+  /** Something was done to a board, whether a run takes it or not. */
+  onInput(action: InputAction, device: number): void;
   onStart(): void;
-  onOutput(text: string): void;
-  onEnded(ended: Ended): void;
+  onOutput(output: Output): void;
+  onEnded(ended: Ended, device: number): void;
   /** The program runs again from its start: Ctrl-D at the REPL. */
-  onRestarted(): void;
+  onRestarted(device: number): void;
   /** What sounded, was sent by radio and was logged. */
-  onEvents(events: RunEvents): void;
+  onEvents(events: RunEvents, device: number): void;
   /** The VM could not be loaded: no connection, most likely. */
   onUnavailable(): void;
   onFailed(message: string): void;
@@ -39,9 +41,18 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
   readonly snapshot: ShallowRef<Snapshot | null> = shallowRef(null);
-  /** The path that the robot has taken; its contents change with `snapshot`. */
-  readonly trail = new Trail();
-  readonly ended: ShallowRef<Ended | null> = shallowRef(null);
+  /** The same as the device that is shown has it: its board, its program and its robot in the first one's place. */
+  readonly shown: ComputedRef<Snapshot | null> = computed(() => {
+    const snapshot = this.snapshot.value;
+    const device = this.deviceNow(this.device);
+    return snapshot === null || device === null || device === snapshot ? snapshot : { ...snapshot, ...device };
+  });
+  /** The paths that the robots have taken; their contents change with `snapshot`. */
+  readonly trails = new Trails();
+  /** How each device's program has ended, by its place; missing before there is a run. */
+  readonly endings: ShallowRef<readonly (Ended | null)[]> = shallowRef([]);
+  /** How the program of the device that is shown has ended. */
+  readonly ended: ComputedRef<Ended | null> = computed(() => this.endings.value[this.device] ?? null);
   readonly nowUs = shallowRef(0);
   /** Simulated seconds per wall second reached lately; `null` while unknown. */
   readonly achieved: ShallowRef<number | null> = shallowRef(null);
@@ -49,14 +60,16 @@ export class RunModel {
   /** What every Run button does instead of starting, for a host that brings its program first; `null`: it starts. */
   readonly ask: ShallowRef<(() => void) | null> = shallowRef(null);
   readonly isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(this.phase.value));
-  /** The program has ended, and the world goes on. */
-  readonly isOver = computed(() => this.isActive.value && this.ended.value !== null);
+  /** All programs have ended. */
+  readonly hasEnded = computed(() => this.endings.value.length > 0 && !this.endings.value.includes(null));
+  /** So they have, and the world goes on. */
+  readonly isOver = computed(() => this.isActive.value && this.hasEnded.value);
   /** The program stands in `input()`: only the person can go on. */
   readonly isWaitingForInput = computed(
     () =>
       (this.phase.value === 'running' || this.phase.value === 'paused') &&
       this.ended.value === null &&
-      this.snapshot.value?.awaitsInput === true,
+      this.shown.value?.awaitsInput === true,
   );
   private speed: Speed = 1;
   private frameAsked = false;
@@ -93,10 +106,7 @@ export class RunModel {
     const { starts } = this;
     this.client.expect();
     this.phase.value = 'starting';
-    this.trail.clear();
-    this.snapshot.value = null;
-    this.ended.value = null;
-    this.nowUs.value = 0;
+    this.clear();
     this.achieved.value = null;
     this.frameAsked = this.rests = false;
     this.startsPaused = paused;
@@ -104,7 +114,10 @@ export class RunModel {
     const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
     if (!isWanted()) return; // a listener of the start has stopped it
     try {
-      await this.client.start(this.host.setup(), this.speed, paused);
+      const setup = this.host.setup();
+      this.names = setup.devices.map(({ name }) => name);
+      this.endings.value = this.names.map(() => null);
+      await this.client.start(setup, this.speed, paused);
     } catch {
       if (!isWanted()) return;
       this.end('failed');
@@ -138,9 +151,13 @@ export class RunModel {
     await this.stop();
     if (starts !== this.starts) return;
     this.phase.value = 'ready';
-    this.trail.clear();
+    this.clear();
+  }
+
+  private clear(): void {
+    this.trails.clear();
     this.snapshot.value = null;
-    this.ended.value = null;
+    this.endings.value = [];
     this.nowUs.value = 0;
   }
 
@@ -179,13 +196,29 @@ export class RunModel {
 
   /**
    * Does something to the run from outside; if the run is still starting, at its first moment. Without a run nothing
-   * happens.
+   * happens. A packet by radio reaches every device.
+   *
+   * @param device its place; left out: the one that is shown
    */
-  input(action: InputAction): void {
-    this.host.onInput(action);
-    if (this.isActive.value && !this.send({ type: 'input', action }))
-      this.host.onRefused('Too much is done before the program begins.');
+  input(action: InputAction, device = this.device): void {
+    this.host.onInput(action, device);
+    const name = device === 0 || action.type === 'radio' ? undefined : this.names[device];
+    const message = { type: 'input', action, ...(name !== undefined && { device: name }) } as const;
+    if (this.isActive.value && !this.send(message)) this.host.onRefused('Too much is done before the program begins.');
   }
+
+  /** A device in the picture that is shown, or `null`. */
+  deviceNow(device: number): DeviceSnapshot | null {
+    const snapshot = this.snapshot.value;
+    return device === 0 ? snapshot : (snapshot?.others[device - 1] ?? null);
+  }
+
+  /** Place of the device that is shown. */
+  get device(): number {
+    return this.host.device?.() ?? 0;
+  }
+  /** The devices of the run, as it calls them. */
+  private names: readonly string[] = [];
 
   private hear(message: FromWorker): void {
     this.heardMs = performance.now();
@@ -201,7 +234,7 @@ export class RunModel {
         break;
       case 'snapshot':
         this.frameAsked = false;
-        this.trail.add(message.trail);
+        this.trails.add(message.trails);
         this.snapshot.value = message.snapshot;
         this.nowUs.value = message.snapshot.timeUs;
         break;
@@ -212,19 +245,19 @@ export class RunModel {
         this.achieved.value = null;
         break;
       case 'console':
-        this.host.onOutput(message.text);
+        message.output.forEach((output) => this.host.onOutput(output));
         this.client.send({ type: 'console-taken' });
         break;
       case 'program-ended':
-        this.ended.value = message.ended;
-        this.host.onEnded(message.ended);
+        this.setEnded(message.device, message.ended);
+        this.host.onEnded(message.ended, message.device);
         break;
       case 'program-restarted':
-        this.ended.value = null;
-        this.host.onRestarted();
+        this.setEnded(message.device, null);
+        this.host.onRestarted(message.device);
         break;
       case 'events':
-        this.host.onEvents(message.events);
+        this.host.onEvents(message.events, message.device);
         break;
       case 'stopped':
         this.end('stopped');
@@ -239,6 +272,10 @@ export class RunModel {
       default:
         message satisfies never;
     }
+  }
+
+  private setEnded(device: number, ended: Ended | null): void {
+    this.endings.value = this.endings.value.map((before, place) => (place === device ? ended : before));
   }
 
   /** Something is done to the run, which may wake it. @returns whether it was sent */

@@ -5,7 +5,7 @@ import { SensorsModel } from './sensors-model';
 
 function model() {
   const sent: InputAction[] = [];
-  return { sensors: new SensorsModel({ input: (action) => sent.push(action) }), sent };
+  return { sensors: new SensorsModel({ input: (action) => sent.push(action), device: 0 }), sent };
 }
 
 describe('sensors set by hand', () => {

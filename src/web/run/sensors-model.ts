@@ -1,20 +1,25 @@
-import { shallowRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { InputEvent } from '#simulation/input';
 
 import type { RunModel } from './run-model';
 
-/** A hand on the sensors of the board: what it set holds for this run and the ones to come, until it is taken back. */
+/** What was set by hand, by sensor id; everything else is as the board has it at its start. */
+type Wishes = Readonly<Record<string, number>>;
+
+/** A hand on the sensors of a board: what it set holds for this run and the ones to come, until it is taken back. */
 export class SensorsModel {
-  /** What was set by hand, by sensor id; everything else is as the board has it at its start. */
-  readonly wishes: ShallowRef<Readonly<Record<string, number>>> = shallowRef({});
+  /** What was set on the device that is shown. */
+  readonly wishes: ComputedRef<Wishes> = computed(() => this.all.value[this.run.device] ?? {});
+  /** By the place of the device. */
+  private readonly all: ShallowRef<Readonly<Record<number, Wishes>>> = shallowRef({});
 
-  constructor(private readonly run: Pick<RunModel, 'input'>) {}
+  constructor(private readonly run: Pick<RunModel, 'input' | 'device'>) {}
 
-  /** Sets a sensor, now and at the start of every further run. */
-  set(id: string, value: number): void {
-    this.wishes.value = { ...this.wishes.value, [id]: value };
-    this.run.input({ type: 'sensor', id, value });
+  /** Sets a sensor of a device, now and at the start of every further run. */
+  set(id: string, value: number, device = this.run.device): void {
+    this.put(device, { ...this.all.value[device], [id]: value });
+    this.run.input({ type: 'sensor', id, value }, device);
   }
 
   /** A movement of the board: each call reports it to the program again. */
@@ -28,14 +33,18 @@ export class SensorsModel {
       const value = starts.get(id);
       if (value !== undefined) this.run.input({ type: 'sensor', id, value });
     }
-    this.wishes.value = {};
+    this.put(this.run.device, {});
   }
 
-  /** What a run has to be given at its start. */
-  startInputs(): readonly InputEvent[] {
-    return Object.entries(this.wishes.value).map(([id, value]) => ({
+  /** What a run has to be given for a device at its start. */
+  startInputs(device = 0): readonly InputEvent[] {
+    return Object.entries(this.all.value[device] ?? {}).map(([id, value]) => ({
       timeUs: 0,
       action: { type: 'sensor' as const, id, value },
     }));
+  }
+
+  private put(device: number, wishes: Wishes): void {
+    this.all.value = { ...this.all.value, [device]: wishes };
   }
 }

@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { Trail } from './trail';
+import { Trails } from './trails';
 
 const points = (trail: Trail): number[] => [...trail.xyMm.subarray(0, 2 * trail.count)];
 
@@ -37,5 +38,16 @@ describe('the trail of a run', () => {
     trail.add(Array.from({ length: 400_000 }, (_, i) => i));
     expect(trail.count).toBeLessThanOrEqual(65_536);
     expect(trail.xyMm[2 * trail.count - 1]).toBe(399_999);
+  });
+});
+
+describe('the trails of several robots', () => {
+  it('are kept apart, and all begin anew together, also if only the third has been looked at', () => {
+    const trails = new Trails();
+    trails.of(2).add([1, 2]);
+    trails.add([[3, 4], [], [5, 6]]);
+    expect([points(trails.first), points(trails.of(2))]).toEqual([[3, 4], [1, 2, 5, 6]]); // prettier-ignore
+    trails.clear();
+    expect([0, 1, 2].map((device) => trails.of(device).count)).toEqual([0, 0, 0]);
   });
 });

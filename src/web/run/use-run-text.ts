@@ -13,17 +13,18 @@ export function clockText(timeUs: number, fine = false): string {
   return `${two(Math.floor(whole / 60))}:${two(whole % 60)}${decimalSign(shownLanguage())}${fine ? two(part) : part}`;
 }
 
-/** The run's state in a word, its colour, and its clock. */
-export function useRunText({ run }: Pick<RunParts, 'run'>) {
+/** The run's state in a word, its colour, and its clock. @param device place of the one that it is about; left out: the one that is shown */
+export function useRunText({ run }: Pick<RunParts, 'run'>, device: () => number = () => run.device) {
   const state = computed((): { key: TextKey; tone: 'run' | 'stop' | 'warn' | '' } => {
-    const ended = run.ended.value;
+    const ended = run.endings.value[device()] ?? null;
     if (ended?.kind === 'panic' && run.isActive.value) return { key: 'state.panic', tone: 'stop' };
     if (ended !== null && ended.exception !== null) return { key: 'state.failed', tone: 'stop' };
     switch (run.phase.value) {
       case 'starting':
         return { key: 'state.starting', tone: 'run' };
       case 'running':
-        if (run.isWaitingForInput.value) return { key: 'state.waiting', tone: 'warn' };
+        if (ended === null && run.deviceNow(device())?.awaitsInput === true)
+          return { key: 'state.waiting', tone: 'warn' };
         return { key: ended === null ? 'state.running' : 'state.finished', tone: 'run' };
       case 'paused':
         return { key: 'state.paused', tone: 'warn' };

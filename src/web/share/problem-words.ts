@@ -38,6 +38,8 @@ const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
   'no-main': words.noMain,
   'file-name': words.fileName,
   'file-too-large': words.tooLong,
+  'device-name': words.deviceName,
+  'same-as': words.sameAs,
 };
 
 /** What is wrong with a file, in words: the first problem, and how many follow. */

@@ -2,37 +2,56 @@ import { traitsFor } from '#my-robot/my-robot';
 import { filesByName } from '#project/project';
 import { hardwareIds } from '#simulation/hardware';
 import type { InputEvent } from '#simulation/input';
-import { soloRun, type RunSetup } from '#simulation/run-setup';
+import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 
 import { fittingInputs } from '../run/fitting-inputs';
 import { hardwareNow } from './hardware/use-hardware';
+import { deviceAt } from './hardware/device-at';
 import { seedOf } from './hardware/hardware';
 import { boardWish } from './settings/devices';
 import type { WorkParts } from './model/parts';
 
 /**
- * The set-up of a run that starts now: the present work on the chosen device. What the hand has moved is back at its
+ * The set-up of a run that starts now: the present work on the chosen devices. What the hand has moved is back at its
  * place.
  *
- * @param sensed what was set on the sensors and holds from the start
+ * @param sensed what was set on the sensors of the device at a place and holds from the start
  */
-export function runSetup(parts: WorkParts, sensed: readonly InputEvent[]): RunSetup {
+export function runSetup(parts: WorkParts, sensed: (place: number) => readonly InputEvent[]): RunSetup {
   const { work, settings } = parts;
-  const hardware = hardwareNow(parts);
-  const { device, robot, reality, myRobot } = settings.current.value;
-  const traits = traitsFor(myRobot, hardware?.robot?.id);
-  const inputs = hardware === null ? [] : fittingInputs(sensed, hardware.board);
-  if (hardware !== null && hardware.robot !== null && settings.current.value.arenaSenses)
-    inputs.push({ timeUs: 0, action: { type: 'arena-senses', on: true } });
-  return soloRun({
+  const names = work.devices.value;
+  const [first, ...others] = names.map((name, place) => deviceSetup(parts, name, place));
+  if (first === undefined) throw new RangeError('A project has at least one device.');
+  return {
     scene: work.scene.value,
-    files: filesByName(work.files.value),
-    ...(hardware === null ? { robot, board: boardWish(device) } : hardwareIds(hardware)),
+    devices: [first, ...others],
     repl: 'at-once',
     seed: seedOf(settings.current.value),
+    reality: settings.current.value.reality,
+    inputs: names.flatMap((name, place) =>
+      deviceInputs(parts, place, sensed(place)).map((event) => (place === 0 ? event : { ...event, device: name })),
+    ),
+  };
+}
+
+function deviceSetup(parts: WorkParts, name: string, place: number): DeviceSetup {
+  const { project, settings } = deviceAt(parts, place);
+  const hardware = hardwareNow(parts, place);
+  const traits = traitsFor(settings.myRobot, hardware?.robot?.id);
+  return {
+    name,
+    files: filesByName(project.files),
+    ...(hardware === null ? { robot: settings.robot, board: boardWish(settings.device) } : hardwareIds(hardware)),
     robotOptions: hardware?.options ?? {},
-    reality,
     ...(traits === undefined ? {} : { traits }),
-    inputs,
-  });
+  };
+}
+
+/** What holds for a device from the start. */
+function deviceInputs(parts: WorkParts, place: number, sensed: readonly InputEvent[]): readonly InputEvent[] {
+  const hardware = hardwareNow(parts, place);
+  if (hardware === null) return [];
+  const inputs = fittingInputs(sensed, hardware.board);
+  const feels = hardware.robot !== null && parts.settings.current.value.arenaSenses;
+  return feels ? [...inputs, { timeUs: 0, action: { type: 'arena-senses', on: true } }] : inputs;
 }

@@ -47,7 +47,7 @@ export async function startRun(page: TestPage): Promise<void> {
 
 /** The worker's next picture; `changes` says what is different from the start. */
 export async function show(page: TestPage, changes: Partial<Snapshot> = {}): Promise<void> {
-  page.say({ type: 'snapshot', snapshot: pictureOf(changes), trail: [] });
+  page.say({ type: 'snapshot', snapshot: pictureOf(changes), trails: [[]] });
   await nextTick();
 }
 

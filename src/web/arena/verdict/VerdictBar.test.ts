@@ -45,7 +45,7 @@ describe('the bar with the verdict', () => {
     expect([title(false), title(true)]).toEqual(['Aufgabe', '']);
     await startRun(page);
     await show(page, { verdict: verdictAtStart(page.scene()) });
-    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 0 } });
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 0 }, device: 0 });
     await nextTick();
     expect(title(true)).toBe('Noch nicht geschafft');
   });

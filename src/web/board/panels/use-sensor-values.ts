@@ -22,7 +22,7 @@ export function useSensorValues(app: Pick<RunParts, 'run' | 'sensors'>, infos: r
   const { run, sensors } = app;
   const told = slowly(
     steady<Readonly<Record<string, number | string>>>(() =>
-      run.isActive.value ? (run.snapshot.value?.sensors ?? {}) : {},
+      run.isActive.value ? (run.shown.value?.sensors ?? {}) : {},
     ),
   );
   const fresh = shallowRef<Readonly<Record<string, number>>>({});

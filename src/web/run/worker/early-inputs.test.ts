@@ -34,7 +34,9 @@ async function printed(program: string, early: readonly InputAction[], pieceMs =
     tasks.shift()?.();
     runner.receive({ type: 'console-taken' });
   }
-  return posted.map((message) => (message.type === 'console' ? message.text : '')).join('');
+  return posted
+    .map((message) => (message.type === 'console' ? message.output.map(({ text }) => text).join('') : ''))
+    .join('');
 }
 
 const PRESSED = `

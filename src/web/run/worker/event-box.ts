@@ -1,5 +1,5 @@
 import type { SoundEvent } from '#board/sound/sound-event';
-import type { DeviceOutlets, RadioPacket, TimedLogEvent } from '#simulation/outlets';
+import type { DeviceOutlets, RadioPacket, RunOutlets, TimedLogEvent } from '#simulation/outlets';
 
 /** The events of a run since the last call, oldest first. */
 export interface RunEvents {
@@ -10,7 +10,7 @@ export interface RunEvents {
   readonly log: readonly TimedLogEvent[];
 }
 
-/** Collects a run's events for the page. */
+/** Collects a device's events for the page. */
 export interface EventBox {
   readonly outlets: DeviceOutlets;
   /** Takes out the robot's path: x and y in mm alternately, two `NaN` where the hand tool lifted it. */
@@ -72,5 +72,31 @@ export function createEventBox(): EventBox {
       log = [];
       return events;
     },
+  };
+}
+
+/** One box for each device of a run, by its place. */
+export interface EventBoxes {
+  readonly outlets: Omit<RunOutlets, 'print'>;
+  takeTrails(): readonly (readonly number[])[];
+  take(): readonly { readonly device: number; readonly events: RunEvents }[];
+}
+
+/** Creates boxes for so many devices. */
+export function createEventBoxes(devices: number): EventBoxes {
+  const boxes = Array.from({ length: devices }, createEventBox);
+  return {
+    outlets: {
+      sound: (event, device) => boxes[device]?.outlets.sound?.(event),
+      radio: (packet, device) => boxes[device]?.outlets.radio?.(packet),
+      log: (event, device) => boxes[device]?.outlets.log?.(event),
+      trail: (point, device) => boxes[device]?.outlets.trail?.(point),
+    },
+    takeTrails: () => boxes.map((box) => box.takeTrail()),
+    take: () =>
+      boxes.flatMap((box, device) => {
+        const events = box.take();
+        return events === null ? [] : [{ device, events }];
+      }),
   };
 }

@@ -1,6 +1,16 @@
+/** What the program of one device printed, without anything of another one in between. */
+export interface Output {
+  /** Its place in the run's set-up. */
+  readonly device: number;
+  readonly text: string;
+  /** Simulated time of its first character. */
+  readonly timeUs: number;
+}
+
 /** Console output on its way to the page: bounded batches, one in transit, and a mark at which the run should wait. */
 export interface Outbox {
-  put(text: string): void;
+  /** Adds what was printed since the last call, oldest first. */
+  put(outputs: readonly Output[]): void;
   /** The page has taken the batch in transit: the next one may go. */
   taken(): void;
   /** Sends everything at once, without waiting for the page: for the end of a run. */
@@ -17,19 +27,23 @@ const BATCH = 32_768;
 const FULL = 115_200;
 
 /** Creates an outbox that hands its batches to `send`. */
-export function createOutbox(send: (text: string) => void): Outbox {
-  let waiting = '';
+export function createOutbox(send: (output: readonly Output[]) => void): Outbox {
+  let waiting: Output[] = [];
+  let length = 0;
   let underWay = false;
   function next(): void {
-    if (underWay || waiting === '') return;
+    if (underWay || length === 0) return;
     underWay = true;
-    const batch = waiting.slice(0, BATCH);
-    waiting = waiting.slice(BATCH);
+    const batch = takeBatch(waiting);
+    length -= lengthOf(batch);
     send(batch);
   }
   return {
-    put(text) {
-      waiting += text;
+    put(outputs) {
+      for (const output of outputs) {
+        append(waiting, output);
+        length += output.text.length;
+      }
       next();
     },
     taken() {
@@ -37,14 +51,37 @@ export function createOutbox(send: (text: string) => void): Outbox {
       next();
     },
     flush() {
-      if (waiting !== '') send(waiting);
-      waiting = '';
+      if (length > 0) send(waiting);
+      waiting = [];
+      length = 0;
     },
     get isFull() {
-      return waiting.length >= FULL;
+      return length >= FULL;
     },
     get isEmpty() {
-      return waiting === '';
+      return length === 0;
     },
   };
+}
+
+/** Adds output to a list, in which pieces of one device that follow each other are one. */
+export function append(list: Output[], output: Output): void {
+  const last = list.at(-1);
+  if (last?.device === output.device) list[list.length - 1] = { ...last, text: last.text + output.text };
+  else list.push(output);
+}
+
+const lengthOf = (outputs: readonly Output[]): number => outputs.reduce((sum, { text }) => sum + text.length, 0);
+
+/** Takes the first `BATCH` characters out of what is waiting. */
+function takeBatch(waiting: Output[]): readonly Output[] {
+  const batch: Output[] = [];
+  for (let room = BATCH; room > 0 && waiting[0] !== undefined;) {
+    const first = waiting[0];
+    batch.push({ ...first, text: first.text.slice(0, room) });
+    if (first.text.length <= room) waiting.shift();
+    else waiting[0] = { ...first, text: first.text.slice(room) };
+    room -= first.text.length;
+  }
+  return batch;
 }

@@ -1,6 +1,7 @@
 /**
  * The messages between the page and the worker that runs the simulation. Every message is plain data; every message the
  * page can send is a `ToWorker`, every one it can receive a `FromWorker`. One worker serves one run and is then thrown away.
+ * A number `device` is the place of one in the run's set-up.
  *
  *     page                                   worker
  *      │ prepare (compiled VM)  ───────────►  │
@@ -21,8 +22,10 @@ import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
 import type { RunEvents } from './event-box';
+import type { Output } from './outbox';
 
 export type { RunEvents } from './event-box';
+export type { Output } from './outbox';
 
 /** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
 export const STEP_PRESS_US = 20_000;
@@ -39,8 +42,11 @@ export type ToWorker =
   /** Lets `STEP_PRESS_US` of simulated time pass, then pauses again. */
   | { readonly type: 'step' }
   | { readonly type: 'speed'; readonly speed: Speed }
-  /** A button, the hand, a sensor, serial text: takes effect at the next step of the world. */
-  | { readonly type: 'input'; readonly action: InputAction }
+  /**
+   * A button, the hand, a sensor, serial text: takes effect at the next step of the world. `device`: name of the one that
+   * it is for; left out: the first, and of a packet all.
+   */
+  | { readonly type: 'input'; readonly action: InputAction; readonly device?: string }
   /** The page is ready to draw: the next change is answered by one `snapshot`. */
   | { readonly type: 'frame' }
   /** The last `console` batch has been processed. */
@@ -53,20 +59,20 @@ export type FromWorker =
   /** The VM is loaded; `run` will start at once. */
   | { readonly type: 'prepared' }
   | { readonly type: 'started' }
-  /** `trail`: the robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
-  | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly trail: readonly number[] }
+  /** `trails`: each device's robot's path since the last picture, x and y in mm alternately; two `NaN` where it was lifted. */
+  | { readonly type: 'snapshot'; readonly snapshot: Snapshot; readonly trails: readonly (readonly number[])[] }
   /** Heartbeat, about ten a second while time runs: simulated time and the factor reached lately (simulated s per wall s). */
   | { readonly type: 'alive'; readonly nowUs: number; readonly achieved: number | null }
   /** Nothing happens any more until the next input: simulated time stands still, and no heartbeat comes. */
   | { readonly type: 'resting' }
-  /** What sounded, was sent by radio and was logged since the last such message; about once a frame. */
-  | { readonly type: 'events'; readonly events: RunEvents }
-  /** Output of the program, at most one batch in transit. */
-  | { readonly type: 'console'; readonly text: string }
-  /** The program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */
-  | { readonly type: 'program-ended'; readonly ended: Ended }
+  /** What sounded, was sent by radio and was logged by a device since its last such message; about once a frame. */
+  | { readonly type: 'events'; readonly events: RunEvents; readonly device: number }
+  /** Output of the programs, oldest first; at most one batch in transit. */
+  | { readonly type: 'console'; readonly output: readonly Output[] }
+  /** A program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */
+  | { readonly type: 'program-ended'; readonly ended: Ended; readonly device: number }
   /** The program runs again from its start: Ctrl-D at the REPL. */
-  | { readonly type: 'program-restarted' }
+  | { readonly type: 'program-restarted'; readonly device: number }
   /** The run is over; all output has been sent. The worker does nothing more. */
   | { readonly type: 'stopped' }
   /** An `input` that this run does not take, such as one for a block that is not there: left out, the run goes on. */

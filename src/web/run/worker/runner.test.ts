@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 
+import type { RunOutlets } from '#simulation/outlets';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
@@ -25,12 +26,19 @@ function bench(
     nowUs: 0,
     ended: null as Ended | null,
     isIdle: options.idle === true,
-    printed: '',
+    print: (() => undefined) as NonNullable<RunOutlets['print']>,
+    get endings() {
+      return [run.ended];
+    },
+    get hasEnded() {
+      return run.ended !== null;
+    },
     inputs: [] as unknown[],
     disposed: false,
     advanceTo(us: number) {
       wallMs += ((us - run.nowUs) / 1000) * (options.costMs ?? 0.01);
-      if (run.ended === null) run.printed += 'x'.repeat(Math.round(((us - run.nowUs) / 1000) * (options.perMs ?? 0)));
+      const printed = 'x'.repeat(Math.round(((us - run.nowUs) / 1000) * (options.perMs ?? 0)));
+      if (run.ended === null && printed !== '') run.print(printed, 0);
       run.nowUs = us;
       if (us >= (options.endsAtUs ?? Infinity)) run.ended ??= { kind: 'finished', exception: null, timeUs: us };
     },
@@ -45,18 +53,16 @@ function bench(
       if (options.minds !== false) run.ended = { kind: 'exception', exception: null, timeUs: run.nowUs };
     },
     snapshot: () => ({ timeUs: run.nowUs }) as Snapshot,
-    takeConsole() {
-      const text = run.printed;
-      run.printed = '';
-      return text;
-    },
     dispose: () => (run.disposed = true),
   };
   const runner = new Runner({
     post: (message) => posted.push(message),
     nowMs: () => wallMs,
     later: (task, delayMs) => tasks.push({ task, atMs: wallMs + delayMs }),
-    create: () => Promise.resolve(run as unknown as Run),
+    create: (_setup, _firmware, { print }) => {
+      if (print !== undefined) run.print = print;
+      return Promise.resolve(run as unknown as Run);
+    },
   });
   let taken = 0;
   const types = (): string[] => posted.map((message) => message.type);
@@ -79,7 +85,7 @@ function bench(
   }
   async function start(speed: 1 | 2 | 'max' = 1, paused = false): Promise<void> {
     send({ type: 'prepare', firmware: {} });
-    send({ type: 'run', setup: {} as RunSetup, speed, paused });
+    send({ type: 'run', setup: { devices: [{}] } as unknown as RunSetup, speed, paused });
     await Promise.resolve();
     await Promise.resolve();
   }
@@ -252,7 +258,7 @@ describe('the runner', () => {
   it('does what was done while the run was being created, in order and at time 0', async () => {
     const b = bench();
     b.send({ type: 'prepare', firmware: {} });
-    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    b.send({ type: 'run', setup: { devices: [{}] } as unknown as RunSetup, speed: 1, paused: false });
     const actions = [
       { type: 'serial', text: 'Ada\n' },
       { type: 'sensor', id: 'lightLevel', value: 9 },
@@ -265,7 +271,7 @@ describe('the runner', () => {
   it('does nothing of it when that run is stopped before it is there', async () => {
     const b = bench();
     b.send({ type: 'prepare', firmware: {} });
-    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    b.send({ type: 'run', setup: { devices: [{}] } as unknown as RunSetup, speed: 1, paused: false });
     b.send({ type: 'input', action: { type: 'serial', text: 'Ada\n' } });
     b.send({ type: 'stop' });
     await b.pass(100);
@@ -286,7 +292,7 @@ describe('the runner', () => {
   it('stops a run that is still being created', async () => {
     const b = bench();
     b.send({ type: 'prepare', firmware: {} });
-    b.send({ type: 'run', setup: {} as RunSetup, speed: 1, paused: false });
+    b.send({ type: 'run', setup: { devices: [{}] } as unknown as RunSetup, speed: 1, paused: false });
     b.send({ type: 'stop' });
     await b.pass(10);
     expect(b.types().at(-1)).toBe('stopped');

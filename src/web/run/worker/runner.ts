@@ -5,8 +5,8 @@ import type { RunOutlets } from '#simulation/outlets';
 import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
-import { createEventBox } from './event-box';
-import { createOutbox } from './outbox';
+import { createEventBoxes } from './event-box';
+import { append, createOutbox, type Output } from './outbox';
 import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
 import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
 import { createStillness } from './stillness';
@@ -15,17 +15,19 @@ import { FAREWELL_MS } from './stop-limits';
 /** What the runner needs of a `Simulation`. */
 export interface Run {
   readonly nowUs: number;
-  readonly ended: Ended | null;
+  /** How each device's program ended, in their order. */
+  readonly endings: readonly (Ended | null)[];
+  /** Every program has ended. */
+  readonly hasEnded: boolean;
   /** Nothing is set for later; while nothing moves either, nothing happens until the next input. */
   readonly isIdle: boolean;
   advanceTo(us: number): void;
-  /** Like `advanceTo`, but stops at once when the program ends. */
+  /** Like `advanceTo`, but stops when the program ends, or the last of several. */
   advanceProgramTo(us: number): void;
-  input(action: InputAction): void;
-  /** Ends the program as Stop does: its `finally` runs, and the traceback is not shown. */
+  input(action: InputAction, device?: string): void;
+  /** Ends the programs as Stop does: their `finally` runs, and the traceback is not shown. */
   stop(): void;
   snapshot(): Snapshot;
-  takeConsole(): string;
   dispose(): void;
 }
 
@@ -38,6 +40,8 @@ export interface Surroundings {
   later(task: () => void, delayMs: number): void;
   create(setup: RunSetup, firmware: WebAssembly.Module, outlets: RunOutlets): Promise<Run>;
 }
+
+type InputMessage = Extract<ToWorker, { type: 'input' }>;
 
 /** Longest stretch without looking at messages, in ms of wall time: half a frame. */
 const SLICE_MS = 8;
@@ -58,17 +62,19 @@ export class Runner {
   private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
   private frameWanted = false;
   private changed = true;
-  /** How the program ended, as far as the page has been told. */
-  private toldEnd: Ended | null = null;
+  /** How each program ended, as far as the page has been told. */
+  private toldEnds: readonly (Ended | null)[] = [];
   private ticking = false;
   private resting = false;
   private aliveAtMs = 0;
   /** What was done while the run was being created. */
-  private readonly early: InputAction[] = [];
-  private readonly events = createEventBox();
+  private readonly early: InputMessage[] = [];
+  private events = createEventBoxes(1);
   private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
-  private readonly outbox = createOutbox((text) => this.at.post({ type: 'console', text }));
+  /** What was printed in the present piece of simulated time: it goes to the page as one. */
+  private readonly printed: Output[] = [];
+  private readonly outbox = createOutbox((output) => this.at.post({ type: 'console', output }));
 
   constructor(private readonly at: Surroundings) {}
 
@@ -96,7 +102,7 @@ export class Runner {
         this.schedule(0);
         break;
       case 'input':
-        this.input(message.action);
+        this.input(message);
         break;
       default:
         this.changePace(message);
@@ -131,12 +137,16 @@ export class Runner {
       this.fail(new Error('run before prepare'));
       return;
     }
-    this.at.create(setup, this.firmware, this.events.outlets).then(
+    this.events = createEventBoxes(setup.devices.length);
+    const print = (text: string, device: number): void =>
+      append(this.printed, { device, text, timeUs: this.run?.nowUs ?? 0 });
+    this.at.create(setup, this.firmware, { ...this.events.outlets, print }).then(
       (created) => {
         this.run = created;
+        this.toldEnds = created.endings;
         this.anchorHere();
         this.at.post({ type: 'started' });
-        for (const action of this.early.splice(0)) this.input(action);
+        for (const message of this.early.splice(0)) this.input(message);
         if (this.stopped) this.stop();
         else this.schedule(0);
       },
@@ -144,16 +154,16 @@ export class Runner {
     );
   }
 
-  private input(action: InputAction): void {
+  private input(message: InputMessage): void {
     if (this.stopped) return;
     const { run } = this;
     if (run === null) {
-      this.early.push(action);
+      this.early.push(message);
       return;
     }
     this.guarded(() => {
       try {
-        run.input(action);
+        run.input(message.action, message.device);
       } catch (error) {
         if (!(error instanceof RangeError)) throw error;
         // Refused: none of it was done, and the run goes on as if it had not come.
@@ -173,11 +183,11 @@ export class Runner {
     const run = this.run;
     if (run === null) return; // still being created: start() comes back here
     this.guarded(() => {
-      if (run.ended === null) {
+      if (!run.hasEnded) {
         run.stop();
         const untilMs = this.at.nowMs() + FAREWELL_MS;
-        while (run.ended === null && this.at.nowMs() < untilMs) run.advanceProgramTo(run.nowUs + 4000);
-        this.outbox.put(run.takeConsole());
+        while (!run.hasEnded && this.at.nowMs() < untilMs) run.advanceProgramTo(run.nowUs + 4000);
+        this.outbox.put(this.printed.splice(0));
       }
       this.outbox.flush();
       this.tellEvents();
@@ -208,7 +218,7 @@ export class Runner {
 
   /** The program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
   private mayRest(run: Run): boolean {
-    const isIdle = !this.paused && this.toldEnd !== null && run.isIdle && this.outbox.isEmpty;
+    const isIdle = !this.paused && this.hasToldEnd && run.isIdle && this.outbox.isEmpty;
     return isIdle ? this.stillness.look(run.snapshot()) : this.stillness.forget();
   }
 
@@ -228,15 +238,15 @@ export class Runner {
   private advance(run: Run, untilMs: number): void {
     const limitUs = this.limitUs(run);
     // When the program has ended, the page hears of it before the REPL says its first word.
-    while (run.nowUs < limitUs && !this.outbox.isFull && run.ended === this.toldEnd) {
+    while (run.nowUs < limitUs && !this.outbox.isFull && !this.hasNewEnd(run)) {
       const startMs = this.at.nowMs();
       if (startMs >= untilMs) return;
       const nextUs = Math.min(limitUs, run.nowUs + this.pieceUs);
-      if (run.ended === null) run.advanceProgramTo(nextUs);
-      else run.advanceTo(nextUs);
+      if (run.hasEnded) run.advanceTo(nextUs);
+      else run.advanceProgramTo(nextUs);
       this.changed = true;
       this.pieceUs = nextPieceUs(this.pieceUs, this.at.nowMs() - startMs);
-      this.outbox.put(run.takeConsole());
+      this.outbox.put(this.printed.splice(0));
     }
   }
 
@@ -261,21 +271,33 @@ export class Runner {
   }
 
   private tellPicture(run: Run): void {
-    this.at.post({ type: 'snapshot', snapshot: run.snapshot(), trail: this.events.takeTrail() });
+    this.at.post({ type: 'snapshot', snapshot: run.snapshot(), trails: this.events.takeTrails() });
   }
 
   private tellEvents(): void {
-    const events = this.events.take();
-    if (events) this.at.post({ type: 'events', events });
+    for (const news of this.events.take()) this.at.post({ type: 'events', ...news });
   }
 
   private tellEnd(run: Run): void {
-    if (run.ended === this.toldEnd || !this.outbox.isEmpty) return;
-    this.toldEnd = run.ended;
+    if (!this.hasNewEnd(run) || !this.outbox.isEmpty) return;
+    const before = this.toldEnds;
+    this.toldEnds = run.endings;
     if (this.speed === 'max') this.anchorHere();
     // A listener of the end must see the robot as the program left it, not the picture before.
     this.tellPicture(run);
-    this.at.post(run.ended ? { type: 'program-ended', ended: run.ended } : { type: 'program-restarted' });
+    for (const [device, ended] of this.toldEnds.entries())
+      if (ended !== (before[device] ?? null))
+        this.at.post(ended ? { type: 'program-ended', ended, device } : { type: 'program-restarted', device });
+  }
+
+  /** A program has ended or begun again since the page was told last. */
+  private hasNewEnd({ endings }: Run): boolean {
+    return endings.some((ended, device) => ended !== this.toldEnds[device]);
+  }
+
+  /** The page knows that all programs have ended. */
+  private get hasToldEnd(): boolean {
+    return this.toldEnds.length > 0 && !this.toldEnds.includes(null);
   }
 
   private schedule(delayMs: number): void {
@@ -286,7 +308,7 @@ export class Runner {
 
   /** The chosen speed; at full speed a world whose program has ended would run hours ahead, so it goes on as outside. */
   private pace(): Speed {
-    return this.speed === 'max' && this.toldEnd !== null ? 1 : this.speed;
+    return this.speed === 'max' && this.hasToldEnd ? 1 : this.speed;
   }
 
   private anchorHere(): void {

@@ -43,7 +43,9 @@ async function printedUntilStopped(program: string, { runMs = 40, lookMs = 1 } =
   costMs = lookMs;
   runner.receive({ type: 'stop' });
   expect(posted.at(-1)).toEqual({ type: 'stopped' });
-  return posted.map((message) => (message.type === 'console' ? message.text : '')).join('');
+  return posted
+    .map((message) => (message.type === 'console' ? message.output.map(({ text }) => text).join('') : ''))
+    .join('');
 }
 
 describe('a program that is stopped', { timeout: 60_000 }, () => {

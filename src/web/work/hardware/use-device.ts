@@ -1,10 +1,13 @@
 import { computed, type ComputedRef } from 'vue';
 
 import type { OptionValues } from '#core/option';
+import { furtherDevice } from '#project/devices';
+import type { FurtherDevice, HardwareWish } from '#project/project';
 import type { RobotType } from '#robots/robot';
 import { NO_ROBOT, type Hardware } from '#simulation/hardware';
 
 import { AUTO_ROBOT, deviceName } from '../settings/devices';
+import { deviceAt } from './device-at';
 import { deviceSettings, settingsFor, startOptions, withCourseOptions, withOption, withOptions } from './hardware';
 import { isSeed, LAST_SEED, type Settings } from '../settings/settings';
 import { mispluggedNotice } from './misplugged';
@@ -15,6 +18,8 @@ import type { Notice } from '../../page/notices';
 /** Choosing what the program runs on. */
 export interface DeviceModel {
   readonly hardware: ComputedRef<Hardware | null>;
+  /** What is chosen for the device that is shown. */
+  readonly chosen: ComputedRef<HardwareWish>;
   /** What the microcomputer is called, as it was chosen. */
   readonly name: ComputedRef<string>;
   readonly chooseDevice: (id: string) => void;
@@ -46,18 +51,20 @@ export function useDevice(app: Parts): DeviceModel {
   const { settings, work } = app;
   const hardware = useHardware(app);
   const change = changing(app);
-  const now = (): Settings => settings.current.value;
+  const further = (): FurtherDevice | null => furtherDevice(work.work.value.project, work.place.value);
+  const now = (): Settings => ({ ...settings.current.value, ...wishOf(further()) });
   /** Changes options of the robot in use, if there is one: in the pupil's own choice and in what holds now. */
   function changeRobot(wish: (settings: Settings, robot: RobotType) => Partial<Settings>): void {
     const robot = hardware.value?.robot ?? null;
-    if (robot !== null) change(wish(now(), robot), wish(settings.own.value, robot));
+    if (robot !== null) change(wish(now(), robot), wish({ ...settings.own.value, ...wishOf(further()) }, robot));
   }
   return {
     hardware,
+    chosen: computed(() => now()),
     name: computed(() => deviceName(now().device, hardware.value?.board)),
     chooseDevice: (device) => change({ device }),
     chooseFirmware: (firmware) => change({ firmware }),
-    chooseRobot: (robot) => change({ robot, ...arenaFor(robot, now()) }),
+    chooseRobot: (robot) => change({ robot, ...(further() === null && arenaFor(robot, now())) }),
     ...useBringing(app, hardware),
     startOptions: computed(() => {
       const robot = hardware.value?.robot ?? null;
@@ -71,7 +78,10 @@ export function useDevice(app: Parts): DeviceModel {
       if (isSeed(seed)) change({ seed });
     },
     nextSeed: () => change({ seed: (now().seed % LAST_SEED) + 1 }),
-    misplugged: computed(() => mispluggedNotice(app.work.work.value.project, now(), change)),
+    misplugged: computed(() => {
+      const { project, settings: its } = deviceAt(app);
+      return mispluggedNotice(project, its, change);
+    }),
   };
 }
 
@@ -106,16 +116,40 @@ function useBringing(
 const arenaFor = (robot: string, before: Settings): Partial<Settings> =>
   (robot === NO_ROBOT) === (before.robot === NO_ROBOT) ? {} : { showArena: robot !== NO_ROBOT };
 
+/** What is chosen for a further device; nothing for the first, whose hardware the settings say. */
+function wishOf(device: FurtherDevice | null): HardwareWish | null {
+  if (device === null) return null;
+  const { device: id, firmware, robot, robotOptions } = device;
+  return { device: id, firmware, robot, robotOptions };
+}
+
 /** Changes settings. Another device ends the run: that must not look like an accident. */
-function changing({ settings, run, notices }: Parts) {
+function changing(app: Parts) {
+  const { settings, run, notices, work } = app;
   return (wish: Partial<Settings>, own = wish): void => {
-    const before = settings.current.value;
+    const shown = furtherDevice(work.work.value.project, work.place.value);
+    const before = { ...settings.current.value, ...wishOf(shown) };
     const isOther = (parts: typeof deviceSettings): boolean =>
       JSON.stringify(parts({ ...before, ...wish })) !== JSON.stringify(parts(before));
     if (run.isActive.value && isOther(deviceSettings)) {
       const isDevice = isOther(({ device, firmware, robot }) => [device, firmware, robot]);
       notices.show({ kind: 'info', key: isDevice ? 'notice.deviceChanged' : 'notice.robotChanged' });
     }
-    settings.change(wish, own);
+    if (shown === null) settings.change(wish, own);
+    else changeFurther(app, wish);
   };
+}
+
+/** The hardware is the further device's own; the rest holds for all. */
+function changeFurther(
+  { settings, work }: Parts,
+  { device, firmware, robot, robotOptions, ...rest }: Partial<Settings>,
+): void {
+  work.changeDevice(work.place.value, {
+    ...(device !== undefined && { device }),
+    ...(firmware !== undefined && { firmware }),
+    ...(robot !== undefined && { robot }),
+    ...(robotOptions !== undefined && { robotOptions }),
+  });
+  if (Object.keys(rest).length > 0) settings.change(rest);
 }

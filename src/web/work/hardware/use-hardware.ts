@@ -3,16 +3,28 @@ import { computed, type ComputedRef } from 'vue';
 import type { Hardware } from '#simulation/hardware';
 
 import type { WorkParts } from '../model/parts';
+import { deviceAt } from './device-at';
 import { hardwareOf } from './hardware';
 import { tableOf, type OnTable } from './misplugged';
 
-/** The robot, the board and its firmware that a run of the present work would have; `null` where the course names unknown ones. */
+/**
+ * The robot, the board and its firmware that the device that is shown would have in a run of the present work; `null`
+ * where the course names unknown ones.
+ */
 export const useHardware = (parts: WorkParts): ComputedRef<Hardware | null> => computed(() => hardwareNow(parts));
 
-/** The same at this moment. */
-export const hardwareNow = ({ work: { work }, settings }: WorkParts): Hardware | null =>
-  hardwareOf(work.value.project, settings.current.value);
+/** The same at this moment, of the device at this place. */
+export function hardwareNow(parts: WorkParts, place = parts.work.place.value): Hardware | null {
+  const { project, settings } = deviceAt(parts, place);
+  return hardwareOf(project, settings);
+}
+
+/** Whether any of the devices drives. */
+export const hasRobot = (parts: WorkParts): boolean =>
+  parts.work.devices.value.some((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
 
 /** What the explanation of an error must know about the robot that is plugged in now. */
-export const tableNow = ({ work: { work }, settings }: WorkParts): OnTable =>
-  tableOf(work.value.project, settings.current.value);
+export function tableNow(parts: WorkParts, place = parts.work.place.value): OnTable {
+  const { project, settings } = deviceAt(parts, place);
+  return tableOf(project, settings);
+}

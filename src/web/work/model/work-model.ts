@@ -1,6 +1,17 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
-import { freeName, MAIN, type Project, type SourceFile } from '#project/project';
+import {
+  addedDevice,
+  deviceNames,
+  filesOfDevice,
+  furtherDevice,
+  placeOfFiles,
+  removedDevice,
+  renamedDevice,
+  withDevice,
+  withFiles,
+} from '#project/devices';
+import { freeName, MAIN, type FurtherDevice, type Project, type SourceFile } from '#project/project';
 import type { Stop } from '#core/stop';
 import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
@@ -22,6 +33,12 @@ export interface CourseStep {
  */
 export class WorkModel {
   readonly work: ShallowRef<Work>;
+  /** Place of the device that is shown: whose files, board and console. */
+  readonly place: ShallowRef<number> = shallowRef(0);
+  /** The names of all devices; of a project with one, one that nobody reads. */
+  readonly devices: ComputedRef<readonly string[]>;
+  readonly hasSeveral: ComputedRef<boolean>;
+  /** The files of the device that is shown. */
   readonly files: ComputedRef<readonly SourceFile[]>;
   readonly scene: ComputedRef<Scene>;
   readonly open: ComputedRef<SourceFile>;
@@ -50,7 +67,9 @@ export class WorkModel {
     this.origin = work.project;
     this.canUndo = computed(() => this.history.value.past.length > 0);
     this.canRedo = computed(() => this.history.value.future.length > 0);
-    this.files = computed(() => this.work.value.project.files);
+    this.devices = computed(() => deviceNames(this.work.value.project));
+    this.hasSeveral = computed(() => this.devices.value.length > 1);
+    this.files = computed(() => filesOfDevice(this.work.value.project, this.place.value));
     this.scene = computed(() => this.work.value.project.scene);
     this.open = computed(() => this.find(this.work.value.open) ?? { name: MAIN, text: '' });
   }
@@ -60,6 +79,45 @@ export class WorkModel {
     const work = this.work.value;
     const scene = this.unfinished.value?.() ?? work.project.scene;
     return scene === work.project.scene ? work : { ...work, project: { ...work.project, scene } };
+  }
+
+  /** Shows another device, with the file of it that was open last. */
+  showDevice(place: number): void {
+    if (place === this.place.value || this.devices.value[place] === undefined) return;
+    const { project } = this.work.value;
+    this.opened.set(placeOfFiles(project, this.place.value), this.work.value.open);
+    const open = this.opened.get(placeOfFiles(project, place)) ?? MAIN;
+    this.place.value = place;
+    this.work.value = { ...this.work.value, open: this.find(open) === undefined ? MAIN : open };
+  }
+  /** The file that was open last, by the place of the device that has it. */
+  private readonly opened = new Map<number, string>();
+
+  /** Adds a device and shows it. @param first what the first one is called if it was alone */
+  addDevice(device: FurtherDevice, first: string): void {
+    this.setProject(addedDevice(this.work.value.project, device, first));
+    this.showDevice(this.devices.value.length - 1);
+  }
+
+  /** Takes a further device away, after putting the whole work aside. */
+  removeDevice(place: number, nameOfOld: string): void {
+    if (furtherDevice(this.work.value.project, place) === null) return;
+    this.keep(nameOfOld);
+    const shown = this.place.value;
+    this.showDevice(0);
+    this.opened.clear();
+    this.setProject(removedDevice(this.work.value.project, place));
+    if (shown !== place) this.showDevice(shown > place ? shown - 1 : shown);
+  }
+
+  renameDevice(place: number, name: string): void {
+    this.setProject(renamedDevice(this.work.value.project, place, name));
+  }
+
+  /** Changes what a further device is made of. */
+  changeDevice(place: number, change: Partial<FurtherDevice>): void {
+    this.setProject(withDevice(this.work.value.project, place, change));
+    if (this.find(this.work.value.open) === undefined) this.show(MAIN);
   }
 
   find(name: string): SourceFile | undefined {
@@ -149,6 +207,8 @@ export class WorkModel {
 
   /** Opens another project, perhaps from a file. The work so far is put aside if `nameOfOld` is given. */
   openProject(project: Project, nameOfOld: string | null, file?: string): void {
+    this.place.value = 0;
+    this.opened.clear();
     this.put(project, MAIN, nameOfOld, file);
   }
 
@@ -192,6 +252,11 @@ export class WorkModel {
   }
 
   private setFiles(files: readonly SourceFile[], open = this.work.value.open): void {
-    this.work.value = { ...this.work.value, open, project: { ...this.work.value.project, files } };
+    const project = withFiles(this.work.value.project, this.place.value, files);
+    this.work.value = { ...this.work.value, open, project };
+  }
+
+  private setProject(project: Project): void {
+    this.work.value = { ...this.work.value, project };
   }
 }

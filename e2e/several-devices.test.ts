@@ -1,0 +1,108 @@
+import { expect, test, type App } from './app';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
+import { isAt, tabTo } from './keys';
+import { on, openApp, pasteProgram, programIn, robotIn } from './page';
+import { by, gone, until } from './parts';
+import { tablet, withFingers } from './touch';
+
+const ROBOT = `from mbrobot import *
+import radio
+radio.on()
+while True:
+    order = radio.receive()
+    if order == "go":
+        forward()
+        print("driving")
+    elif order == "stop":
+        stop()
+    delay(20)
+`;
+const REMOTE = `from microbit import *
+import radio
+radio.on()
+while True:
+    if button_a.was_pressed():
+        radio.send("go")
+    if button_b.was_pressed():
+        radio.send("stop")
+    sleep(50)
+`;
+const FILES = '.pane-code .pane-head [aria-haspopup="menu"]';
+const card = (place: number, part: string): string => `.device-row .card:nth-child(${String(place + 1)}) ${part}`;
+const lines = (app: App): Promise<string> =>
+  app.evaluate(() => document.querySelector('[data-testid="console"]')?.textContent ?? '');
+
+/** From the page with a robot's program to a pair: a remote control is added, and its program written. */
+async function addRemote(app: App, press: (css: string) => Promise<void>): Promise<void> {
+  await openApp(app);
+  await pasteProgram(app, ROBOT);
+  await press(FILES);
+  await until(app, by('add-device'));
+  await press(by('add-device'));
+  await until(app, by('add-device-board'));
+  await press(by('add-device-board'));
+  await until(app, by('device-card'));
+  await expect.poll(() => programIn(app)).toContain('radio.on()');
+  await pasteProgram(app, REMOTE);
+}
+
+async function driveByRemote(app: App, press: (css: string) => Promise<void>): Promise<void> {
+  const start = await robotIn(app);
+  await press(on('run'));
+  await until(app, card(0, '.tone--run'));
+  await press(card(1, '.round'));
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start.xMm + 20);
+  await expect.poll(() => lines(app)).toContain('driving');
+  await press(card(1, '.round:last-child'));
+  await expect
+    .poll(async () => {
+      const before = await robotIn(app);
+      await new Promise((resolve) => setTimeout(resolve, 300));
+      return (await robotIn(app)).xMm - before.xMm;
+    })
+    .toBe(0);
+}
+
+test('a remote control is added, written and drives the robot; the pair is there after a reload', async ({ app }) => {
+  await addRemote(app, (css) => app.click(css));
+  await app.click(card(0, '.select'));
+  await expect.poll(() => programIn(app)).toBe(ROBOT);
+  await driveByRemote(app, (css) => app.click(css));
+  await app.reload();
+  await until(app, by('device-card'));
+  await expect.poll(() => programIn(app)).toBe(ROBOT);
+  await app.click(card(1, '.select'));
+  await expect.poll(() => programIn(app)).toBe(REMOTE);
+});
+
+test(
+  'by keyboard a device is chosen and taken away, and nothing bars a screen reader',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await addRemote(app, (css) => app.click(css));
+    expect(await violationsOn(app)).toEqual([]);
+    await tabTo(app, card(0, '.select'));
+    await app.press('Enter');
+    await expect.poll(() => programIn(app)).toBe(ROBOT);
+    await app.press('Tab');
+    expect(await isAt(app, card(0, '.round'))).toBe(true);
+    await tabTo(app, card(1, '.select'));
+    await app.press('Enter');
+    await app.click(FILES);
+    await until(app, by('device-remove'));
+    await app.click(by('device-remove'));
+    await gone(app, by('device-card'));
+    await expect.poll(() => programIn(app)).toBe(ROBOT);
+  },
+);
+
+test.describe('with fingers on a tablet', () => {
+  test.use(tablet);
+  test('a pair comes from the empty page to a working remote control', IN_ONE_ENGINE, async ({ page }) => {
+    const { app } = await withFingers(page);
+    await addRemote(app, (css) => app.click(css));
+    await app.click(card(0, '.select'));
+    await driveByRemote(app, (css) => app.click(css));
+  });
+});

@@ -1,0 +1,5 @@
+/** The colours of devices on the floor, which is light in every theme: those of the light theme in `devices.css`. */
+const COLORS = ['#1e66d0', '#a3278f', '#0b7a75', '#8a5200', '#5b3fb8', '#3f6b00', '#b0305a', '#4a5560'] as const;
+
+/** The colour of the device at this place. */
+export const deviceColor = (place: number): string => COLORS[place % COLORS.length] ?? COLORS[0];

@@ -1,0 +1,120 @@
+import type { Vec } from '#core/geometry';
+import { canvasFont } from '../model/palette';
+import type { PxBox } from '../view/moving-window';
+import { deviceColor } from './device-colors';
+
+/** A ring around a robot with the number of its device and its name. */
+export interface DeviceRing {
+  readonly middle: Vec;
+  readonly radiusPx: number;
+  /** Place of the device. */
+  readonly place: number;
+  readonly name: string;
+  /** It is the device that is shown. */
+  readonly isShown: boolean;
+}
+
+/** Height of the name and its distance from the ring, in px. */
+const NAME_PX = 24;
+const GAP_PX = 6;
+const FONT = `600 13px ${canvasFont}`;
+const NUMBER_FONT = `700 12.5px ${canvasFont}`;
+
+/** Names are not shown on a phone: there the number has to do. */
+const shownName = (name: string): string => (window.innerWidth < 600 ? '' : name);
+
+/** Where the name's pill lies; at the upper edge of the picture below the ring. */
+export function nameBox(ring: DeviceRing): PxBox {
+  const { middle, radiusPx } = ring;
+  const width = pillOf(ring, 1).width;
+  const above = middle.y - radiusPx - GAP_PX - NAME_PX;
+  const top = above < 0 ? middle.y + radiusPx + GAP_PX : above;
+  return { left: middle.x - width / 2, top, width, height: NAME_PX };
+}
+
+/** Where `drawDeviceRing` draws, in px. */
+export function ringBoxes(ring: DeviceRing): readonly PxBox[] {
+  const { middle, radiusPx } = ring;
+  const side = 2 * radiusPx + 8;
+  return [{ left: middle.x - side / 2, top: middle.y - side / 2, width: side, height: side }, nameBox(ring)];
+}
+
+/** Draws the ring, and for the device that is shown a breath of its colour within. */
+export function drawDeviceRing(
+  context: CanvasRenderingContext2D,
+  { middle, radiusPx, place, isShown }: DeviceRing,
+): void {
+  context.save();
+  context.beginPath();
+  context.arc(middle.x, middle.y, radiusPx, 0, 2 * Math.PI);
+  if (isShown) {
+    context.globalAlpha = 0.1;
+    context.fillStyle = deviceColor(place);
+    context.fill();
+    context.globalAlpha = 1;
+  }
+  context.strokeStyle = '#ffffff';
+  context.lineWidth = 5.5;
+  context.stroke();
+  context.strokeStyle = deviceColor(place);
+  context.lineWidth = 2.5;
+  context.stroke();
+  context.restore();
+}
+
+/** Draws the pill with number and name. */
+export function drawDeviceName(context: CanvasRenderingContext2D, ring: DeviceRing): void {
+  const { left, top, width, height } = nameBox(ring);
+  context.drawImage(pillOf(ring, context.getTransform().a).bitmap, left, top, width, height);
+}
+
+interface Pill {
+  readonly bitmap: HTMLCanvasElement;
+  /** CSS px. */
+  readonly width: number;
+}
+
+const made = new Map<string, Pill>();
+/** Eight devices on screens of a few resolutions, under names that change now and then. */
+const MOST = 60;
+
+/** A pill, painted once: letters on a canvas of the page cost more than all the rest of a picture. */
+function pillOf({ place, name }: DeviceRing, ratio: number): Pill {
+  const text = shownName(name);
+  const key = [place, ratio, text].join();
+  const known = made.get(key);
+  if (known !== undefined) return known;
+  if (made.size >= MOST) made.clear();
+  const pill = painted(place, text, ratio);
+  made.set(key, pill);
+  return pill;
+}
+
+function painted(place: number, text: string, ratio: number): Pill {
+  const bitmap = document.createElement('canvas');
+  const ruler = document.createElement('canvas').getContext('2d');
+  if (ruler !== null) ruler.font = FONT;
+  const width = text === '' ? NAME_PX : Math.ceil(ruler?.measureText(text).width ?? 0) + NAME_PX + 14;
+  bitmap.width = Math.ceil(width * ratio);
+  bitmap.height = Math.ceil(NAME_PX * ratio);
+  const context = bitmap.getContext('2d');
+  if (context === null) return { bitmap, width };
+  const middle = NAME_PX / 2;
+  context.scale(bitmap.width / width, bitmap.height / NAME_PX);
+  context.textBaseline = 'middle';
+  context.fillStyle = deviceColor(place);
+  context.beginPath();
+  context.roundRect(0, 0, width, NAME_PX, middle);
+  context.fill();
+  context.fillStyle = '#ffffff';
+  context.beginPath();
+  context.arc(middle, middle, middle - 2.5, 0, 2 * Math.PI);
+  context.fill();
+  context.font = FONT;
+  context.fillText(text, NAME_PX + 4, middle + 1);
+  context.font = NUMBER_FONT;
+  context.fillStyle = deviceColor(place);
+  context.textAlign = 'center';
+  context.fillText(String(place + 1), middle, middle + 1);
+  return { bitmap, width };
+}

@@ -1,0 +1,25 @@
+import type { Component } from 'vue';
+
+import { MOST_DEVICES } from '#project/devices';
+
+import { say } from '../page/i18n/say';
+import type { PageParts } from '../page/parts';
+import type { WorkParts } from '../work/model/parts';
+import AddDeviceForm from './AddDeviceForm.vue';
+import DeviceNameForm from './DeviceNameForm.vue';
+import { severalWords as words } from './several-words';
+
+/** Whether the project takes one more. */
+export const hasRoom = ({ work }: Pick<WorkParts, 'work'>): boolean => work.devices.value.length < MOST_DEVICES;
+
+/** Asks what the new device shall be, and adds it. */
+export function askForDevice(app: Pick<PageParts, 'dialogs'> & WorkParts): void {
+  if (hasRoom(app))
+    app.dialogs.ask({ kind: 'form', title: () => say(words.addTitle), form: AddDeviceForm as Component });
+}
+
+/** Asks for another name for the device that is shown. */
+export function askForName({ dialogs, work }: Pick<PageParts, 'dialogs'> & WorkParts): void {
+  const name = work.devices.value[work.place.value] ?? '';
+  dialogs.ask({ kind: 'form', title: () => say(words.renameTitle, { name }), form: DeviceNameForm as Component });
+}

@@ -1,0 +1,61 @@
+import { freeDeviceName } from '#project/devices';
+import { anyHardware, MAIN, type FurtherDevice } from '#project/project';
+import { robotTypes } from '#robots/index';
+import { NO_ROBOT } from '#simulation/hardware';
+
+import { say } from '../page/i18n/say';
+import { hardwareNow } from '../work/hardware/use-hardware';
+import type { WorkParts } from '../work/model/parts';
+import { AUTO_DEVICE } from '../work/settings/devices';
+import { severalWords as words } from './several-words';
+
+/** What the first device is called once it is not alone. */
+export const firstName = (parts: WorkParts): string =>
+  say(hardwareNow(parts, 0)?.robot === null ? words.board : words.robot);
+
+/** The names that are taken once there is another device. */
+function namesWith(parts: WorkParts): readonly string[] {
+  return parts.work.hasSeveral.value ? parts.work.devices.value : [firstName(parts)];
+}
+
+/** A device with a robot like the first one's, and the first line of its program. */
+export function newRobot(parts: WorkParts): FurtherDevice {
+  const robot = hardwareNow(parts, 0)?.robot ?? robotTypes[0];
+  const files = [{ name: MAIN, text: `from ${robot?.modules[0] ?? 'microbit'} import *\n\n` }];
+  const name = freeDeviceName(say(words.robot), namesWith(parts));
+  return { ...anyHardware, name, robot: robot?.id ?? NO_ROBOT, files, sameAs: '' };
+}
+
+/** A microcomputer like the first one to hold in the hand, with its radio on. */
+export function newBoard(parts: WorkParts): FurtherDevice {
+  const board = hardwareNow(parts, 0)?.board;
+  const chosen = parts.settings.current.value.device;
+  const text = `from ${board?.modules[0] ?? 'microbit'} import *\nimport radio\n\nradio.on()\n`;
+  return {
+    ...anyHardware,
+    name: freeDeviceName(say(words.remote), namesWith(parts)),
+    device: chosen === AUTO_DEVICE ? (board?.id ?? AUTO_DEVICE) : chosen,
+    robot: NO_ROBOT,
+    files: [{ name: MAIN, text }],
+    sameAs: '',
+  };
+}
+
+/** A device like the one that is shown, which runs the same program. */
+export function newTwin(parts: WorkParts): FurtherDevice {
+  const { work } = parts;
+  const shown = work.devices.value[work.place.value] ?? '';
+  const hardware = hardwareNow(parts);
+  const names = namesWith(parts);
+  const { project } = work.work.value;
+  const own = project.devices?.others[work.place.value - 1];
+  return {
+    ...anyHardware,
+    ...(own && { device: own.device, firmware: own.firmware, robotOptions: own.robotOptions }),
+    name: freeDeviceName(work.hasSeveral.value ? shown : firstName(parts), names),
+    robot: hardware?.robot?.id ?? NO_ROBOT,
+    files: [],
+    sameAs:
+      own?.sameAs === undefined || own.sameAs === '' ? (work.hasSeveral.value ? shown : firstName(parts)) : own.sameAs,
+  };
+}
