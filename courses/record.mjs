@@ -3,7 +3,7 @@
 // behind it, only those. The trajectory itself, a row every 20 ms:
 // npx parcours run courses/square/main.py --scene courses/square/scene.json --trace square.csv
 import { spawnSync } from 'node:child_process';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
 const here = (path) => fileURLToPath(new URL(path, import.meta.url));
@@ -14,7 +14,7 @@ for (const run of golden.runs) if (only.length === 0 || only.includes(run.folder
 writeFileSync(here('golden.json'), `${JSON.stringify(golden, null, 2)}\n`);
 
 function record(run) {
-  const files = [here(`${run.folder}/main.py`), '--scene', here(`${run.folder}/scene.json`)];
+  const files = [here(`${run.folder}/main.py`), '--scene', here(`${run.folder}/scene.json`), ...furtherOf(run.folder)];
   const args = ['run', ...files, '--for', `${run.forMs}ms`, '--seed', String(run.seed), '--json', '--quiet'];
   const { stdout, stderr, status } = spawnSync(process.execPath, [here('../bin/parcours.mjs'), ...args], {
     encoding: 'utf8',
@@ -27,6 +27,19 @@ function record(run) {
   run.traceHash = report.traceHash;
   run.passedMs = report.verdict?.state === 'passed' ? report.verdict.atMs : null;
   run.endMm = { x: report.robot.xMm, y: report.robot.yMm };
+}
+
+/** Its further devices, and what is pressed and tilted. */
+function furtherOf(folder) {
+  const data = here(`${folder}/course.json`);
+  const { devices = [] } = existsSync(data) ? JSON.parse(readFileSync(data, 'utf8')) : {};
+  const inputs = here(`${folder}/inputs.json`);
+  return [
+    ...devices
+      .slice(1)
+      .flatMap(({ name, robot }) => ['--device', `${name}=${here(`${folder}/${name}.py`)},robot=${robot}`]),
+    ...(existsSync(inputs) ? ['--input', inputs] : []),
+  ];
 }
 
 /** What the course says to it; a solution that does not pass its own course is not worth a recording. */

@@ -1,9 +1,9 @@
 import { readFileSync } from 'node:fs';
-import { parseScene } from '../src/scene/parse';
 import { defaultScene } from '../src/scene/scene';
 import type { InputAction, InputEvent } from '../src/simulation/input';
 import { expect, test } from './app';
 import { convoyOf } from '../src/simulation/testing/convoy';
+import { courseRun } from '../src/simulation/testing/course-run';
 import { runInNode } from './in-node';
 
 /** The recorded trajectories: the same list that the unit tests compare in Node. */
@@ -22,10 +22,7 @@ test.describe.configure({ retries: 0 }); // what differs once is not the same ru
 
 for (const { folder, forMs, seed, traceHash } of runs) {
   test(`${folder} is driven bit for bit as in Node`, async ({ app }) => {
-    const parsed = parseScene(read(`${folder}/scene.json`));
-    if (!('scene' in parsed)) throw new Error(`${folder}/scene.json cannot be read.`);
-    const files = { 'main.py': read(`${folder}/main.py`) };
-    const setup = soloRun({ scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0 });
+    const setup = courseRun(folder, seed);
     await app.goto(PROBE);
     const result = await app.evaluate(({ run, untilMs }) => window.probe(run, untilMs), { run: setup, untilMs: forMs });
     expect(result.traceHash).toBe(traceHash);

@@ -1,9 +1,8 @@
 import { existsSync, readdirSync, readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
-import { parseScene } from '#scene/parse';
-import { soloRun } from './run-setup';
 import { Simulation } from './simulation';
 import type { RobotSnapshot, Snapshot } from './snapshot';
+import { courseRun } from './testing/course-run';
 
 /** The recorded runs: courses/golden.json, made by `npm run courses:record`. */
 interface Golden {
@@ -36,13 +35,10 @@ function replay(golden: Golden): Promise<Simulation> {
 
 async function drive(
   { folder, forMs, seed }: Pick<Golden, 'folder' | 'forMs' | 'seed'>,
-  program = 'main.py',
+  which: 'solution' | 'start' = 'solution',
 ): Promise<Simulation> {
-  const parsed = parseScene(read(`${folder}/scene.json`));
-  if (!('scene' in parsed)) throw new Error(parsed.problem);
-  const files = { 'main.py': read(`${folder}/${program}`) };
-  const setup = { scene: parsed.scene, files, robot: 'auto', board: 'auto', seed, reality: 0, keepTrace: true };
-  const simulation = await Simulation.create(soloRun(setup), firmware);
+  const setup = { ...courseRun(folder, seed, which), keepTrace: true };
+  const simulation = await Simulation.create(setup, firmware);
   simulation.advanceTo(forMs * 1000);
   return simulation;
 }
@@ -83,7 +79,7 @@ describe.each(readdirSync('courses').filter((folder) => existsSync(`courses/${fo
     it.runIf(existsSync(`courses/${start}`))(
       'begins with a program that runs without an error and leaves the task to the pupil',
       async () => {
-        const simulation = await drive({ folder, forMs: 20_000, seed: 1 }, 'start.py');
+        const simulation = await drive({ folder, forMs: 20_000, seed: 1 }, 'start');
         expect(simulation.ended?.exception ?? null).toBeNull();
         const trace = simulation.takeTrace();
         expect(trace.at(-1)).not.toEqual(trace[0]); // something happens at once

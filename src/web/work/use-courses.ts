@@ -17,13 +17,13 @@ export function useCourses(app: Workplace) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
   /** What it runs on is chosen separately: the settings of the previous work do not come along. */
-  const open = ({ files, scene, course }: Project, name: string): void =>
-    openings.open({ files, scene, course }, name, isOurs(app.work.work.value.project));
+  const open = ({ settings: _, ...project }: Project, name: string): void =>
+    openings.open(project, name, isOurs(app.work.work.value.project));
 
   /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
   function openExample(entry: ExampleOf): void {
     const { example, robot } = entry;
-    open(withExample(app.work.work.value.project, entry, language()), example.title[language()]);
+    open(alone(withExample(app.work.work.value.project, entry, language())), example.title[language()]);
     device.bringRobot(robot, example.options);
   }
 
@@ -32,7 +32,7 @@ export function useCourses(app: Workplace) {
     const wish = boardWish(app.settings.current.value.device);
     if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
     void app.run.reset();
-    open(withProgram(app, source[language()]), title[language()]);
+    open(alone(withProgram(app, source[language()])), title[language()]);
     device.chooseRobot(NO_ROBOT);
   }
 
@@ -72,6 +72,9 @@ export function useCourses(app: Workplace) {
   return { openCourse, openWhole, openScene, openExample, openBoardProgram, restore: openings.restore };
 }
 
+/** A program for one device takes the place of all. */
+const alone = ({ devices: _, ...project }: Project): Project => project;
+
 /** The robot that a course and its program are made for. */
 function robotOf({ scene, files }: Project) {
   const hardware = chooseHardware({ scene, imports: modulesImportedBy(filesByName(files)), robot: AUTO, board: AUTO });
@@ -89,4 +92,5 @@ export const isOurs = (project: Project): boolean => isOurProgram(project) && is
 
 /** Nothing of the pupil's own is in the files. */
 const isOurProgram = (project: Project): boolean =>
-  isUntouched(project) || (project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));
+  isUntouched(project) ||
+  (project.devices === undefined && project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));

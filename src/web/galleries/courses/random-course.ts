@@ -39,7 +39,18 @@ export function randomCourse(wish: RandomWish, language: Language, courses: read
   const scene = sceneOf(wish, texts[language]);
   const level = levels[kind][size];
   const about = kind === 'maze' ? 'maze' : 'line';
-  return { id: randomId(wish), place: null, level, kind: about, scene, program, solution, texts, isRandom: true };
+  return {
+    id: randomId(wish),
+    place: null,
+    level,
+    kind: about,
+    scene,
+    program,
+    solution,
+    texts,
+    devices: [],
+    isRandom: true,
+  };
 }
 
 function sceneOf({ kind, size, seed }: RandomWish, { name, text, task }: CourseTexts): Scene {

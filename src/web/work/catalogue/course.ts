@@ -1,6 +1,6 @@
 import type { Language, Texts } from '#core/languages';
 import { inEvery } from '#core/words';
-import { MAIN, type Project } from '#project/project';
+import { anyHardware, MAIN, type Project } from '#project/project';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
@@ -20,10 +20,21 @@ export interface Course {
   /** The program that does what the course asks for. */
   readonly solution: Readonly<Record<Language, string>>;
   readonly texts: Readonly<Record<Language, CourseTexts>>;
+  /** Its devices, the first one with the course's robot and programs; empty: there is one. */
+  readonly devices: readonly CourseDevice[];
   /** Made from a number, without a folder: the user works on a course of their own. */
   readonly isRandom: boolean;
   /** Its place on the ladder of missions, where it belongs to it. */
   readonly mission?: Mission;
+}
+
+/** A device of a course that has several. */
+export interface CourseDevice {
+  readonly name: Texts;
+  /** Id of its robot, `none` for a board in the hand, or `auto`. */
+  readonly robot: string;
+  readonly program: Texts;
+  readonly solution: Texts;
 }
 
 /** How hard a course is: 1 easy, 2 medium, 3 hard. */
@@ -45,8 +56,11 @@ export interface CourseTexts {
 }
 
 /** A program in every language, and the texts about its course. */
-export interface ProgramWords extends Partial<Record<'name' | 'text' | 'task', Texts>> {
+export interface ProgramWords {
   readonly source: Texts;
+  readonly name?: Texts;
+  readonly text?: Texts;
+  readonly task?: Texts;
   readonly hints?: Readonly<Record<Language, readonly string[]>>;
 }
 
@@ -58,6 +72,8 @@ export interface CourseFiles {
   readonly main: Readonly<Record<string, ProgramWords>>;
   /** `start.py`. */
   readonly start: Readonly<Record<string, Texts>>;
+  /** The programs of further devices: `NAME.py`, which solves it, and `NAME-start.py`. */
+  readonly others?: Readonly<Record<string, Texts>>;
 }
 
 /** The courses in these files, in the order of the list. */
@@ -67,7 +83,7 @@ export function coursesOf(files: CourseFiles): Course[] {
     .sort((one, other) => (one.place ?? Infinity) - (other.place ?? Infinity) || one.id.localeCompare(other.id, 'en'));
 }
 
-function readCourse(folder: string, { data, main, start }: CourseFiles): Course[] {
+function readCourse(folder: string, { data, main, start, others }: CourseFiles): Course[] {
   const parsed = parseScene(data[`${folder}/scene.json`] ?? '');
   const words = main[`${folder}/main.py`];
   if (!('scene' in parsed) || words === undefined) return [];
@@ -76,7 +92,8 @@ function readCourse(folder: string, { data, main, start }: CourseFiles): Course[
     place = null,
     level = 1,
     kind = 'free',
-  } = JSON.parse(data[`${folder}/course.json`] ?? '{}') as Partial<Course>;
+    devices = [],
+  } = JSON.parse(data[`${folder}/course.json`] ?? '{}') as CourseData;
   const texts = inEvery<CourseTexts>((language) => ({
     name: words.name?.[language] ?? scene.name,
     text: words.text?.[language] ?? scene.description,
@@ -85,14 +102,37 @@ function readCourse(folder: string, { data, main, start }: CourseFiles): Course[
   }));
   const program = start[`${folder}/start.py`] ?? words.source;
   const id = folder.replace(/^.*\//, '');
-  return [{ id, place, level, kind, scene, program, solution: words.source, texts, isRandom: false }];
+  const solution = words.source;
+  const all = devices.map(({ name, robot }, at): CourseDevice => {
+    const own = others?.[`${folder}/${name}.py`] ?? solution;
+    const begins = others?.[`${folder}/${name}-start.py`] ?? own;
+    const called = (words as unknown as Readonly<Record<string, Texts>>)[name] ?? inEvery(() => name);
+    return at === 0
+      ? { name: called, robot, program, solution }
+      : { name: called, robot, program: begins, solution: own };
+  });
+  return [{ id, place, level, kind, scene, program, solution, texts, devices: all, isRandom: false }];
 }
+
+/** What `course.json` holds. */
+type CourseData = Partial<Pick<Course, 'place' | 'level' | 'kind'>> & {
+  readonly devices?: readonly { readonly name: string; readonly robot: string }[];
+};
 
 /** A course as something to work on. */
 export function projectOf(course: Course, language: Language): Project {
   const files = [{ name: MAIN, text: course.program[language] }];
-  return { files, scene: course.scene, course: course.isRandom ? null : course.id };
+  const [first, ...others] = course.devices.map(({ name, robot, program }) => ({
+    ...{ ...anyHardware, robot, name: name[language], sameAs: '' },
+    files: [{ name: MAIN, text: program[language] }],
+  }));
+  const devices = first && { first: first.name, others };
+  return { files, scene: course.scene, course: course.isRandom ? null : course.id, ...(devices && { devices }) };
 }
 
 /** The course as it is opened with its solution. */
-export const solved = (course: Course): Course => ({ ...course, program: course.solution });
+export const solved = (course: Course): Course => ({
+  ...course,
+  program: course.solution,
+  devices: course.devices.map((device) => ({ ...device, program: device.solution })),
+});

@@ -62,6 +62,36 @@ describe('the programs that come with the app', () => {
   });
 });
 
+describe('a ready course with several devices', () => {
+  const course = courses.find(({ id }) => id === 'remote-control')!;
+
+  it('opens with all of them, each with its beginning or its solution, named in the language', () => {
+    const { devices, files } = projectOf(course, 'de');
+    expect([devices?.first, devices?.others.map(({ name, robot }) => [name, robot])]).toEqual([
+      'Roboter',
+      [['Fernbedienung', 'none']],
+    ]);
+    expect(files[0]?.text).toContain('# Aufgabe');
+    expect(devices?.others[0]?.files[0]?.text).toContain('radio.send("vor")');
+    const solution = projectOf(solved(course), 'fr');
+    expect(solution.devices?.others[0]?.files[0]?.text).toContain('order = "gauche"');
+    expect(solution.files[0]?.text).toContain('order == "gauche"');
+  });
+
+  it('is the pupil’s own as soon as a further device is written on, added or taken away', () => {
+    const project = projectOf(course, 'en');
+    const [remote] = project.devices?.others ?? [];
+    if (remote === undefined || project.devices === undefined) throw new Error('There should be a remote control.');
+    const { devices, ...alone } = project;
+    const written = { ...remote, files: [{ name: 'main.py', text: `${remote.files[0]?.text ?? ''}#` }] };
+    expect(isUntouched({ ...project, devices: { ...devices, others: [written] } })).toBe(false);
+    expect(isUntouched({ ...project, devices: { ...devices, others: [remote, { ...remote, name: 'B' }] } })).toBe(
+      false,
+    );
+    expect(isUntouched(alone)).toBe(true); // nothing is lost: the course brings it back
+  });
+});
+
 describe('the ready courses', () => {
   const folders = readdirSync('courses', { withFileTypes: true })
     .filter((entry) => entry.isDirectory() && !['board', 'golden', 'missions'].includes(entry.name))

@@ -7,7 +7,10 @@
  * - `start.py`: what the pupil finds on opening it, a beginning that runs and leaves the task to them. Without it they
  *   find the solution.
  * - `course.json`: `{ "place": 4, "level": 2, "kind": "line" }`: its place in the list (lowest first), how hard it is
- *   (1 … 3), what it is about (`courseKinds`).
+ *   (1 … 3), what it is about (`courseKinds`). With several devices also
+ *   `"devices": [{ "name": "robot", "robot": "auto" }, { "name": "remote", "robot": "none" }]`, the first one with `main.py` and `start.py`.
+ * - `remote.py`, `remote-start.py`: the same for a further device called so. The words of that name are its name.
+ * - `inputs.json`: what is pressed and tilted while its solution is recorded, where that needs somebody.
  * - `words/de.json`, `words/fr.json` …: `{ "name": "…", "text": "…", "task": "…", "program": { … } }`: what it is called, one
  *   or two sentences on it, what is to be done, and the comments and strings of its programs (`build/programs.ts`).
  *
@@ -26,6 +29,11 @@ const files: CourseFiles = {
   }),
   main: import.meta.glob('../../../../courses/*/main.py', { query: '?languages', import: 'default', eager: true }),
   start: import.meta.glob('../../../../courses/*/start.py', { query: '?languages', import: 'source', eager: true }),
+  others: import.meta.glob(['../../../../courses/*/*.py', '!**/{main,start}.py', '!**/{board,golden}/**'], {
+    query: '?languages',
+    import: 'source',
+    eager: true,
+  }),
 };
 
 /** The courses of the gallery, in its order. */

@@ -1,4 +1,4 @@
-import { MAIN, type Project } from '#project/project';
+import { MAIN, type Project, type SourceFile } from '#project/project';
 import { robotTypes } from '#robots/index';
 import type { RobotExample, RobotType } from '#robots/robot';
 import { robotSheets } from '#robots/sheets';
@@ -25,7 +25,12 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
 const brought: ReadonlySet<string> = new Set([
-  ...readyCourses.flatMap(({ program, solution }) => [...Object.values(program), ...Object.values(solution)]),
+  ...readyCourses.flatMap((course) =>
+    [course, ...course.devices].flatMap(({ program, solution }) => [
+      ...Object.values(program),
+      ...Object.values(solution),
+    ]),
+  ),
   ...examples.flatMap(({ example }) => Object.values(example.source)),
 ]);
 
@@ -54,8 +59,14 @@ export function isReadyArena(scene: Scene): boolean {
 }
 
 /** The files are just as some course or example brought them: nothing of the pupil's own is in them. */
-export function isUntouched(project: Project): boolean {
-  const [main, ...others] = project.files;
+export function isUntouched({ files, course, devices }: Project): boolean {
+  if (devices === undefined) return isBrought(files);
+  // A device that the pupil has added is their own, whatever it runs.
+  const asBrought = readyCourses.find(({ id }) => id === course)?.devices.length;
+  return asBrought === 1 + devices.others.length && [{ files }, ...devices.others].every((one) => isBrought(one.files));
+}
+
+function isBrought([main, ...others]: readonly SourceFile[]): boolean {
   if (others.length > 0 || main === undefined) return false;
   return main.text.trim() === '' || brought.has(main.text);
 }

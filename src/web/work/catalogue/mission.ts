@@ -72,6 +72,7 @@ function readMission(folder: string, robot: MissionRobot, { data, main, start }:
         hints: words.hints?.[language] ?? [],
       })),
       isRandom: false,
+      devices: [],
       mission: { name, number: Number(digits), robot, news: facts.new },
     },
   ];
