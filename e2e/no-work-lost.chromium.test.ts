@@ -95,13 +95,16 @@ async function workUntil(page: Page, manner: Manner, ms: number, end: () => Prom
   return done;
 }
 
+/** Between two keys, in ms: faster than a key that is held repeats. With none the browser hardly gets to do anything else. */
+const KEY_MS = 10;
+
 /** Types line after line, each with its number, and notes when a line was in the editor. */
 async function type(page: Page, done: Done, isOver: () => boolean, pauses: boolean): Promise<void> {
   await page.click(on('editor'));
   await page.keyboard.press('ControlOrMeta+a');
   await page.keyboard.press('Delete');
   for (let count = 1; !isOver(); count += 1) {
-    await page.keyboard.type(`x${String(count)}=0`);
+    await page.keyboard.type(`x${String(count)}=0`, { delay: KEY_MS });
     await page.keyboard.press('Enter');
     if (!isOver()) done.push({ count, atMs: performance.now() });
     if (pauses && count % 4 === 0) await sleep(200 + Math.random() * 900);
@@ -139,8 +142,15 @@ async function missingIn(page: Page, manner: Manner, done: Done): Promise<number
 async function typed(page: Page): Promise<number> {
   await page.click(on('editor'));
   await page.keyboard.press('ControlOrMeta+End'); // a long program has only those lines that are in sight
-  const lines = await page.locator(`${on('editor')} .cm-line`).allTextContents();
-  return Math.max(0, ...lines.map((line) => Number(/^\s*x(\d+)=0$/.exec(line)?.[1] ?? 0)));
+  let last = NaN;
+  const isStill = async (): Promise<boolean> => {
+    const lines = await page.locator(`${on('editor')} .cm-line`).allTextContents();
+    const before = last;
+    last = Math.max(0, ...lines.map((line) => Number(/^\s*x(\d+)=0$/.exec(line)?.[1] ?? 0)));
+    return last === before;
+  };
+  await expect.poll(isStill, { intervals: [600] }).toBe(true); // the editor scrolls there a moment later
+  return last;
 }
 
 /** How many places the line has that was drawn: how far to the right it goes. */
