@@ -8,6 +8,7 @@ import vue from '@vitejs/plugin-vue';
 import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
 
 import { programs } from './build/programs.ts';
+import { scenes } from './build/scenes.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { licencesOfApp } from './scripts/licences.mjs';
 import { singleFile } from './scripts/single-file.mjs';
@@ -157,7 +158,7 @@ function drawingsLighter(): Plugin {
 }
 
 /** The plugins of both builds, made anew for each. */
-const commonPlugins = (): PluginOption[] => [programs(), vue(), iconsApart(), drawingsLighter()];
+const commonPlugins = (): PluginOption[] => [programs(), scenes(), vue(), iconsApart(), drawingsLighter()];
 
 /** The worker as one classic script. */
 async function workerCode(): Promise<string> {

@@ -4,6 +4,7 @@ import vue from '@vitejs/plugin-vue';
 import { defineConfig } from 'vitest/config';
 
 import { programs } from './build/programs.ts';
+import { scenes } from './build/scenes.ts';
 
 /** The page's tests share a document and a language, so each file has its own. */
 const PAGE = 'src/web/**/*.test.ts';
@@ -13,7 +14,7 @@ const PAGE = 'src/web/**/*.test.ts';
  * `// @vitest-environment happy-dom`.
  */
 export default defineConfig({
-  plugins: [programs(), vue()],
+  plugins: [programs(), scenes(), vue()],
   test: {
     projects: [
       {

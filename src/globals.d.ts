@@ -7,6 +7,13 @@ declare module '*?raw' {
   export default text;
 }
 
+/** A course that comes with the app (`build/scenes.ts`). */
+declare module '*.json?scene' {
+  import type { Scene } from '#scene/scene';
+  const scene: Scene;
+  export default scene;
+}
+
 /** A program that comes with the app, in every language (`build/programs.ts`). */
 declare module '*.py?languages' {
   import type { Texts } from '#core/languages';

@@ -6,7 +6,7 @@ import './page/styles/controls.css';
 import { createApp } from 'vue';
 
 import App from './app/App.vue';
-import { forgetful, openTabStorage } from './work/model/keep-work';
+import { nothingKept, openedFrom, openTabStorage } from './work/model/keep-work';
 import { storedSettings } from './work/settings/settings-model';
 import { hostWish } from './visit/address';
 import { keepEarlyMessages } from './host/listen-to-host';
@@ -25,12 +25,12 @@ async function start(): Promise<void> {
   // The styles look at what is spoken, not at what this page speaks unless told otherwise.
   document.documentElement.dataset['dialect'] = wish.dialect ?? 'none';
   const language = wish.settings.language ?? storedSettings().language;
-  const [storage] = await Promise.all([
-    wish.keepsWork ? openTabStorage() : forgetful,
+  const [opened] = await Promise.all([
+    wish.keepsWork ? openTabStorage().then(openedFrom) : nothingKept,
     setLanguage(language),
     isNewcomer() ? fetchGreeting() : undefined,
   ]);
-  createApp(App, { storage, wish }).use(controls).mount('#app');
+  createApp(App, { opened, wish }).use(controls).mount('#app');
   setTimeout(() => {
     import('./offline/start').then(({ startOffline }) => startOffline(wish.keepsWork)).catch(() => undefined);
   }, OFFLINE_AFTER_MS);

@@ -5,7 +5,7 @@ import { nextTick } from 'vue';
 
 import { controls } from '../page/controls/controls';
 import { noHost, type HostWish } from '../visit/host-view';
-import { forgetful } from '../work/model/keep-work';
+import { nothingKept } from '../work/model/keep-work';
 import App from './App.vue';
 import { downloads } from './testing/downloads';
 import { named, setWindow, textOf } from './testing/mount-on';
@@ -20,7 +20,7 @@ async function opened(width: number, wish: Partial<HostWish> = {}, settings: obj
   localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true, ...settings }));
   setWindow(width, 800);
   const app = mount(App, {
-    props: { storage: forgetful, wish: { ...noHost, ...wish } },
+    props: { opened: nothingKept, wish: { ...noHost, ...wish } },
     attachTo: document.body,
     global: { plugins: [controls] },
   });

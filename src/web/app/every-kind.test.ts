@@ -24,7 +24,7 @@ import { drawObject, pictureKinds } from '../arena/picture/kinds/index';
 import type { PictureKind } from '../arena/picture/kinds/kind';
 import { lightPalette } from '../arena/model/palette';
 import { fitView } from '../arena/view/view-transform';
-import { editorWords } from '../course-editor/words/editor-words';
+import { kindNames } from '../course-editor/words/kind-names';
 import { kindWords, namesOf, whereText } from '../course-editor/words/object-words';
 import { setLanguage } from '../page/i18n';
 import { printKinds } from '../print/kinds/index';
@@ -99,7 +99,7 @@ const tables: readonly (readonly [table: object, madeUp: object])[] = [
   [pictureKinds, inPicture],
   [printKinds, inPrint],
   [kindWords, inWords],
-  [editorWords.kinds, { one: called, many: called }],
+  [kindNames, { one: called, many: called }],
 ];
 const types = [...Object.keys(sceneKinds), 'puddle'] as SceneObject['type'][];
 
@@ -241,7 +241,7 @@ describe.each(types)('the kind %s', (type) => {
       const course = courseOf(made());
       expect(namesOf(course).get(made().id)).not.toBe('');
       expect(whereText(made())).not.toBe('');
-      expect(editorWords.kinds[type].many[language]).not.toBe('');
+      expect(kindNames[type].many[language]).not.toBe('');
     }
     await setLanguage('en');
   });

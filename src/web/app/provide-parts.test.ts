@@ -9,7 +9,7 @@ import { defaultScene } from '#scene/scene';
 import { noHost } from '../visit/host-view';
 import { courses } from '../work/catalogue/courses';
 import { firstCourse } from '../work/catalogue/first-course';
-import { forgetful } from '../work/model/keep-work';
+import { nothingKept, openedFrom } from '../work/model/keep-work';
 import { workToText } from '../work/storage/history';
 import type { TabStorage } from '../work/storage/tab-storage';
 import { createParts } from './provide-parts';
@@ -87,10 +87,11 @@ describe('what a tab has kept', () => {
     for (const scope of scopes.splice(0)) scope.stop();
     vi.useRealTimers();
   });
-  function pageWith(storage: TabStorage) {
+  async function pageWith(storage: TabStorage) {
     const scope = effectScope(true);
     scopes.push(scope);
-    return scope.run(() => createParts(storage, noHost))!;
+    const opened = await openedFrom(storage);
+    return scope.run(() => createParts(opened, noHost))!;
   }
   const stored = workToText({
     project: { files: [{ name: 'main.py', text: 'mine = 1\n' }], scene: defaultScene(), course: null },
@@ -98,30 +99,31 @@ describe('what a tab has kept', () => {
     previous: [],
   });
 
-  it('is opened again', () => {
-    const page = pageWith({ load: () => stored, save: () => true });
+  it('is opened again', async () => {
+    const page = await pageWith({ load: () => stored, save: () => true });
     expect(page.work.open.value.text).toBe('mine = 1\n');
     expect(page.work.work.value.project.course).toBeNull();
   });
 
-  it('is forgotten where it cannot be read: the page opens as on a first visit', () => {
-    const page = pageWith({ load: () => stored.slice(0, 40), save: () => true });
+  it('is forgotten where it cannot be read: the page opens as on a first visit', async () => {
+    const page = await pageWith({ load: () => stored.slice(0, 40), save: () => true });
     expect(page.work.work.value.project.course).toBe(firstCourse?.id);
   });
 
   it('is saved soon after a change, and can be opened', async () => {
     vi.useFakeTimers();
     const saved: string[] = [];
-    const page = pageWith({ load: () => null, save: (text) => saved.push(text) > 0 });
+    const page = await pageWith({ load: () => null, save: (text) => saved.push(text) > 0 });
     page.work.setText('main.py', 'new = 2\n');
     await nextTick();
     await vi.advanceTimersByTimeAsync(1000);
-    expect(pageWith({ load: () => saved.at(-1) ?? null, save: () => true }).work.open.value.text).toBe('new = 2\n');
+    const again = await pageWith({ load: () => saved.at(-1) ?? null, save: () => true });
+    expect(again.work.open.value.text).toBe('new = 2\n');
   });
 
   it('has no room any more: that is said', async () => {
     vi.useFakeTimers();
-    const page = pageWith({ ...forgetful, save: () => false });
+    const page = await pageWith({ ...nothingKept.storage, save: () => false });
     page.work.setText('main.py', 'new = 2\n');
     await nextTick();
     await vi.advanceTimersByTimeAsync(1000);
@@ -272,7 +274,7 @@ describe('a run that cannot begin', () => {
       ...{ onmessage: null, onerror: null },
       ...{ postMessage: () => undefined, terminate: () => undefined },
     });
-    const page = scope.run(() => createParts(forgetful, noHost, { createWorker, firmware }))!;
+    const page = scope.run(() => createParts(nothingKept, noHost, { createWorker, firmware }))!;
     const told: SimulatorEvent[] = [];
     page.host.listen((event) => told.push(event));
     await page.run.start();

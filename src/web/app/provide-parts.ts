@@ -31,11 +31,10 @@ import { projectOf } from '../work/catalogue/course';
 import { fetchNameOf, firstCourse } from '../work/catalogue/first-course';
 import { deviceSettings } from '../work/hardware/hardware';
 import { tableNow } from '../work/hardware/use-hardware';
-import { keepWork, storedWork } from '../work/model/keep-work';
+import { keepWork, type Opened } from '../work/model/keep-work';
 import { provideWork, type WorkParts } from '../work/model/parts';
 import { createSettings } from '../work/settings/settings-model';
 import type { Work } from '../work/storage/history';
-import type { TabStorage } from '../work/storage/tab-storage';
 import { provideTask } from '../task/parts';
 import { createTask } from '../task/task-model';
 import { useLiveEdits } from '../work/model/use-live-edits';
@@ -47,12 +46,12 @@ import { browserEngine, createRun, type RunEngine } from './create-run';
 export type AllParts = ReturnType<typeof createParts>;
 
 /** Makes the models of all rooms and joins them: the only place that knows all. */
-export function createParts(storage: TabStorage, wish: HostWish, engine: RunEngine = browserEngine) {
+export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {
   const page = { notices: createNotices(), dialogs: createDialogs() };
   const host = new HostView(wish);
   const settings = createSettings(heldSettings(wish.settings));
-  const work = new WorkModel(storedWork(storage) ?? firstWork(settings.current.value.language), Date.now);
-  keepWork(work, storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
+  const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
+  keepWork(work, opened.storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
   const sight = {

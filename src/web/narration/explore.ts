@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import type { Scene, SceneObject } from '#scene/scene';
 import { lengthOf, type Outline } from '#scene/outline';
 
-import { editorWords } from '../course-editor/words/editor-words';
+import { kindNames } from '../course-editor/words/kind-names';
 import { namesOf } from '../course-editor/words/object-words';
 import { valueText } from '../course-editor/words/value-text';
 import { say } from '../page/i18n/say';
@@ -74,7 +74,7 @@ function tellAll(asked: Asked): Told {
 /** A thing: its name, its size, and where it is. */
 function tellThing(object: SceneObject, asked: Asked): Told {
   const origin = originOf(asked);
-  const name = namesOf(asked.scene).get(object.id) ?? say(editorWords.kinds[object.type].one);
+  const name = namesOf(asked.scene).get(object.id) ?? say(kindNames[object.type].one);
   if (object.type === 'wall' || object.type === 'stroke') {
     const points = object.type === 'wall' ? [object.from, object.to] : object.points;
     const line = points.map(([x, y]) => ({ x, y }));

@@ -2,7 +2,7 @@ import type { Pose } from '#core/geometry';
 import type { Scene } from '#scene/scene';
 import type { Outline } from '#scene/outline';
 
-import { editorWords } from '../course-editor/words/editor-words';
+import { kindNames } from '../course-editor/words/kind-names';
 import { say } from '../page/i18n/say';
 import type { Moment } from './moment';
 import { narrationWords as words } from './narration-words';
@@ -75,7 +75,7 @@ function aheadText({ ahead, moved }: Moment, scene: Scene): string | null {
   return say(words.ahead, { thing: nameOf(met), cm: Math.round(ahead.mm / 10) });
 }
 
-const nameOf = (what: Solid): string => say(what === 'edge' ? words.edge : editorWords.kinds[what].one);
+const nameOf = (what: Solid): string => say(what === 'edge' ? words.edge : kindNames[what].one);
 
 /** By eighths of a turn, counter-clockwise. */
 const SIDES = ['front', 'front-left', 'left', 'back-left', 'back', 'back-right', 'right', 'front-right'] as const;

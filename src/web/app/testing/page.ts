@@ -3,7 +3,7 @@ import { effectScope, type EffectScope } from 'vue';
 import type { WorkerPort } from '../../run/run-client';
 import type { FromWorker, ToWorker } from '../../run/worker/protocol';
 import { noHost, type HostWish } from '../../visit/host-view';
-import { forgetful } from '../../work/model/keep-work';
+import { nothingKept } from '../../work/model/keep-work';
 import { createParts, type AllParts } from '../provide-parts';
 
 /** A page without its components: all models, joined as in the browser. Its worker runs no program; the test speaks for it. */
@@ -36,7 +36,7 @@ export function createPage(wish: Partial<HostWish> = {}): TestPage {
   };
   const engine = { createWorker, firmware: () => Promise.resolve({} as WebAssembly.Module) };
   const scope = effectScope(true);
-  const parts = scope.run(() => createParts(forgetful, { ...noHost, ...wish }, engine));
+  const parts = scope.run(() => createParts(nothingKept, { ...noHost, ...wish }, engine));
   if (parts === undefined) throw new Error('The scope of the page has ended.');
   return { ...parts, sent, say, scope };
 }

@@ -8,6 +8,7 @@ import { say } from '../../page/i18n/say';
 import { cm, countText, namesOf, placeText, whereText } from './object-words';
 import { editingWords } from './editing-words';
 import { editorWords } from './editor-words';
+import { kindNames } from './kind-names';
 
 const texts = editingWords.happened;
 
@@ -62,7 +63,7 @@ function descriptionWords(it: EditDescription): string {
         ? say(texts.turned, { what: countText(it.kind, it.count) })
         : say(texts.turnedBy, { what: countText(it.kind, it.count), deg: it.byDeg });
     case 'sized':
-      return say(texts.sized, { what: say(editorWords.kinds[it.kind].one), x: cm(it.size[0]), y: cm(it.size[1]) });
+      return say(texts.sized, { what: say(kindNames[it.kind].one), x: cm(it.size[0]), y: cm(it.size[1]) });
     case 'robot':
       return robotWords(it);
     default:

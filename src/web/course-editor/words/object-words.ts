@@ -6,6 +6,7 @@ import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { say } from '../../page/i18n/say';
 import { editorWords as words } from './editor-words';
+import { kindNames } from './kind-names';
 
 const texts = words.where;
 
@@ -20,7 +21,7 @@ export function placeText([x, y]: Point): string {
 
 /** A single object by the name of its kind, several with their number: `Wand`, `3 Wände`. */
 export const countText = (kind: Kind, count: number): string =>
-  count === 1 ? say(words.kinds[kind].one) : `${String(count)} ${say(words.kinds[kind].many)}`;
+  count === 1 ? say(kindNames[kind].one) : `${String(count)} ${say(kindNames[kind].many)}`;
 
 /** What each object is called: `Wand 3`. A checkpoint goes by its own number, a label by its text. */
 export function namesOf(scene: Scene): ReadonlyMap<string, string> {
@@ -35,7 +36,7 @@ export function namesOf(scene: Scene): ReadonlyMap<string, string> {
 }
 
 function nameOf(object: SceneObject, count: number): string {
-  const kind = say(words.kinds[object.type].one);
+  const kind = say(kindNames[object.type].one);
   return kindWords[object.type].name?.(object, kind) ?? `${kind} ${String(count)}`;
 }
 

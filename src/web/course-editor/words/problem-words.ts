@@ -6,7 +6,7 @@ import { shownLanguage } from '../../page/i18n';
 import { say } from '../../page/i18n/say';
 import { namesOf } from './object-words';
 import { editingWords } from './editing-words';
-import { editorWords as words } from './editor-words';
+import { kindNames } from './kind-names';
 
 const texts = editingWords.problems;
 
@@ -27,7 +27,7 @@ export function problemWords({ code, params, ids }: RuleProblem, scene: Scene): 
     ...(params['count'] === 2 && code === 'covered' ? { count: say(editingWords.two) } : {}),
     what: nameOf(params['id'] ?? ids[0]),
     other: nameOf(params['other']),
-    kinds: kind === null ? '' : inSentence(say(words.kinds[kind].many)),
+    kinds: kind === null ? '' : inSentence(say(kindNames[kind].many)),
   });
 }
 
@@ -38,5 +38,5 @@ function inSentence(name: string): string {
 }
 
 function kindOf(value: unknown): SceneObject['type'] | null {
-  return typeof value === 'string' && value in words.kinds ? (value as SceneObject['type']) : null;
+  return typeof value === 'string' && value in kindNames ? (value as SceneObject['type']) : null;
 }

@@ -3,6 +3,7 @@ import { pendingChanges } from '#simulation/at-once';
 
 import { say } from '../../page/i18n/say';
 import { editorWords as words } from './editor-words';
+import { kindNames } from './kind-names';
 
 const texts = words.waiting;
 
@@ -18,7 +19,7 @@ export function waitingWords(start: Scene, now: Scene): string {
   const counts = new Map<SceneObject['type'], number>();
   for (const { type } of [...coming, ...going.filter(({ id }) => !ids.has(id))])
     counts.set(type, (counts.get(type) ?? 0) + 1); // a changed object counts as both removed and added: name it once
-  const names = [...counts].map(([type, count]) => say(words.kinds[type][count === 1 ? 'one' : 'many']));
+  const names = [...counts].map(([type, count]) => say(kindNames[type][count === 1 ? 'one' : 'many']));
   if (robot) names.push(say(texts.start));
   if (arena) names.push(say(texts.size));
   const isShort = names.length > 0 && names.length <= MOST_NAMED;

@@ -1,7 +1,6 @@
 import type { Language, Texts } from '#core/languages';
 import { inEvery } from '#core/words';
 import { anyHardware, MAIN, type Project } from '#project/project';
-import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
 import type { Mission } from './mission-place';
@@ -66,7 +65,9 @@ export interface ProgramWords {
 
 /** The files of some courses, by their paths. */
 export interface CourseFiles {
-  /** `scene.json` and `course.json`. */
+  /** `scene.json`, read. */
+  readonly scenes: Readonly<Record<string, Scene>>;
+  /** `course.json`. */
   readonly data: Readonly<Record<string, string>>;
   /** `main.py`, with the texts about the course; where it says nothing, the scene's name and description stand in. */
   readonly main: Readonly<Record<string, ProgramWords>>;
@@ -83,11 +84,10 @@ export function coursesOf(files: CourseFiles): Course[] {
     .sort((one, other) => (one.place ?? Infinity) - (other.place ?? Infinity) || one.id.localeCompare(other.id, 'en'));
 }
 
-function readCourse(folder: string, { data, main, start, others }: CourseFiles): Course[] {
-  const parsed = parseScene(data[`${folder}/scene.json`] ?? '');
+function readCourse(folder: string, { scenes, data, main, start, others }: CourseFiles): Course[] {
+  const scene = scenes[`${folder}/scene.json`];
   const words = main[`${folder}/main.py`];
-  if (!('scene' in parsed) || words === undefined) return [];
-  const { scene } = parsed;
+  if (scene === undefined || words === undefined) return [];
   const {
     place = null,
     level = 1,

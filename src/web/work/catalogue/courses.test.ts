@@ -169,20 +169,20 @@ describe('the ready courses', () => {
 });
 
 describe('the files of a course', () => {
-  const scene = '{"format":"parcours-scene","version":1,"name":"A","description":"B.","size":[500,500]}';
+  const scene = { ...defaultScene(), name: 'A', description: 'B.' };
 
   const inAll = (text: string) => ({ de: `${text} de`, fr: `${text} fr`, it: `${text} it`, en: text });
-  const data = { 'c/a/scene.json': scene };
+  const scenes = { 'c/a/scene.json': scene };
   const main = { 'c/a/main.py': { source: inAll('main') } };
 
   it('hold the solution, which a pupil finds where there is no beginning', () => {
-    const [course] = coursesOf({ data, main, start: {} });
+    const [course] = coursesOf({ scenes, data: {}, main, start: {} });
     expect(course!.solution).toEqual(inAll('main'));
     expect(course!.program).toEqual(inAll('main'));
   });
 
   it('may hold a beginning besides the solution: then that is what a pupil finds', () => {
-    const [course] = coursesOf({ data, main, start: { 'c/a/start.py': inAll('start') } });
+    const [course] = coursesOf({ scenes, data: {}, main, start: { 'c/a/start.py': inAll('start') } });
     expect(course!.program).toEqual(inAll('start'));
     expect(course!.solution).toEqual(inAll('main'));
     expect(projectOf(solved(course!), 'en').files).toEqual([{ name: 'main.py', text: 'main' }]);
@@ -191,8 +191,9 @@ describe('the files of a course', () => {
   it('speak as the scene does where there are no texts, and stand at the end then', () => {
     const z = { source: inAll('main'), name: { ...inAll('A'), de: 'Z' }, text: inAll('Z.') };
     const all = coursesOf({
-      data: { ...data, 'c/z/scene.json': scene, 'c/z/course.json': '{"place":9}', 'c/broken/scene.json': '{' },
-      main: { ...main, 'c/z/main.py': z, 'c/broken/main.py': z },
+      scenes: { ...scenes, 'c/z/scene.json': scene },
+      data: { 'c/z/course.json': '{"place":9}' },
+      main: { ...main, 'c/z/main.py': z, 'c/without-scene/main.py': z },
       start: {},
     });
     expect(all.map(({ id, texts }) => [id, texts.de.name, texts.en.name, texts.en.task])).toEqual([

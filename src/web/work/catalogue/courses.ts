@@ -22,11 +22,8 @@ import { shownLanguage } from '../../page/i18n';
 import { coursesOf, type Course, type CourseFiles } from './course';
 
 const files: CourseFiles = {
-  data: import.meta.glob('../../../../courses/*/{scene,course}.json', {
-    query: '?raw',
-    import: 'default',
-    eager: true,
-  }),
+  scenes: import.meta.glob('../../../../courses/*/scene.json', { query: '?scene', import: 'default', eager: true }),
+  data: import.meta.glob('../../../../courses/*/course.json', { query: '?raw', import: 'default', eager: true }),
   main: import.meta.glob('../../../../courses/*/main.py', { query: '?languages', import: 'default', eager: true }),
   start: import.meta.glob('../../../../courses/*/start.py', { query: '?languages', import: 'source', eager: true }),
   others: import.meta.glob(['../../../../courses/*/*.py', '!**/{main,start}.py', '!**/{board,golden}/**'], {

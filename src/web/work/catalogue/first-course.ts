@@ -8,7 +8,12 @@ import { missionsOf, type MissionFiles } from './mission';
 
 // Only what a first visit shows comes with the page; the other courses lie in ready-courses.ts, which is fetched late.
 const files: MissionFiles = {
-  data: import.meta.glob('../../../../courses/missions/01-forward/{scene,mission}.json', {
+  scenes: import.meta.glob('../../../../courses/missions/01-forward/scene.json', {
+    query: '?scene',
+    import: 'default',
+    eager: true,
+  }),
+  data: import.meta.glob('../../../../courses/missions/01-forward/mission.json', {
     query: '?raw',
     import: 'default',
     eager: true,

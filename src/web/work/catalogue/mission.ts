@@ -1,6 +1,5 @@
 import type { Language } from '#core/languages';
 import { inEvery } from '#core/words';
-import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
 
 import type { Course, ProgramWords } from './course';
@@ -18,7 +17,9 @@ export type MissionCourse = Course & { readonly mission: Mission };
 
 /** The files of some missions, by their paths. */
 export interface MissionFiles {
-  /** `scene.json` and `mission.json`. */
+  /** `scene.json`, read. */
+  readonly scenes: Readonly<Record<string, Scene>>;
+  /** `mission.json`. */
   readonly data: Readonly<Record<string, string>>;
   /** `main.py`, with the texts about the mission. */
   readonly main: Readonly<Record<string, ProgramWords>>;
@@ -45,17 +46,21 @@ export function missionsOf(files: MissionFiles): readonly MissionCourse[] {
   return missionRobots.flatMap((robot) => folders.flatMap((folder) => readMission(folder, robot, files)));
 }
 
-function readMission(folder: string, robot: MissionRobot, { data, main, start }: MissionFiles): MissionCourse[] {
-  const parsed = parseScene(data[`${folder}/scene.json`] ?? '');
+function readMission(
+  folder: string,
+  robot: MissionRobot,
+  { scenes, data, main, start }: MissionFiles,
+): MissionCourse[] {
+  const read = scenes[`${folder}/scene.json`];
   const words = main[`${folder}/main.py`];
   const [, digits = '', name = ''] = /(\d+)-([^/]*)$/.exec(folder) ?? [];
-  if (!('scene' in parsed) || words === undefined || digits === '') return [];
+  if (read === undefined || words === undefined || digits === '') return [];
   const facts = JSON.parse(data[`${folder}/mission.json`] ?? '') as MissionData;
   const { stars, values = {} } = facts.robots[robot];
   const filled = (program: ProgramWords['source']) =>
     inEvery((language: Language) => withValues(program[language], { module: modules[robot], ...values }));
   // Which robot drives is said by what the program imports, as in every course.
-  const scene: Scene = { ...parsed.scene, task: { ...parsed.scene.task, stars } };
+  const scene: Scene = { ...read, task: { ...read.task, stars } };
   return [
     {
       id: missionId(name, robot),

@@ -16,7 +16,12 @@ import { missionsOf, type MissionCourse, type MissionFiles } from './mission';
 import type { Mission, MissionRobot } from './mission-place';
 
 const files: MissionFiles = {
-  data: import.meta.glob('../../../../courses/missions/*/{scene,mission}.json', {
+  scenes: import.meta.glob('../../../../courses/missions/*/scene.json', {
+    query: '?scene',
+    import: 'default',
+    eager: true,
+  }),
+  data: import.meta.glob('../../../../courses/missions/*/mission.json', {
     query: '?raw',
     import: 'default',
     eager: true,

@@ -7,7 +7,7 @@ import { serializeScene } from '#scene/serialize';
 
 import { savedMsOf } from '../storage/history';
 import { stubDatabase } from '../storage/testing/memory-database';
-import { keepWork, openTabStorage, storedWork } from './keep-work';
+import { keepWork, openedFrom, openTabStorage } from './keep-work';
 import { WorkModel } from './work-model';
 
 const first = () => ({
@@ -20,8 +20,8 @@ const said: string[] = [];
 
 /** Opens the page in the tab whose session the document has. */
 async function openPage(): Promise<WorkModel> {
-  const storage = await openTabStorage();
-  const model = new WorkModel(storedWork(storage) ?? first(), Date.now);
+  const { storage, work } = await openedFrom(await openTabStorage());
+  const model = new WorkModel(work ?? first(), Date.now);
   const scope = effectScope(true);
   scopes.push(scope);
   scope.run(() => keepWork(model, storage, () => said.push('lost')));

@@ -1,7 +1,7 @@
 import { watch } from 'vue';
 
 import { copyOnDisk } from '../storage/disk-copy';
-import { savedMsOf, stamped, workFromText, workToText, type Work } from '../storage/history';
+import { savedMsOf, stamped, workToText, type Work } from '../storage/history';
 import type { DiskSaver, Kept } from '../storage/disk-saver';
 import {
   createTabStorage,
@@ -20,8 +20,18 @@ const SAVE_AFTER_MS = 400; // chosen: a crash costs less than a second, also if 
 /** How long the page waits for the copy on the disk when it opens, in ms. Chosen: a healthy browser has it in some 10 ms. */
 const PATIENCE_MS = 2000;
 
+/** What a page opens with. */
+export interface Opened {
+  readonly storage: TabStorage;
+  /** The stored work, if there is any and it can be read. */
+  readonly work: Work | null;
+}
+
 /** A storage for pages that keep nothing: where the browser forbids it, or a host brings the work. */
-export const forgetful: TabStorage = { load: () => null, save: () => true };
+const forgetful: TabStorage = { load: () => null, save: () => true };
+
+/** What a page opens with that keeps nothing. */
+export const nothingKept: Opened = { storage: forgetful, work: null };
 
 /** This tab's storage, or one that forgets where the browser forbids storing. */
 export async function openTabStorage(): Promise<TabStorage> {
@@ -44,10 +54,10 @@ export async function openTabStorage(): Promise<TabStorage> {
 
 const fetchLate = () => import('../storage/disk-saver');
 
-/** The stored work, if there is any and it can be read. */
-export function storedWork(storage: TabStorage): Work | null {
+/** What a page opens with that has this storage. Rejects where the part of the app that reads it cannot be loaded. */
+export async function openedFrom(storage: TabStorage): Promise<Opened> {
   const text = storage.load();
-  return text === null ? null : workFromText(text);
+  return { storage, work: text === null ? null : (await import('../storage/read-work')).workFromText(text) };
 }
 
 /** Stands in work whose large parts lie apart (`pieces.ts`). */

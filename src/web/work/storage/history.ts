@@ -1,6 +1,6 @@
 import type { Project } from '#project/project';
 
-import { packedText, unpackProject } from './stored-project';
+import { packedText } from './stored-project';
 
 /** A piece of earlier work that was put aside for something else. */
 export interface Previous {
@@ -59,31 +59,3 @@ export function textOfWork(work: Work, project: string, previousText: (previous:
   return `{"version":1,"project":${project},"open":${open},${fileText(work.file)}"previous":[${previous.join(',')}]}`;
 }
 const fileText = (file: string | undefined): string => (file === undefined ? '' : `"file":${JSON.stringify(file)},`);
-const fileOf = (file: unknown): Pick<Work, 'file'> => (typeof file === 'string' ? { file } : {});
-
-/** Reads what `workToText` wrote; `null` for anything else, so that a broken store never stops the app. */
-export function workFromText(text: string): Work | null {
-  let value: unknown;
-  try {
-    value = JSON.parse(text);
-  } catch {
-    return null;
-  }
-  if (typeof value !== 'object' || value === null) return null;
-  const read = value as { version?: unknown; project?: unknown; open?: unknown; file?: unknown; previous?: unknown }; // prettier-ignore
-  const project = unpackProject(read.project);
-  if (read.version !== 1 || project === null) return null;
-  const open = project.files.find((file) => file.name === read.open)?.name ?? project.files[0]?.name;
-  const previous = Array.isArray(read.previous)
-    ? read.previous.map(readPrevious).filter((entry) => entry !== null)
-    : [];
-  return open === undefined ? null : { project, open, ...fileOf(read.file), previous };
-}
-
-function readPrevious(value: unknown): Previous | null {
-  if (typeof value !== 'object' || value === null) return null;
-  const { name, atMs, project, file } = value as { name?: unknown; atMs?: unknown; project?: unknown; file?: unknown }; // prettier-ignore
-  const read = unpackProject(project);
-  if (typeof name !== 'string' || typeof atMs !== 'number' || read === null) return null;
-  return { name, atMs, ...fileOf(file), project: read };
-}

@@ -3,8 +3,9 @@ import { describe, expect, it } from 'vitest';
 import type { Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import { workFromText, workToText, type Work } from './history';
+import { workToText, type Work } from './history';
 import { joinWork, piecesIn, splitWork } from './pieces';
+import { workFromText } from './read-work';
 
 const picture = `data:image/png;base64,${'AbCd'.repeat(350_000)}`;
 const background = { at: [0, 0], size: [400, 300], cells: [2, 2], levels: 'AAAA', picture } as const;

@@ -3,9 +3,10 @@ import { describe, expect, it } from 'vitest';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import { PREVIOUS_KEPT, putAside, workFromText, workToText, type Previous } from './history';
+import { PREVIOUS_KEPT, putAside, workToText, type Previous } from './history';
 import { defaultSettings, settingsFromText } from '../settings/settings';
-import { packedText, unpackProject } from './stored-project';
+import { unpackProject, workFromText } from './read-work';
+import { packedText } from './stored-project';
 
 const project = (text: string): Project => ({
   files: [{ name: 'main.py', text }],

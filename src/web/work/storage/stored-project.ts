@@ -1,13 +1,4 @@
-import { isRecord } from '#core/record';
-import {
-  MAIN,
-  type FurtherDevice,
-  type Project,
-  type ProjectDevices,
-  type ProjectSettings,
-  type SourceFile,
-} from '#project/project';
-import { parseSceneValue } from '#scene/parse';
+import type { Project } from '#project/project';
 import type { Scene, SceneObject } from '#scene/scene';
 import { objectText, serializeScene } from '#scene/serialize';
 
@@ -40,60 +31,4 @@ function remembered<T extends object>(write: (of: T) => string): (of: T) => stri
     texts.set(of, text);
     return text;
   };
-}
-
-/** Reads what `packedText` made; `null` for anything else. */
-export function unpackProject(value: unknown): Project | null {
-  if (!isRecord(value)) return null;
-  const { files, scene, course, settings, devices } = value;
-  const parsed = parseSceneValue(scene);
-  if (!('scene' in parsed) || !isProgram(files)) return null;
-  return {
-    files,
-    scene: parsed.scene,
-    course: typeof course === 'string' ? course : null,
-    ...(isSettings(settings) && { settings }),
-    ...(isDevices(devices) && { devices }),
-  };
-}
-
-function isProgram(value: unknown): value is readonly SourceFile[] {
-  return Array.isArray(value) && value.every(isFile) && value[0]?.name === MAIN;
-}
-
-const isFile = (value: unknown): value is SourceFile =>
-  isRecord(value) && typeof value['name'] === 'string' && typeof value['text'] === 'string';
-
-/** Checks the shape of settings that this app itself stored; the names in them are checked when they are used. */
-function isSettings(value: unknown): value is ProjectSettings {
-  if (!isRecord(value)) return false;
-  const { reality, seed, arenaSenses, myRobot } = value;
-  return (
-    isHardware(value) &&
-    typeof reality === 'number' &&
-    typeof seed === 'number' &&
-    typeof arenaSenses === 'boolean' &&
-    (myRobot === undefined || isRecord(myRobot))
-  );
-}
-
-function isHardware({ device, firmware, robot, robotOptions }: Readonly<Record<string, unknown>>): boolean {
-  return (
-    [device, firmware, robot].every((id) => typeof id === 'string') &&
-    isRecord(robotOptions) &&
-    Object.values(robotOptions).every(isRecord)
-  );
-}
-
-/** Checks the shape of devices in the same way. */
-function isDevices(value: unknown): value is ProjectDevices {
-  if (!isRecord(value) || typeof value['first'] !== 'string' || !Array.isArray(value['others'])) return false;
-  return value['others'].length > 0 && value['others'].every(isFurther);
-}
-
-function isFurther(value: unknown): value is FurtherDevice {
-  if (!isRecord(value) || !isHardware(value)) return false;
-  const { name, files, sameAs } = value;
-  if (typeof name !== 'string' || typeof sameAs !== 'string') return false;
-  return sameAs === '' ? isProgram(files) : Array.isArray(files) && files.length === 0;
 }
