@@ -1,6 +1,6 @@
 import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
-import { HAL_REFERENCE, type Firmware } from './firmware';
+import { HAL_REFERENCE, type Firmware, type Flow, type Given } from './firmware';
 import type { Machine, Syscall, SyscallTable, Value, Wait } from './syscall';
 import type { Memory } from './values';
 
@@ -19,7 +19,6 @@ const MOST_BYTES = 64 * 1024;
 
 const WANTS_TO_RUN = 1;
 const EXCEPTION_WAITS = 2;
-const REWINDING = 2;
 const UNWINDING = 1;
 
 /** An error in our code or the C code: the VM is in a state that it cannot leave, and its run ends. */
@@ -48,17 +47,23 @@ export class Engine implements Machine {
   private stops: Stop[] = [];
   private hidden: ReadonlySet<string> = new Set();
 
+  private readonly firmware: Firmware;
+  private readonly ram: Memory;
+  private readonly flow: Flow;
+
   constructor(
-    private readonly firmware: Firmware,
-    private readonly ram: Memory,
+    running: { readonly firmware: Firmware; readonly memory: Memory; readonly flow: Flow },
     readonly clock: Clock,
     readonly startUs: number,
     syscalls: (engine: Engine) => SyscallTable,
   ) {
+    this.firmware = running.firmware;
+    this.ram = running.memory;
+    this.flow = running.flow;
     const named = Object.entries(syscalls(this));
     this.table = named.map(([, call]) => call);
     this.references = new Map(named.map(([name], place) => [name, HAL_REFERENCE + 1 + place]));
-    this.unwindBuffer = firmware.malloc(UNWIND_BYTES);
+    this.unwindBuffer = this.firmware.malloc(UNWIND_BYTES);
   }
 
   // --- what a syscall may ask of the machine -----------------------------------------------------------------------
@@ -132,7 +137,7 @@ export class Engine implements Machine {
    */
   run(enter: () => void, limitUs: number): boolean {
     this.limitUs = limitUs;
-    if (this.suspended) this.firmware.asyncify_start_rewind(this.unwindBuffer);
+    if (this.suspended) this.rewind();
     else this.refill();
     this.suspended = false;
     enter();
@@ -176,7 +181,18 @@ export class Engine implements Machine {
   }
 
   /** Python calls a function of `_hal`. A program that was suspended in such a call also resumes here. */
-  call(reference: number, args: readonly Value[], resultAddress: number): void {
+  call(
+    reference: number,
+    resultAddress: number,
+    a?: Given,
+    b?: Given,
+    c?: Given,
+    d?: Given,
+    e?: Given,
+    f?: Given,
+    g?: Given,
+    h?: Given,
+  ): void {
     if (!this.stopRewinding()) this.catchUp();
     else if (!this.isDue) {
       if (this.waiting) this.goOnWaiting(this.waiting, resultAddress);
@@ -184,7 +200,7 @@ export class Engine implements Machine {
     }
     this.isDue = !this.payOwed();
     if (this.isDue) return this.suspend();
-    const answer = this.table[reference - HAL_REFERENCE - 1]?.(...args) ?? null;
+    const answer = this.table[reference - HAL_REFERENCE - 1]?.(a, b, c, d, e, f, g, h) ?? null;
     if (this.ending) this.suspend();
     else if (typeof answer === 'object' && answer) this.goOnWaiting(answer, resultAddress);
     else this.answer(answer, resultAddress);
@@ -192,9 +208,16 @@ export class Engine implements Machine {
 
   // --- inside ------------------------------------------------------------------------------------------------------
 
+  /** Resumes the suspended call: the firmware builds its stack up again, and ends at `tick` or `call`. */
+  private rewind(): void {
+    this.firmware.asyncify_start_rewind(this.unwindBuffer);
+    this.flow.isRewinding = true;
+  }
+
   private stopRewinding(): boolean {
-    if (this.firmware.asyncify_get_state() !== REWINDING) return false;
+    if (!this.flow.isRewinding) return false;
     this.firmware.asyncify_stop_rewind();
+    this.flow.isRewinding = false;
     return true;
   }
 

@@ -73,16 +73,43 @@ export interface FirmwareHost {
   randomU32(): number;
   /** Looks a name up in `_hal`: the reference of a function, or −1. */
   lookup(name: string): number;
-  /** Calls the function with this reference. */
-  call(reference: number, args: readonly Value[], resultAddress: number): void;
+  readonly call: HostCall;
+}
+
+/** Calls a function of `_hal`. Its arguments come one by one, since a list costs more than many a call; none takes more. */
+export type HostCall = (
+  reference: number,
+  resultAddress: number,
+  a?: Given,
+  b?: Given,
+  c?: Given,
+  d?: Given,
+  e?: Given,
+  f?: Given,
+  g?: Given,
+  h?: Given,
+) => void;
+export type Given = Value | undefined;
+
+/** What the engine knows of the firmware's state without asking there. */
+export interface Flow {
+  /** A suspended call is being resumed: the stack is built up again, down to where it was. */
+  isRewinding: boolean;
 }
 
 /** The reference of the `_hal` object at the boundary; its functions have the references after it. */
 export const HAL_REFERENCE = 100;
 
-const REWINDING = 2;
 const ENOSYS = 52; // WASI error numbers, as the C library of the firmware has them
 const EROFS = 69;
+
+/** A running copy of the firmware. */
+interface Instantiated {
+  readonly firmware: Firmware;
+  readonly memory: Memory;
+  readonly flow: Flow;
+  readonly serve: (host: FirmwareHost) => void;
+}
 
 /**
  * Makes a running copy of the firmware. We provide every import ourselves: the published JavaScript glue, its proxies
@@ -93,12 +120,13 @@ const EROFS = 69;
 export function instantiateFirmware(
   module: WebAssembly.Module,
   loader: (memory: () => Memory) => Loader,
-): { readonly firmware: Firmware; readonly memory: Memory; readonly serve: (host: FirmwareHost) => void } {
+): Instantiated {
   const loaded: { firmware?: Firmware; memory?: Memory; host?: FirmwareHost } = {};
   const running = (): Firmware => loaded.firmware ?? notLoaded();
   const inMemory = (): Memory => loaded.memory ?? notLoaded();
   const host = (): FirmwareHost => loaded.host ?? notLoaded();
   const files = loader(inMemory);
+  const flow: Flow = { isRewinding: false };
   const imports = {
     host: {
       tick: () => host().tick(),
@@ -106,7 +134,7 @@ export function instantiateFirmware(
       collected: () => host().collected(),
       ...decimals(inMemory),
     },
-    env: { ...invokers(running, inMemory), ...boundary(inMemory, host), ...files.environment, ...system(host) },
+    env: { ...invokers(running, inMemory, flow), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
   };
   const firmware = new WebAssembly.Instance(module, imports).exports as unknown as Firmware;
@@ -114,7 +142,7 @@ export function instantiateFirmware(
   Object.assign(loaded, { firmware, memory });
   firmware.emscripten_stack_init();
   firmware.__wasm_call_ctors();
-  return { firmware, memory, serve: (given) => void (loaded.host = given) };
+  return { firmware, memory, flow, serve: (given) => void (loaded.host = given) };
 }
 
 /** Decimal numbers as the board writes and reads them; the build step takes the published ways out. */
@@ -133,13 +161,13 @@ function notLoaded(): never {
  * objects and pass). When a suspended call is resumed, the stack pointer is already at the deep place. So the one saved
  * on entry is kept per nesting depth; otherwise each exception caught after a suspension would leak C stack.
  */
-function invokers(running: () => Firmware, memory: () => Memory): HostFunctions {
+function invokers(running: () => Firmware, memory: () => Memory, flow: Flow): HostFunctions {
   const stackAt: number[] = [];
   const functions: TableFunction[] = []; // asking the table each time takes 3 % of a run
   let depth = 0;
   const enter = (index: number): TableFunction => {
     const firmware = running();
-    if (firmware.asyncify_get_state() !== REWINDING) stackAt[depth] = firmware.emscripten_stack_get_current();
+    if (!flow.isRewinding) stackAt[depth] = firmware.emscripten_stack_get_current();
     depth++;
     return (functions[index] ??= firmware.__indirect_function_table.get(index));
   };
@@ -187,14 +215,13 @@ function boundary(memory: () => Memory, host: () => FirmwareHost): HostFunctions
   ];
   return {
     ...Object.fromEntries(refused.flatMap((line) => line.split(' ')).map((each) => [each, refuse])),
-    call0: (reference: number, out: number) => host().call(reference, [], out),
-    call1: (reference: number, _via: number, a: number, out: number) => host().call(reference, [memory().read(a)], out),
+    call0: (reference: number, out: number) => host().call(reference, out),
+    call1: (reference: number, _via: number, a: number, out: number) => host().call(reference, out, memory().read(a)),
     call2: (reference: number, _via: number, a: number, b: number, out: number) =>
-      host().call(reference, [memory().read(a), memory().read(b)], out),
+      host().call(reference, out, memory().read(a), memory().read(b)),
     calln: (reference: number, _via: number, count: number, first: number, out: number) => {
-      const given: Value[] = [];
-      for (let i = 0; i < count; i++) given.push(memory().read(first + i * VALUE_BYTES));
-      host().call(reference, given, out);
+      const given = (place: number): Given => (place < count ? memory().read(first + place * VALUE_BYTES) : undefined);
+      host().call(reference, out, given(0), given(1), given(2), given(3), given(4), given(5), given(6), given(7));
     },
     has_attr: (reference: number, nameAddress: number) => Number(find(reference, nameAddress) >= 0),
     lookup_attr: (reference: number, nameAddress: number, out: number) => {

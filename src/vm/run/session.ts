@@ -55,11 +55,13 @@ export class Session {
   ) {
     const rng = createRng(setup.seed).fork('vm');
     const loader = createLoader(lookupIn(ports.files, setup.libraries));
-    const { firmware, memory, serve } = instantiateFirmware(setup.firmware, loader);
+    const { firmware, memory, flow, serve } = instantiateFirmware(setup.firmware, loader);
     this.firmware = firmware;
     this.memory = memory;
     this.heap = new Heap(firmware, memory);
-    this.engine = new Engine(firmware, memory, setup.clock, ports.startUs, (machine) => this.calls(machine, rng));
+    this.engine = new Engine({ firmware, memory, flow }, setup.clock, ports.startUs, (machine) =>
+      this.calls(machine, rng),
+    );
     serve(this.host(rng));
     ports.port.onInterrupt = () => this.engine.interrupt();
     this.startFirmware();
@@ -82,7 +84,7 @@ export class Session {
       },
       randomU32: () => rng.u32(),
       lookup: (name) => engine.lookup(name),
-      call: (reference, args, result) => engine.call(reference, args, result),
+      call: (reference, result, a, b, c, d, e, f, g, h) => engine.call(reference, result, a, b, c, d, e, f, g, h),
     };
   }
 

@@ -37,7 +37,7 @@ export interface Wait {
 }
 
 /** A function that Python can call. It never throws: it returns a negative errno or a documented value. */
-export type Syscall = (...args: readonly Value[]) => Value | Wait;
+export type Syscall = (...args: readonly (Value | undefined)[]) => Value | Wait;
 
 /** All functions of the module `_hal`, by name. */
 export type SyscallTable = Readonly<Record<string, Syscall>>;

@@ -18,6 +18,7 @@ _is_on = _hal.display_is_on
 _light = _hal.light_level
 
 _int = int
+_str = str
 _NUMBERS = (int, float, bool)
 # A text that is made anew is looked for among all names.
 _DIGITS = tuple("0123456789")
@@ -103,21 +104,26 @@ class MicroBitDisplay:
         return "<MicroBitDisplay>"
 
     def show(self, image, delay=400, *, clear=False, wait=True, loop=False):
-        if isinstance(image, MicroBitImage):
+        kind = type(image)
+        if kind is _int and 0 <= image <= 9:
+            image = _DIGITS[image]
+            kind = _str
+        elif kind is _str:
+            pass
+        elif isinstance(image, MicroBitImage):
             if not clear and not loop:
                 _show_image(addressof(image._b))
                 return
             image = (image,)
+        elif kind in _NUMBERS:
+            image = str(image)
+            kind = _str
         try:
             if delay & -0x40000000:
                 ints(delay)
         except TypeError:
             ints(delay)
-        if type(image) is _int and 0 <= image <= 9:
-            image = _DIGITS[image]
-        elif isinstance(image, _NUMBERS):
-            image = str(image)
-        if isinstance(image, str):
+        if kind is _str:
             if _show_text(image, delay, True if loop else False, True if clear else False) and wait:
                 _wait()
             return

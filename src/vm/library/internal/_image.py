@@ -60,7 +60,16 @@ class MicroBitImage:
                 if not _parse(addressof(b)):
                     raise ValueError("unexpected character in Image definition")
         elif n == 2:
-            self._sized(args[0], args[1])
+            w, h = args
+            try:
+                fits = not (w | h) & -65536
+            except TypeError:
+                fits = False
+            if fits:
+                self._b = b = bytearray(w * h + _HEAD)
+                _head(addressof(b), w, h)
+            else:
+                self._sized(w, h)
         elif n == 3:
             self._sized(args[0], args[1], args[2])
         else:
@@ -170,26 +179,37 @@ class MicroBitImage:
             raise ValueError("size cannot be negative")
         _blit(addressof(src._b), x, y, addressof(self._b), xdest, _ydest, w, h)
 
-    # As high as it is wide, as on the device (image_shift).
     def shift_left(self, n):
-        b = self._b
-        w = b[0] | b[1] << 8
-        return self.crop(n, 0, w, w)
+        try:
+            if n & -65536:
+                ints(n)
+        except TypeError:
+            ints(n)
+        return _shifted(self._b, n, 0)
 
     def shift_right(self, n):
-        b = self._b
-        w = b[0] | b[1] << 8
-        return self.crop(-n, 0, w, w)
+        try:
+            if n & -65536:
+                ints(n)
+        except TypeError:
+            ints(n)
+        return _shifted(self._b, -n, 0)
 
     def shift_up(self, n):
-        b = self._b
-        w = b[0] | b[1] << 8
-        return self.crop(0, n, w, w)
+        try:
+            if n & -65536:
+                ints(n)
+        except TypeError:
+            ints(n)
+        return _shifted(self._b, 0, n)
 
     def shift_down(self, n):
-        b = self._b
-        w = b[0] | b[1] << 8
-        return self.crop(0, -n, w, w)
+        try:
+            if n & -65536:
+                ints(n)
+        except TypeError:
+            ints(n)
+        return _shifted(self._b, 0, -n)
 
     def __add__(self, other):
         if not isinstance(other, MicroBitImage):
@@ -212,6 +232,15 @@ class MicroBitImage:
 
     def __str__(self):
         return _text(addressof(self._b), True)
+
+
+def _shifted(b, x, y):
+    # As high as it is wide, as on the device (image_shift).
+    w = b[0] | b[1] << 8
+    image = _new(MicroBitImage)
+    image._b = to = bytearray(w * w + _HEAD)
+    _crop(addressof(b), x, y, w, w, addressof(to))
+    return image
 
 
 def _plus(a, b, sign):

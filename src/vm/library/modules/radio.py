@@ -71,28 +71,27 @@ def send_bytes(message):
     _check(_h.radio_send(_addressof(packet), len(packet)))
 
 
-def _next():
-    """The oldest message, or None."""
-    while True:
-        length = _waiting()
-        if length < 0:
-            _check(length == -1)
-            return None
+def _oldest(length):
+    """The oldest message, which is so long; None if there is none."""
+    while length >= 0:
         message = bytearray(length)
-        # A callback in between may have taken it: look again.
         if _take(_addressof(message), length) == length:
             return bytes(message)
+        # A callback in between has taken it: look again.
+        length = _waiting()
+    _check(length == -1)
+    return None
 
 
 def receive_bytes():
-    return _next()
+    return _oldest(_waiting())
 
 
 def receive_bytes_into(buffer):
     if isinstance(buffer, (str, bytes)):
         raise TypeError("object with buffer protocol required")
     room = len(_raw(buffer))
-    message = _next()
+    message = _oldest(_waiting())
     if message is None:
         return None
     length = min(room, len(message))
@@ -101,7 +100,9 @@ def receive_bytes_into(buffer):
 
 
 def receive():
-    message = _next()
+    length = _waiting()
+    # Programs ask again and again, mostly in vain.
+    message = None if length == -1 else _oldest(length)
     if message is None:
         return None
     if message[:3] != _TEXT:
@@ -110,7 +111,7 @@ def receive():
 
 
 def receive_full():
-    message = _next()
+    message = _oldest(_waiting())
     if message is None:
         return None
     return (message, _h.radio_rssi(), _h.radio_time())

@@ -200,33 +200,37 @@ function arithmeticCalls(machine: Machine, board: Board, charge: Charge): Syscal
 
 function pixelCalls(machine: Machine, board: Board, charge: Charge): SyscallTable {
   const { pixelMoveUs } = board.type.costsUs;
-  /** The place of a pixel among all, or −1. */
-  const placeIn = ({ width, height }: Picture, x: number, y: number): number =>
-    x >= 0 && y >= 0 && x < width && y < height ? y * width + x : BAD_PLACE;
+  /** The buffer of an image, with what follows it: one view is quicker made than one of the head and one of the pixels. */
+  const bufferAt = (image: Value | undefined): Uint8Array => machine.memory(wholeOf(image) ?? 0, IMAGE_HEAD + MOST);
+  /** The place of a pixel in its image's buffer, or −1. */
+  const placeIn = (buffer: Uint8Array, x: number, y: number): number => {
+    const width = sizeIn(buffer, 0);
+    return x >= 0 && y >= 0 && x < width && y < sizeIn(buffer, 2) ? IMAGE_HEAD + y * width + x : BAD_PLACE;
+  };
   const isBrightness = (value: number): boolean => value >= 0 && value <= BRIGHTEST;
   const { callUs } = board.type.costsUs;
   return {
     image_width: (image) => {
       machine.spend(callUs);
-      return sizeIn(machine.memory(wholeOf(image) ?? 0, IMAGE_HEAD), 0);
+      return sizeIn(bufferAt(image), 0);
     },
     image_height: (image) => {
       machine.spend(callUs);
-      return sizeIn(machine.memory(wholeOf(image) ?? 0, IMAGE_HEAD), 2);
+      return sizeIn(bufferAt(image), 2);
     },
     image_pixel: (image, x, y) => {
       charge(1, pixelMoveUs / 2, 'same');
-      const given = pictureAt(machine, image);
-      const place = placeIn(given, whole(x), whole(y));
-      return place < 0 ? BAD_PLACE : (given.pixels[place] ?? 0);
+      const buffer = bufferAt(image);
+      const place = placeIn(buffer, whole(x), whole(y));
+      return place < 0 ? BAD_PLACE : (buffer[place] ?? 0);
     },
     image_set: (image, x, y, value) => {
-      const given = pictureAt(machine, image);
-      if (given.isConstant || !isBrightness(whole(value))) return BAD_PLACE;
+      const buffer = bufferAt(image);
+      if (buffer[CONSTANT] === 1 || !isBrightness(whole(value))) return BAD_PLACE;
       charge(1, pixelMoveUs / 2, 'same');
-      const place = placeIn(given, whole(x), whole(y));
+      const place = placeIn(buffer, whole(x), whole(y));
       if (place < 0) return BAD_PLACE;
-      given.pixels[place] = whole(value);
+      buffer[place] = whole(value);
       return 0;
     },
     image_fill: (image, value) => {

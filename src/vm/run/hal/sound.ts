@@ -165,8 +165,8 @@ const clamp = (sample: number): number => Math.min(255, Math.max(0, sample));
 
 /** Gives syscalls the cost that every call of the board has. */
 function withCost(machine: Machine, board: Board) {
-  return (answer: (...args: readonly Value[]) => Value) =>
-    (...args: readonly Value[]): Value => {
+  return (answer: (...args: readonly (Value | undefined)[]) => Value) =>
+    (...args: readonly (Value | undefined)[]): Value => {
       machine.spend(board.type.costsUs.callUs);
       return answer(...args);
     };
