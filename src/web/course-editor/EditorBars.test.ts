@@ -95,7 +95,7 @@ describe('the row below the arena', () => {
     await startRun(page);
     await show(page);
     page.editor.commit({ type: 'remove', ids: ['wall'] });
-    await nextTick();
+    await page.settle();
     expect(page.text()).toBe('Wand: gilt erst, wenn du neu startest.');
     page.editor.undo();
     await nextTick();
