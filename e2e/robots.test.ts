@@ -145,6 +145,7 @@ test('the reality slider: forward() goes straight with an ideal robot and drifts
     const headingDeg = await headingAtRest(app);
     await app.click(on('reset'));
     await app.click('.pane-console [aria-label="Clear console"]');
+    await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(550); // the text follows a second later
     return headingDeg > 180 ? headingDeg - 360 : headingDeg;
   };
   await openApp(app, { language: 'en', speed: 'max' });
