@@ -3,7 +3,8 @@ import type { AddressInfo } from 'node:net';
 import type { Subject } from '../subject';
 import { untilMoving, withPage, type Stage } from './stage';
 
-const BUDGET_KB = { page: 310, all: 900 };
+/** Of the page, 5 are for several devices. */
+const BUDGET_KB = { page: 315, all: 900 };
 
 /** What only a run needs. The page asks for it as soon as it has nothing else to do, so it counts with the run. */
 const OF_THE_RUN = /\.wasm$|\/worker[^/]*\.js$/;
@@ -11,7 +12,7 @@ const OF_THE_RUN = /\.wasm$|\/worker[^/]*\.js$/;
 /** How much a first visit downloads. */
 export const downloadSubject: Subject<Stage> = {
   budgets: [
-    { what: 'download, gzip: the page before Run', budget: '<= 310 kB' },
+    { what: 'download, gzip: the page before Run', budget: '<= 315 kB' },
     { what: 'download, gzip: in all until the first run moves', budget: '<= 900 kB' },
   ],
   async measure(stage) {

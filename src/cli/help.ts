@@ -33,7 +33,8 @@ Which course, which robot
                       MAIN.py imports; may be given several times
   --device NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]
                       a further microcomputer in the same arena, with a robot or without, which
-                      hears the others by radio; up to seven. Its robot starts beside the first.
+                      hears the others by radio; up to seven. Its robot stands at the
+                      course's next start, or beside the first.
                       What is printed has the name of its device before each line
 
 How long, and what happens

@@ -16,6 +16,7 @@ import {
 import { boardOf } from '#board/boards/board-of-device';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
+import { furtherStart } from '#simulation/starts';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
@@ -88,6 +89,7 @@ const firstName = ({ program }: RunOptions): string =>
 function furtherDevices(
   { devices }: RunOptions,
   read: RunFiles,
+  first: Hardware,
 ): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
   const { scene, deviceFiles } = read;
   const added = devices.map(({ name, robot, board }, place) => ({
@@ -97,9 +99,12 @@ function furtherDevices(
   }));
   const ofProject = read.devices.map((device) => ({ ...device, from: `device "${device.name}"` }));
   const made: DeviceSetup[] = [];
+  let robots = first.robot === null ? 0 : 1;
   for (const { name, files, from, ...wish } of [...ofProject, ...added]) {
-    const hardware = chooseFurtherHardware({ ...wish, scene, imports: modulesImportedBy(files) });
+    const start = robots === 0 ? null : furtherStart(scene, robots);
+    const hardware = chooseFurtherHardware({ ...wish, scene, start, imports: modulesImportedBy(files) });
     if ('problem' in hardware) return { problem: `${from}: ${hardware.problem}` };
+    if (hardware.robot !== null) robots++;
     made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
   }
   return { devices: made };
@@ -109,7 +114,7 @@ function furtherDevices(
 function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSetup | { readonly problem: string } {
   const traits = traitsOf(read, hardware);
   if ('problem' in traits) return traits;
-  const further = furtherDevices(options, read);
+  const further = furtherDevices(options, read, hardware);
   if ('problem' in further) return further;
   const { scene, files, inputs, settings } = read;
   const robotOptions = { ...settings.robotOptions?.[hardware.robot?.id ?? ''], ...options.robotOptions };

@@ -1,6 +1,14 @@
 import { wrappedDeg } from '#core/angle';
 import { boundsOf } from '#scene/kinds/index';
-import { sceneLimits, type Point, type RobotStart, type Scene, type SceneObject, type StrokeColor } from '#scene/scene';
+import {
+  sceneLimits,
+  type Point,
+  type RobotColor,
+  type RobotStart,
+  type Scene,
+  type SceneObject,
+  type StrokeColor,
+} from '#scene/scene';
 import { eighths, within } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
@@ -22,7 +30,7 @@ export type NumberName =
   | 'scale';
 
 /** Name of something about an object that can be changed. */
-export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'text' | 'type';
+export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type';
 
 /** The value of a field. */
 export type FieldValue = number | boolean | string;
@@ -50,11 +58,18 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
     }
   | {
       readonly kind: 'choice';
+      readonly name: 'robotColor';
+      /** `auto`: by the place of its device. */
+      readonly value: RobotColor | 'auto';
+      readonly choices: readonly (RobotColor | 'auto')[];
+    }
+  | {
+      readonly kind: 'choice';
       readonly name: 'type';
       readonly value: SceneObject['type'];
       readonly choices: readonly SceneObject['type'][];
     }
-  | { readonly kind: 'text'; readonly name: 'text'; readonly value: string; readonly maxCharacters: number }
+  | { readonly kind: 'text'; readonly name: 'text' | 'name'; readonly value: string; readonly maxCharacters: number }
 );
 
 type Range = { readonly min: number; readonly max: number };

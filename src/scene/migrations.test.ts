@@ -117,11 +117,27 @@ const version3: Scene = {
   ],
 };
 
+const version4: Scene = {
+  ...version2,
+  name: 'Starts der vierten Fassung',
+  description: '',
+  background: null,
+  task: { seconds: null, noTouch: false },
+  objects: [
+    {
+      ...{ id: 'r2', type: 'start', at: [300, 200], heading: -45.5, robot: 'callibot', options: { S1: 'claw' } },
+      ...{ name: 'Ärzt «2»', color: 'teal' },
+    },
+    { id: 'r3', type: 'start', at: [300, 800], heading: 0, robot: null, options: {}, name: '', color: null },
+  ],
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
     [2, version2],
     [3, version3],
+    [4, version4],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });
@@ -130,10 +146,11 @@ describe('a course file of an older version', () => {
     for (let version = 1; version <= SCENE_VERSION; version++) expect(kept(version)).toContain(`"version": ${version}`);
   });
 
-  it('is written in version 2, which older apps read, unless it says what is new in 3; letter by letter as it was', () => {
+  it('is written in version 2, which older apps read, unless it says what is new in 3 or 4; letter by letter as it was', () => {
     expect(serializeScene(sceneOf(kept(1)))).toContain('"version": 2');
     expect(sceneOf(serializeScene(sceneOf(kept(1))))).toEqual(version1);
     expect(serializeScene(sceneOf(kept(2)))).toBe(kept(2));
-    expect(serializeScene(sceneOf(kept(SCENE_VERSION)))).toBe(kept(SCENE_VERSION));
+    expect(serializeScene(sceneOf(kept(3)))).toBe(kept(3));
+    expect(serializeScene(sceneOf(kept(4)))).toBe(kept(4));
   });
 });

@@ -1,8 +1,9 @@
 import { readJsonFile, summaryOf } from './json-file';
 import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
-import { courseKeys, readCourseChanges, readRobotChanges, readTypeId } from './read-course';
+import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
 import { readObject } from './read-object';
+import { readTypeId } from './robot-values';
 import { Reader, type Fields } from './reader';
 import {
   centreStart,

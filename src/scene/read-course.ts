@@ -2,6 +2,7 @@ import type { CourseChanges } from './edit';
 import { PICTURE, readBase64 } from './read-base64';
 import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
+import { readOptions, readTypeId } from './robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The names of what `readCourseChanges` reads. */
@@ -31,34 +32,12 @@ export function readRobotChanges(value: unknown, path: string, reader: Reader): 
   };
 }
 
-/** The id of a board or robot type; `null` or left out: chosen by the program. */
-export function readTypeId(value: unknown, path: string, reader: Reader): string | null {
-  return value === undefined || value === null ? null : reader.text(value, path, sceneLimits.idCharacters);
-}
-
 const given = <const K extends string, T>(
   fields: Fields,
   key: K,
   read: (value: unknown) => T,
 ): Partial<Record<K, T>> | Record<K, T> =>
   fields[key] === undefined ? {} : ({ [key]: read(fields[key]) } as Record<K, T>);
-
-function readOptions(value: unknown, path: string, reader: Reader): RobotStart['options'] {
-  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
-    reader.wrongType(value, path, 'an object { "option": "choice" }');
-    return {};
-  }
-  const { options, idCharacters } = sceneLimits;
-  const ids = reader.list(Object.keys(value), path, { min: 0, max: options }) as readonly string[];
-  const choices = new Map<string, string>();
-  for (const id of ids) {
-    const place = `${path}.${id.slice(0, 40)}`;
-    reader.text(id, place, idCharacters);
-    if (id === '__proto__') reader.report('unknown-value', place, id, '"__proto__" cannot be an id.');
-    choices.set(id, reader.text((value as Fields)[id], place, idCharacters));
-  }
-  return Object.fromEntries(choices);
-}
 
 /** Looks at the shape only: whether the levels can be inflated shows when they are (`background.ts`). */
 function readBackground(value: unknown, path: string, reader: Reader): Background | null {

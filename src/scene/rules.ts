@@ -4,7 +4,7 @@ import { zoneHolds, zoneOverlaps } from './kinds/zone';
 import type { Outline } from './outline';
 import { copies, stuckBlocks, type Stuck } from './overlaps';
 import { placementProblems, robotOutlines } from './placement';
-import type { Block, Mover, Point, Scene, SceneObject, Zone } from './scene';
+import type { Block, Mover, Point, Scene, SceneObject, Start, Zone } from './scene';
 
 /** Problems of a course that can still be kept. */
 export type RuleCode =
@@ -48,6 +48,7 @@ export function findProblems(scene: Scene, footprint: readonly Outline[]): reado
   const things = sorted(scene);
   const rules: readonly (readonly RuleProblem[])[] = [
     robotPlace(scene, footprint),
+    furtherPlaces(scene, footprint),
     startOnForbidden(scene, things, footprint),
     taskProblems(scene, things),
     outside(scene),
@@ -94,6 +95,17 @@ function robotPlace(scene: Scene, footprint: readonly Outline[]): readonly RuleP
     at: scene.robot.at,
     ids: 'id' in params ? [String(params.id)] : [],
   }));
+}
+
+/** The places of further robots, each taken to be as large as the first one. */
+function furtherPlaces(scene: Scene, footprint: readonly Outline[]): readonly RuleProblem[] {
+  const starts = scene.objects.filter((object): object is Start => object.type === 'start');
+  return starts.flatMap(({ id, at, heading }) =>
+    robotPlace({ ...scene, robot: { ...scene.robot, at, heading } }, footprint).map((problem) => ({
+      ...problem,
+      ids: [id, ...problem.ids],
+    })),
+  );
 }
 
 function startOnForbidden(

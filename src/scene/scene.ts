@@ -107,8 +107,33 @@ export interface Label {
   readonly turn: number;
 }
 
+/**
+ * Where the robot of a further device starts: the first start belongs to the second device with a robot, and so on. The
+ * first one's is the course's `robot`. It lies flat on the floor, and nothing feels it.
+ */
+export interface Start {
+  readonly type: 'start';
+  readonly id: string;
+  /** The middle of the robot's axle. */
+  readonly at: Point;
+  /** Degrees counter-clockwise from +x. */
+  readonly heading: number;
+  /** Id of the robot type that belongs here, or `null`: whatever robot its device has. */
+  readonly robot: string | null;
+  /** Chosen options of that robot, as those of `RobotStart`. */
+  readonly options: Readonly<Record<string, string>>;
+  /** What its robot is called; empty: as its device. */
+  readonly name: string;
+  /** Colour of the robot's ring, name and trail; `null`: by the place of its device. */
+  readonly color: RobotColor | null;
+}
+
+/** The colours that tell robots apart, in the order in which devices have them. */
+export const robotColors = ['blue', 'purple', 'teal', 'brown', 'violet', 'green', 'pink', 'gray'] as const;
+export type RobotColor = (typeof robotColors)[number];
+
 /** Everything that can stand or lie in the arena. */
-export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label;
+export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label | Start;
 
 /** How many points an object holds: a stroke may have tens of thousands, everything else has none. */
 export const countPoints = (object: SceneObject): number => ('points' in object ? object.points.length : 0);
@@ -204,7 +229,7 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
-export const SCENE_VERSION = 3;
+export const SCENE_VERSION = 4;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
@@ -255,6 +280,7 @@ export const sceneLimits = {
   speedMmS: { min: 5, max: 500 },
   labelCharacters: 100,
   labelMm: { min: 5, max: 500 },
+  startNameCharacters: 40,
   backgroundMm: { min: 10, max: 20_000 },
   /** Cells of a background's grid; 1000 × 1000 are 2 m at 2 mm. */
   cells: 1_000_000,

@@ -1,5 +1,6 @@
 import { braces, pair, property } from './json-text';
 import { kindOf } from './kinds/index';
+import { optionsProperty } from './robot-values';
 import {
   SCENE_FORMAT,
   SCENE_VERSION,
@@ -15,8 +16,8 @@ import {
 
 /**
  * A course as its file: fixed order of properties, defaults left out, one object per line, ending in a newline.
- * Reading it back gives an equal scene, and the same scene always gives the same text. A course that version 2 can say is
- * written in it, so that apps before version 3 open it as well.
+ * Reading it back gives an equal scene, and the same scene always gives the same text. A course is written in
+ * the oldest version that can say it, from 2 on, so that older apps open it as well.
  */
 export function serializeScene(scene: Scene): string {
   const lines = [
@@ -35,8 +36,9 @@ export function serializeScene(scene: Scene): string {
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
 
-function versionFor({ task }: Scene): number {
-  return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : SCENE_VERSION;
+function versionFor({ task, objects }: Scene): number {
+  if (objects.some(({ type }) => type === 'start')) return SCENE_VERSION;
+  return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : 3;
 }
 
 function robotText(robot: RobotStart): string {
@@ -47,13 +49,6 @@ function robotText(robot: RobotStart): string {
     ...property('scale', robot.scale, sceneDefaults.scale),
     ...optionsProperty(robot.options),
   ]);
-}
-
-/** In the order of their ids, so that equal choices give equal text. */
-function optionsProperty(options: RobotStart['options']): string[] {
-  const entries = Object.entries(options).sort(([one], [other]) => (one < other ? -1 : 1));
-  if (entries.length === 0) return [];
-  return [`"options": ${braces(entries.map(([id, choice]) => `${JSON.stringify(id)}: ${JSON.stringify(choice)}`))}`];
 }
 
 /** A card has long texts, and lines for them. */

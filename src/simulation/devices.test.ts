@@ -2,7 +2,8 @@ import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
 import { createRng } from '#core/rng';
 import { parseSceneValue } from '#scene/parse';
-import { defaultScene, type Scene } from '#scene/scene';
+import { defaultScene, type Scene, type SceneObject, type Start } from '#scene/scene';
+import { fitDevices } from './fit-devices';
 import type { DeviceSetup, RunSetup } from './run-setup';
 import { Simulation } from './simulation';
 import { convoyOf } from './testing/convoy';
@@ -197,6 +198,62 @@ describe('several robots', { timeout: 60_000 }, () => {
     expect(poses[0]).toMatchObject({ xMm: 600, yMm: 450 });
     expect(new Set(poses.map((pose) => `${String(pose?.xMm)} ${String(pose?.yMm)}`)).size).toBe(4);
     expect(others.every((other) => other.robot?.collisions === 0)).toBe(true);
+  });
+});
+
+describe('the starts of a course', { timeout: 60_000 }, () => {
+  const start = (id: string, at: readonly [number, number], more: Partial<Start> = {}): Start => ({
+    ...{ type: 'start', id, at, heading: 90, robot: null, options: {}, name: '', color: null },
+    ...more,
+  });
+  const { start: _, ...free } = maqueen('', [0, 0], 0, 'pass');
+  const robots = (...names: string[]) => names.map((name) => ({ ...free, name })) as unknown as Devices;
+  const courseWith = (...objects: SceneObject[]): Scene => ({ ...defaultScene(), objects });
+  const posesIn = async (scene: Scene, devices: Devices) => {
+    const { robot, others } = (await run(20, devices, { scene })).snapshot();
+    return [robot, ...others.map((other) => other.robot)].map((it) => it && [it.pose.xMm, it.pose.yMm]);
+  };
+
+  it('belong to the robots after the first in their order; a board without robot has none', async () => {
+    const scene = courseWith(start('one', [200, 200]), start('two', [1000, 700], { heading: 0 }));
+    const [first, ...others] = robots('a', 'b', 'c');
+    const devices = [first, board('remote', 'pass'), ...others] as unknown as Devices;
+    expect(await posesIn(scene, devices)).toEqual([[600, 450], null, [200, 200], [1000, 700]]);
+  });
+
+  it('may be fewer than robots: the next one stands beside the first', async () => {
+    const [first, second, third] = await posesIn(courseWith(start('one', [200, 200])), robots('a', 'b', 'c'));
+    expect([first, second]).toEqual([[600, 450], [200, 200]]); // prettier-ignore
+    expect(Math.abs((third?.[1] ?? 0) - 450)).toBeGreaterThan(100);
+  });
+
+  it('choose the robot and its options where the device leaves it open', () => {
+    const scene = courseWith(start('one', [200, 200], { robot: 'callibot', options: { S1: 'claw' } }));
+    const fitted = fitDevices(setupOf([free, { ...free, name: 'b', robot: 'auto', board: 'auto' }], { scene }));
+    const second = 'problem' in fitted ? null : fitted.devices[1]?.hardware;
+    expect([second?.robot?.id, second?.options['S1']]).toEqual(['callibot', 'claw']);
+  });
+
+  it('in a wall or on another robot are told with device and place', () => {
+    const problemOf = (...objects: SceneObject[]) => {
+      const fitted = fitDevices(setupOf(robots('a', 'b'), { scene: courseWith(...objects) }));
+      return 'problem' in fitted ? fitted.problem : '';
+    };
+    const wall: SceneObject = { type: 'wall', id: 'w', from: [200, 100], to: [200, 300], thickness: 10 };
+    expect(problemOf(wall, start('one', [200, 200]))).toMatch(
+      /^Device "b": objects\[1\]\.at: at \[200, 200\] the robot stands inside the wall "w"/,
+    );
+    expect(problemOf(start('one', [20, 200]))).toMatch(/^Device "b": objects\[0\]\.at: .* not wholly inside the arena/);
+    expect(problemOf(start('one', [620, 450]))).toBe(
+      'Device "b": At [620, 450] its robot stands on the robot of "a". Move one of them.',
+    );
+  });
+
+  it('are not felt: a robot drives over one that nobody has', async () => {
+    const drives = { ...free, name: 'a', files: { 'main.py': 'from mbrobot import *\nforward()' } };
+    const poses = await run(2000, [drives], { scene: courseWith(start('one', [800, 450])) });
+    expect(poses.snapshot().robot?.pose.xMm).toBeGreaterThan(900);
+    expect(poses.snapshot().robot?.collisions).toBe(0);
   });
 });
 

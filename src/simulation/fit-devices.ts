@@ -5,6 +5,7 @@ import { lengthOf, overlapMm, type Outline } from '#scene/outline';
 import type { RobotStart, Scene } from '#scene/scene';
 import { chooseHardware, NO_ROBOT, type Hardware } from './hardware';
 import { MOST_DEVICES, type DeviceSetup, type RunSetup } from './run-setup';
+import { furtherStart } from './starts';
 
 /** A device of a run with its hardware found, and its robot's place. */
 export interface FittedDevice {
@@ -22,8 +23,9 @@ const TOLERANCE_MM = 1;
 const GAP_MM = 20;
 
 /**
- * Finds the hardware of each device and the place of each robot: where its set-up says, the first robot where the course
- * says, another one beside it.
+ * Finds the hardware of each device and the place of each robot: where its set-up says; else the first robot where the
+ * course's `robot` is, the next ones at the course's starts in their order, and those for which there is none beside the
+ * first.
  *
  * @returns for what cannot run, a problem that names device, place and value
  */
@@ -52,18 +54,16 @@ function namesProblem(devices: readonly DeviceSetup[]): string | null {
 function fit(setup: DeviceSetup, scene: Scene, before: readonly FittedDevice[]): FittedDevice | Problem {
   const { robot, board, firmware, robotOptions } = setup;
   const chosen = { robot, board, ...(firmware && { firmware }), ...(robotOptions && { robotOptions }) };
-  const hardware = chooseHardware({ ...chosen, scene: sceneFor(setup, scene), imports: new Set() });
+  const hardware = chooseHardware({ ...chosen, scene: sceneFor(setup, scene, before), imports: new Set() });
   if ('problem' in hardware) return hardware;
   if (hardware.robot === null) return { setup, hardware, start: scene.robot };
   const { outlineMm } = hardware.robot.body;
   const placed = before.filter((device) => device.hardware.robot !== null);
-  if (setup.start === undefined && placed.length > 0) {
-    const start = besideStart(scene, outlineMm, placed);
-    return start === null ? { problem: NO_ROOM } : { setup, hardware, start };
-  }
-  const start = setup.start ?? scene.robot;
+  const given = startInCourse(scene, setup, before);
+  const start = given ?? besideStart(scene, outlineMm, placed);
+  if (start === null) return { problem: NO_ROOM };
   const [misplaced] = placementProblems({ ...scene, robot: start }, outlineMm);
-  if (misplaced) return { problem: misplaced.message };
+  if (misplaced) return { problem: misplaced.message.replace(/^robot\.at/, placeIn(scene, start)) };
   const other = placed.find((device) => isOn(robotOutlines(start, outlineMm), device));
   return other === undefined ? { setup, hardware, start } : { problem: onRobot(start, other) };
 }
@@ -75,8 +75,23 @@ const onRobot = ({ at: [x, y] }: RobotStart, { setup }: FittedDevice): string =>
   `At [${x}, ${y}] its robot stands on the robot of "${setup.name}". Move one of them.`;
 
 /** The course as this device sees it: with its own robot's start and type. */
-const sceneFor = ({ start, robot }: DeviceSetup, scene: Scene): Scene =>
-  start === undefined || robot === NO_ROBOT ? scene : { ...scene, robot: start };
+function sceneFor(setup: DeviceSetup, scene: Scene, before: readonly FittedDevice[]): Scene {
+  const start = startInCourse(scene, setup, before);
+  return start === null || setup.robot === NO_ROBOT ? scene : { ...scene, robot: start };
+}
+
+/** Where the robot of a device starts by its set-up or the course; `null`: nobody says. */
+function startInCourse(scene: Scene, { start }: DeviceSetup, before: readonly FittedDevice[]): RobotStart | null {
+  if (start !== undefined) return start;
+  const robots = before.filter(({ hardware }) => hardware.robot !== null).length;
+  return robots === 0 ? scene.robot : furtherStart(scene, robots);
+}
+
+/** The place of a start in the course's file. */
+function placeIn({ objects }: Scene, { at }: RobotStart): string {
+  const index = objects.findIndex((object) => object.type === 'start' && object.at === at);
+  return index < 0 ? 'robot.at' : `objects[${index}].at`;
+}
 
 const isOn = (parts: readonly Outline[], { hardware, start }: FittedDevice): boolean =>
   robotOutlines(start, hardware.robot?.body.outlineMm ?? []).some((other) =>

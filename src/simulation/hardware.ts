@@ -3,7 +3,7 @@ import { boardTypes, findBoard } from '#board/boards/index';
 import { completeOptions, optionProblem, type OptionValues } from '#core/option';
 import { findRobot, robotTypes } from '#robots/index';
 import type { RobotType } from '#robots/robot';
-import type { Scene } from '#scene/scene';
+import type { RobotStart, Scene } from '#scene/scene';
 
 /** Stands for the bare board in places where a robot can be named. */
 export const NO_ROBOT = 'none';
@@ -69,17 +69,29 @@ export function chooseHardware(wish: HardwareWish): Hardware | { readonly proble
 export interface FurtherWish extends Omit<HardwareWish, 'robotOptions'> {
   /** By the id of the robot. */
   readonly robotOptions: Readonly<Record<string, OptionValues>>;
+  /** Where the course has its robot start (`furtherStart`), or `null`. */
+  readonly start: RobotStart | null;
 }
 
 /**
- * The same for a device after the first. What is left to `auto` its program's imports decide: without the module of a
- * robot it has none.
+ * The same for a device after the first. What is left to `auto` its program's imports decide, and the robot at its start
+ * in the course: without the module of a robot it has none.
  */
 export function chooseFurtherHardware(wish: FurtherWish): Hardware | { readonly problem: string } {
-  const { scene, imports } = wish;
-  const robot = wish.robot === AUTO ? (robotMeant(imports, null)?.id ?? NO_ROBOT) : wish.robot;
-  const free = { ...scene, board: null, robot: { ...scene.robot, type: null, options: {} } };
-  return chooseHardware({ ...wish, scene: free, robot, robotOptions: wish.robotOptions[robot] ?? {} });
+  const robot = furtherRobot(wish);
+  return chooseHardware({ ...wish, scene: sceneOfFurther(wish), robot, robotOptions: wish.robotOptions[robot] ?? {} });
+}
+
+/** The id of the robot of a device after the first. */
+export function furtherRobot({ robot, imports, start }: Pick<FurtherWish, 'robot' | 'imports' | 'start'>): string {
+  if (robot !== AUTO) return robot;
+  const meant = robotMeant(imports, null);
+  return meant === null ? NO_ROBOT : (start?.type ?? meant.id);
+}
+
+/** The course as a device after the first sees it: its board and robot are the first one's. */
+export function sceneOfFurther({ scene, start }: Pick<FurtherWish, 'scene' | 'start'>): Scene {
+  return { ...scene, board: null, robot: start ?? { ...scene.robot, type: null, options: {} } };
 }
 
 /** Whether the robot is on a board that it does not fit: then nothing of it is connected. */

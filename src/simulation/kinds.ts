@@ -49,6 +49,7 @@ export const runKinds: Readonly<Record<SceneObject['type'], RunKind>> = {
   spikes: { change: 'lasting', isSpiked: () => true, build: fixedBody },
   mover: { change: 'lasting', isSpiked: ({ spiked }: Mover) => spiked, build: moverBody },
   label: onFloor,
+  start: { change: 'lasting' },
 };
 
 /** Whether an object of a course changes in a run only with the next start; everything else does at once. */

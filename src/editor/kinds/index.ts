@@ -10,6 +10,7 @@ import { block, fixedBlock, spikes } from './block';
 import type { EditorKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
 import { checkpoint, forbidden, target } from './zone';
@@ -26,6 +27,7 @@ export const editorKinds: Readonly<Record<SceneObject['type'], EditorKind>> = {
   spikes,
   mover,
   label,
+  start,
 };
 
 /** The kind of an object. */

@@ -7,6 +7,7 @@
  *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
  *     4   for a robot of one's own: as 3, with that robot
  *     5   for several devices: as 4, with those after the first
+ *     6   for starts of further robots in the course: as 5, with those
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -18,10 +19,12 @@ import {
   deflatedContent,
   deflatedDevices,
   deflatedRobot,
+  deflatedStarts,
   deflatedTask,
   modelledContent,
   modelledDevices,
   modelledRobot,
+  modelledStarts,
   modelledTask,
   type Content,
   type ContentCodec,
@@ -34,7 +37,7 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2 | 3 | 4 | 5;
+  readonly version: 1 | 2 | 3 | 4 | 5 | 6;
   readonly bytes: Uint8Array;
 }
 
@@ -50,6 +53,7 @@ const extended = {
   3: { deflated: deflatedTask, modelled: modelledTask },
   4: { deflated: deflatedRobot, modelled: modelledRobot },
   5: { deflated: deflatedDevices, modelled: modelledDevices },
+  6: { deflated: deflatedStarts, modelled: modelledStarts },
 } as const;
 
 /** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
@@ -61,7 +65,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 }
 
 /** The oldest version that can say it all; `null`: one of the first two. */
-function versionFor({ extras, myRobot, devices }: Content): 3 | 4 | 5 | null {
+function versionFor({ extras, myRobot, devices, starts }: Content): 3 | 4 | 5 | 6 | null {
+  if (starts.length > 0) return 6;
   if (devices !== null) return 5;
   if (myRobot !== '') return 4;
   return Object.keys(extras).length > 0 ? 3 : null;

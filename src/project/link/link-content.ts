@@ -1,5 +1,5 @@
 import { fnvOfBytes } from '#core/fnv';
-import type { Scene } from '#scene/scene';
+import type { Scene, SceneObject } from '#scene/scene';
 
 import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
@@ -18,13 +18,15 @@ import {
   dictionary,
   sceneCodec,
   sharedCodecs,
+  startsCodec,
   taskExtrasCodec,
   type PathCodec,
+  type PlacedStart,
   type SharedCodecs,
   type TaskExtras,
 } from './scene-codec';
 
-/** The course in a link: the whole course, or the ready course of the project's `course` with its checksum. */
+/** The course in a link: the whole course without its starts, or the ready course of the project's `course` with its checksum. */
 export type LinkScene = { readonly ready: number } | { readonly whole: Scene };
 
 /** The settings in a link; the robot of one's own stands apart. */
@@ -42,6 +44,8 @@ export interface Content {
   readonly myRobot: string;
   /** Several devices; `null` before version 5, and of a project that has one. */
   readonly devices: ProjectDevices | null;
+  /** The starts of further robots in a whole course; none before version 6. */
+  readonly starts: readonly PlacedStart[];
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -69,6 +73,14 @@ export const modelledRobot = contentCodec(handCodec, taskExtrasCodec, jsonCodec)
 export const deflatedDevices = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec);
 export const modelledDevices = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec);
 
+/** Version 6: with starts of further robots, too. */
+export const deflatedStarts = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec, startsCodec);
+export const modelledStarts = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec, startsCodec);
+
+function noStarts(): Codec<readonly PlacedStart[]> {
+  return constant([]);
+}
+
 function noExtras(): Codec<TaskExtras> {
   return constant({});
 }
@@ -90,6 +102,7 @@ function contentCodec(
   extrasCodec: (shared: SharedCodecs) => Codec<TaskExtras> = noExtras,
   robotCodec: (shared: SharedCodecs) => Codec<string> = noRobot,
   severalCodec: (shared: SharedCodecs) => Codec<ProjectDevices | null> = oneDevice,
+  placesCodec: (shared: SharedCodecs) => Codec<readonly PlacedStart[]> = noStarts,
 ): ContentCodec {
   const shared = sharedCodecs();
   const { columns, word } = shared;
@@ -102,6 +115,7 @@ function contentCodec(
     extras: extrasCodec(shared),
     myRobot: robotCodec(shared),
     devices: severalCodec(shared),
+    starts: placesCodec(shared),
   });
   return { codec, columns: columns.used };
 }
@@ -165,8 +179,27 @@ function isUsual(settings: LinkSettings): boolean {
 /** A checksum of a course that later versions of links and of the course's file do not change. */
 export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
-  checkedScene.write(out, scene);
+  const { whole, starts } = apart(scene);
+  checkedScene.write(out, whole);
   const { figures, words } = out.bytes();
-  return fnvOfBytes(words, fnvOfBytes(figures));
+  const sum = fnvOfBytes(words, fnvOfBytes(figures));
+  return starts.length === 0 ? sum : fnvOfBytes(new TextEncoder().encode(JSON.stringify(starts)), sum);
 }
 const checkedScene = sceneCodec(sharedCodecs(), pathCodec);
+
+/** A course without its starts, and those. */
+export function apart(scene: Scene): { readonly whole: Scene; readonly starts: readonly PlacedStart[] } {
+  const starts = scene.objects.flatMap((object, place): PlacedStart[] => {
+    if (object.type !== 'start') return [];
+    const { id, at, heading, robot, options, name, color } = object;
+    return [{ place, id, at, heading, robot, options, name, color }];
+  });
+  return { whole: { ...scene, objects: scene.objects.filter(({ type }) => type !== 'start') }, starts };
+}
+
+/** The course with its starts at their places again. */
+export function joined(whole: Scene, starts: readonly PlacedStart[]): Scene {
+  const objects: SceneObject[] = [...whole.objects];
+  for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
+  return { ...whole, objects };
+}

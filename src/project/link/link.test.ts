@@ -14,6 +14,7 @@ import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
 import {
   devicesProject,
+  startsProject,
   FORTY_LINES,
   fortyObjects,
   fullProject,
@@ -167,8 +168,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=6.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 6; this app reads version 5. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=7.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 7; this app reads version 6. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -189,7 +190,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [] }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -238,6 +239,7 @@ describe('a link of version 1', () => {
       extras: {},
       myRobot: '',
       devices: null,
+      starts: [],
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -383,6 +385,29 @@ describe('a link of version 5', () => {
       ['', ''],
       [undefined, 'Fernbedienung'],
     ]);
+  });
+});
+
+describe('a link of version 6', () => {
+  const kept = keptLink(6);
+
+  it('opens as it always did, each start at its place among the things of the course', () => {
+    expect(projectIn(kept)).toEqual(startsProject());
+  });
+
+  it('is still made so, and only for a course with starts', () => {
+    expect(link(startsProject())).toBe(kept);
+    expect(link(devicesProject())).toMatch(/^p=5\./);
+  });
+
+  it('names a ready course with starts, and tells where they were changed since', () => {
+    const project = { ...startsProject(), course: 'chase' };
+    const { scene } = project;
+    const made = linkOf(project, { courses: () => scene, program: true })?.fragment ?? '';
+    expect(made.length).toBeLessThan(link(project).length);
+    expect(projectOfLink(made, () => scene)).toMatchObject({ isCourseChanged: false, project: { scene } });
+    const moved = { ...scene, objects: scene.objects.filter(({ id }) => id !== 'r2') };
+    expect(projectOfLink(made, () => moved)).toMatchObject({ isCourseChanged: true });
   });
 });
 

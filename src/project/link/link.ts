@@ -3,7 +3,7 @@
  * not send that part.
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
- *                            robot of one's own, 5 for several devices
+ *                            robot of one's own, 5 for several devices, 6 for starts of further robots
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -15,14 +15,14 @@ import { serializeScene } from '#scene/serialize';
 import { fromBase64Url, toBase64Url } from './base64';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
-import { sceneChecksum, type Content } from './link-content';
+import { apart, joined, sceneChecksum, type Content } from './link-content';
 import { deviceValue } from '../read-devices';
 import { MODELLED_BYTES } from './model-coder';
 import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 5;
+export const LINK_VERSION = 6;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -117,15 +117,17 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, ...extras } = scene.task;
+  const { whole, starts } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
     course,
     settings: settings === undefined ? null : { ...defaultProjectSettings, ...chosen },
-    scene: isReady ? { ready: sceneChecksum(scene) } : { whole: { ...scene, task: { seconds, noTouch } } },
+    scene: isReady ? { ready: sceneChecksum(scene) } : { whole: { ...whole, task: { seconds, noTouch } } },
     extras: isReady ? {} : extras,
     myRobot: myRobot === undefined ? '' : JSON.stringify(myRobot),
     devices: devices === undefined ? null : program ? devices : withoutPrograms(devices),
+    starts: isReady ? [] : starts,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -167,7 +169,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);
@@ -187,7 +189,7 @@ function isWhole(all: Uint8Array): boolean {
 }
 
 function readContent(content: Content, courses: ReadyCourses): ReadLink {
-  const { files, course, scene, extras, devices } = content;
+  const { files, course, scene, extras, devices, starts } = content;
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
@@ -206,7 +208,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
-        : valueOf({ ...scene.whole, task: { ...scene.whole.task, ...extras } }),
+        : valueOf({ ...joined(scene.whole, starts), task: { ...scene.whole.task, ...extras } }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);

@@ -5,6 +5,7 @@
 import { fromBase64, toBase64 } from '#core/base64';
 import {
   helps,
+  robotColors,
   sceneLimits,
   strokeColors,
   type Background,
@@ -14,6 +15,7 @@ import {
   type RobotStart,
   type Scene,
   type SceneObject,
+  type Start,
   type Stroke,
   type Task,
   type TaskCard,
@@ -100,8 +102,11 @@ interface Parts {
   readonly paths: PathCodec;
 }
 
-/** The numbers of the kinds of objects in a link: their places here. A new kind goes to the end. */
-export const linkOrder: SceneObject['type'][] = [
+/** An object that has been in links from the first on; starts stand apart (`startsCodec`). */
+type LinkObject = Exclude<SceneObject, Start>;
+
+/** The numbers of the kinds of objects in a link: their places here. */
+export const linkOrder: LinkObject['type'][] = [
   'wall',
   'block',
   'fixed-block',
@@ -126,7 +131,7 @@ export interface SharedByKinds {
   readonly zone: Readonly<Pick<Fields<Zone>, 'round' | 'number' | 'blocks'>>;
 }
 type Fields<T> = { readonly [K in keyof T]-?: Codec<T[K]> };
-type LinkKind = (shared: SharedByKinds) => Codec<SceneObject>;
+type LinkKind = (shared: SharedByKinds) => Codec<LinkObject>;
 
 const boxOf = ({ id, place, size, turn }: SharedByKinds) => ({ id, at: place, size, turn });
 const zoneOf =
@@ -136,9 +141,9 @@ const zoneOf =
 
 /**
  * Every kind's codec. They are made in this order, that of the first version of links: the order in which they make
- * their columns is the format, so a new kind goes to the end.
+ * their columns is the format.
  */
-export const linkKinds: Readonly<Record<SceneObject['type'], LinkKind>> = {
+export const linkKinds: Readonly<Record<LinkObject['type'], LinkKind>> = {
   wall: ({ columns, id, place }) =>
     record<Wall>({ type: constant('wall'), id, from: place, to: place, thickness: columns.uint() }),
   stroke: ({ columns, id, place, paths }) =>
@@ -181,6 +186,7 @@ function objectCodec(columns: Columns, { word, ...parts }: Parts): Codec<SceneOb
   };
   return {
     write(out, object) {
+      if (object.type === 'start') throw new Error('Starts stand apart in a link.');
       type.write(out, object.type);
       codecOf(object.type).write(out, object);
     },
@@ -242,6 +248,24 @@ function base64Codec(columns: Columns, text: Codec<string>): Codec<string> {
     },
     read: (from) => (isBytes.read(from) ? toBase64(bytes.read(from)) : text.read(from)),
   };
+}
+
+/** A start of a further robot, and its place among the objects of its course. */
+export type PlacedStart = Omit<Start, 'type'> & { readonly place: number };
+
+/** The codec of the starts of further robots, which version 6 of links adds to a course. */
+export function startsCodec({ columns, text, word, options }: SharedCodecs): Codec<readonly PlacedStart[]> {
+  const start = record<PlacedStart>({
+    place: columns.uint(),
+    id: word,
+    at: pairOf(columns.coordinate(), columns.coordinate()),
+    heading: columns.number(),
+    robot: columns.optional(word),
+    options,
+    name: text,
+    color: columns.optional(columns.choice(robotColors)),
+  });
+  return columns.list(start, sceneLimits.objects);
 }
 
 /** What version 3 of links adds to a task; in the versions before it, a task has none of it. */

@@ -203,6 +203,20 @@ export function measuredProject(): Project {
   };
 }
 
+/** Three devices, and two starts among the things of the course. */
+export function startsProject(): Project {
+  const project = devicesProject();
+  const { scene } = project;
+  const second = { type: 'start', id: 'r2', at: [300, 200], heading: -45.5, robot: 'callibot' } as const;
+  const third = { type: 'start', id: 'start-3', at: [300, 800], heading: 0, robot: null } as const;
+  const objects = [
+    { ...second, options: { S1: 'claw' }, name: 'Ärzt «2»', color: 'teal' as const },
+    ...scene.objects,
+    { ...third, options: {}, name: '', color: null },
+  ];
+  return { ...project, scene: { ...scene, objects } };
+}
+
 /** A project with three devices: a robot, a board to hold in the hand, and one that runs the same program. */
 export function devicesProject(): Project {
   const remote = [

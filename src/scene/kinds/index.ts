@@ -4,6 +4,7 @@ import { block, fixedBlock, spikes } from './block';
 import type { SceneKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
+import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
 import { checkpoint, forbidden, target } from './zone';
@@ -20,6 +21,7 @@ export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
   spikes,
   mover,
   label,
+  start,
 };
 
 /** The kind of an object. */

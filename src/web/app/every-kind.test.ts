@@ -113,7 +113,7 @@ function counting() {
 
 beforeAll(async () => {
   for (const [table, madeUp] of tables) Object.assign(table, { puddle: madeUp });
-  linkOrder.push('puddle' as SceneObject['type']);
+  linkOrder.push('puddle' as (typeof linkOrder)[number]);
   globalThis.document ??= { documentElement: {} } as Document;
   globalThis.Path2D ??= class {
     moveTo(): void {}
@@ -141,7 +141,9 @@ describe.each(types)('the kind %s', (type) => {
   const courseOf = (object: SceneObject): Scene => ({ ...empty, objects: [object] });
 
   it('stands in every table', () => {
-    for (const [table] of tables) expect(Object.keys(table)).toContain(type);
+    for (const [table] of tables)
+      // Starts stand apart in a link, after all that was there before them.
+      if (type !== 'start' || table !== linkKinds) expect(Object.keys(table)).toContain(type);
   });
 
   it('comes back from its file as it was', () => {
@@ -264,7 +266,7 @@ describe('the tables of kinds', () => {
       (file) => /\.(ts|vue)$/.test(file) && !/\.test\.ts$/.test(file),
     );
     const found = files.filter((file) =>
-      /Record<SceneObject\['type'\]/.test(readFileSync(new URL(file.replaceAll('\\', '/'), src), 'utf8')),
+      /Record<(Scene|Link)Object\['type'\]/.test(readFileSync(new URL(file.replaceAll('\\', '/'), src), 'utf8')),
     );
     const row = readFileSync(new URL('../docs/architecture.md', src), 'utf8')
       .split('\n')

@@ -41,6 +41,7 @@ export interface Explorer {
 /** The order of the kinds: what is to be done, what leads there, what is in the way. */
 const ORDER: readonly SceneObject['type'][] = [
   ...(['checkpoint', 'target', 'stroke', 'wall', 'block', 'fixed-block', 'mover', 'spikes', 'forbidden', 'label'] as const),
+  'start',
 ]; // prettier-ignore
 
 export function createExplorer(): Explorer {
@@ -85,7 +86,7 @@ function tellThing(object: SceneObject, asked: Asked): Told {
   }
   const pose = asked.moved[object.id];
   const atMm = pose === undefined ? { x: object.at[0], y: object.at[1] } : vecOf(pose);
-  const size = object.type === 'label' ? '' : `, ${say(words.size, { x: cm(object.size[0]), y: cm(object.size[1]) })}`;
+  const size = !('size' in object) ? '' : `, ${say(words.size, { x: cm(object.size[0]), y: cm(object.size[1]) })}`;
   return { words: `${name}${size}: ${whereText(atMm, asked)}.`, atMm };
 }
 

@@ -1,7 +1,9 @@
 import { freeDeviceName } from '#project/devices';
 import { anyHardware, MAIN, type FurtherDevice } from '#project/project';
-import { robotTypes } from '#robots/index';
+import { findRobot, robotTypes } from '#robots/index';
+import type { Start } from '#scene/scene';
 import { NO_ROBOT } from '#simulation/hardware';
+import { startsIn } from '#simulation/starts';
 
 import { say } from '../page/i18n/say';
 import { hardwareNow } from '../work/hardware/use-hardware';
@@ -20,10 +22,17 @@ function namesWith(parts: WorkParts): readonly string[] {
 
 /** A device with a robot like the first one's, and the first line of its program. */
 export function newRobot(parts: WorkParts): FurtherDevice {
-  const robot = hardwareNow(parts, 0)?.robot ?? robotTypes[0];
+  const start = nextStart(parts);
+  const robot = findRobot(start?.robot ?? '') ?? hardwareNow(parts, 0)?.robot ?? robotTypes[0];
   const files = [{ name: MAIN, text: `from ${robot?.modules[0] ?? 'microbit'} import *\n\n` }];
-  const name = freeDeviceName(say(words.robot), namesWith(parts));
+  const name = freeDeviceName(start?.name || say(words.robot), namesWith(parts));
   return { ...anyHardware, name, robot: robot?.id ?? NO_ROBOT, files, sameAs: '' };
+}
+
+/** The course's start for one more robot, if it has one. */
+function nextStart(parts: WorkParts): Start | undefined {
+  const robots = parts.work.devices.value.filter((_, place) => (hardwareNow(parts, place)?.robot ?? null) !== null);
+  return startsIn(parts.work.scene.value.objects)[robots.length - 1];
 }
 
 /** A microcomputer like the first one to hold in the hand, with its radio on. */

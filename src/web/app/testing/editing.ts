@@ -89,4 +89,14 @@ export const samples = {
   checkpoint: { type: 'checkpoint', id: 'one', at: [200, 300], size: [100, 100], turn: 0, round: false, number: 1, blocks: 0 }, // prettier-ignore
   forbidden: { type: 'forbidden', id: 'forbidden', at: [200, 600], size: [100, 100], turn: 0, round: true, number: 0, blocks: 0 }, // prettier-ignore
   label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, turn: 0 },
+  start: {
+    type: 'start',
+    id: 'second',
+    at: [600, 150],
+    heading: 90,
+    robot: null,
+    options: {},
+    name: 'Ada',
+    color: 'teal',
+  },
 } as const satisfies { readonly [T in SceneObject['type']]: OfKind<T> };

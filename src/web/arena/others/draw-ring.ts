@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { canvasFont } from '../model/palette';
 import type { PxBox } from '../view/moving-window';
-import { deviceColor } from './device-colors';
+import { deviceColor } from '../model/device-colors';
 
 /** A ring around a robot with the number of its device and its name. */
 export interface DeviceRing {
@@ -9,6 +9,8 @@ export interface DeviceRing {
   readonly radiusPx: number;
   /** Place of the device. */
   readonly place: number;
+  /** Its colour, as `deviceColor` takes it. */
+  readonly color: number;
   readonly name: string;
   /** It is the device that is shown. */
   readonly isShown: boolean;
@@ -42,21 +44,21 @@ export function ringBoxes(ring: DeviceRing): readonly PxBox[] {
 /** Draws the ring, and for the device that is shown a breath of its colour within. */
 export function drawDeviceRing(
   context: CanvasRenderingContext2D,
-  { middle, radiusPx, place, isShown }: DeviceRing,
+  { middle, radiusPx, color, isShown }: DeviceRing,
 ): void {
   context.save();
   context.beginPath();
   context.arc(middle.x, middle.y, radiusPx, 0, 2 * Math.PI);
   if (isShown) {
     context.globalAlpha = 0.1;
-    context.fillStyle = deviceColor(place);
+    context.fillStyle = deviceColor(color);
     context.fill();
     context.globalAlpha = 1;
   }
   context.strokeStyle = '#ffffff';
   context.lineWidth = 5.5;
   context.stroke();
-  context.strokeStyle = deviceColor(place);
+  context.strokeStyle = deviceColor(color);
   context.lineWidth = 2.5;
   context.stroke();
   context.restore();
@@ -79,18 +81,18 @@ const made = new Map<string, Pill>();
 const MOST = 60;
 
 /** A pill, painted once: letters on a canvas of the page cost more than all the rest of a picture. */
-function pillOf({ place, name }: DeviceRing, ratio: number): Pill {
+function pillOf({ place, color, name }: DeviceRing, ratio: number): Pill {
   const text = shownName(name);
-  const key = [place, ratio, text].join();
+  const key = [place, color, ratio, text].join();
   const known = made.get(key);
   if (known !== undefined) return known;
   if (made.size >= MOST) made.clear();
-  const pill = painted(place, text, ratio);
+  const pill = painted({ place, color }, text, ratio);
   made.set(key, pill);
   return pill;
 }
 
-function painted(place: number, text: string, ratio: number): Pill {
+function painted({ place, color }: Pick<DeviceRing, 'place' | 'color'>, text: string, ratio: number): Pill {
   const bitmap = document.createElement('canvas');
   const ruler = document.createElement('canvas').getContext('2d');
   if (ruler !== null) ruler.font = FONT;
@@ -102,7 +104,7 @@ function painted(place: number, text: string, ratio: number): Pill {
   const middle = NAME_PX / 2;
   context.scale(bitmap.width / width, bitmap.height / NAME_PX);
   context.textBaseline = 'middle';
-  context.fillStyle = deviceColor(place);
+  context.fillStyle = deviceColor(color);
   context.beginPath();
   context.roundRect(0, 0, width, NAME_PX, middle);
   context.fill();
@@ -113,7 +115,7 @@ function painted(place: number, text: string, ratio: number): Pill {
   context.font = FONT;
   context.fillText(text, NAME_PX + 4, middle + 1);
   context.font = NUMBER_FONT;
-  context.fillStyle = deviceColor(place);
+  context.fillStyle = deviceColor(color);
   context.textAlign = 'center';
   context.fillText(String(place + 1), middle, middle + 1);
   return { bitmap, width };

@@ -1,6 +1,6 @@
 import type { Kind } from '#editor/describe-edit';
 import type { AnyObject } from '#scene/kinds/kind';
-import type { Label, Mover, Point, Scene, SceneObject, Stroke, Wall, Zone } from '#scene/scene';
+import type { Label, Mover, Point, Scene, SceneObject, Start, Stroke, Wall, Zone } from '#scene/scene';
 
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
@@ -43,7 +43,7 @@ function nameOf(object: SceneObject, count: number): string {
 /** How the objects of a kind are named and located. */
 interface KindWords<O extends AnyObject = SceneObject> {
   /** An object's name, unless it is numbered among its kind. `kind`: the name of the kind. */
-  name?(object: O, kind: string): string;
+  name?(object: O, kind: string): string | null;
   /** Where an object is. */
   where(object: O): string;
 }
@@ -66,6 +66,10 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
   label: {
     name: ({ text }: Label, kind) => say(texts.label, { kind, text }),
     where: ({ at }: Label) => say(texts.at, { at: placeText(at) }),
+  },
+  start: {
+    name: ({ name }: Start, kind) => (name === '' ? null : say(texts.label, { kind, text: name })),
+    where: ({ at }: Start) => say(texts.at, { at: placeText(at) }),
   },
   block: box,
   'fixed-block': box,

@@ -5,6 +5,7 @@ import type { PrintKind } from './kind';
 import { label } from './label';
 import { mover } from './mover';
 import { spikes } from './spikes';
+import { start } from './start';
 import { stroke } from './stroke';
 import { wall } from './wall';
 import { zone } from './zone';
@@ -21,6 +22,7 @@ export const printKinds: Readonly<Record<SceneObject['type'], PrintKind>> = {
   spikes,
   mover,
   label,
+  start,
 };
 
 /** The kind of an object. */

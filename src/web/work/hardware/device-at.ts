@@ -1,10 +1,15 @@
 import { filesOfDevice, furtherDevice } from '#project/devices';
 import { filesByName, type Project } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
-import { AUTO, NO_ROBOT, robotMeant } from '#simulation/hardware';
+import type { RobotStart } from '#scene/scene';
+import { furtherRobot, sceneOfFurther } from '#simulation/hardware';
+import { furtherStart, startsIn } from '#simulation/starts';
 
 import type { WorkParts } from '../model/parts';
 import type { Settings } from '../settings/settings';
+import { hardwareOf } from './hardware';
+
+type Devices = Pick<WorkParts, 'work' | 'settings'>;
 
 /** A device by itself: its files and what it is to run on, as if the project had no other. */
 export interface DeviceAt {
@@ -13,18 +18,27 @@ export interface DeviceAt {
 }
 
 /** The device at this place; left out: the one that is shown. The course's board and robot are the first one's. */
-export function deviceAt({ work, settings }: WorkParts, place = work.place.value): DeviceAt {
+export function deviceAt({ work, settings }: Devices, place = work.place.value): DeviceAt {
   const { project } = work.work.value;
   const device = furtherDevice(project, place);
   if (device === null) return { project, settings: settings.current.value };
   const { firmware, robotOptions } = device;
   const files = filesOfDevice(project, place);
   const imports = modulesImportedBy(filesByName(files));
-  const robot = device.robot === AUTO ? (robotMeant(imports, null)?.id ?? NO_ROBOT) : device.robot;
   const { scene } = project;
-  const free = { ...scene, board: null, robot: { ...scene.robot, type: null, options: {} } };
+  const start = startOf({ work, settings }, place);
+  const robot = furtherRobot({ robot: device.robot, imports, start });
   return {
-    project: { ...project, files, scene: free },
+    project: { ...project, files, scene: sceneOfFurther({ scene, start }) },
     settings: { ...settings.current.value, device: device.device, firmware, robot, robotOptions, myRobot: null },
   };
+}
+
+/** Where the course has the robot of a device after the first start; `null`: it says nothing. */
+function startOf(parts: Devices, place: number): RobotStart | null {
+  const { scene } = parts.work.work.value.project;
+  if (startsIn(scene.objects).length === 0) return null;
+  const before = Array.from({ length: place }, (_, earlier) => deviceAt(parts, earlier));
+  const robots = before.filter(({ project, settings }) => (hardwareOf(project, settings)?.robot ?? null) !== null);
+  return robots.length === 0 ? null : furtherStart(scene, robots.length);
 }

@@ -1,4 +1,5 @@
-import type { Block, Label, Mover, SceneObject, Wall, Zone } from '#scene/scene';
+import { START_SIDE_MM } from '#scene/kinds/start';
+import type { Block, Label, Mover, SceneObject, Start, Wall, Zone } from '#scene/scene';
 import type { View } from '../../view/view-transform';
 import type { Palette } from '../../model/palette';
 import { drawFixedBlock, drawMovableBlock, placedBlock } from './block';
@@ -6,6 +7,7 @@ import { boxFrame, type Frame, type PictureKind } from './kind';
 import { drawLabel, labelSize } from './label';
 import { drawMover, drawTrack } from './mover';
 import { drawSpikes } from './spikes';
+import { drawStart } from './start';
 import { drawStroke } from './stroke';
 import { drawWalls } from './wall';
 import { drawZoneGround, drawZoneSign, zoneState } from './zone';
@@ -44,6 +46,14 @@ export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = 
       at: { x: label.at[0], y: label.at[1] },
       angleRad: (label.turn * Math.PI) / 4,
       size: labelSize(label),
+    }),
+  },
+  start: {
+    mark: drawStart,
+    frame: ({ at: [x, y], heading }: Start) => ({
+      at: { x, y },
+      angleRad: (heading * Math.PI) / 180,
+      size: { x: START_SIDE_MM, y: START_SIDE_MM },
     }),
   },
 };

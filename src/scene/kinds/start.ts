@@ -1,0 +1,46 @@
+import { pair, property } from '../json-text';
+import { boxOutline, type Outline } from '../outline';
+import { optionsProperty, readOptions, readTypeId } from '../robot-values';
+import { robotColors, sceneDefaults, sceneLimits, type Start } from '../scene';
+import { filling, type SceneKind } from './kind';
+import { readId, readPlace } from './unread';
+
+/** Where the robot of a further device starts. */
+export const start: SceneKind<Start> = {
+  name: 'start',
+  properties: ['at', 'heading', 'robot', 'options', 'name', 'color'],
+  read(given) {
+    const { reader, at } = given;
+    const [options, optionsPath] = at('options');
+    const [name, namePath] = at('name');
+    const [color, colorPath] = at('color');
+    return {
+      type: 'start',
+      id: readId(given),
+      at: readPlace(given, 'at'),
+      heading: reader.number(...at('heading'), sceneLimits.headingDeg, sceneDefaults.heading),
+      robot: readTypeId(...at('robot'), reader),
+      options: options === undefined ? {} : readOptions(options, optionsPath, reader),
+      name: name === undefined ? '' : reader.text(name, namePath, sceneLimits.startNameCharacters),
+      color: color === undefined || color === null ? null : reader.word(color, colorPath, robotColors, 'blue'),
+    };
+  },
+  write: ({ at, heading, robot, options, name, color }) => [
+    `"at": ${pair(at)}`,
+    ...property('heading', heading, sceneDefaults.heading),
+    ...property('robot', robot, null),
+    ...optionsProperty(options),
+    ...property('name', name, ''),
+    ...property('color', color, null),
+  ],
+  solid: () => null,
+  ...filling(startOutline),
+};
+
+/** Side of the box on the floor in which a robot starts, in mm. Chosen: a robot of 13 cm stands in it. */
+export const START_SIDE_MM = 140;
+
+/** What a start covers, however it is turned: good enough to grab it, and to find room for it. World mm. */
+export function startOutline({ at }: Start): Outline {
+  return boxOutline({ at, size: [START_SIDE_MM, START_SIDE_MM], turn: 0 });
+}

@@ -1,0 +1,34 @@
+/** What is said of a robot wherever it starts: its type and its options. */
+import { braces } from './json-text';
+import type { Fields, Reader } from './reader';
+import { sceneLimits, type RobotStart } from './scene';
+
+/** The id of a board or robot type; `null` or left out: chosen by the program. */
+export function readTypeId(value: unknown, path: string, reader: Reader): string | null {
+  return value === undefined || value === null ? null : reader.text(value, path, sceneLimits.idCharacters);
+}
+
+/** The chosen options of a robot. */
+export function readOptions(value: unknown, path: string, reader: Reader): RobotStart['options'] {
+  if (typeof value !== 'object' || value === null || Array.isArray(value)) {
+    reader.wrongType(value, path, 'an object { "option": "choice" }');
+    return {};
+  }
+  const { options, idCharacters } = sceneLimits;
+  const ids = reader.list(Object.keys(value), path, { min: 0, max: options }) as readonly string[];
+  const choices = new Map<string, string>();
+  for (const id of ids) {
+    const place = `${path}.${id.slice(0, 40)}`;
+    reader.text(id, place, idCharacters);
+    if (id === '__proto__') reader.report('unknown-value', place, id, '"__proto__" cannot be an id.');
+    choices.set(id, reader.text((value as Fields)[id], place, idCharacters));
+  }
+  return Object.fromEntries(choices);
+}
+
+/** In the order of their ids, so that equal choices give equal text. */
+export function optionsProperty(options: RobotStart['options']): string[] {
+  const entries = Object.entries(options).sort(([one], [other]) => (one < other ? -1 : 1));
+  if (entries.length === 0) return [];
+  return [`"options": ${braces(entries.map(([id, choice]) => `${JSON.stringify(id)}: ${JSON.stringify(choice)}`))}`];
+}
