@@ -4,6 +4,7 @@ import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
 import { on, openApp, pasteProgram, programIn, robotIn } from './page';
 import { by, gone, until } from './parts';
+import { openEditor, toolButton } from './pupil';
 import { tablet, withFingers } from './touch';
 
 const ROBOT = `from mbrobot import *
@@ -96,6 +97,42 @@ test(
     await expect.poll(() => programIn(app)).toBe(ROBOT);
   },
 );
+
+test(
+  'the course places a second robot: its start is added by a button, and the robot drives from there',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app);
+    await openEditor(app);
+    await app.click(toolButton('start'));
+    await app.click(by('add-start'));
+    await app.click(FILES);
+    await until(app, by('add-device'));
+    await app.click(by('add-device'));
+    await until(app, by('add-device-robot'));
+    await app.click(by('add-device-robot'));
+    await until(app, by('device-card'));
+    const start = await startIn(app);
+    await expect.poll(() => robotIn(app)).toMatchObject({ xMm: start[0], yMm: start[1] });
+    await pasteProgram(app, 'from mbrobot import *\nforward()\n');
+    await app.click(on('run'));
+    await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start[0] + 20);
+  },
+);
+
+/** Where the course has the start of a second robot, once it was saved. */
+async function startIn(app: App): Promise<readonly [number, number]> {
+  const find = (): Promise<readonly [number, number] | null> =>
+    app.evaluate(() => {
+      const text = sessionStorage.getItem('parcours.work') ?? '{}';
+      const { project } = JSON.parse(text) as {
+        project?: { scene: { objects?: { type: string; at: [number, number] }[] } };
+      };
+      return project?.scene.objects?.find(({ type }) => type === 'start')?.at ?? null;
+    }, null);
+  await expect.poll(find).not.toBeNull();
+  return (await find()) ?? [NaN, NaN];
+}
 
 test.describe('with fingers on a tablet', () => {
   test.use(tablet);
