@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { rounded } from '#simulation/report';
 import type { Verdict } from '#simulation/task/verdict';
-import { exitCodeOf, jsonLine, verdictLine, type Report } from './report';
+import { exitCodeOf, jsonLine, verdictLines, type Report } from './report';
 import { createTerminal } from './terminal';
 import { traceColumns, traceHeader, traceLine } from './trace-csv';
 
@@ -73,6 +73,7 @@ describe('the line about the task', () => {
     targets: { reached: 0, of: 1 },
     blocks: { delivered: 0, of: 0 },
     touches: 0,
+    robots: [],
   };
   const failed = { ...open, state: 'failed', atMs: 4200 } as const;
 
@@ -110,11 +111,29 @@ describe('the line about the task', () => {
       'Task: failed after 4.2 s: the robot came into the forbidden zone "no".',
     ],
   ])('says how it came out', (verdict, line) => {
-    expect(verdictLine(verdict)).toBe(line);
+    expect(verdictLines(verdict)).toEqual([line]);
+  });
+
+  it('is followed by a line for each robot that shares the task', () => {
+    const robot = { state: 'failed', atMs: 4200, by: null, place: null, touches: 0 } as const;
+    const progress = { checkpoints: { passed: 1, of: 3 }, targets: { reached: 0, of: 1 } };
+    const robots = [
+      { ...robot, ...progress, device: 'Ada', state: 'passed', reason: null },
+      { ...robot, ...progress, device: 'Ben', reason: 'beaten' },
+      { ...robot, ...progress, device: 'Cem', reason: 'touched', by: 'w' },
+      { ...robot, ...progress, device: 'Dan', state: 'open', atMs: null, reason: null },
+    ] as const;
+    expect(verdictLines({ ...open, state: 'passed', atMs: 4200, robots })).toEqual([
+      'Task: passed after 4.2 s.',
+      '  Ada: passed after 4.2 s',
+      '  Ben: failed after 4.2 s: another one was first',
+      '  Cem: failed after 4.2 s: the robot touched "w"',
+      '  Dan: not done (1 of 3 checkpoints, 0 of 1 target)',
+    ]);
   });
 
   it('is left out where there is no task', () => {
-    expect(verdictLine(null)).toBeNull();
+    expect(verdictLines(null)).toEqual([]);
   });
 });
 

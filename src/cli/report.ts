@@ -10,7 +10,7 @@ import {
 } from '#simulation/report';
 import type { Ended, Simulation } from '#simulation/simulation';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/task/verdict';
+import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 
 /** How a run ended, as a word for programs; `time-limit`: its program went on. */
 export type RunEndedWord = EndedWord | 'time-limit';
@@ -121,9 +121,11 @@ export function exitCodeOf(ended: RunEndedWord): 0 | 1 {
   return ended === 'finished' || ended === 'time-limit' ? 0 : 1;
 }
 
-/** The result of the course's task, as a line for people; `null` if the course has no task. */
-export function verdictLine(verdict: Verdict | null): string | null {
-  if (verdict === null) return null;
+/** The result of the course's task, as lines for people, one more for each robot that shares it; none without a task. */
+export const verdictLines = (verdict: Verdict | null): readonly string[] =>
+  verdict === null ? [] : [verdictLine(verdict), ...verdict.robots.map(robotLine)];
+
+function verdictLine(verdict: Verdict): string {
   const { state, atMs } = verdict;
   const seconds = `${((atMs ?? 0) / 1000).toFixed(1)} s`;
   switch (state) {
@@ -140,7 +142,21 @@ export function verdictLine(verdict: Verdict | null): string | null {
   }
 }
 
-function failureInWords(verdict: Verdict): string {
+function robotLine(robot: RobotVerdict): string {
+  const after = `after ${((robot.atMs ?? 0) / 1000).toFixed(1)} s`;
+  if (robot.state === 'passed') return `  ${robot.device}: passed ${after}`;
+  if (robot.state === 'open') return `  ${robot.device}: not done${progressInWords(robot)}`;
+  return `  ${robot.device}: failed ${after}: ${robotFailureInWords(robot)}`;
+}
+
+function robotFailureInWords({ reason, ...robot }: RobotVerdict): string {
+  if (reason === 'caught') return 'it was caught';
+  if (reason === 'beaten') return 'another one was first';
+  if (reason === 'left') return 'it left the ring';
+  return failureInWords({ ...robot, reason, early: null });
+}
+
+function failureInWords(verdict: Progress & Pick<Verdict, 'reason' | 'by' | 'early'>): string {
   const { reason, by } = verdict;
   switch (reason) {
     case 'time':
@@ -151,12 +167,19 @@ function failureInWords(verdict: Verdict): string {
       return `the robot touched the spikes "${by ?? ''}"`;
     case 'touched':
       return by === null ? 'the robot touched the edge of the arena' : `the robot touched "${by}"`;
+    case 'robot':
+      return `the robot touched that of "${by ?? ''}"`;
+    case 'left':
+      return 'nobody was left in the ring';
     case null:
       return 'without a reason'; // nothing fails so
     default:
       return reason satisfies never;
   }
 }
+
+/** What was reached; of one of several robots without blocks, which are of all. */
+type Progress = Pick<Verdict, 'checkpoints' | 'targets'> & Partial<Pick<Verdict, 'blocks'>>;
 
 const helpWords: Readonly<Record<Help, string>> = {
   hand: 'with help by hand',
@@ -170,14 +193,14 @@ const withStars = ({ stars }: Verdict): string => (stars === null ? '' : `, ${st
 const withHelp = ({ help }: Verdict): string => help.map((one) => `, ${helpWords[one]}`).join('');
 
 /** `; checkpoint 2 came before 1`, or nothing if all came in their order. */
-function earlyInWords({ early }: Verdict): string {
+function earlyInWords({ early }: Pick<Verdict, 'early'>): string {
   if (early === null) return '';
   const what = early.number === 0 ? 'a target' : `checkpoint ${early.number}`;
   return `; ${what} came before checkpoint ${early.before}`;
 }
 
 /** ` (1 of 3 checkpoints, 0 of 1 target)`, or nothing if there is nothing to reach. */
-function progressInWords({ checkpoints, targets, blocks }: Verdict): string {
+function progressInWords({ checkpoints, targets, blocks = { delivered: 0, of: 0 } }: Progress): string {
   const parts = [
     counted(checkpoints.passed, checkpoints.of, 'checkpoint'),
     counted(targets.reached, targets.of, 'target'),

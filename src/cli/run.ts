@@ -21,7 +21,7 @@ import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
 import { reasonOf } from './reason-of';
-import { exitCodeOf, jsonLine, runEnding, verdictLine, type Report } from './report';
+import { exitCodeOf, jsonLine, runEnding, verdictLines, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
 import type { Terminal } from './terminal';
 
@@ -256,8 +256,7 @@ function openResult(option: string, path: string | null, options: RunOptions): O
 
 /** The result of the course's task. */
 function tellVerdict({ verdict }: Report, terminal: Terminal): void {
-  const line = verdictLine(verdict);
-  if (line !== null) terminal.message(line);
+  for (const line of verdictLines(verdict)) terminal.message(line);
 }
 
 /** A note that the program's own output does not contain. */

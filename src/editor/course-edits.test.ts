@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Background, Scene } from '#scene/scene';
-import { backgroundPlaced, cleared, described, named, withBackground, withSize, withTask } from './course-edits';
+import { backgroundPlaced, cleared, described, named, withBackground, withSize } from './course-edits';
 import { block, course, footprint } from './testing/desk';
 
 function done(scene: Scene, edit: SceneEdit | null): Scene {
@@ -27,16 +27,6 @@ describe('the course as a whole', () => {
     expect(small.robot.at).toEqual([440, 370]);
     expect(done(course(), withSize(course(), [5, 99_999], footprint)).size).toEqual([200, 10_000]);
     expect(withSize(course(), [1200, 900])).toBeNull();
-  });
-
-  it('gets a time limit in whole seconds, or none', () => {
-    const limited = done(course(), withTask(course(), { seconds: 59.7 }));
-    expect(limited.task).toEqual({ seconds: 60, noTouch: false });
-    expect(done(limited, withTask(limited, { seconds: null, noTouch: true })).task).toEqual({
-      seconds: null,
-      noTouch: true,
-    });
-    expect(withTask(limited, { seconds: 60 })).toBeNull();
   });
 
   it('gets a picture that can be placed and sized, and never lost outside', () => {

@@ -1,6 +1,6 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
-import { sceneLimits, type Background, type Point, type Scene, type Task } from '#scene/scene';
+import { sceneLimits, type Background, type Point, type Scene } from '#scene/scene';
 import { combined, startingAt } from './edits';
 import { within } from './plane';
 import { placeInside } from './robot-place';
@@ -29,14 +29,6 @@ export function withSize(scene: Scene, size: Point, footprint: readonly Outline[
     { type: 'course', changes: { size: next } },
     startingAt(scene, { at: placeInside(scene.robot, next, footprint) }),
   ]);
-}
-
-/** Changes the task: its time limit in whole seconds or `null`, and whether nothing may be touched. */
-export function withTask(scene: Scene, part: Partial<Task>): SceneEdit | null {
-  const wanted = { ...scene.task, ...part };
-  const seconds = wanted.seconds === null ? null : Math.round(within(wanted.seconds, sceneLimits.seconds));
-  if (seconds === scene.task.seconds && wanted.noTouch === scene.task.noTouch) return null;
-  return { type: 'course', changes: { task: { seconds, noTouch: wanted.noTouch } } };
 }
 
 /** Lays a picture on the floor, or takes it away (`null`). */

@@ -122,7 +122,7 @@ const version4: Scene = {
   name: 'Starts der vierten Fassung',
   description: '',
   background: null,
-  task: { seconds: null, noTouch: false },
+  task: { seconds: null, noTouch: false, robots: 'catch' },
   objects: [
     {
       ...{ id: 'r2', type: 'start', at: [300, 200], heading: -45.5, robot: 'callibot', options: { S1: 'claw' } },

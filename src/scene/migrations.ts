@@ -10,7 +10,7 @@ const steps: readonly ((file: Fields) => Fields)[] = [
   (file) => file,
   // 2 → 3: what a task allows, its stars and its card are new; what there was means the same.
   (file) => file,
-  // 3 → 4: starts of further robots are new; what there was means the same.
+  // 3 → 4: starts of further robots, and how robots share a task, are new; what there was means the same.
   (file) => file,
 ];
 

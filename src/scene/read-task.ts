@@ -1,11 +1,21 @@
 import { PICTURE, readBase64 } from './read-base64';
 import type { Reader } from './reader';
-import { helps, sceneDefaults, sceneLimits, type Help, type Task, type TaskCard, type TaskText } from './scene';
+import {
+  helps,
+  sceneDefaults,
+  sceneLimits,
+  taskRules,
+  type Help,
+  type Task,
+  type TaskCard,
+  type TaskText,
+} from './scene';
 
-/** Reads the task of a course. What the file leaves out of allowances, stars and card stays left out. */
+/** Reads the task of a course. What the file leaves out of allowances, sharing, stars and card stays
+ * left out. */
 export function readTask(value: unknown, path: string, reader: Reader): Task {
-  const { seconds, noTouch, allows, stars, card } = reader.fields(value, path, [
-    ...['seconds', 'noTouch', 'allows', 'stars', 'card'],
+  const { seconds, noTouch, allows, robots, stars, card } = reader.fields(value, path, [
+    ...['seconds', 'noTouch', 'allows', 'robots', 'stars', 'card'],
   ]);
   const standard = sceneDefaults.task;
   return {
@@ -15,6 +25,7 @@ export function readTask(value: unknown, path: string, reader: Reader): Task {
         : reader.number(seconds, `${path}.seconds`, sceneLimits.seconds),
     noTouch: reader.flag(noTouch, `${path}.noTouch`, standard.noTouch),
     ...(allows === undefined ? {} : { allows: readHelps(allows, `${path}.allows`, reader) }),
+    ...(robots === undefined ? {} : { robots: reader.word(robots, `${path}.robots`, taskRules, 'all') }),
     ...(stars === undefined ? {} : { stars: readStars(stars, `${path}.stars`, reader) }),
     ...(card === undefined ? {} : { card: readCard(card, `${path}.card`, reader) }),
   };

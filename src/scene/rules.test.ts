@@ -117,6 +117,19 @@ describe('the rules of a course', () => {
     expect(problemsOf({ ...noTouch, task: { seconds: 30, noTouch: true } })).toEqual([]);
   });
 
+  it('tell of a ring that is missing, and of robots that start outside of it; to start in the ring is right', () => {
+    const inRing = (...objects: readonly SceneObject[]) => ({
+      ...withObjects(...objects),
+      task: { seconds: null, noTouch: false, robots: 'ring' as const },
+    });
+    const ring = zone('ring', { at: [600, 450], size: [500, 500], round: true });
+    const further = { type: 'start', id: 's', heading: 0, robot: null, options: {}, name: '', color: null } as const;
+    expect(only(inRing())).toMatchObject({ code: 'no-ring', at: [600, 450], ids: [] });
+    expect(problemsOf(inRing(ring, { ...further, at: [500, 600] }))).toEqual([]);
+    const outside = inRing(ring, { ...further, at: [1000, 450] });
+    expect(only(outside)).toMatchObject({ code: 'start-outside-ring', at: [1000, 450], ids: ['s'] });
+  });
+
   it('tell of what lies outside, with the middle of the place', () => {
     expect(only(withObjects(stroke('s', 2000)))).toMatchObject({ code: 'object-outside', at: [2150, 825], ids: ['s'] });
     expect(problemsOf(withObjects(stroke('s', 1199)))).toEqual([]);

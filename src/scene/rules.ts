@@ -13,6 +13,8 @@ export type RuleCode =
   | 'start-on-forbidden'
   | 'done-at-start'
   | 'task-without-end'
+  | 'no-ring'
+  | 'start-outside-ring'
   | 'object-outside'
   | 'checkpoint-number-twice'
   | 'checkpoint-gap'
@@ -50,7 +52,7 @@ export function findProblems(scene: Scene, footprint: readonly Outline[]): reado
     robotPlace(scene, footprint),
     furtherPlaces(scene, footprint),
     startOnForbidden(scene, things, footprint),
-    taskProblems(scene, things),
+    scene.task.robots === 'ring' ? ringProblems(scene, things) : taskProblems(scene, things),
     outside(scene),
     numbersTwice(things),
     numberGap(things),
@@ -140,6 +142,20 @@ function taskProblems({ robot, task }: Scene, things: Things): readonly RuleProb
     return [{ ...common, code: 'task-without-end', message }];
   }
   return [];
+}
+
+/** Who has to stay in the ring must start in it: the first robot, and those at the course's starts. */
+function ringProblems({ robot, objects }: Scene, { robotTargets: ring }: Things): readonly RuleProblem[] {
+  if (ring.length === 0) {
+    const message = 'The robots have to stay in the ring, but there is none: add a target to be the ring.';
+    return [{ code: 'no-ring', params: {}, message, at: robot.at, ids: [] }];
+  }
+  const further = objects.filter((object): object is Start => object.type === 'start');
+  const starts = [{ at: robot.at, ids: [] }, ...further.map(({ at, id }) => ({ at, ids: [id] }))];
+  const message = 'A robot starts outside of the ring: it is out at once. Move one of them.';
+  return starts
+    .filter(({ at: [x, y] }) => !ring.some((zone) => zoneHolds(zone, { x, y })))
+    .map((start) => ({ code: 'start-outside-ring', params: {}, message, ...start }));
 }
 
 function outside({ objects, size }: Scene): readonly RuleProblem[] {

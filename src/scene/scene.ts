@@ -146,11 +146,21 @@ export interface Task {
   readonly noTouch: boolean;
   /** The help with which it still counts as passed; left out: none. */
   readonly allows?: readonly Help[];
+  /** How several robots share it; left out: only the first robot counts. */
+  readonly robots?: TaskRule;
   /** Passed within so many seconds of simulated time: two stars, three stars. Left out: there are no stars. */
   readonly stars?: readonly [two: number, three: number];
   /** What the task's card says besides the course's `description`; left out: nothing. */
   readonly card?: TaskCard;
 }
+
+/**
+ * How several robots share a task. `all`: each must come to all places. `first`: who has been everywhere first wins.
+ * `ring`: who leaves the targets is out, the last one inside wins. `catch`: the first robot touches all others in time.
+ * `together`: what one reaches counts for all.
+ */
+export const taskRules = ['all', 'first', 'ring', 'catch', 'together'] as const;
+export type TaskRule = (typeof taskRules)[number];
 
 /** Title, hints and picture of a task, and its words in further languages. The text is the course's `description`. */
 export interface TaskCard {

@@ -37,7 +37,7 @@ export function serializeScene(scene: Scene): string {
 }
 
 function versionFor({ task, objects }: Scene): number {
-  if (objects.some(({ type }) => type === 'start')) return SCENE_VERSION;
+  if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return SCENE_VERSION;
   return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : 3;
 }
 
@@ -52,12 +52,13 @@ function robotText(robot: RobotStart): string {
 }
 
 /** A card has long texts, and lines for them. */
-function taskProperty({ seconds, noTouch, allows, stars, card }: Task): string[] {
+function taskProperty({ seconds, noTouch, allows, robots, stars, card }: Task): string[] {
   const standard = sceneDefaults.task;
   const task = [
     ...property('seconds', seconds, standard.seconds),
     ...property('noTouch', noTouch, standard.noTouch),
     ...(allows === undefined ? [] : [`"allows": ${JSON.stringify(allows)}`]),
+    ...(robots === undefined ? [] : [`"robots": "${robots}"`]),
     ...(stars === undefined ? [] : [`"stars": ${pair(stars)}`]),
   ];
   if (card !== undefined) return [`"task": {\n    ${[...task, `"card": ${cardText(card)}`].join(',\n    ')}\n  }`];

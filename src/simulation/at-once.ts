@@ -6,8 +6,8 @@ import { isLasting, isMovable } from './kinds';
 /** Whether a run feels the difference between two courses at once. What waits for the next start, and words, it does not. */
 export function changesRun(before: Scene, after: Scene): boolean {
   if (before === after) return false;
-  const { seconds, noTouch } = before.task;
-  if (seconds !== after.task.seconds || noTouch !== after.task.noTouch) return true;
+  const rules = ({ task: { seconds, noTouch, robots } }: Scene) => [seconds, noTouch, robots];
+  if (!isSame(rules(before), rules(after))) return true;
   return !isSame(before.background, after.background) || !isSame(feltIn(before), feltIn(after));
 }
 

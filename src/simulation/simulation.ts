@@ -8,18 +8,16 @@ import { Air } from './air';
 import { CourseWorld } from './course-world';
 import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
-import { Judge } from './task/judge';
+import { judgeOf } from './judge-of';
 import type { FittedDevice } from './fit-devices';
 import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
-import { scaledBody } from './scaled-body';
 import { seedOfDevice } from './seed-of-device';
 import type { Snapshot } from './snapshot';
 import type { TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
-import { spikedIds } from './task/task-brief';
 import type { Verdict } from './task/verdict';
 
 export type { Ended } from './device';
@@ -40,7 +38,7 @@ export class Simulation {
   private readonly courseWorld: CourseWorld;
   private readonly world: World;
   private readonly air: Air;
-  private readonly judge: Judge | null;
+  private readonly judge: ReturnType<typeof judgeOf>;
   private readonly recorder: TraceRecorder;
   private readonly inputs: RunInputs;
   private isFresh = true;
@@ -280,23 +278,6 @@ export class Simulation {
 
 const robotsOf = (devices: readonly Device[]) =>
   devices.flatMap(({ name, mounted }) => (mounted === null ? [] : [{ device: name, mounted }]));
-
-function judgeOf(
-  course: Scene,
-  devices: readonly Device[],
-  fitted: readonly FittedDevice[],
-  world: CourseWorld,
-): Judge | null {
-  const place = devices.findIndex(({ mounted }) => mounted !== null);
-  const mounted = devices[place]?.mounted;
-  if (!mounted) return null;
-  return new Judge(course, {
-    chassis: mounted.chassis,
-    body: scaledBody(mounted.type.body, fitted[place]?.start.scale ?? 1).outlineMm,
-    block: (id) => world.block(id),
-    spiked: spikedIds(course),
-  });
-}
 
 function packetOf(action: Extract<InputAction, { type: 'radio' }>): Uint8Array {
   return 'bytes' in action ? Uint8Array.from(action.bytes) : packetOfText(action.text);

@@ -64,6 +64,8 @@ export interface Chassis {
    * the arena's edge, other robots and things without an id.
    */
   touching(): readonly (string | null)[];
+  /** Whether another robot touches it now, counted as in `collisions`. */
+  isTouching(other: Chassis): boolean;
   /** From the robot frame to the world, mm. */
   toWorld(point: Vec): Vec;
   /**

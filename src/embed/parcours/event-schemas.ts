@@ -3,11 +3,11 @@ import * as v from 'valibot';
 
 import { LANGUAGES } from '#core/languages';
 
-import { helps } from '#scene/scene';
 import { SPEEDS } from '#simulation/pace';
 import { PARTS } from '../simulator';
 import { flag, numberOf, poseFields, THEMES } from './schema-parts';
 import type { CommandName, EventName, Events } from './protocol';
+import { verdict } from './verdict-schema';
 
 const { pipe, description } = v;
 const text = (about: string) => pipe(v.string(), description(about));
@@ -26,44 +26,6 @@ const phase = pipe(
 const atMs = numberOf('Simulated time of the run, in ms.');
 const colour = v.strictTuple([v.number(), v.number(), v.number()]);
 const colours = (about: string) => pipe(v.array(colour), description(about));
-
-const verdict = pipe(
-  v.nullable(
-    v.strictObject({
-      state: pipe(
-        v.picklist(['open', 'passed', 'failed', 'helped']),
-        description('All but `open` are final. `helped`: done, but with help that the task does not allow; it does not count as passed.'), // prettier-ignore
-      ),
-      atMs: pipe(v.nullable(v.number()), description('Time of the decision.')),
-      reason: pipe(v.nullable(v.picklist(['time', 'forbidden', 'spikes', 'touched'])), description('Why it failed.')),
-      by: pipe(
-        v.nullable(v.string()),
-        description('Id of the object that was touched; `null` for the edge or nothing.'),
-      ),
-      place: pipe(
-        v.nullable(v.strictObject({ xMm: v.number(), yMm: v.number() })),
-        description('Where the robot was when it was decided.'),
-      ),
-      help: pipe(
-        v.array(v.picklist(helps)),
-        description('Help until the decision: `hand` moved the robot or a block, `edits` changed the course.'),
-      ),
-      early: pipe(
-        v.nullable(v.strictObject({ id: v.string(), number: v.number(), before: v.number() })),
-        description('A place that the robot came to before its turn: its id, its number (0: a target), and the number of the checkpoint that is next.'), // prettier-ignore
-      ),
-      checkpoints: v.strictObject({ passed: v.number(), of: v.number() }),
-      targets: v.strictObject({ reached: v.number(), of: v.number() }),
-      blocks: v.strictObject({ delivered: v.number(), of: v.number() }),
-      stars: pipe(
-        v.nullable(v.number()),
-        description('1 to 3 for who has passed, otherwise 0; `null` for a task that gives no stars.'),
-      ),
-      touches: pipe(v.number(), description('Number of touches of walls, blocks, the edge or obstacles.')),
-    }),
-  ),
-  description('How well the task of the course is done; `null` if the course has no task.'),
-);
 
 const display = text('Digits 0 … 9 per LED of the display, rows separated by colons.');
 const robot = pipe(

@@ -7,7 +7,7 @@
  *     3   for a task with more than rules: 1 or 2 as a byte, then as in that version
  *     4   for a robot of one's own: as 3, with that robot
  *     5   for several devices: as 4, with those after the first
- *     6   for starts of further robots in the course: as 5, with those
+ *     6   for starts of further robots in the course, and a task that they share: as 5, with those
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -65,8 +65,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 }
 
 /** The oldest version that can say it all; `null`: one of the first two. */
-function versionFor({ extras, myRobot, devices, starts }: Content): 3 | 4 | 5 | 6 | null {
-  if (starts.length > 0) return 6;
+function versionFor({ extras, myRobot, devices, starts, sharing }: Content): 3 | 4 | 5 | 6 | null {
+  if (starts.length > 0 || sharing !== null) return 6;
   if (devices !== null) return 5;
   if (myRobot !== '') return 4;
   return Object.keys(extras).length > 0 ? 3 : null;

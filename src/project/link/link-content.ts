@@ -1,5 +1,5 @@
 import { fnvOfBytes } from '#core/fnv';
-import type { Scene, SceneObject } from '#scene/scene';
+import type { Scene, SceneObject, TaskRule } from '#scene/scene';
 
 import { constant, mapped, record, type Codec } from './codec';
 import { ColumnWriter } from './columns';
@@ -18,6 +18,7 @@ import {
   dictionary,
   sceneCodec,
   sharedCodecs,
+  sharingCodec,
   startsCodec,
   taskExtrasCodec,
   type PathCodec,
@@ -46,6 +47,8 @@ export interface Content {
   readonly devices: ProjectDevices | null;
   /** The starts of further robots in a whole course; none before version 6. */
   readonly starts: readonly PlacedStart[];
+  /** How the robots share the task of a whole course; `null` before version 6. */
+  readonly sharing: TaskRule | null;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -73,9 +76,23 @@ export const modelledRobot = contentCodec(handCodec, taskExtrasCodec, jsonCodec)
 export const deflatedDevices = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec);
 export const modelledDevices = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec);
 
-/** Version 6: with starts of further robots, too. */
-export const deflatedStarts = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec, startsCodec);
-export const modelledStarts = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec, startsCodec);
+/** Version 6: with starts of further robots and a task that they share, too. */
+export const deflatedStarts = contentCodec(
+  pathCodec,
+  taskExtrasCodec,
+  jsonCodec,
+  devicesCodec,
+  startsCodec,
+  sharingCodec,
+);
+export const modelledStarts = contentCodec(
+  handCodec,
+  taskExtrasCodec,
+  jsonCodec,
+  devicesCodec,
+  startsCodec,
+  sharingCodec,
+);
 
 function noStarts(): Codec<readonly PlacedStart[]> {
   return constant([]);
@@ -87,6 +104,10 @@ function noExtras(): Codec<TaskExtras> {
 
 function noRobot(): Codec<string> {
   return constant('');
+}
+
+function notShared(): Codec<null> {
+  return constant(null);
 }
 
 function oneDevice(): Codec<null> {
@@ -103,6 +124,7 @@ function contentCodec(
   robotCodec: (shared: SharedCodecs) => Codec<string> = noRobot,
   severalCodec: (shared: SharedCodecs) => Codec<ProjectDevices | null> = oneDevice,
   placesCodec: (shared: SharedCodecs) => Codec<readonly PlacedStart[]> = noStarts,
+  rulesCodec: (shared: SharedCodecs) => Codec<TaskRule | null> = notShared,
 ): ContentCodec {
   const shared = sharedCodecs();
   const { columns, word } = shared;
@@ -116,6 +138,7 @@ function contentCodec(
     myRobot: robotCodec(shared),
     devices: severalCodec(shared),
     starts: placesCodec(shared),
+    sharing: rulesCodec(shared),
   });
   return { codec, columns: columns.used };
 }

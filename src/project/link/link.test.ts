@@ -190,7 +190,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [] }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -240,6 +240,7 @@ describe('a link of version 1', () => {
       myRobot: '',
       devices: null,
       starts: [],
+      sharing: null,
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -395,8 +396,11 @@ describe('a link of version 6', () => {
     expect(projectIn(kept)).toEqual(startsProject());
   });
 
-  it('is still made so, and only for a course with starts', () => {
+  it('is still made so, and only for a course with starts or a task for several robots', () => {
     expect(link(startsProject())).toBe(kept);
+    const project = devicesProject();
+    const shared = { ...project.scene, task: { ...project.scene.task, robots: 'all' as const } };
+    expect(link({ ...project, scene: shared })).toMatch(/^p=6\./);
     expect(link(devicesProject())).toMatch(/^p=5\./);
   });
 

@@ -3,13 +3,14 @@
  * not send that part.
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
- *                            robot of one's own, 5 for several devices, 6 for starts of further robots
+ *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
+ *                            that they share
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
 import { fnvOfBytes } from '#core/fnv';
-import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene } from '#scene/scene';
+import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene, type Task } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
 import { fromBase64Url, toBase64Url } from './base64';
@@ -116,7 +117,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const { files, scene, course, settings, devices } = project;
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
-  const { seconds, noTouch, ...extras } = scene.task;
+  const { seconds, noTouch, robots, ...extras } = scene.task;
   const { whole, starts } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
@@ -128,6 +129,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     myRobot: myRobot === undefined ? '' : JSON.stringify(myRobot),
     devices: devices === undefined ? null : program ? devices : withoutPrograms(devices),
     starts: isReady ? [] : starts,
+    sharing: isReady ? null : (robots ?? null),
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -189,7 +191,7 @@ function isWhole(all: Uint8Array): boolean {
 }
 
 function readContent(content: Content, courses: ReadyCourses): ReadLink {
-  const { files, course, scene, extras, devices, starts } = content;
+  const { files, course, scene, devices, starts } = content;
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
@@ -208,7 +210,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
-        : valueOf({ ...joined(scene.whole, starts), task: { ...scene.whole.task, ...extras } }),
+        : valueOf({ ...joined(scene.whole, starts), task: taskIn(content, scene.whole) }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);
@@ -216,6 +218,13 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
   const isCourseChanged = 'ready' in scene && ready !== null && sceneChecksum(ready) !== scene.ready;
   return { project, isCourseChanged };
 }
+
+/** The task of a whole course. */
+const taskIn = ({ extras, sharing }: Content, { task }: Scene): Task => ({
+  ...task,
+  ...extras,
+  ...(sharing === null ? {} : { robots: sharing }),
+});
 
 /** The settings as a file holds them, or `null` without any. */
 function settingsIn({ settings, myRobot }: Content): Readonly<Record<string, unknown>> | null | 'damaged' {

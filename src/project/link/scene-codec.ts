@@ -17,7 +17,9 @@ import {
   type SceneObject,
   type Start,
   type Stroke,
+  taskRules,
   type Task,
+  type TaskRule,
   type TaskCard,
   type TaskText,
   type Wall,
@@ -266,6 +268,11 @@ export function startsCodec({ columns, text, word, options }: SharedCodecs): Cod
     color: columns.optional(columns.choice(robotColors)),
   });
   return columns.list(start, sceneLimits.objects);
+}
+
+/** The codec of how robots share a task, which version 6 of links adds, too. */
+export function sharingCodec({ columns }: SharedCodecs): Codec<TaskRule | null> {
+  return columns.optional(columns.choice(taskRules));
 }
 
 /** What version 3 of links adds to a task; in the versions before it, a task has none of it. */

@@ -214,7 +214,7 @@ export function startsProject(): Project {
     ...scene.objects,
     { ...third, options: {}, name: '', color: null },
   ];
-  return { ...project, scene: { ...scene, objects } };
+  return { ...project, scene: { ...scene, task: { ...scene.task, robots: 'catch' }, objects } };
 }
 
 /** A project with three devices: a robot, a board to hold in the hand, and one that runs the same program. */

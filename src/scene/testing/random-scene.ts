@@ -1,6 +1,14 @@
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
-import { strokeColors, type Point, type Scene, type SceneObject, type TaskCard } from '../scene';
+import {
+  robotColors,
+  strokeColors,
+  taskRules,
+  type Point,
+  type Scene,
+  type SceneObject,
+  type TaskCard,
+} from '../scene';
 import { inPercent, oneOf, wholeFrom } from './fuzz';
 
 const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
@@ -32,6 +40,11 @@ export function randomObject(rng: Rng, id: string): SceneObject {
     () => ({
       ...{ type: 'label', id, at: point(rng), height: wholeFrom(rng, 5, 500), turn: turn(rng) },
       text: oneOf(rng, ['Start', 'Ziel ▸', '"', '\\', '🤖', '\ud800', '</script>']),
+    }),
+    () => ({
+      ...{ type: 'start', id, at: point(rng), heading: wholeFrom(rng, -360, 360), options: {} },
+      ...{ robot: oneOf(rng, [null, 'callibot', 'maqueen-lite']), name: oneOf(rng, ['', 'Ada', '«2»']) },
+      color: oneOf(rng, [null, ...robotColors]),
     }),
   ];
   return oneOf(rng, makers)();
@@ -121,7 +134,12 @@ function randomCourseEdit(rng: Rng): SceneEdit {
       changes: { background: { at: point(rng), size: [400, 300], cells: [4, 3], levels: 'AAAA', picture: '' } },
     },
     { type: 'course', changes: { background: null, description: 'x' } },
-    { type: 'course', changes: { task: { seconds: 9, noTouch: true, allows: ['hand'], stars: [30, 20.5] } } },
+    {
+      type: 'course',
+      changes: {
+        task: { seconds: 9, noTouch: true, allows: ['hand'], robots: oneOf(rng, taskRules), stars: [30, 20.5] },
+      },
+    },
     { type: 'course', changes: { task: { seconds: null, noTouch: false, card: randomCard(rng) } } },
   ]);
   return { type: 'course', changes };

@@ -28,8 +28,7 @@ function start(objects: readonly SceneObject[], task: Partial<Task> = {}) {
   const type = testChassis();
   const robot = arena.world.addChassis(type, { xMm: 300, yMm: 500, headingRad: 0 });
   const judge = new Judge(course, {
-    chassis: robot,
-    body: type.outlineMm,
+    robots: [{ device: 'robot', chassis: robot, body: type.outlineMm }],
     block: (id) => arena.block(id),
     spiked: spikedIds(course),
   });

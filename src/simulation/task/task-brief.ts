@@ -8,6 +8,8 @@ export interface TaskBrief {
   readonly checkpoints: readonly Zone[];
   /** Targets that the robot must reach. */
   readonly robotTargets: readonly Zone[];
+  /** Where the task is to stay in the ring, those targets instead. */
+  readonly ring: readonly Zone[];
   /** Targets that want blocks. */
   readonly blockTargets: readonly Zone[];
   readonly forbidden: readonly Zone[];
@@ -28,11 +30,14 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
     else if (object.type === 'forbidden') forbidden.push(object);
   }
   const blockTargets = targets.filter(({ blocks }) => blocks > 0);
+  const robotTargets = targets.filter(({ blocks }) => blocks === 0);
+  const isRing = task.robots === 'ring';
   const movable = blockTargets.length > 0 ? objects.filter((object): object is Block => object.type === 'block') : [];
   return {
     task,
     checkpoints: checkpoints.sort((a, b) => a.number - b.number),
-    robotTargets: targets.filter(({ blocks }) => blocks === 0),
+    robotTargets: isRing ? [] : robotTargets,
+    ring: isRing ? robotTargets : [],
     blockTargets,
     forbidden,
     blocks: movable.map(({ id, size }) => ({ id, size })),
@@ -40,9 +45,11 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
   };
 }
 
-/** Whether there is something to reach or to deliver. */
-export const hasGoal = ({ checkpoints, robotTargets, blockTargets }: TaskBrief): boolean =>
-  checkpoints.length + robotTargets.length + blockTargets.length > 0;
+/** Whether there is something to do besides holding out: a place to reach, a block to deliver, a robot to beat. */
+export const hasGoal = ({ checkpoints, robotTargets, blockTargets, task }: TaskBrief): boolean =>
+  checkpoints.length + robotTargets.length + blockTargets.length > 0 ||
+  task.robots === 'ring' ||
+  task.robots === 'catch';
 
 /** Whether there is anything to judge, apart from spikes. */
 export const isTask = (brief: TaskBrief): boolean =>

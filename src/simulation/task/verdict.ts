@@ -1,6 +1,6 @@
 import type { Help } from '#scene/scene';
 
-/** How well the robot does the course's task (`Zone`, `Spikes`, `Task` of `#scene/scene`), as plain data. */
+/** How well the robots do the course's task (`Zone`, `Spikes`, `Task` of `#scene/scene`), as plain data. */
 export interface Verdict {
   /**
    * All but `open` are final: later events do not change them. `helped`: everything is done, but with help that the task
@@ -10,24 +10,45 @@ export interface Verdict {
   /** Simulated ms of the decision, or `null` while it is open. */
   readonly atMs: number | null;
   /** Why it failed, or `null`. */
-  readonly reason: 'time' | 'forbidden' | 'spikes' | 'touched' | null;
-  /** Id of the object that was touched, or `null` for the arena's edge or nothing. */
+  readonly reason: Reason | null;
+  /**
+   * Id of the object that was touched, or `null` for the arena's edge or nothing; name of the device whose robot was
+   * touched.
+   */
   readonly by: string | null;
-  /** Where the robot was when it was decided, or `null` while it is open. */
+  /** Where the robot that decided it was then, or `null` while it is open. */
   readonly place: { readonly xMm: number; readonly yMm: number } | null;
   /** Help that there was until the decision, allowed or not. */
   readonly help: readonly Help[];
-  /** The last place that the robot came to before its turn and has not yet come to in time, or `null`. */
+  /** The last place that a robot came to before its turn and has not yet come to in time, or `null`. */
   readonly early: EarlyArrival | null;
+  /** Of several robots that go their own ways: of all together, or of the one that is farthest if the first wins. */
   readonly checkpoints: { readonly passed: number; readonly of: number };
-  /** Targets for the robot: the number that it has reached. */
+  /** Targets for the robot: the number that it has reached; of several robots like `checkpoints`. */
   readonly targets: { readonly reached: number; readonly of: number };
   /** Number of blocks in targets, and of wanted blocks. */
   readonly blocks: { readonly delivered: number; readonly of: number };
   /** 1 to 3 for who has passed, 0 as long as nobody has; `null` for a task that gives no stars. */
   readonly stars: number | null;
-  /** Number of touches of walls, blocks, the edge or obstacles. */
+  /** Number of touches of walls, blocks, the edge or obstacles, of all robots that count. */
   readonly touches: number;
+  /** How it stands for each robot, if the task is one for several (`Task.robots`); else empty. */
+  readonly robots: readonly RobotVerdict[];
+}
+
+/** Why a task is failed. `robot`: another robot was touched. `left`: outside of the ring. */
+export type Reason = 'time' | 'forbidden' | 'spikes' | 'touched' | 'robot' | 'left';
+
+type Shared = 'atMs' | 'by' | 'place' | 'checkpoints' | 'targets' | 'touches';
+
+/** How a task for several robots stands for one of them. */
+export interface RobotVerdict extends Pick<Verdict, Shared> {
+  /** Name of its device. */
+  readonly device: string;
+  /** `passed`: it has arrived, has won, or was not caught. */
+  readonly state: 'open' | 'passed' | 'failed';
+  /** `caught`: the first robot has touched it. `beaten`: another one was first. */
+  readonly reason: Reason | 'caught' | 'beaten' | null;
 }
 
 /** A place that the robot came to while an earlier one was still to be reached. */

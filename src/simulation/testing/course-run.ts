@@ -3,7 +3,8 @@ import { parseInputs } from '#cli/input-file';
 import { parseScene } from '#scene/parse';
 import type { DeviceSetup, RunSetup } from '../run-setup';
 
-const read = (path: string): string => readFileSync(new URL(`../../../courses/${path}`, import.meta.url), 'utf8');
+const at = (path: string): URL => new URL(`../../../courses/${path}`, import.meta.url);
+const read = (path: string): string => readFileSync(at(path), 'utf8');
 
 /** What `course.json` says of the devices of a course that has several. */
 interface CourseData {
@@ -18,10 +19,11 @@ export function courseRun(folder: string, seed: number, which: 'solution' | 'sta
   const parsed = parseScene(read(`${folder}/scene.json`));
   if (!('scene' in parsed)) throw new Error(parsed.problem);
   const { scene } = parsed;
-  const data = existsSync(new URL(`../../../courses/${folder}/course.json`, import.meta.url)) ? read(`${folder}/course.json`) : '{}'; // prettier-ignore
+  const data = existsSync(at(`${folder}/course.json`)) ? read(`${folder}/course.json`) : '{}';
   const [first, ...others] = (JSON.parse(data) as CourseData).devices ?? [{ name: '1', robot: 'auto' }];
   const further = others.map(({ name, robot }): DeviceSetup => {
-    const files = { 'main.py': read(`${folder}/${name}${which === 'start' ? '-start' : ''}.py`) };
+    const begins = `${folder}/${name}-start.py`;
+    const files = { 'main.py': read(which === 'start' && existsSync(at(begins)) ? begins : `${folder}/${name}.py`) };
     return { name, files, robot, board: 'auto' };
   });
   const files = { 'main.py': read(`${folder}/${which === 'start' ? 'start' : 'main'}.py`) };
@@ -30,7 +32,7 @@ export function courseRun(folder: string, seed: number, which: 'solution' | 'sta
 }
 
 function inputsOf(folder: string): RunSetup['inputs'] & object {
-  if (!existsSync(new URL(`../../../courses/${folder}/inputs.json`, import.meta.url))) return [];
+  if (!existsSync(at(`${folder}/inputs.json`))) return [];
   const parsed = parseInputs(read(`${folder}/inputs.json`));
   if ('problem' in parsed) throw new Error(`${folder}/inputs.json ${parsed.problem}`);
   return parsed.inputs;

@@ -31,7 +31,7 @@ async function card(part: Partial<Card>, more: Partial<Scene> = {}, stars?: read
     const start: Verdict = {
       ...{ state: 'open', atMs: null, reason: null, by: null, place: null, help: [], early: null, touches: 0 },
       ...{ checkpoints: { passed: 0, of: checkpoints.length }, targets: { reached: 0, of: robotTargets.length } },
-      ...{ blocks: { delivered: 0, of: 0 }, stars: stars === undefined ? null : 0 },
+      ...{ blocks: { delivered: 0, of: 0 }, robots: [], stars: stars === undefined ? null : 0 },
     };
     await show(page, { verdict: { ...start, ...verdict } });
     await nextTick();

@@ -17,6 +17,7 @@ const course = (objects: readonly SceneObject[], task: Partial<Task> = {}): Scen
 const verdict = (part: Partial<Verdict>): Verdict => ({
   ...{ state: 'open', atMs: null, reason: null, by: null, place: null, help: [], early: null, stars: null, touches: 0 },
   ...{ checkpoints: { passed: 0, of: 0 }, targets: { reached: 0, of: 0 }, blocks: { delivered: 0, of: 0 } },
+  robots: [],
   ...part,
 });
 const said = (scene: Scene) => goalsInWords(scene, null).map(({ words }) => words);
@@ -52,6 +53,20 @@ describe('the goals in words', () => {
     const scene = course([zone('checkpoint', 1), zone('checkpoint', 2)]);
     const now = verdict({ checkpoints: { passed: 1, of: 2 } });
     expect(goalsInWords(scene, now)[0]).toMatchObject({ done: 1, of: 2 });
+  });
+
+  it('of several robots count for all of them', () => {
+    const scene = course([zone('target')], { robots: 'all' });
+    const now = verdict({ targets: { reached: 1, of: 3 } });
+    expect(goalsInWords(scene, now)).toEqual([{ words: 'target', values: { count: 1 }, done: 1, of: 3 }]);
+    expect(rules(scene)).toEqual(['all', 'ownHands']);
+  });
+
+  it('are to stay in the ring, which is no place to come to, or to catch the others', () => {
+    const ring = course([zone('target')], { robots: 'ring', seconds: 60 });
+    expect([said(ring), rules(ring)]).toEqual([['ring'], ['seconds', 'ownHands']]);
+    expect(goalsInWords(ring, verdict({ state: 'passed' }))[0]).toMatchObject({ done: 1, of: 1 });
+    expect(said(course([], { robots: 'catch' }))).toEqual(['catch']);
   });
 
   it('are none in an arena without a task', () => {

@@ -14,6 +14,8 @@ export type GoalWords =
   | 'thenTargets'
   | 'block'
   | 'blocks'
+  | 'ring'
+  | 'catch'
   | 'holdOut';
 
 /** Something to reach, in words made from the course, and how far it has come. */
@@ -26,7 +28,17 @@ export interface TaskGoal {
 
 /** Something to keep to; `broken`: that is why the task was failed. */
 export interface TaskRule {
-  readonly words: 'seconds' | 'noTouch' | 'forbidden' | 'spikes' | 'ownHands' | 'handMayHelp' | 'editsMayHelp';
+  readonly words:
+    | 'all'
+    | 'first'
+    | 'together'
+    | 'seconds'
+    | 'noTouch'
+    | 'forbidden'
+    | 'spikes'
+    | 'ownHands'
+    | 'handMayHelp'
+    | 'editsMayHelp';
   readonly values: Readonly<Record<string, number>>;
   readonly isBroken: boolean;
 }
@@ -43,21 +55,31 @@ export function goalsInWords(course: Course, verdict: Verdict | null): readonly 
   const count = numbers.length;
   if (count > 0) {
     const words = count === 1 ? 'checkpoint' : first === last ? 'checkpointsAny' : 'checkpointsInOrder';
-    goals.push({ words, values: { first, last, count }, done: verdict?.checkpoints.passed ?? 0, of: count });
+    goals.push({
+      words,
+      values: { first, last, count },
+      done: verdict?.checkpoints.passed ?? 0,
+      of: verdict?.checkpoints.of ?? count,
+    });
   }
   const targets = robotTargets.length;
   if (targets > 0) {
     const words = count > 0 ? (targets === 1 ? 'thenTarget' : 'thenTargets') : targets === 1 ? 'target' : 'targets';
-    goals.push({ words, values: { count: targets }, done: verdict?.targets.reached ?? 0, of: targets });
+    goals.push({
+      words,
+      values: { count: targets },
+      done: verdict?.targets.reached ?? 0,
+      of: verdict?.targets.of ?? targets,
+    });
   }
   if (blocksWanted > 0) {
     const words = blocksWanted === 1 ? 'block' : 'blocks';
     goals.push({ words, values: { count: blocksWanted }, done: verdict?.blocks.delivered ?? 0, of: blocksWanted });
   }
-  if (goals.length === 0 && task.seconds !== null) {
-    const isDone = verdict?.state === 'passed' || verdict?.state === 'helped';
-    goals.push({ words: 'holdOut', values: { seconds: task.seconds }, done: isDone ? 1 : 0, of: 1 });
-  }
+  const done = verdict?.state === 'passed' || verdict?.state === 'helped' ? 1 : 0;
+  if (task.robots === 'ring' || task.robots === 'catch') goals.push({ words: task.robots, values: {}, done, of: 1 });
+  if (goals.length === 0 && task.seconds !== null)
+    goals.push({ words: 'holdOut', values: { seconds: task.seconds }, done, of: 1 });
   return goals;
 }
 
@@ -70,8 +92,9 @@ export function rulesInWords(course: Course, verdict: Verdict | null): readonly 
   const rules: TaskRule[] = [];
   const add = (words: TaskRule['words'], isBroken = false, values: TaskRule['values'] = {}): void =>
     void rules.push({ words, values, isBroken });
+  if (task.robots === 'all' || task.robots === 'first' || task.robots === 'together') add(task.robots);
   if (task.seconds !== null && goals[0]?.words !== 'holdOut') add('seconds', why === 'time', { seconds: task.seconds });
-  if (task.noTouch) add('noTouch', why === 'touched' || why === 'spikes');
+  if (task.noTouch) add('noTouch', why === 'touched' || why === 'robot' || why === 'spikes');
   if (objects.some(({ type }) => type === 'forbidden')) add('forbidden', why === 'forbidden');
   if (!task.noTouch && objects.some(isSpiked)) add('spikes', why === 'spikes');
   if (goals.length === 0) return rules;

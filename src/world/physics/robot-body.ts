@@ -129,6 +129,12 @@ export class RobotBody implements Chassis {
     return ids;
   }
 
+  isTouching(other: Chassis): boolean {
+    if (!(other instanceof RobotBody)) return false;
+    for (const [fixture, { parts }] of this.touches) if (parts > 0 && other.owns(fixture.getBody())) return true;
+    return false;
+  }
+
   toWorld(point: Vec): Vec {
     const { x, y } = this.body.getWorldPoint(toUnits(point));
     return { x: x * MM_PER_UNIT, y: y * MM_PER_UNIT };

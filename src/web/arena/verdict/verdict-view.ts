@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Point, Scene, SceneObject, Wall } from '#scene/scene';
 import { isSpiked } from '#simulation/kinds';
-import { briefOf } from '#simulation/task/task-brief';
+import { briefOf, hasGoal } from '#simulation/task/task-brief';
 import type { Verdict } from '#simulation/task/verdict';
 
 /** One thing that is asked for, and how far it has come. */
@@ -27,6 +27,7 @@ export function verdictAtStart(scene: Pick<Scene, 'task' | 'objects'>): Verdict 
     targets: { reached: 0, of: robotTargets.length },
     blocks: { delivered: 0, of: blocksWanted },
     touches: 0,
+    robots: [],
   };
 }
 
@@ -49,7 +50,7 @@ export function rulesOf({
     ...(task.noTouch ? (['noTouch'] as const) : []),
     ...(objects.some(({ type }) => type === 'forbidden') ? (['avoidZones'] as const) : []),
     ...(!task.noTouch && objects.some(isSpiked) ? (['avoidSpikes'] as const) : []),
-    ...(task.seconds !== null && goalsOf(verdictAtStart({ task, objects })).length === 0 ? (['holdOut'] as const) : []),
+    ...(task.seconds !== null && !hasGoal(briefOf({ task, objects })) ? (['holdOut'] as const) : []),
   ];
 }
 
@@ -68,6 +69,7 @@ export function placeToShow({ objects, size }: Pick<Scene, 'objects' | 'size'>, 
   const isLate = state === 'open' || reason === 'time';
   if (isLate) return early === null ? null : placeOf(objects, early.id, robot);
   if (state !== 'failed') return null;
+  if (reason === 'robot' || reason === 'left') return robot;
   return by === null && robot !== null ? edgeNear(size, robot) : placeOf(objects, by, robot);
 }
 

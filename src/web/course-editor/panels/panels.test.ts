@@ -148,6 +148,16 @@ describe('the settings of a course', () => {
     expect(scene().task).toEqual({ seconds: 30, noTouch: true });
   });
 
+  it('say how several robots share the task, and leave the rest of it as it is', async () => {
+    const { scene, mounted } = await settings([], { task: { seconds: 30, noTouch: false, stars: [20, 10] } });
+    const sharing = mounted.get<HTMLSelectElement>('[data-testid="sharing"]');
+    expect(sharing.element.value).toBe('');
+    await sharing.setValue('ring');
+    expect(scene().task).toEqual({ seconds: 30, noTouch: false, stars: [20, 10], robots: 'ring' });
+    await sharing.setValue('');
+    expect(scene().task).toEqual({ seconds: 30, noTouch: false, stars: [20, 10] });
+  });
+
   it('follow the course when a step is taken back beside them', async () => {
     const { editor, scene } = await settings();
     await fill('Breite', '50');

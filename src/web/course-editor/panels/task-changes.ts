@@ -1,6 +1,15 @@
 import { isSame } from '#core/same';
 import type { CourseChanges } from '#scene/edit';
-import { helps, sceneDefaults, type Help, type Scene, type Task, type TaskCard, type TaskText } from '#scene/scene';
+import {
+  helps,
+  sceneDefaults,
+  type Help,
+  type Scene,
+  type Task,
+  type TaskCard,
+  type TaskRule,
+  type TaskText,
+} from '#scene/scene';
 
 /** The task of a course as it is being written. */
 type Course = Pick<Scene, 'name' | 'description' | 'task'>;
@@ -52,6 +61,11 @@ export function withCard({ card: _old, ...task }: Task, card: TaskCard): Task {
 export function withHelp({ allows = [], ...task }: Task, help: Help, isAllowed: boolean): Task {
   const wanted = helps.filter((one) => (one === help ? isAllowed : allows.includes(one)));
   return wanted.length === 0 ? task : { ...task, allows: wanted };
+}
+
+/** The task as several robots share it; `null`: only the first one counts. */
+export function withSharing({ robots: _old, ...task }: Task, robots: TaskRule | null): Task {
+  return robots === null ? task : { ...task, robots };
 }
 
 /** The task with stars for these times, or without. */

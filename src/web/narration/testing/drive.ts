@@ -24,6 +24,7 @@ export interface Changes {
 
 const open: Verdict = {
   ...{ state: 'open', atMs: null, reason: null, by: null, place: null, help: [], early: null, stars: null, touches: 0 },
+  robots: [],
   checkpoints: { passed: 0, of: 0 },
   targets: { reached: 0, of: 0 },
   blocks: { delivered: 0, of: 0 },

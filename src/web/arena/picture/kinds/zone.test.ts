@@ -19,6 +19,7 @@ const open: Verdict = {
   targets: { reached: 0, of: 1 },
   blocks: { delivered: 0, of: 2 },
   touches: 0,
+  robots: [],
 };
 
 describe('a zone of the course', () => {

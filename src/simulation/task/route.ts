@@ -1,0 +1,94 @@
+import type { Vec } from '#core/geometry';
+import { zoneHolds } from '#scene/kinds/zone';
+import type { Zone } from '#scene/scene';
+import type { TaskBrief } from './task-brief';
+import type { EarlyArrival, Verdict } from './verdict';
+
+/** Ids of the zones in which a robot is before their turn; `null` before its first look. */
+export type Waiting = ReadonlySet<string> | null;
+
+/**
+ * Which places of a task have been reached: a robot's own way, or that of several robots together. Checkpoints count in
+ * the order of their numbers (those of one number in any order), targets only after all checkpoints.
+ */
+export class Route {
+  private readonly reached = new Set<string>();
+  private arrival: EarlyArrival | null = null;
+
+  constructor(private brief: TaskBrief) {}
+
+  /** Uses another course from now on. What was reached stays reached. */
+  take(brief: TaskBrief): void {
+    this.brief = brief;
+    if (this.arrival !== null && this.numberOf(this.arrival.id) !== this.arrival.number) this.arrival = null;
+  }
+
+  /** The last place that was entered before its turn and has not been reached since, or `null`. */
+  get early(): EarlyArrival | null {
+    return this.arrival;
+  }
+
+  get isDone(): boolean {
+    const { checkpoints, robotTargets } = this.brief;
+    return [checkpoints, robotTargets].every((zones) => zones.every(({ id }) => this.reached.has(id)));
+  }
+
+  counts(): Pick<Verdict, 'checkpoints' | 'targets'> {
+    const { checkpoints, robotTargets } = this.brief;
+    return {
+      checkpoints: { passed: this.countReached(checkpoints), of: checkpoints.length },
+      targets: { reached: this.countReached(robotTargets), of: robotTargets.length },
+    };
+  }
+
+  /**
+   * A robot is here now.
+   *
+   * @param waiting what this returned for the same robot the last time
+   */
+  visit(at: Vec, waiting: Waiting): Waiting {
+    /** The number of the next checkpoint. */
+    let next = Infinity;
+    for (const zone of this.brief.checkpoints) {
+      if (this.reached.has(zone.id)) continue;
+      if (zone.number > next) break;
+      if (zoneHolds(zone, at)) this.arrive(zone);
+      else next = zone.number;
+    }
+    if (next === Infinity) for (const zone of this.brief.robotTargets) if (zoneHolds(zone, at)) this.arrive(zone);
+    return this.noteEarly(at, next, waiting);
+  }
+
+  private arrive({ id }: Zone): void {
+    this.reached.add(id);
+    if (this.arrival?.id === id) this.arrival = null;
+  }
+
+  /** Notes a place that a robot enters before its turn. Where it stands from the start, it has not come to. */
+  private noteEarly(at: Vec, next: number, waiting: Waiting): Waiting {
+    const inside = next === Infinity ? [] : this.later(next).filter((zone) => zoneHolds(zone, at));
+    const entered = waiting === null ? [] : inside.filter(({ id }) => !waiting.has(id));
+    const [first] = entered;
+    if (first !== undefined) this.arrival = { id: first.id, number: first.number, before: next };
+    return inside.length === 0 ? NOWHERE : new Set(inside.map(({ id }) => id));
+  }
+
+  /** The zones after the checkpoint of this number. */
+  private later(next: number): readonly Zone[] {
+    const { checkpoints, robotTargets } = this.brief;
+    const isLater = ({ id, number }: Zone): boolean => number > next && !this.reached.has(id);
+    return [...checkpoints.filter(isLater), ...robotTargets];
+  }
+
+  /** The number of a checkpoint, 0 for a target, `undefined` for what is not there. */
+  private numberOf(id: string): number | undefined {
+    const { checkpoints, robotTargets } = this.brief;
+    return [...checkpoints, ...robotTargets].find((zone) => zone.id === id)?.number;
+  }
+
+  private countReached(zones: readonly Zone[]): number {
+    return zones.reduce((sum, { id }) => (this.reached.has(id) ? sum + 1 : sum), 0);
+  }
+}
+
+const NOWHERE: ReadonlySet<string> = new Set();
