@@ -32,7 +32,7 @@ describe('the grid of the panes', () => {
 
   it('has the row of devices above what is written and read; beside it the arena keeps its full height', () => {
     const wide = withDeviceRow(gridOf('wide', all, sizes, room));
-    expect(wide.rows).toBe('76px 8px minmax(0, 1fr) 8px 186px');
+    expect(wide.rows).toBe('var(--device-row) 8px minmax(0, 1fr) 8px 186px');
     expect(rowsOf(wide.areas).slice(0, 3)).toEqual([
       ['devices', 'devices', 'devices', 's-board', 'arena'],
       ['.', '.', '.', 's-board', 'arena'],

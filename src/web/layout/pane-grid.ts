@@ -83,9 +83,6 @@ export function gridOf(
   return kind === 'wide' ? beside(shown, wished, fit) : inColumn(shown, wished, room, fit);
 }
 
-/** Height of the row of devices, in px. */
-const DEVICES_PX = 76;
-
 /** The grid with the row of devices on top; an arena at the full height stays beside it. */
 export function withDeviceRow({ columns, rows, areas, splitters }: PaneGrid): PaneGrid {
   const lines = areas.match(/[^']*[^' ][^']*/g)?.map((line) => line.split(' ')) ?? [];
@@ -94,7 +91,7 @@ export function withDeviceRow({ columns, rows, areas, splitters }: PaneGrid): Pa
     `'${(lines[0] ?? []).map((area, at, all) => (isBeside && at >= all.length - 2 ? area : name)).join(' ')}'`;
   return {
     columns,
-    rows: `${DEVICES_PX}px ${GAP} ${rows}`,
+    rows: `var(--device-row) ${GAP} ${rows}`,
     areas: `${line('devices')} ${line('.')} ${areas}`,
     splitters,
   };

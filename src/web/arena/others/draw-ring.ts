@@ -22,8 +22,10 @@ const GAP_PX = 6;
 const FONT = `600 13px ${canvasFont}`;
 const NUMBER_FONT = `700 12.5px ${canvasFont}`;
 
-/** Names are not shown on a phone: there the number has to do. */
-const shownName = (name: string): string => (window.innerWidth < 600 ? '' : name);
+/** On a phone, and where robots are small, the number has to do: names would hide the course. */
+const shownName = ({ name, radiusPx }: DeviceRing): string =>
+  window.innerWidth < 600 || radiusPx < SMALL_PX ? '' : name;
+const SMALL_PX = 16;
 
 /** Where the name's pill lies; at the upper edge of the picture below the ring. */
 export function nameBox(ring: DeviceRing): PxBox {
@@ -81,8 +83,9 @@ const made = new Map<string, Pill>();
 const MOST = 60;
 
 /** A pill, painted once: letters on a canvas of the page cost more than all the rest of a picture. */
-function pillOf({ place, color, name }: DeviceRing, ratio: number): Pill {
-  const text = shownName(name);
+function pillOf(ring: DeviceRing, ratio: number): Pill {
+  const { place, color } = ring;
+  const text = shownName(ring);
   const key = [place, color, ratio, text].join();
   const known = made.get(key);
   if (known !== undefined) return known;
