@@ -28,26 +28,34 @@ export interface HostSettings extends Partial<Omit<ProjectSettings, 'myRobot'>> 
   readonly labels?: Readonly<Record<string, string>>;
 }
 
+/** Name of a further device that an event comes from; left out: the first. */
+interface FromDevice {
+  readonly device?: string;
+}
+
 /** The app's events for a host. Everything is plain data. */
 export type SimulatorEvent =
   | { readonly type: 'phase'; readonly phase: RunPhase }
   /** A run begins: its program is the present one of `project()`. */
   | { readonly type: 'started' }
   /** Output of the program and the REPL, as on the serial line of our board: lines may end in `\n` or `\r\n`. */
-  | { readonly type: 'output'; readonly text: string }
-  | { readonly type: 'program-ended'; readonly ended: Ended; readonly verdict: Verdict | null }
-  | { readonly type: 'program-restarted' }
+  | ({ readonly type: 'output'; readonly text: string } & FromDevice)
+  | ({ readonly type: 'program-ended'; readonly ended: Ended; readonly verdict: Verdict | null } & FromDevice)
+  | ({ readonly type: 'program-restarted' } & FromDevice)
   /** `dropped`: packets before these that were not kept, because the program sends faster than anyone could read. */
-  | { readonly type: 'radio'; readonly packets: readonly RadioPacket[]; readonly dropped?: number }
-  | { readonly type: 'log'; readonly events: readonly TimedLogEvent[] }
+  | ({ readonly type: 'radio'; readonly packets: readonly RadioPacket[]; readonly dropped?: number } & FromDevice)
+  | ({ readonly type: 'log'; readonly events: readonly TimedLogEvent[] } & FromDevice)
   /** About once a frame while something moves. */
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot }
   /** The course was edited or replaced, no matter who did it. */
   | { readonly type: 'scene'; readonly scene: Scene }
   /** The files were changed, no matter who did it. */
-  | { readonly type: 'files'; readonly files: readonly SourceFile[] }
+  | ({ readonly type: 'files'; readonly files: readonly SourceFile[] } & FromDevice)
   /** The user pressed, touched or set a sensor on the page; the host did not. */
-  | { readonly type: 'sensed'; readonly action: Extract<InputAction, { type: 'button' | 'touch' | 'sensor' }> }
+  | ({
+      readonly type: 'sensed';
+      readonly action: Extract<InputAction, { type: 'button' | 'touch' | 'sensor' }>;
+    } & FromDevice)
   /** The user changed settings that hosts know of. */
   | { readonly type: 'settings'; readonly settings: HostSettings }
   /** An input that the run refused, in one English sentence. */
@@ -75,8 +83,12 @@ export interface EmbeddedSimulator {
 
   /** Opens a project, stopped. The previous work stays one click away if the page has storage. */
   openProject(project: Project): Refusal;
-  /** Replaces all files of the program; `main.py` must be among them. The course stays; a current run ends. */
-  setFiles(files: readonly SourceFile[]): Refusal;
+  /**
+   * Replaces all files of the program; `main.py` must be among them. The course stays; a current run ends.
+   *
+   * @param device name of the device; left out: the first
+   */
+  setFiles(files: readonly SourceFile[], device?: string): Refusal;
   /** Opens a course, stopped. The program stays. */
   setScene(scene: Scene): Refusal;
   /** One step in the course editor; a current run goes on. */
@@ -90,8 +102,12 @@ export interface EmbeddedSimulator {
   pause(): Refusal;
   resume(): Refusal;
   step(): Refusal;
-  /** Acts on the run: button, touch, sensor, serial text, radio, hand tool. Sensor values also hold for later runs. */
-  input(action: InputAction): Refusal;
+  /**
+   * Acts on the run: button, touch, sensor, serial text, radio, hand tool. Sensor values also hold for later runs.
+   *
+   * @param device name of the device; left out: the first, and for radio all
+   */
+  input(action: InputAction, device?: string): Refusal;
   clearConsole(): void;
 
   /** While set, the page's Run button calls this instead: the host sends the program first. `null`: back to normal. */

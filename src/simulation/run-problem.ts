@@ -8,6 +8,7 @@ import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import { fitDevices, type FittedDevice } from './fit-devices';
 import type { InputAction, PlacedPose } from './input';
+import { placeOfDevice } from './place-of-device';
 import type { RunSetup } from './run-setup';
 
 /**
@@ -65,8 +66,8 @@ export interface InputTargets {
 
 /** The check of the device of this name, or what is wrong with the name. */
 export function checkFor({ names, checks }: InputTargets, device: string | undefined): InputCheck | string {
-  const check = checks[device === undefined ? 0 : names.indexOf(device)];
-  return check ?? `There is no device "${device ?? ''}". Known are ${names.map((name) => `"${name}"`).join(', ')}.`;
+  const place = placeOfDevice(names, device);
+  return typeof place === 'string' ? place : (checks[place] ?? 'This device has no board.');
 }
 
 /**

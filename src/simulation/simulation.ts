@@ -8,7 +8,7 @@ import { Air } from './air';
 import { CourseWorld } from './course-world';
 import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
-import { judgeOf } from './judge-of';
+import { judgeOf } from './task/judge-of';
 import type { FittedDevice } from './fit-devices';
 import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';

@@ -1,6 +1,7 @@
 import { isFrame, openChannel, type Target } from './channel';
 import { Connection } from './connection';
 import { ParcoursError } from './parcours-error';
+import type { OfDevice } from '../parcours/protocol';
 import type { Commands, ConnectOptions, Parcours, Welcome } from './types';
 
 export type { Target } from './channel';
@@ -65,8 +66,8 @@ function workMethods(send: Connection['send'], done: Done) {
   return {
     setProject: (project) => done('set-project', { project }),
     getProject: async () => (await send('get-project', {})).project,
-    setFiles: (files) => done('set-files', { files }),
-    getFiles: async () => (await send('get-files', {})).files,
+    setFiles: (files, device) => done('set-files', { files, ...of(device) }),
+    getFiles: async (device) => (await send('get-files', of(device))).files,
     setScene: (scene) => done('set-scene', { scene }),
     getScene: async () => (await send('get-scene', {})).scene,
     edit: (edit) => done('edit', { edit }),
@@ -91,17 +92,21 @@ function runMethods(done: Done) {
   } satisfies Partial<Parcours>;
 }
 
+/** The field that names a microcomputer; none for the first, or all. */
+const of = (device: string | undefined): OfDevice => (device === undefined ? {} : { device });
+
 function inputMethods(done: Done) {
   return {
-    place: (pose) => done('place', pose),
+    place: (pose, device) => done('place', { ...pose, ...of(device) }),
     placeBlock: (block, pose) => done('place-block', { block, ...pose }),
-    press: (button, down) => done('press', { button, down }),
-    touch: (pad, down) => done('touch', { pad, down }),
-    setSensor: (sensor, value) => done('sensor', { sensor, value }),
+    press: (button, down, device) => done('press', { button, down, ...of(device) }),
+    touch: (pad, down, device) => done('touch', { pad, down, ...of(device) }),
+    setSensor: (sensor, value, device) => done('sensor', { sensor, value, ...of(device) }),
     setArenaSenses: (on) => done('arena-senses', { on }),
-    serial: (text) => done('serial', { text }),
-    interrupt: () => done('interrupt', {}),
-    radio: (packet) => done('radio', typeof packet === 'string' ? { text: packet } : { bytes: [...packet] }),
+    serial: (text, device) => done('serial', { text, ...of(device) }),
+    interrupt: (device) => done('interrupt', of(device)),
+    radio: (packet, device) =>
+      done('radio', { ...(typeof packet === 'string' ? { text: packet } : { bytes: [...packet] }), ...of(device) }),
     clearConsole: () => done('clear-console', {}),
   } satisfies Partial<Parcours>;
 }

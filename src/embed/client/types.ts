@@ -21,7 +21,7 @@ export type { SceneEdit } from '#scene/edit';
 export type { EndedWord } from '#simulation/report';
 export type { Verdict } from '#simulation/task/verdict';
 
-/** The simulator in another page, for its host. */
+/** The simulator in another page, for its host. `device`: the name of a microcomputer; left out: the first. */
 export interface Parcours {
   /** The page's answer to the last hello. */
   readonly welcome: Welcome;
@@ -30,8 +30,8 @@ export interface Parcours {
   setProject(project: ProjectFile | string): Promise<void>;
   getProject(): Promise<ProjectFile>;
   /** Replaces all files of the program; `main.py` must be among them. */
-  setFiles(files: readonly SourceFile[]): Promise<void>;
-  getFiles(): Promise<readonly SourceFile[]>;
+  setFiles(files: readonly SourceFile[], device?: string): Promise<void>;
+  getFiles(device?: string): Promise<readonly SourceFile[]>;
   /** Opens a course, stopped: its file as text or value. */
   setScene(scene: SceneFile | string): Promise<void>;
   getScene(): Promise<SceneFile>;
@@ -60,19 +60,19 @@ export interface Parcours {
   /** 0: ideal … 1: like a used school robot. */
   setReality(reality: number): Promise<void>;
 
-  place(pose: FloorPose): Promise<void>;
+  place(pose: FloorPose, device?: string): Promise<void>;
   placeBlock(block: string, pose: FloorPose): Promise<void>;
-  press(button: 'a' | 'b', down: boolean): Promise<void>;
-  touch(pad: string, down: boolean): Promise<void>;
-  setSensor(sensor: string, value: number | string): Promise<void>;
+  press(button: 'a' | 'b', down: boolean, device?: string): Promise<void>;
+  touch(pad: string, down: boolean, device?: string): Promise<void>;
+  setSensor(sensor: string, value: number | string, device?: string): Promise<void>;
   /** Whether compass, accelerometer and light sensor measure the arena. */
   setArenaSenses(on: boolean): Promise<void>;
   /** Types text into the serial line: for `input()` or the REPL. */
-  serial(text: string): Promise<void>;
+  serial(text: string, device?: string): Promise<void>;
   /** KeyboardInterrupt in the program. */
-  interrupt(): Promise<void>;
-  /** Delivers a radio packet: as `radio.send` of another board sends it, or bytes. */
-  radio(packet: string | readonly number[] | Uint8Array): Promise<void>;
+  interrupt(device?: string): Promise<void>;
+  /** Delivers a radio packet, as `radio.send` of another board sends it, or bytes: to all microcomputers, or to one. */
+  radio(packet: string | readonly number[] | Uint8Array, device?: string): Promise<void>;
   clearConsole(): Promise<void>;
 
   getState(): Promise<State>;

@@ -10,8 +10,8 @@ export abstract class ParcoursMethods extends Base {
 
   readonly setProject: Parcours['setProject'] = (project) => this.whenThere((it) => it.setProject(project));
   readonly getProject: Parcours['getProject'] = () => this.whenThere((it) => it.getProject());
-  readonly setFiles: Parcours['setFiles'] = (files) => this.whenThere((it) => it.setFiles(files));
-  readonly getFiles: Parcours['getFiles'] = () => this.whenThere((it) => it.getFiles());
+  readonly setFiles: Parcours['setFiles'] = (files, device) => this.whenThere((it) => it.setFiles(files, device));
+  readonly getFiles: Parcours['getFiles'] = (device) => this.whenThere((it) => it.getFiles(device));
   readonly setScene: Parcours['setScene'] = (scene) => this.whenThere((it) => it.setScene(scene));
   readonly getScene: Parcours['getScene'] = () => this.whenThere((it) => it.getScene());
   readonly edit: Parcours['edit'] = (edit) => this.whenThere((it) => it.edit(edit));
@@ -27,15 +27,16 @@ export abstract class ParcoursMethods extends Base {
   readonly resume: Parcours['resume'] = () => this.whenThere((it) => it.resume());
   readonly step: Parcours['step'] = () => this.whenThere((it) => it.step());
 
-  readonly place: Parcours['place'] = (pose) => this.whenThere((it) => it.place(pose));
+  readonly place: Parcours['place'] = (pose, device) => this.whenThere((it) => it.place(pose, device));
   readonly placeBlock: Parcours['placeBlock'] = (block, pose) => this.whenThere((it) => it.placeBlock(block, pose));
-  readonly press: Parcours['press'] = (button, down) => this.whenThere((it) => it.press(button, down));
-  readonly touch: Parcours['touch'] = (pad, down) => this.whenThere((it) => it.touch(pad, down));
-  readonly setSensor: Parcours['setSensor'] = (sensor, value) => this.whenThere((it) => it.setSensor(sensor, value));
+  readonly press: Parcours['press'] = (button, down, device) => this.whenThere((it) => it.press(button, down, device));
+  readonly touch: Parcours['touch'] = (pad, down, device) => this.whenThere((it) => it.touch(pad, down, device));
+  readonly setSensor: Parcours['setSensor'] = (sensor, value, device) =>
+    this.whenThere((it) => it.setSensor(sensor, value, device));
   readonly setArenaSenses: Parcours['setArenaSenses'] = (on) => this.whenThere((it) => it.setArenaSenses(on));
-  readonly serial: Parcours['serial'] = (text) => this.whenThere((it) => it.serial(text));
-  readonly interrupt: Parcours['interrupt'] = () => this.whenThere((it) => it.interrupt());
-  readonly radio: Parcours['radio'] = (packet) => this.whenThere((it) => it.radio(packet));
+  readonly serial: Parcours['serial'] = (text, device) => this.whenThere((it) => it.serial(text, device));
+  readonly interrupt: Parcours['interrupt'] = (device) => this.whenThere((it) => it.interrupt(device));
+  readonly radio: Parcours['radio'] = (packet, device) => this.whenThere((it) => it.radio(packet, device));
   readonly clearConsole: Parcours['clearConsole'] = () => this.whenThere((it) => it.clearConsole());
   readonly getState: Parcours['getState'] = () => this.whenThere((it) => it.getState());
   readonly subscribe: Parcours['subscribe'] = (wish) => this.whenThere((it) => it.subscribe(wish));

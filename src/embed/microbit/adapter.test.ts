@@ -329,3 +329,16 @@ describe('other messages', () => {
     expect(news()).toEqual([]);
   });
 });
+
+describe('a project with several microcomputers', () => {
+  it('is to the host as if it had the first one alone', async () => {
+    const { simulator, news, flash } = opened();
+    await flash();
+    news();
+    simulator.tell({ type: 'output', text: 'not yours', device: 'remote' });
+    simulator.tell({ type: 'sensed', action: { type: 'button', button: 'a', down: true }, device: 'remote' });
+    expect(news()).toEqual([]);
+    simulator.tell({ type: 'output', text: 'yours' });
+    expect(kinds(news())).toEqual(['serial_output']);
+  });
+});

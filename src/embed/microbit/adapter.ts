@@ -9,6 +9,7 @@ import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
 
 import type { RunPhase } from '#simulation/pace';
 import type { Adapter, HostConnection } from '../adapter';
+import { listenToFirst } from '../first-device';
 import type { EmbeddedSimulator, HostSettings, Part, SimulatorEvent } from '../simulator';
 import { filesOf } from './files';
 import { LogColumns } from './log-columns';
@@ -64,7 +65,7 @@ class MicrobitAdapter implements Adapter {
     this.isActive = isActive(simulator.phase());
     simulator.change({ ...PLAIN, parts: BOARD_ALONE, ...wish });
     simulator.onRunAsked(() => this.say({ kind: 'request_flash' }));
-    this.unlisten = simulator.listen((event) => this.hear(event));
+    this.unlisten = listenToFirst(simulator, (event) => this.hear(event));
     this.say({ kind: 'ready', state: this.state.whole(simulator.board()) });
   }
 

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { projectToText } from '#project/file';
-import { fullProject } from '#project/testing/projects';
+import { devicesProject, fullProject } from '#project/testing/projects';
 import { defaultScene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
@@ -215,5 +215,41 @@ describe('commands of our own dialect', () => {
     adapter.receive({ parcours: 1, id: 7, get type() { throw new Error('no'); } }); // prettier-ignore
     adapter.receive(new Proxy({}, { get: () => { throw new Error('no'); } })); // prettier-ignore
     expect(heard.length).toBe(before);
+  });
+});
+
+describe('commands to one of several microcomputers', () => {
+  const device = 'Fernbedienung';
+
+  it('reach the one that they name, and the first without a name', () => {
+    const { simulator, ask } = greeted({ project: devicesProject(), phase: 'running' });
+    expect(ask('press', { button: 'a', down: true, device })).toMatchObject({ ok: true });
+    expect(ask('press', { button: 'a', down: false })).toMatchObject({ ok: true });
+    expect(ask('radio', { text: 'hi', device })).toMatchObject({ ok: true });
+    expect(simulator.calls).toEqual([
+      { call: 'input', action: { type: 'button', button: 'a', down: true }, device },
+      { call: 'input', action: { type: 'button', button: 'a', down: false } },
+      { call: 'input', action: { type: 'radio', text: 'hi' }, device },
+    ]);
+  });
+
+  it('give and take the files of each', () => {
+    const { ask } = greeted({ project: devicesProject() });
+    expect(ask('state')?.['devices']).toEqual(['Roboter', 'Fernbedienung', 'Ärzt 2']);
+    const files = [{ name: 'main.py', text: 'print(2)' }];
+    expect(ask('set-files', { files, device })).toMatchObject({ ok: true });
+    expect(ask('get-files', { device })?.['files']).toEqual(files);
+    expect(ask('get-files')?.['files']).toEqual(devicesProject().files);
+  });
+
+  it('are refused for one that is not there, with the names that are', () => {
+    const { ask } = greeted({ project: devicesProject(), phase: 'running' });
+    const message = 'There is no device "Nobody". Known are "Roboter", "Fernbedienung", "Ärzt 2".';
+    for (const [command, fields] of [
+      ['press', { button: 'a', down: true }],
+      ['get-files', {}],
+      ['set-files', { files: [{ name: 'main.py', text: '' }] }],
+    ] as const)
+      expect(ask(command, { ...fields, device: 'Nobody' })).toMatchObject({ ok: false, code: 'refused', message });
   });
 });

@@ -47,6 +47,11 @@ const sensorValue = pipe(
   description('A number within the range of the sensor; for `gesture` a word such as `shake`.'),
 );
 
+const ofDevice = {
+  device: maybe(idOf('Name of the microcomputer, where the project has several. Left out: the first.')),
+};
+const toDevice = { device: maybe(idOf('Name of the microcomputer that receives it. Left out: all.')) };
+
 /** Fields of every command, by its name. */
 export const commandSchemas = {
   hello: v.strictObject({
@@ -66,8 +71,8 @@ export const commandSchemas = {
   'set-project': v.strictObject({
     project: document<ProjectFile | string>('project file', 'The file as text or as value. Its robot, microcomputer and seed are adopted.'), // prettier-ignore
   }),
-  'get-files': nothing,
-  'set-files': v.strictObject({ files }),
+  'get-files': v.strictObject(ofDevice),
+  'set-files': v.strictObject({ files, ...ofDevice }),
   'get-scene': nothing,
   'set-scene': v.strictObject({ scene: document<SceneFile | string>('course file', 'The file as text or as value.') }),
   edit: v.strictObject({ edit: document<SceneEdit>('edit of a course', 'One step: see `src/scene/edit.ts`.') }),
@@ -95,19 +100,24 @@ export const commandSchemas = {
   speed: v.strictObject({ speed }),
   seed: v.strictObject({ seed: pipe(v.number(), v.integer(), v.minValue(projectLimits.seed.min), v.maxValue(projectLimits.seed.max), description('Which of the used robots it is. Takes effect with the next run.')) }), // prettier-ignore
   reality: v.strictObject({ reality: pipe(v.number(), v.minValue(0), v.maxValue(1), description('0: ideal … 1: like a used school robot. Takes effect with the next run.')) }), // prettier-ignore
-  place: v.strictObject(poseFields),
+  place: v.strictObject({ ...poseFields, ...ofDevice }),
   'place-block': v.strictObject({ block: idOf('Id of a movable block.'), ...poseFields }),
-  press: v.strictObject({ button: pipe(v.picklist(['a', 'b']), description('Which button.')), down: flag('Pressed or released.') }), // prettier-ignore
-  touch: v.strictObject({ pad: idOf('`pinLogo`, `pin0`, `pin1`, `pin2`, …'), down: flag('Touched or released.') }),
-  sensor: v.strictObject({ sensor: idOf('`lightLevel`, `temperature`, `accelerometerX`, `gesture`, …'), value: sensorValue }), // prettier-ignore
+  press: v.strictObject({ button: pipe(v.picklist(['a', 'b']), description('Which button.')), down: flag('Pressed or released.'), ...ofDevice }), // prettier-ignore
+  touch: v.strictObject({
+    pad: idOf('`pinLogo`, `pin0`, `pin1`, `pin2`, …'),
+    down: flag('Touched or released.'),
+    ...ofDevice,
+  }),
+  sensor: v.strictObject({ sensor: idOf('`lightLevel`, `temperature`, `accelerometerX`, `gesture`, …'), value: sensorValue, ...ofDevice }), // prettier-ignore
   'arena-senses': v.strictObject({ on: flag('Whether compass, accelerometer and light sensor measure the arena.') }),
-  serial: v.strictObject({ text: pipe(textOf(limits.serialCharacters), description('As typed; Enter is `\\r`, Ctrl-C `\\x03`.')) }), // prettier-ignore
-  interrupt: nothing,
+  serial: v.strictObject({ text: pipe(textOf(limits.serialCharacters), description('As typed; Enter is `\\r`, Ctrl-C `\\x03`.')), ...ofDevice }), // prettier-ignore
+  interrupt: v.strictObject(ofDevice),
   radio: v.union([
     v.strictObject({
       text: pipe(textOf(limits.radioBytes), description('As `radio.send` of another board sends it.')),
+      ...toDevice,
     }),
-    v.strictObject({ bytes: pipe(v.array(pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255))), v.maxLength(limits.radioBytes), description('As `radio.send_bytes` sends them.')) }), // prettier-ignore
+    v.strictObject({ bytes: pipe(v.array(pipe(v.number(), v.integer(), v.minValue(0), v.maxValue(255))), v.maxLength(limits.radioBytes), description('As `radio.send_bytes` sends them.')), ...toDevice }), // prettier-ignore
   ]),
   'clear-console': nothing,
 } satisfies { readonly [N in CommandName]: v.GenericSchema<unknown, Commands[N]['fields']> };

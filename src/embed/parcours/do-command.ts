@@ -1,11 +1,13 @@
 import { LANGUAGES } from '#core/languages';
 import { parseProject, parseProjectValue, projectToText } from '#project/file';
-import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
+import { deviceNames, filesOfDevice } from '#project/devices';
+import { FILE_BYTES, MAIN, projectLimits, type Project } from '#project/project';
 import { parseEdit } from '#scene/check-edit';
 import { parseScene, parseSceneValue } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import type { InputAction } from '#simulation/input';
 import { SPEEDS } from '#simulation/pace';
+import { placeOfDevice } from '#simulation/place-of-device';
 import { endedWord, msOf } from '#simulation/report';
 
 import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';
@@ -104,11 +106,11 @@ function doToWork(command: WorkCommand | InputCommand, simulator: EmbeddedSimula
     case 'set-project':
       return setProject(command.fields.project, simulator);
     case 'get-files':
-      return done('get-files', { files: simulator.project().files });
+      return filesOf(simulator.project(), command.fields.device);
     case 'set-files': {
-      const { files } = command.fields;
+      const { files, device } = command.fields;
       const isMain = ({ name }: { readonly name: string }): boolean => name === MAIN;
-      return from(simulator.setFiles([...files.filter(isMain), ...files.filter((file) => !isMain(file))]));
+      return from(simulator.setFiles([...files.filter(isMain), ...files.filter((file) => !isMain(file))], device));
     }
     case 'get-scene':
       return done('get-scene', { scene: JSON.parse(serializeScene(simulator.project().scene)) as SceneFile });
@@ -150,21 +152,29 @@ function doInput(command: InputCommand, simulator: EmbeddedSimulator): Outcome {
   // A sensor's number holds for later runs as well; every other action happens to a run.
   if (!isRunning && !(action.type === 'sensor' && typeof action.value === 'number'))
     return refused(refusal('refused', `This needs a run; it is "${phase}".`));
-  return from(simulator.input(action));
+  return from(simulator.input(action, 'device' in command.fields ? command.fields.device : undefined));
+}
+
+function filesOf(project: Project, device: string | undefined): Outcome {
+  const place = placeOfDevice(deviceNames(project), device);
+  if (typeof place === 'string') return from(place);
+  return done('get-files', { files: filesOfDevice(project, place) });
 }
 
 function actionOf(command: InputCommand): InputAction {
   switch (command.type) {
-    case 'place':
-      return { type: 'place', pose: command.fields };
+    case 'place': {
+      const { xMm, yMm, headingDeg } = command.fields;
+      return { type: 'place', pose: { xMm, yMm, headingDeg } };
+    }
     case 'place-block': {
       const { block, ...pose } = command.fields;
       return { type: 'place-block', id: block, pose };
     }
     case 'press':
-      return { type: 'button', ...command.fields };
+      return { type: 'button', button: command.fields.button, down: command.fields.down };
     case 'touch':
-      return { type: 'touch', ...command.fields };
+      return { type: 'touch', pad: command.fields.pad, down: command.fields.down };
     case 'sensor':
       return { type: 'sensor', id: command.fields.sensor, value: command.fields.value };
     case 'serial':
@@ -172,7 +182,9 @@ function actionOf(command: InputCommand): InputAction {
     case 'interrupt':
       return { type: 'interrupt' };
     case 'radio':
-      return { type: 'radio', ...command.fields };
+      return 'bytes' in command.fields
+        ? { type: 'radio', bytes: command.fields.bytes }
+        : { type: 'radio', text: command.fields.text };
     default:
       return command satisfies never;
   }
@@ -180,10 +192,11 @@ function actionOf(command: InputCommand): InputAction {
 
 function stateOf(simulator: EmbeddedSimulator): Commands['state']['result'] {
   const { speed, seed, reality, arenaSenses } = simulator.settings();
-  const [ended, snapshot] = [simulator.ended(), simulator.snapshot()];
+  const [ended, snapshot, project] = [simulator.ended(), simulator.snapshot(), simulator.project()];
   return {
     phase: simulator.phase(),
     atMs: msOf(simulator.nowUs()),
+    ...(project.devices !== undefined && { devices: deviceNames(project) }),
     board: simulator.board(),
     ended: ended && endedWord(ended),
     snapshot: snapshot && plainSnapshot(snapshot),

@@ -50,8 +50,7 @@ const robot = pipe(
 );
 const pose = v.strictObject(poseFields);
 
-const snapshot = v.strictObject({
-  atMs,
+const device = {
   running: pipe(v.picklist(['program', 'world']), description('`world`: the program has ended, and the world goes on.')), // prettier-ignore
   repl: flag('The REPL has greeted.'),
   board: text('Id of the board.'),
@@ -63,11 +62,25 @@ const snapshot = v.strictObject({
   motors: pipe(v.array(v.number()), description('Duty of its own motor outputs, −1 … 1.')),
   soundHz: pipe(v.nullable(v.number()), description('Frequency of the present tone.')),
   robot,
+  lights: pipe(v.array(v.strictObject({ pin: v.string(), colors: v.array(colour) })), description('Chains of colour lights on free pins.')), // prettier-ignore
+};
+const snapshot = v.strictObject({
+  atMs,
+  ...device,
   blocks: record(pose, 'Where the movable blocks are, by id.'),
   movers: record(pose, 'Where the moving obstacles are, by id.'),
   verdict,
-  lights: pipe(v.array(v.strictObject({ pin: v.string(), colors: v.array(colour) })), description('Chains of colour lights on free pins.')), // prettier-ignore
+  others: v.exactOptional(
+    pipe(
+      v.array(v.strictObject({ name: v.string(), ...device })),
+      description('The further microcomputers, where there are several: all else is the first one’s.'),
+    ),
+  ),
 });
+
+const fromDevice = {
+  device: v.exactOptional(text('Name of a further microcomputer from which it comes. Left out: the first.')),
+};
 
 const packet = v.union([
   v.strictObject({ atMs, text: text('What `radio.send` sent.') }),
@@ -105,8 +118,9 @@ const omitted = (what: string) =>
 export const eventSchemas = {
   phase: v.strictObject({ phase }),
   started: nothing,
-  'program-restarted': nothing,
+  'program-restarted': v.strictObject(fromDevice),
   ended: v.strictObject({
+    ...fromDevice,
     ended: pipe(v.picklist(ENDS), description('`panic`: the board itself stopped; `stuck`: ended by force.')),
     exception: pipe(
       v.nullable(
@@ -125,21 +139,23 @@ export const eventSchemas = {
     verdict,
   }),
   output: v.strictObject({
+    ...fromDevice,
     text: text('Lines may end in `\\n` or `\\r\\n`.'),
     omitted: omitted('characters before this text'),
   }),
   snapshot: v.strictObject({ snapshot: pipe(snapshot, description('The run at one moment.')) }),
   'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('Number of its objects.') }),
-  'files-changed': v.strictObject({ names: texts('Names of all files.') }),
+  'files-changed': v.strictObject({ ...fromDevice, names: texts('Names of all files.') }),
   'settings-changed': v.strictObject({
     settings: v.strictObject({ ...pageSettings, ...robotChoice, ...runSettings }),
   }),
   sensed: v.strictObject({
+    ...fromDevice,
     sensor: text('Id of the sensor: `buttonA`, `pinLogo`, `lightLevel`, …'),
     value: pipe(v.union([v.number(), v.string()]), description('1 and 0 for buttons and pads.')),
   }),
-  radio: v.strictObject({ packets: v.array(packet), omitted: omitted('packets before these') }),
-  log: v.strictObject({ events: v.array(logEvent), omitted: omitted('rows before these') }),
+  radio: v.strictObject({ ...fromDevice, packets: v.array(packet), omitted: omitted('packets before these') }),
+  log: v.strictObject({ ...fromDevice, events: v.array(logEvent), omitted: omitted('rows before these') }),
   refused: v.strictObject({ message }),
   failed: v.strictObject({ message }),
 } satisfies { readonly [N in EventName]: v.GenericSchema<unknown, Events[N]> };
@@ -170,6 +186,7 @@ const welcome = v.strictObject({
 const state = v.strictObject({
   phase,
   atMs,
+  devices: v.exactOptional(texts('Names of the microcomputers, the first one’s first, where there are several.')),
   board: text('Id of the board of the next run.'),
   ended: pipe(v.nullable(v.picklist(ENDS)), description('`null` before and while the program runs.')),
   snapshot: pipe(

@@ -10,7 +10,7 @@ import type { EmbeddedSimulator, HostSettings, SimulatorEvent } from '../simulat
 import { RateLimit } from './rate-limit';
 import { eventNames } from './event-schemas';
 import { plainLogEvent, plainRobot, plainSnapshot } from './plain-snapshot';
-import type { Commands, EventName, Events, PlainLogEvent, PlainPacket } from './protocol';
+import type { Commands, EventName, Events, OfDevice, PlainLogEvent, PlainPacket } from './protocol';
 import { PROTOCOL_VERSION } from './read-command';
 
 /** Frames of a screen are not regular to the ms: one that is this much early counts. */
@@ -31,17 +31,17 @@ export class EventSender {
   private toldMs = -Infinity;
   /** The newest snapshot that was skipped. */
   private passedOver: Snapshot | null = null;
-  private readonly rates: Readonly<Record<'output' | 'radio' | 'log', RateLimit>>;
-  /** Whether a program runs whose end must be reported. */
+  /** By the name of a further device, and by an empty text for the first. */
+  private readonly rates = new Map<string, DeviceRates>();
+  /** Whether there is a run whose programs' ends must be reported. */
   private awaitsEnd = false;
+  /** The devices whose programs have ended, by name as above. */
+  private readonly over = new Set<string>();
 
   constructor(
     private readonly simulator: Pick<EmbeddedSimulator, 'snapshot' | 'nowUs'>,
     private readonly connection: HostConnection,
-  ) {
-    const nowMs = connection.nowMs();
-    this.rates = { output: new RateLimit(nowMs), radio: new RateLimit(nowMs), log: new RateLimit(nowMs) };
-  }
+  ) {}
 
   /** Chooses events and the rate of snapshots; settings that are left out stay. */
   subscribe({ events, snapshotHz }: Commands['subscribe']['fields']): void {
@@ -56,27 +56,29 @@ export class EventSender {
         return this.phase(event.phase);
       case 'started':
         this.awaitsEnd = true;
+        this.over.clear();
         this.passedOver = null;
         return this.send('started', {});
       case 'output':
-        return this.output(event.text);
+        return this.output(event.text, from(event));
       case 'program-ended':
-        return this.ended(endedWord(event.ended), event.ended, event.verdict);
+        return this.ended(endedWord(event.ended), event.ended, event.verdict, from(event));
       case 'program-restarted':
         this.awaitsEnd = true;
-        return this.send('program-restarted', {});
+        this.over.delete(event.device ?? FIRST);
+        return this.send('program-restarted', from(event));
       case 'radio':
-        return this.radio(event.packets, event.dropped ?? 0);
+        return this.radio(event.packets, event.dropped ?? 0, from(event));
       case 'log':
-        return this.log(event.events);
+        return this.log(event.events, from(event));
       case 'snapshot':
         return this.snapshot(event.snapshot);
       case 'scene':
         return this.send('scene-changed', { name: event.scene.name, objects: event.scene.objects.length });
       case 'files':
-        return this.send('files-changed', { names: event.files.map(({ name }) => name) });
+        return this.send('files-changed', { names: event.files.map(({ name }) => name), ...from(event) });
       case 'sensed':
-        return this.send('sensed', sensed(event.action));
+        return this.send('sensed', { ...sensed(event.action), ...from(event) });
       case 'settings':
         return this.settings(event.settings);
       case 'refused':
@@ -92,24 +94,31 @@ export class EventSender {
     if (phase !== 'running') this.tellOmitted();
     if (phase !== 'running' && phase !== 'starting') this.catchUp();
     this.send('phase', { phase });
-    if (isOver && this.awaitsEnd && phase !== 'failed') {
-      const verdict = this.simulator.snapshot()?.verdict ?? null;
-      this.ended(phase === 'stopped' ? 'stopped' : 'stuck', null, verdict);
-    }
+    if (isOver && this.awaitsEnd && phase !== 'failed') this.endAll(phase === 'stopped' ? 'stopped' : 'stuck');
     if (isOver || phase === 'ready') this.awaitsEnd = false;
   }
 
-  private ended(word: EndedWord, ended: Ended | null, verdict: Verdict | null): void {
-    this.awaitsEnd = false;
+  /** Reports the end of every program that has not ended by itself. */
+  private endAll(word: EndedWord): void {
+    const snapshot = this.simulator.snapshot();
+    const further = snapshot?.others.map(({ name }) => ({ device: name })) ?? [];
+    for (const device of [{}, ...further])
+      if (!this.over.has(keyOf(device))) this.ended(word, null, snapshot?.verdict ?? null, device);
+  }
+
+  private ended(word: EndedWord, ended: Ended | null, verdict: Verdict | null, device: OfDevice): void {
+    this.over.add(keyOf(device));
     this.tellOmitted();
     this.catchUp();
-    const snapshot = this.simulator.snapshot();
+    const all = this.simulator.snapshot();
+    const snapshot = device.device === undefined ? all : all?.others.find(({ name }) => name === device.device);
     this.send('ended', {
+      ...device,
       ended: word,
       exception: ended?.exception ?? null,
       atMs: msOf(ended?.timeUs ?? this.simulator.nowUs()),
       robot: snapshot?.robot ? plainRobot(snapshot.robot) : null,
-      display: snapshot === null ? '' : displayText(snapshot.display),
+      display: snapshot ? displayText(snapshot.display) : '',
       verdict,
     });
   }
@@ -133,28 +142,29 @@ export class EventSender {
     if (last !== null && this.snapshotMs !== Infinity) this.send('snapshot', { snapshot: plainSnapshot(last) });
   }
 
-  private output(text: string): void {
-    const { output: rate } = this.rates;
+  private output(text: string, device: OfDevice): void {
+    const { output: rate } = this.ratesOf(device);
     if (!this.wanted.has('output')) return;
-    if (rate.hasRoom(this.connection.nowMs()) && rate.take(text.length)) this.send('output', { text, ...rate.send() });
+    if (rate.hasRoom(this.connection.nowMs()) && rate.take(text.length))
+      this.send('output', { ...device, text, ...rate.send() });
     else rate.omit(text.length);
   }
 
-  private radio(packets: readonly RadioPacket[], dropped: number): void {
-    const { radio: rate } = this.rates;
+  private radio(packets: readonly RadioPacket[], dropped: number, device: OfDevice): void {
+    const { radio: rate } = this.ratesOf(device);
     if (!this.wanted.has('radio')) return;
     rate.omit(dropped);
     const plain = packets.map(packetReport);
     const hasRoom = rate.hasRoom(this.connection.nowMs());
     const found = hasRoom ? plain.findIndex((packet) => !rate.take(sizeOf(packet))) : 0;
     const sent = found < 0 ? plain : plain.slice(0, found);
-    if (sent.length > 0) this.send('radio', { packets: sent, ...rate.send() });
+    if (sent.length > 0) this.send('radio', { ...device, packets: sent, ...rate.send() });
     rate.omit(plain.length - sent.length);
   }
 
   /** Events that the log was emptied or is full are always sent: they say what the rows are worth. */
-  private log(events: readonly TimedLogEvent[]): void {
-    const { log: rate } = this.rates;
+  private log(events: readonly TimedLogEvent[], device: OfDevice): void {
+    const { log: rate } = this.ratesOf(device);
     if (!this.wanted.has('log')) return;
     let hasRoom = rate.hasRoom(this.connection.nowMs());
     const sent: PlainLogEvent[] = [];
@@ -164,16 +174,26 @@ export class EventSender {
       if (event.type !== 'row' || hasRoom) sent.push(event);
       else omitted += 1;
     }
-    if (sent.length > 0) this.send('log', { events: sent, ...rate.send() });
+    if (sent.length > 0) this.send('log', { ...device, events: sent, ...rate.send() });
     rate.omit(omitted);
   }
 
   /** What was left out last is reported in a message of its own. */
   private tellOmitted(): void {
-    const { output, radio, log } = this.rates;
-    if (output.hasOmitted) this.send('output', { text: '', ...output.send() });
-    if (radio.hasOmitted) this.send('radio', { packets: [], ...radio.send() });
-    if (log.hasOmitted) this.send('log', { events: [], ...log.send() });
+    for (const [name, { output, radio, log }] of this.rates) {
+      const device = name === FIRST ? {} : { device: name };
+      if (output.hasOmitted) this.send('output', { ...device, text: '', ...output.send() });
+      if (radio.hasOmitted) this.send('radio', { ...device, packets: [], ...radio.send() });
+      if (log.hasOmitted) this.send('log', { ...device, events: [], ...log.send() });
+    }
+  }
+
+  private ratesOf(device: OfDevice): DeviceRates {
+    const key = keyOf(device);
+    const nowMs = this.connection.nowMs();
+    const rates = this.rates.get(key) ?? { output: new RateLimit(nowMs), radio: new RateLimit(nowMs), log: new RateLimit(nowMs) }; // prettier-ignore
+    this.rates.set(key, rates);
+    return rates;
   }
 
   private settings(settings: HostSettings): void {
@@ -188,6 +208,16 @@ export class EventSender {
     if (this.wanted.has(type)) this.connection.post({ parcours: PROTOCOL_VERSION, type, ...data });
   }
 }
+
+/** The first device in lists by name: a further one's name is never empty. */
+const FIRST = '';
+const keyOf = ({ device }: OfDevice): string => device ?? FIRST;
+
+/** The device of an event, for a message. */
+const from = ({ device }: OfDevice): OfDevice => (device === undefined ? {} : { device });
+
+/** What may be sent of one device in a second. */
+type DeviceRates = Readonly<Record<'output' | 'radio' | 'log', RateLimit>>;
 
 const sizeOf = (packet: PlainPacket): number =>
   ENTRY_CHARACTERS + ('text' in packet ? packet.text.length : NUMBER_CHARACTERS * packet.bytes.length);

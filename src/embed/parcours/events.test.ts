@@ -2,7 +2,7 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { defaultProjectSettings } from '#project/project';
-import { fullProject } from '#project/testing/projects';
+import { devicesProject, fullProject } from '#project/testing/projects';
 import { defaultScene } from '#scene/scene';
 
 import { greeted, settled, type Message } from '../testing/host-at';
@@ -195,3 +195,47 @@ describe('events of our own dialect', () => {
 /** The content of a message without the common fields. */
 const ownFields = (message: Message): object =>
   Object.fromEntries(Object.entries(message).filter(([key]) => !['parcours', 'type', 'reply', 'ok'].includes(key)));
+
+describe('events of a project with several microcomputers', () => {
+  const other = { device: 'Fernbedienung' } as const;
+
+  it('name the further one from which they come; those of the first are as ever', () => {
+    const { simulator, events } = greeted({ phase: 'running' });
+    simulator.tell({ type: 'output', text: 'one\n' });
+    simulator.tell({ type: 'output', text: 'two\n', ...other });
+    simulator.tell({ type: 'radio', packets: [], ...other });
+    simulator.tell({ type: 'sensed', action: { type: 'button', button: 'a', down: true }, ...other });
+    simulator.tell({ type: 'program-restarted', ...other });
+    expect(events('output').map(({ text, device }) => [text, device])).toEqual([
+      ['one\n', undefined],
+      ['two\n', 'Fernbedienung'],
+    ]);
+    expect(events('sensed')).toEqual([expect.objectContaining({ sensor: 'buttonA', value: 1, ...other })]);
+    expect(events('program-restarted')).toEqual([expect.objectContaining(other)]);
+  });
+
+  it('tell the end of each program once, also of those that a stop ends', () => {
+    const { simulator, events } = greeted({ project: devicesProject(), phase: 'running' });
+    simulator.tell({ type: 'started' });
+    simulator.tell({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1000 }, verdict: null, ...other }); // prettier-ignore
+    simulator.tell({ type: 'phase', phase: 'stopped' });
+    expect(events('ended').map(({ device, ended }) => [device, ended])).toEqual([
+      ['Fernbedienung', 'finished'],
+      [undefined, 'stopped'],
+      ['Ärzt 2', 'stopped'],
+    ]);
+  });
+
+  it('count what is left out for each of them', () => {
+    const { simulator, events, time } = greeted({ phase: 'running' });
+    const flood = 'x'.repeat(limits.outputCharactersPerSecond);
+    simulator.tell({ type: 'output', text: flood, ...other });
+    simulator.tell({ type: 'output', text: 'heard' });
+    time.ms = 2000;
+    simulator.tell({ type: 'output', text: 'again', ...other });
+    expect(events('output').map(({ text, omitted, device }) => [text, omitted, device])).toEqual([
+      ['heard', undefined, undefined],
+      ['again', flood.length, 'Fernbedienung'],
+    ]);
+  });
+});

@@ -39,7 +39,7 @@ const COMMANDS: Readonly<Record<CommandName, string>> = {
   'arena-senses': 'Chooses whether the board on the robot measures the arena or the values set by hand.',
   serial: 'Types text into the serial line, for `input()` or the REPL.',
   interrupt: 'Raises KeyboardInterrupt in the program, like Ctrl-C.',
-  radio: 'Delivers a radio packet to the board.',
+  radio: 'Delivers a radio packet: to all microcomputers, or to the one that is named.',
   'clear-console': 'Empties the console of the page.',
 };
 

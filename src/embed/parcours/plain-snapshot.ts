@@ -1,21 +1,31 @@
 import type { Pose } from '#core/geometry';
 import type { TimedLogEvent } from '#simulation/outlets';
 import { displayText, msOf, poseReport, robotReport, rounded } from '#simulation/report';
-import type { RobotSnapshot, Snapshot } from '#simulation/snapshot';
+import type { DeviceSnapshot, RobotSnapshot, Snapshot } from '#simulation/snapshot';
 
-import type { FloorPose, PlainLogEvent, PlainRobot, PlainSnapshot } from './protocol';
+import type { FloorPose, PlainDevice, PlainLogEvent, PlainRobot, PlainSnapshot } from './protocol';
 
 /** The data about a run for hosts: plain numbers with three digits after the point, angles in degrees. */
 export function plainSnapshot(snapshot: Snapshot): PlainSnapshot {
-  const { timeUs, running, repl, board, buttons, touch, sensors, rgb, motors, sound, verdict, lights } = snapshot;
+  const { timeUs, verdict, others } = snapshot;
   return {
     atMs: msOf(timeUs),
-    ...{ running, repl, board, display: displayText(snapshot.display), buttons, touch, sensors, rgb, motors },
-    soundHz: sound?.hz ?? null,
-    robot: snapshot.robot && plainRobot(snapshot.robot),
+    ...plainDevice(snapshot),
     blocks: posesById(snapshot.blocks),
     movers: posesById(snapshot.movers),
-    ...{ verdict, lights },
+    verdict,
+    ...(others.length > 0 && { others: others.map((device) => ({ name: device.name, ...plainDevice(device) })) }),
+  };
+}
+
+/** One microcomputer, without its name. */
+function plainDevice(device: DeviceSnapshot): Omit<PlainDevice, 'name'> {
+  const { running, repl, board, buttons, touch, sensors, rgb, motors, sound, lights } = device;
+  return {
+    ...{ running, repl, board, display: displayText(device.display), buttons, touch, sensors, rgb, motors },
+    soundHz: sound?.hz ?? null,
+    robot: device.robot && plainRobot(device.robot),
+    lights,
   };
 }
 

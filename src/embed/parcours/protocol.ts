@@ -39,6 +39,11 @@ export type SceneFile = Partial<Omit<Scene, 'robot' | 'task' | 'objects'>> & {
   readonly objects?: readonly { readonly type: string; readonly id: string; readonly [property: string]: unknown }[];
 };
 
+/** Name of a microcomputer of the project, where there are several; left out: the first. */
+export interface OfDevice {
+  readonly device?: string;
+}
+
 /** A project in the form of its file. */
 export interface ProjectFile {
   readonly format: 'parcours-project';
@@ -47,6 +52,8 @@ export interface ProjectFile {
   readonly course?: string;
   readonly settings?: ProjectSettings;
   readonly files: readonly SourceFile[];
+  /** Where there are several microcomputers: the name of the first, and the further ones. */
+  readonly devices?: { readonly first: string; readonly others: readonly object[] };
   readonly scene: SceneFile;
 }
 
@@ -110,6 +117,8 @@ export interface State {
   readonly phase: RunPhase;
   /** Simulated ms of the run. */
   readonly atMs: number;
+  /** Names of the microcomputers, the first one's first, where there are several. */
+  readonly devices?: readonly string[];
   /** Id of the board of the next run. */
   readonly board: string;
   /** How the program ended, or `null` before and while it runs. */
@@ -161,6 +170,13 @@ export interface PlainSnapshot {
   readonly movers: Readonly<Record<string, FloorPose>>;
   readonly verdict: Verdict | null;
   readonly lights: readonly { readonly pin: string; readonly colors: readonly Colour[] }[];
+  /** The further microcomputers, where there are several; all else is the first one's. */
+  readonly others?: readonly PlainDevice[];
+}
+
+/** A further microcomputer at one moment. */
+export interface PlainDevice extends Omit<PlainSnapshot, 'atMs' | 'blocks' | 'movers' | 'verdict' | 'others'> {
+  readonly name: string;
 }
 
 /** A radio packet of the program: as text if `radio.send` made it, otherwise its bytes. */
@@ -194,8 +210,8 @@ export interface Commands {
   subscribe: Command<{ readonly events?: readonly EventName[]; readonly snapshotHz?: number }, Nothing>;
   'get-project': Command<Nothing, { readonly project: ProjectFile }>;
   'set-project': Command<{ readonly project: ProjectFile | string }, Nothing>;
-  'get-files': Command<Nothing, { readonly files: readonly SourceFile[] }>;
-  'set-files': Command<{ readonly files: readonly SourceFile[] }, Nothing>;
+  'get-files': Command<OfDevice, { readonly files: readonly SourceFile[] }>;
+  'set-files': Command<{ readonly files: readonly SourceFile[] } & OfDevice, Nothing>;
   'get-scene': Command<Nothing, { readonly scene: SceneFile }>;
   'set-scene': Command<{ readonly scene: SceneFile | string }, Nothing>;
   edit: Command<{ readonly edit: SceneEdit }, Nothing>;
@@ -212,15 +228,16 @@ export interface Commands {
   speed: Command<{ readonly speed: Speed }, Nothing>;
   seed: Command<{ readonly seed: number }, Nothing>;
   reality: Command<{ readonly reality: number }, Nothing>;
-  place: Command<FloorPose, Nothing>;
+  place: Command<FloorPose & OfDevice, Nothing>;
   'place-block': Command<FloorPose & { readonly block: string }, Nothing>;
-  press: Command<{ readonly button: 'a' | 'b'; readonly down: boolean }, Nothing>;
-  touch: Command<{ readonly pad: string; readonly down: boolean }, Nothing>;
-  sensor: Command<{ readonly sensor: string; readonly value: number | string }, Nothing>;
+  press: Command<{ readonly button: 'a' | 'b'; readonly down: boolean } & OfDevice, Nothing>;
+  touch: Command<{ readonly pad: string; readonly down: boolean } & OfDevice, Nothing>;
+  sensor: Command<{ readonly sensor: string; readonly value: number | string } & OfDevice, Nothing>;
   'arena-senses': Command<{ readonly on: boolean }, Nothing>;
-  serial: Command<{ readonly text: string }, Nothing>;
-  interrupt: Command<Nothing, Nothing>;
-  radio: Command<{ readonly text: string } | { readonly bytes: readonly number[] }, Nothing>;
+  serial: Command<{ readonly text: string } & OfDevice, Nothing>;
+  interrupt: Command<OfDevice, Nothing>;
+  /** Without a name it reaches all microcomputers. */
+  radio: Command<({ readonly text: string } | { readonly bytes: readonly number[] }) & OfDevice, Nothing>;
   'clear-console': Command<Nothing, Nothing>;
 }
 
@@ -237,8 +254,8 @@ export interface Events {
   phase: { readonly phase: RunPhase };
   started: Nothing;
   /** The program starts again within its run (Ctrl-D at the REPL). */
-  'program-restarted': Nothing;
-  ended: {
+  'program-restarted': OfDevice;
+  ended: OfDevice & {
     readonly ended: EndedWord;
     readonly exception: PlainException | null;
     /** Simulated ms. */
@@ -249,18 +266,18 @@ export interface Events {
     readonly verdict: Verdict | null;
   };
   /** Output of the program and the REPL; `omitted`: characters before it that came too fast and are left out. */
-  output: { readonly text: string; readonly omitted?: number };
+  output: OfDevice & { readonly text: string; readonly omitted?: number };
   snapshot: { readonly snapshot: PlainSnapshot };
   'scene-changed': { readonly name: string; readonly objects: number };
-  'files-changed': { readonly names: readonly string[] };
+  'files-changed': OfDevice & { readonly names: readonly string[] };
   'settings-changed': {
     readonly settings: PageSettings & RobotChoice & Pick<State, 'speed' | 'seed' | 'reality' | 'arenaSenses'>;
   };
-  sensed: { readonly sensor: string; readonly value: number | string };
+  sensed: OfDevice & { readonly sensor: string; readonly value: number | string };
   /** `omitted`: number of packets before these that came too fast and are left out. */
-  radio: { readonly packets: readonly PlainPacket[]; readonly omitted?: number };
+  radio: OfDevice & { readonly packets: readonly PlainPacket[]; readonly omitted?: number };
   /** `omitted`: number of rows. Events that the log was emptied or is full are never left out. */
-  log: { readonly events: readonly PlainLogEvent[]; readonly omitted?: number };
+  log: OfDevice & { readonly events: readonly PlainLogEvent[]; readonly omitted?: number };
   /** An input that the run refused. */
   refused: { readonly message: string };
   /** The run could not start or failed inside. */

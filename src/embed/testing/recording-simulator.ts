@@ -1,5 +1,6 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
+import { deviceNames, withFiles } from '#project/devices';
 import { defaultProjectSettings, filesByName, MAIN, type Project, type SourceFile } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
 import { editProblem } from '#scene/check-edit';
@@ -9,9 +10,10 @@ import { movableIds } from '#simulation/at-once';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RunPhase } from '#simulation/pace';
+import { placeOfDevice } from '#simulation/place-of-device';
 import { createInputCheck, type InputCheck } from '#simulation/run-problem';
 import { SOLO } from '#simulation/run-setup';
-import type { Snapshot } from '#simulation/snapshot';
+import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
 import { filesProblem } from '../files-problem';
@@ -20,13 +22,13 @@ import { PARTS, type EmbeddedSimulator, type HostSettings, type Refusal, type Si
 /** One action of an adapter on the simulator. Reading is not recorded. */
 export type RecordedCall =
   | { readonly call: 'openProject'; readonly project: Project }
-  | { readonly call: 'setFiles'; readonly files: readonly SourceFile[] }
+  | { readonly call: 'setFiles'; readonly files: readonly SourceFile[]; readonly device?: string }
   | { readonly call: 'setScene'; readonly scene: Project['scene'] }
   | { readonly call: 'edit'; readonly edit: Parameters<EmbeddedSimulator['edit']>[0] }
   | { readonly call: 'change'; readonly settings: HostSettings }
   | { readonly call: 'run'; readonly paused: boolean }
   | { readonly call: 'stop' | 'reset' | 'pause' | 'resume' | 'step' | 'clearConsole' }
-  | { readonly call: 'input'; readonly action: InputAction }
+  | { readonly call: 'input'; readonly action: InputAction; readonly device?: string }
   | { readonly call: 'onRunAsked'; readonly isSet: boolean };
 
 /** Its initial state; left out: as on a fresh page. */
@@ -98,11 +100,22 @@ export class RecordingSimulator implements EmbeddedSimulator {
   /** The board with its present sensors; `null` while everything is at the start. */
   snapshot(): Snapshot | null {
     if (this.now === 'ready') return null;
-    return {
+    const device: DeviceSnapshot = {
       ...boardSnapshot(this.rehearsal),
-      ...{ timeUs: 0, running: 'program', awaitsInput: false, repl: false, robot: null, blocks: {}, movers: {} },
-      ...{ verdict: null, lights: [], arenaSenses: false, name: SOLO, others: [] },
+      ...{
+        name: SOLO,
+        running: 'program',
+        awaitsInput: false,
+        repl: false,
+        robot: null,
+        lights: [],
+        arenaSenses: false,
+      },
     };
+    const others = deviceNames(this.work)
+      .slice(1)
+      .map((name) => ({ ...device, name }));
+    return { ...device, timeUs: 0, others, blocks: {}, movers: {}, verdict: null };
   }
 
   openProject(project: Project): Refusal {
@@ -118,14 +131,15 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return null;
   }
 
-  setFiles(files: readonly SourceFile[]): Refusal {
-    this.calls.push({ call: 'setFiles', files });
-    const problem = filesProblem(files);
+  setFiles(files: readonly SourceFile[], device?: string): Refusal {
+    this.calls.push({ call: 'setFiles', files, ...(device !== undefined && { device }) });
+    const place = placeOfDevice(deviceNames(this.work), device);
+    const problem = filesProblem(files) ?? (typeof place === 'string' ? place : null);
     if (problem !== null) return problem;
     this.over('ready');
-    this.work = { ...this.work, files };
+    this.work = withFiles(this.work, Number(place), files);
     this.rehearsal = this.newBoard();
-    this.tell({ type: 'files', files });
+    this.tell({ type: 'files', files, ...(device !== undefined && { device }) });
     return null;
   }
 
@@ -197,8 +211,10 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return null;
   }
 
-  input(action: InputAction): Refusal {
-    this.calls.push({ call: 'input', action });
+  input(action: InputAction, device?: string): Refusal {
+    this.calls.push({ call: 'input', action, ...(device !== undefined && { device }) });
+    const place = placeOfDevice(deviceNames(this.work), device);
+    if (typeof place === 'string') return place;
     const problem = this.inputCheck()(action, this.work.scene, movableIds(new Set(), this.work.scene, this.work.scene));
     if (problem !== null || action.type !== 'sensor') return problem;
     const { sensors } = this.rehearsal;

@@ -11,6 +11,7 @@ import type { RunPhase } from '#simulation/pace';
 import type { Ended } from '#simulation/simulation';
 
 import type { Adapter, CreateAdapter, HostConnection } from '../adapter';
+import { listenToFirst } from '../first-device';
 import { PARTS, type EmbeddedSimulator, type HostSettings, type Part, type SimulatorEvent } from '../simulator';
 import { hostMessage, type HostMessage, type PageMessage, type SettingsData } from './messages';
 import { HOLD_MS, Printing } from './printing';
@@ -26,7 +27,7 @@ export const createWebTigerPythonAdapter: CreateAdapter = (simulator, connection
     if (isOpen) connection.post(message);
   };
   const sender = new EventSender(simulator, connection, post);
-  const unlisten = simulator.listen((event) => sender.hear(event));
+  const unlisten = listenToFirst(simulator, (event) => sender.hear(event));
   post({ type: 'pythonReady', data: null });
   return {
     receive(message) {

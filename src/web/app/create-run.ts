@@ -46,10 +46,10 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
       radio.take(events.radio, events.radioDropped, device);
       dataLog.take(events.log, device);
       if (device === run.device) sound.take(events.sound);
-      if (device > 0) return; // a host knows of the first
+      const from = further(around, device);
       if (events.radio.length > 0)
-        around.host.tell({ type: 'radio', packets: events.radio, dropped: events.radioDropped });
-      if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log });
+        around.host.tell({ type: 'radio', packets: events.radio, dropped: events.radioDropped, ...from });
+      if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log, ...from });
     },
     ...starting(around, () => radio.clear()),
     ...troubles(around),
@@ -65,6 +65,12 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
     { flush: 'sync' },
   );
   return { run, sensors, radio, dataLog, sound, hand };
+}
+
+/** The name of a further device, for a host. */
+function further({ work }: Around, device: number): { readonly device?: string } {
+  const name = device === 0 ? undefined : work.devices.value[device];
+  return name === undefined ? {} : { device: name };
 }
 
 /** What begins with a run. */
@@ -84,7 +90,7 @@ function starting(around: Around, clearRadio: () => void): Pick<RunHost, 'onStar
       clearRadio();
     },
     onRestarted: (device) => {
-      if (device === 0) host.tell({ type: 'program-restarted' });
+      host.tell({ type: 'program-restarted', ...further(around, device) });
       jump.wrong.value = null;
       notices.close();
     },
@@ -97,17 +103,17 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
   return {
     onInput: (action, device) => {
       const { type } = action;
-      if (device > 0) return; // a host knows of the first
-      if (type === 'button' || type === 'touch' || type === 'sensor') host.tell({ type: 'sensed', action });
+      if (type === 'button' || type === 'touch' || type === 'sensor')
+        host.tell({ type: 'sensed', action, ...further(around, device) });
     },
     onOutput: ({ text, device, timeUs }) => {
       console.write(text, device, timeUs);
-      if (device === 0) host.tell({ type: 'output', text });
+      host.tell({ type: 'output', text, ...further(around, device) });
     },
     onEnded: (ended, device) => {
       showEnd(around, ended, run(), device);
-      if (device > 0) return;
-      host.tell({ type: 'program-ended', ended, verdict: run().snapshot.value?.verdict ?? null });
+      const verdict = run().snapshot.value?.verdict ?? null;
+      host.tell({ type: 'program-ended', ended, verdict, ...further(around, device) });
     },
   };
 }

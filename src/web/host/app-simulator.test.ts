@@ -61,4 +61,19 @@ describe('what a host does to the page', () => {
     expect(simulator.setFiles(many)).toContain('the limit is 20');
     expect(work.files.value).toEqual(main('mine'));
   });
+
+  it('replaces the files of the microcomputer that it names, and hears of them', () => {
+    const { work, simulator } = page();
+    const remote = { name: 'remote', device: 'auto', firmware: '', robot: 'none', robotOptions: {}, files: main('r'), sameAs: '' }; // prettier-ignore
+    work.addDevice(remote, 'robot');
+    const told: unknown[] = [];
+    simulator.listen((event) => {
+      if (event.type === 'files') told.push([event.device, event.files]);
+    });
+    expect(simulator.setFiles(main('theirs'), 'remote')).toBeNull();
+    expect(simulator.project().devices?.others[0]?.files).toEqual(main('theirs'));
+    expect(simulator.project().files).toEqual(main('mine'));
+    expect(told).toEqual([['remote', main('theirs')]]);
+    expect(simulator.setFiles(main('theirs'), 'nobody')).toMatch(/no device "nobody"/);
+  });
 });

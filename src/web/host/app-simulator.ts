@@ -3,10 +3,12 @@ import type { HostedPage } from './hosted-page';
 
 import { filesProblem } from '#embed/files-problem';
 import type { EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
+import { withFiles } from '#project/devices';
 import type { Project } from '#project/project';
 import { editProblem } from '#scene/check-edit';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
+import { placeOfDevice } from '#simulation/place-of-device';
 
 import { stampSettings } from '../work/stamp-settings';
 import { hardwareNow } from '../work/hardware/use-hardware';
@@ -41,7 +43,7 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
     ...hostWork(app, change),
     change,
     ...hostRuns(app),
-    input: (action) => inputs.take(action),
+    input: (action, device) => inputs.take(action, device),
     clearConsole: () => app.console.clear(),
     onRunAsked: (ask) => void (run.ask.value = ask),
     listen: (listener) =>
@@ -81,9 +83,11 @@ function hostWork(
       open(project);
       return settings === undefined ? null : change(settings);
     },
-    setFiles(files) {
-      const problem = filesProblem(files);
-      if (problem === null) open({ ...work.work.value.project, files });
+    setFiles(files, device) {
+      const { project } = work.work.value;
+      const place = placeOfDevice(work.devices.value, device);
+      const problem = filesProblem(files) ?? (typeof place === 'string' ? place : null);
+      if (problem === null) open(withFiles(project, Number(place), files));
       return problem;
     },
     setScene(scene: Scene) {
@@ -159,6 +163,14 @@ function listenTo(
     watch(
       () => work.work.value.project.files,
       (files) => tell({ type: 'files', files }),
+      atOnce,
+    ),
+    watch(
+      () => work.work.value.project.devices?.others,
+      (now = [], before = []) => {
+        for (const [at, { name, files }] of now.entries())
+          if (files !== before[at]?.files) tell({ type: 'files', files, device: name });
+      },
       atOnce,
     ),
     watch(

@@ -34,7 +34,7 @@ async function hostAtRun() {
   void run.start();
   await settled();
   say({ type: 'started' });
-  return { ...fake, sensors, taker };
+  return { ...fake, sensors, taker, work };
 }
 
 describe('what a host does to a run', () => {
@@ -69,5 +69,23 @@ describe('what a host does to a run', () => {
     expect(inputs).toEqual([]);
     expect(taker.take({ type: 'sensor', id: 'accelerometerX', value: 7000 })).toBeNull();
     expect(inputs).toHaveLength(1);
+  });
+
+  it('reaches the microcomputer that it names; a packet without a name reaches all', async () => {
+    const { run, taker, work } = await hostAtRun();
+    const other = { name: 'remote', device: 'auto', firmware: '', robot: 'none', robotOptions: {}, files: [], sameAs: 'robot' } as const; // prettier-ignore
+    work.addDevice(other, 'robot');
+    const asked = vi.spyOn(run, 'input');
+    const packet = { type: 'radio', text: 'hi' } as const;
+    expect([taker.take(down), taker.take(down, 'remote'), taker.take(packet), taker.take(packet, 'robot')]).toEqual([
+      ...[null, null, null, null],
+    ]);
+    expect(asked.mock.calls).toEqual([
+      [down, 0],
+      [down, 1],
+      [packet, undefined],
+      [packet, 0],
+    ]);
+    expect(taker.take(down, 'nobody')).toBe('There is no device "nobody". Known are "robot", "remote".');
   });
 });

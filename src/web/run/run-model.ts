@@ -196,13 +196,14 @@ export class RunModel {
 
   /**
    * Does something to the run from outside; if the run is still starting, at its first moment. Without a run nothing
-   * happens. A packet by radio reaches every device.
+   * happens.
    *
-   * @param device its place; left out: the one that is shown
+   * @param device its place; left out: the one that is shown, and for a packet by radio all of them
    */
-  input(action: InputAction, device = this.device): void {
-    this.host.onInput(action, device);
-    const name = device === 0 || action.type === 'radio' ? undefined : this.names[device];
+  input(action: InputAction, device?: number): void {
+    this.host.onInput(action, device ?? this.device);
+    const place = device ?? (action.type === 'radio' ? null : this.device);
+    const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
     const message = { type: 'input', action, ...(name !== undefined && { device: name }) } as const;
     if (this.isActive.value && !this.send(message)) this.host.onRefused('Too much is done before the program begins.');
   }

@@ -1,10 +1,10 @@
 import type { Scene } from '#scene/scene';
-import type { CourseWorld } from './course-world';
-import type { Device } from './device';
-import type { FittedDevice } from './fit-devices';
-import { scaledBody } from './scaled-body';
-import { Judge } from './task/judge';
-import { spikedIds } from './task/task-brief';
+import type { CourseWorld } from '../course-world';
+import type { Device } from '../device';
+import type { FittedDevice } from '../fit-devices';
+import { scaledBody } from '../scaled-body';
+import { Judge } from './judge';
+import { spikedIds } from './task-brief';
 
 /** The judge of a run; `null` where no device has a robot. */
 export function judgeOf(
