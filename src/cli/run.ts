@@ -16,7 +16,7 @@ import {
 import { boardOf } from '#board/boards/board-of-device';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
-import { furtherStart } from '#simulation/starts';
+import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';

@@ -5,6 +5,7 @@ import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
 import type { FittedDevice } from './fit-devices';
+import { Hearing } from './several/hearing';
 import { poseOf, type InputAction } from './input';
 import { mountRobot, type Mounted } from './mount-robot';
 import { tellEvents, type DeviceOutlets } from './outlets';
@@ -28,6 +29,8 @@ export interface Around {
   /** Whole number from which this device's random numbers are drawn. */
   readonly seed: number;
   readonly outlets: DeviceOutlets;
+  /** How loud the other devices are where this one is, 0 … 255. */
+  readonly heard: () => number;
   /** Moves the world on, every `STEP_US` of this device's clock; left out: another device does. */
   readonly step?: () => void;
 }
@@ -46,6 +49,7 @@ export class Device {
   private readonly scale: number;
   private readonly ownAlarms: number;
   private readonly lights: LedChains;
+  private readonly hearing: Hearing;
   private readonly vm: Vm;
   private output: string[] = [];
   private end: Ended | null = null;
@@ -65,6 +69,7 @@ export class Device {
     const { reality } = around.setup;
     const place = { clock: this.clock, board: this.board, world, start, seed, reality, traits: setup.traits };
     this.mounted = mountRobot(hardware, place);
+    this.hearing = new Hearing(this.board.sensors, around.heard);
     this.sendTrail =
       this.mounted && outlets.trail ? createTrailSender(this.mounted.chassis, outlets.trail) : () => undefined;
     this.lights = watchLedChains(hardware.board.pins.map(({ wire }) => this.board.wire(wire)));
@@ -100,6 +105,12 @@ export class Device {
     return this.vm.heapFree();
   }
 
+  /** Senses where it is now; call it after each step of the world. */
+  sense(): void {
+    this.mounted?.step();
+    this.hearing.step();
+  }
+
   /** Lets the VM go on until `us` of its clock, until its program ends, or until its program starts again. */
   resume(us: number): void {
     this.vm.resume(us);
@@ -132,7 +143,8 @@ export class Device {
       case 'place':
         return this.mounted?.chassis.place(poseOf(action.pose));
       case 'arena-senses':
-        return this.mounted?.senses.switch(action.on);
+        this.mounted?.senses.switch(action.on);
+        return this.hearing.switch(action.on);
       case 'interrupt':
         return this.isStopped ? this.vm.stop() : this.vm.interrupt();
       default:
@@ -149,7 +161,7 @@ export class Device {
       repl: this.vm.isInRepl,
       robot: this.mounted && robotSnapshot(this.mounted, this.scale),
       lights: this.lights.chains(),
-      arenaSenses: this.mounted?.senses.isOn ?? false,
+      arenaSenses: this.hearing.isOn,
     };
   }
 

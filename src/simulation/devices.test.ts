@@ -54,6 +54,32 @@ const LISTEN = [
   '  sleep(5)',
 ];
 
+describe('a board with the arena’s senses', { timeout: 60_000 }, () => {
+  const listens = (on: boolean) => {
+    const singer = maqueen(
+      'singer',
+      [300, 300],
+      0,
+      'from microbit import *',
+      'import music',
+      'sleep(200)',
+      'music.pitch(440, 300)',
+    );
+    const level = 'print(microphone.sound_level() > 100)';
+    const listener = maqueen('listener', [300, 500], 0, 'from microbit import *', level, 'sleep(300)', level, 'sleep(400)', level); // prettier-ignore
+    const inputs = [{ timeUs: 0, device: 'listener', action: { type: 'arena-senses', on } }] as const;
+    return run(1500, [singer, listener], { inputs });
+  };
+
+  it('hears the tone of its neighbour, as long as it sounds', async () => {
+    expect((await listens(true)).takeConsole(1)).toBe('False\nTrue\nFalse\n');
+  });
+
+  it('hears nothing while they are off, as they are at first', async () => {
+    expect((await listens(false)).takeConsole(1)).toBe('False\nFalse\nFalse\n');
+  });
+});
+
 describe('two boards', { timeout: 60_000 }, () => {
   it('hear each other by radio', async () => {
     const both = await run(1000, [

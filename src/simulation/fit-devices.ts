@@ -5,7 +5,7 @@ import { lengthOf, overlapMm, type Outline } from '#scene/outline';
 import type { RobotStart, Scene } from '#scene/scene';
 import { chooseHardware, NO_ROBOT, type Hardware } from './hardware';
 import { MOST_DEVICES, type DeviceSetup, type RunSetup } from './run-setup';
-import { furtherStart } from './starts';
+import { furtherStart } from './several/starts';
 
 /** A device of a run with its hardware found, and its robot's place. */
 export interface FittedDevice {

@@ -8,7 +8,7 @@ import type { Scene } from '#scene/scene';
 import { movableIds } from './at-once';
 import { fitDevices, type FittedDevice } from './fit-devices';
 import type { InputAction, PlacedPose } from './input';
-import { placeOfDevice } from './place-of-device';
+import { placeOfDevice } from './several/place-of-device';
 import type { RunSetup } from './run-setup';
 
 /**

@@ -4,17 +4,18 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
-import { Air } from './air';
+import { Air } from './several/air';
 import { CourseWorld } from './course-world';
 import { Device, type DeviceAction, type Ended } from './device';
 import { poseOf, type InputAction, type InputEvent } from './input';
 import { judgeOf } from './task/judge-of';
 import type { FittedDevice } from './fit-devices';
+import { levelAt } from './several/hearing';
 import { outletsOf, type RunOutlets } from './outlets';
 import { RunInputs } from './run-inputs';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
-import { seedOfDevice } from './seed-of-device';
+import { seedOfDevice } from './several/seed-of-device';
 import type { Snapshot } from './snapshot';
 import type { TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
@@ -66,7 +67,8 @@ export class Simulation {
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
     this.devices = fitted.map((device, place) => {
-      const around = { firmware, world: this.world, setup, seed: seedOfDevice(setup.seed, place) };
+      const heard = (): number => this.heardBy(place);
+      const around = { firmware, world: this.world, setup, seed: seedOfDevice(setup.seed, place), heard };
       const own = { ...around, outlets: outletsOf(outlets, place) };
       return new Device(device, place === 0 ? { ...own, step: () => this.step() } : own);
     });
@@ -226,7 +228,7 @@ export class Simulation {
     for (const device of this.followers) device.resumeUntil(this.nowUs - JUST_BEFORE_US);
     this.takeInputs();
     this.world.step();
-    for (const { mounted } of this.devices) mounted?.step();
+    for (const device of this.devices) device.sense();
     this.air.step(this.nowUs);
     this.observe();
   }
@@ -266,6 +268,14 @@ export class Simulation {
       default:
         return this.devices[device ?? 0]?.act(action satisfies DeviceAction);
     }
+  }
+
+  /** How loud the others are where the device at this place is. */
+  private heardBy(place: number): number {
+    const [device] = this.devices.slice(place, place + 1);
+    const others = this.devices.filter((other) => other !== device);
+    const speakers = others.map((other) => ({ board: other.board, at: this.placeOf(other) }));
+    return device === undefined ? 0 : levelAt(this.placeOf(device), speakers);
   }
 
   /** Where a device is; one without a robot is held at the lower edge of the arena. */

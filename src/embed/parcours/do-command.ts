@@ -7,7 +7,7 @@ import { parseScene, parseSceneValue } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import type { InputAction } from '#simulation/input';
 import { SPEEDS } from '#simulation/pace';
-import { placeOfDevice } from '#simulation/place-of-device';
+import { placeOfDevice } from '#simulation/several/place-of-device';
 import { endedWord, msOf } from '#simulation/report';
 
 import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';

@@ -10,7 +10,7 @@ import { movableIds } from '#simulation/at-once';
 import { chooseHardware, type Hardware } from '#simulation/hardware';
 import type { InputAction } from '#simulation/input';
 import type { RunPhase } from '#simulation/pace';
-import { placeOfDevice } from '#simulation/place-of-device';
+import { placeOfDevice } from '#simulation/several/place-of-device';
 import { createInputCheck, type InputCheck } from '#simulation/run-problem';
 import { SOLO } from '#simulation/run-setup';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';

@@ -104,7 +104,9 @@ function followSettings({ settings, work, run }: WorkParts & Pick<RunParts, 'run
   );
   watch(
     () => settings.current.value.arenaSenses,
-    (on) => run.input({ type: 'arena-senses', on }),
+    (on) => {
+      for (const place of work.devices.value.keys()) run.input({ type: 'arena-senses', on }, place);
+    },
   );
   // Another device is another start. At once: a host that chooses one and starts must not be stopped by it afterwards.
   watch(

@@ -8,7 +8,7 @@ import type { Project } from '#project/project';
 import { editProblem } from '#scene/check-edit';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { placeOfDevice } from '#simulation/place-of-device';
+import { placeOfDevice } from '#simulation/several/place-of-device';
 
 import { stampSettings } from '../work/stamp-settings';
 import { hardwareNow } from '../work/hardware/use-hardware';

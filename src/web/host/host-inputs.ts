@@ -1,7 +1,7 @@
 import type { Refusal } from '#embed/simulator';
 import { movableIds } from '#simulation/at-once';
 import type { InputAction } from '#simulation/input';
-import { placeOfDevice } from '#simulation/place-of-device';
+import { placeOfDevice } from '#simulation/several/place-of-device';
 import { createInputCheck } from '#simulation/run-problem';
 
 import type { RunParts } from '../run/parts';

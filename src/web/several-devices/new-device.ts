@@ -3,7 +3,7 @@ import { anyHardware, MAIN, type FurtherDevice } from '#project/project';
 import { findRobot, robotTypes } from '#robots/index';
 import type { Start } from '#scene/scene';
 import { NO_ROBOT } from '#simulation/hardware';
-import { startsIn } from '#simulation/starts';
+import { startsIn } from '#simulation/several/starts';
 
 import { say } from '../page/i18n/say';
 import { hardwareNow } from '../work/hardware/use-hardware';

@@ -52,6 +52,7 @@ function deviceInputs(parts: WorkParts, place: number, sensed: readonly InputEve
   const hardware = hardwareNow(parts, place);
   if (hardware === null) return [];
   const inputs = fittingInputs(sensed, hardware.board);
-  const feels = hardware.robot !== null && parts.settings.current.value.arenaSenses;
+  const hasSenses = hardware.robot !== null || parts.work.hasSeveral.value;
+  const feels = hasSenses && parts.settings.current.value.arenaSenses;
   return feels ? [...inputs, { timeUs: 0, action: { type: 'arena-senses', on: true } }] : inputs;
 }

@@ -2,9 +2,10 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
-import { mountOn, named } from '../../app/testing/mount-on';
+import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { inputsOf, show, startRun } from '../../app/testing/run';
+import { newBoard } from '../../several-devices/new-device';
 import SensorPanel from './SensorPanel.vue';
 
 /** The panel of the sensors for a bare board, or for one on a robot. */
@@ -204,5 +205,17 @@ describe('what the arena tells the board', () => {
     expect(page.settings.current.value.arenaSenses).toBe(!before);
     expect(mounted.get('[role="switch"]').attributes('aria-checked')).toBe(String(!before));
     expect(inputsOf(page)).toEqual([{ type: 'arena-senses', on: !before }]);
+  });
+
+  it('is there for every one of several devices, and switches the senses of all', async () => {
+    const { page, mounted } = panel('none');
+    expect(mounted.find('[role="switch"]').exists()).toBe(false);
+    page.work.addDevice({ ...newBoard(page), name: 'Zwei' }, 'Eins');
+    await nextTick();
+    expect(textOf(mounted.get('.note--arena').element)).toBe('Das Mikrofon hört die anderen Geräte.');
+    await startRun(page);
+    await mounted.get('[role="switch"]').trigger('click');
+    const reached = page.sent.flatMap((message) => (message.type === 'input' ? [message.device] : []));
+    expect(reached).toEqual([undefined, 'Zwei']);
   });
 });

@@ -3,7 +3,7 @@ import { filesByName, type Project } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
 import type { RobotStart } from '#scene/scene';
 import { furtherRobot, sceneOfFurther } from '#simulation/hardware';
-import { furtherStart, startsIn } from '#simulation/starts';
+import { furtherStart, startsIn } from '#simulation/several/starts';
 
 import type { WorkParts } from '../model/parts';
 import type { Settings } from '../settings/settings';

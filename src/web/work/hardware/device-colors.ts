@@ -1,5 +1,5 @@
 import { robotColors } from '#scene/scene';
-import { startsIn } from '#simulation/starts';
+import { startsIn } from '#simulation/several/starts';
 
 import type { WorkParts } from '../model/parts';
 import { hardwareNow } from './use-hardware';

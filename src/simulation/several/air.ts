@@ -1,7 +1,7 @@
 import type { RadioConfig } from '#board/radio';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
-import type { Device } from './device';
+import type { Device } from '../device';
 
 /** A packet under way. */
 interface Packet {
