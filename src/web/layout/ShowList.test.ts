@@ -4,6 +4,7 @@ import { nextTick } from 'vue';
 
 import { mountOn, named, setWindow } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
+import { newBoard } from '../several-devices/new-device';
 import ShowList from './ShowList.vue';
 
 const SWITCHES = ['cone', 'spots', 'centre', 'trace', 'follow', 'tell', 'celebrate'] as const;
@@ -46,6 +47,16 @@ describe('what the arena shows', () => {
     item(id).element.click();
     expect(SWITCHES.filter((other) => page.settings.current.value[other])).toEqual([]);
     expect(done()).toBe(0); // the menu stays open
+  });
+
+  it('shows what is sent by radio where there are several devices, with a robot or without', async () => {
+    const { page, mounted, item } = menu('none');
+    expect(mounted.find('[data-testid="show-packets"]').exists()).toBe(false);
+    page.work.addDevice({ ...newBoard(page), name: 'Zwei' }, 'Eins');
+    await nextTick();
+    item('packets').element.click();
+    await nextTick();
+    expect(page.settings.current.value.packets).toBe(true);
   });
 
   it('has the tones of the drive beside its words: on with them, and off alone', async () => {

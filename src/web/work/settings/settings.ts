@@ -29,6 +29,8 @@ export interface Settings {
   /** … the point around which it turns, and its trail. */
   readonly centre: boolean;
   readonly trace: boolean;
+  /** Whether the arena shows what the devices send by radio. */
+  readonly packets: boolean;
   /** Form and place of chains of lights, as far as they were chosen. */
   readonly lights: LightWishes;
   readonly showBoard: boolean;
@@ -102,6 +104,7 @@ export function defaultSettings(language: Language): Settings {
     spots: false,
     centre: false,
     trace: false,
+    packets: false,
     lights: {},
     showBoard: true,
     showArena: true,
@@ -139,6 +142,7 @@ type Flag =
   | 'spots'
   | 'centre'
   | 'trace'
+  | 'packets'
   | 'showBoard'
   | 'showArena'
   | 'arenaSenses'
@@ -174,6 +178,7 @@ export function settingsFromText(text: string | null, fallback: Settings): Setti
     spots: flag('spots'),
     centre: flag('centre'),
     trace: flag('trace'),
+    packets: flag('packets'),
     lights: readLightWishes(read.lights),
     showBoard: flag('showBoard'),
     showArena: flag('showArena'),
