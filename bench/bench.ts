@@ -4,7 +4,7 @@ import { headlessSubjects } from './headless';
 import { downloadSubject } from './page/download';
 import { editingSubject } from './page/editing';
 import { fourRobotsSubject, framesSubject } from './page/frames';
-import { memorySubject } from './page/memory';
+import { eightDevicesMemorySubject, memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
 import { startSubject } from './page/start';
@@ -18,6 +18,7 @@ const pageSubjects = [
   fourRobotsSubject,
   editingSubject,
   memorySubject,
+  eightDevicesMemorySubject,
   runsSubject,
   stopSubject,
 ];

@@ -117,6 +117,10 @@ test(
     await pasteProgram(app, 'from mbrobot import *\nforward()\n');
     await app.click(on('run'));
     await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start[0] + 20);
+    await app.click(on('stop'));
+    await app.click(toolButton('hand'));
+    await app.click(by('other-robot')); // the hand takes the robot of the device that is shown
+    await until(app, `${card(0, '.select')}[aria-pressed="true"]`);
   },
 );
 

@@ -15,11 +15,33 @@ while True:
     delay(200)
 `;
 
+/** The same, and what it hears is sent on: the air is never quiet. */
+const TALKING = `from mbrobot import *
+import radio
+radio.on()
+setSpeed(30)
+n = 0
+while True:
+    heard = radio.receive()
+    n += 1
+    radio.send(str(n))
+    if heard and len(heard) % 2: forward()
+    else: backward()
+    print(n, heard)
+    delay(300)
+`;
+
+/** Eight devices with a Maqueen Lite each, which talk by radio. */
+export const eightDevices = (): string => robots('ABCDEFGH', TALKING);
+
 /** Four Maqueen Lite beside each other on an empty floor, each with a device of its own. */
-export function fourRobots(): string {
+export const fourRobots = (): string => robots('ABCD', TO_AND_FRO);
+
+function robots(letters: string, text: string): string {
   const work = JSON.parse(openedCourse('empty')) as { project: object };
-  const files = [{ name: 'main.py', text: TO_AND_FRO }];
+  const files = [{ name: 'main.py', text }];
+  const [first, ...further] = letters;
   const device = { device: 'auto', firmware: '', robot: 'maqueen-lite', robotOptions: {}, files, sameAs: '' };
-  const others = ['B', 'C', 'D'].map((name) => ({ ...device, name }));
-  return JSON.stringify({ ...work, project: { ...work.project, files, devices: { first: 'A', others } } });
+  const others = further.map((name) => ({ ...device, name }));
+  return JSON.stringify({ ...work, project: { ...work.project, files, devices: { first, others } } });
 }

@@ -1,11 +1,10 @@
 import type { Page } from '@playwright/test';
 import type { Figure, Subject } from '../subject';
-import { closedLine } from './kept-work';
+import { closedLine, eightDevices } from './kept-work';
 import { chooseMaximumSpeed, until, untilUsable, withPage, type Opened, type Stage } from './stage';
 import { PLACES } from './watch';
 import { memoryUse, noteVms, type MemoryUse } from './worker-memory';
 
-const DRIVING_US = 600_000_000;
 const RESTARTS = 100;
 const WORKER_BUDGET_MB = 80;
 /** Number of memory measurements on the way; the first one is after the warm-up. */
@@ -16,31 +15,36 @@ const LOOKS = 4;
  */
 const FLAT = { share: 0.05, heapMb: 1, processMb: 15 };
 
-/** Whether memory stays what it is. */
-export const memorySubject: Subject<Stage> = {
-  budgets: [
-    { what: 'worker memory, 10 min of driving', budget: 'flat, <= 80 MB' },
-    { what: 'worker memory, 100 restarts', budget: 'flat, <= 80 MB' },
-  ],
-  measure: (stage) =>
-    withPage(stage, { noServiceWorker: true, work: closedLine() }, async (opened) => {
-      noteVms(opened.page);
-      await untilUsable(opened.page);
-      await settle(opened.page);
-      if (!stage.long) await chooseMaximumSpeed(opened.page);
-      const driving = await drive(opened);
-      const restarting = await restart(opened);
-      return [figure(driving), figure(restarting)];
-    }),
-};
+/** Whether memory stays what it is: with one device, and with eight. */
+export const memorySubject = memoryOf('', closedLine, 600_000_000);
+export const eightDevicesMemorySubject = memoryOf(', eight devices', eightDevices, 1_440_000_000);
 
-/** One long run along the closed line. */
-async function drive(opened: Opened): Promise<MemoryUse[]> {
+function memoryOf(who: string, work: () => string, drivingUs: number): Subject<Stage> {
+  return {
+    budgets: [
+      { what: `worker memory, ${drivingUs / 60_000_000} min of driving${who}`, budget: 'flat, <= 80 MB' },
+      { what: `worker memory, ${RESTARTS} restarts${who}`, budget: 'flat, <= 80 MB' },
+    ],
+    measure: (stage) =>
+      withPage(stage, { noServiceWorker: true, work: work() }, async (opened) => {
+        noteVms(opened.page);
+        await untilUsable(opened.page);
+        await settle(opened.page);
+        if (!stage.long) await chooseMaximumSpeed(opened.page);
+        const driving = await drive(opened, drivingUs);
+        const restarting = await restart(opened);
+        return [figure(driving), figure(restarting)];
+      }),
+  };
+}
+
+/** One long run. */
+async function drive(opened: Opened, drivingUs: number): Promise<MemoryUse[]> {
   const { page } = opened;
   await page.click(PLACES.run);
   return looks(async (look) => {
-    const wantedUs = (look * DRIVING_US) / LOOKS;
-    await until(page, (us) => window.bench.timeUs >= us, wantedUs, DRIVING_US / 1000);
+    const wantedUs = (look * drivingUs) / LOOKS;
+    await until(page, (us) => window.bench.timeUs >= us, wantedUs, drivingUs / 1000);
     return memoryUse(opened);
   });
 }

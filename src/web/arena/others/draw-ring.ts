@@ -36,6 +36,14 @@ export function nameBox(ring: DeviceRing): PxBox {
   return { left: middle.x - width / 2, top, width, height: NAME_PX };
 }
 
+/** Where the robot is, in px. */
+export const bodyBox = ({ middle, radiusPx }: DeviceRing): PxBox => ({
+  left: middle.x - radiusPx,
+  top: middle.y - radiusPx,
+  width: 2 * radiusPx,
+  height: 2 * radiusPx,
+});
+
 /** Where `drawDeviceRing` draws, in px. */
 export function ringBoxes(ring: DeviceRing): readonly PxBox[] {
   const { middle, radiusPx } = ring;
