@@ -83,6 +83,8 @@ test(
   async ({ app }) => {
     await addRemote(app, (css) => app.click(css));
     expect(await violationsOn(app)).toEqual([]);
+    await app.click(`${by('held-board')} button`); // the remote control is seen in the arena, and chosen there
+    await until(app, `${card(1, '.select')}[aria-pressed="true"]`);
     await tabTo(app, card(0, '.select'));
     await app.press('Enter');
     await expect.poll(() => programIn(app)).toBe(ROBOT);
