@@ -9,7 +9,7 @@ import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
 import { startSubject } from './page/start';
 import { stopSubject } from './page/stop';
-import { measured, skipped, type Row } from './subject';
+import { measured, named, skipped, type Row } from './subject';
 
 const pageSubjects = [
   startSubject,
@@ -25,11 +25,13 @@ const pageSubjects = [
 
 export { apiCalls } from './api-calls';
 
-/** The lines that need no browser. Runs in the project's folder after set-up. */
-export const headlessRows = (): AsyncGenerator<Row> => measured([...headlessSubjects, apiCallsSubject], undefined);
+/** The lines that need no browser and have `words` in their names. Runs in the project's folder after set-up. */
+export const headlessRows = (words: string): AsyncGenerator<Row> =>
+  measured(named([...headlessSubjects, apiCallsSubject], words), undefined);
 
-/** The lines about the page in Chromium. */
-export const pageRows = (stage: Stage): AsyncGenerator<Row> => measured(pageSubjects, stage);
+/** The lines about the page in Chromium that have `words` in their names. */
+export const pageRows = (stage: Stage, words: string): AsyncGenerator<Row> =>
+  measured(named(pageSubjects, words), stage);
 
 /** The same lines if there is no Chromium. */
-export const skippedPageRows = (reason: string): Row[] => skipped(pageSubjects, reason);
+export const skippedPageRows = (reason: string, words: string): Row[] => skipped(named(pageSubjects, words), reason);

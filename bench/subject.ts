@@ -24,6 +24,10 @@ export interface Row extends Budget {
   readonly met: boolean | null;
 }
 
+/** The subjects of which a budget's name contains some words; all for none. */
+export const named = <Stage>(subjects: readonly Subject<Stage>[], words: string): Subject<Stage>[] =>
+  subjects.filter(({ budgets }) => budgets.some(({ what }) => what.includes(words)));
+
 /** Measures subject after subject; a failing one says so in its lines and does not stop the others. */
 export async function* measured<Stage>(subjects: readonly Subject<Stage>[], stage: Stage): AsyncGenerator<Row> {
   for (const subject of subjects) {

@@ -1,6 +1,7 @@
 // npm run bench: prints every budget with its figure (docs/architecture.md, "Budgets"). A missed budget is marked and fails nothing.
 // With `-- --long` the page drives its ten minutes as people see them, not as fast as it can. With `-- --calls` it only
-// tells how fast a loop with each API call runs, the slowest first.
+// tells how fast a loop with each API call runs, the slowest first. With `-- --only WORDS` it measures what has these words
+// in its name, as in `-- --only memory`.
 import { cpus, loadavg } from 'node:os';
 import { join } from 'node:path';
 import { pathToFileURL } from 'node:url';
@@ -36,18 +37,18 @@ async function printCalls(bench) {
 }
 
 /** The lines about the page, from the built app in headless Chromium. */
-async function printPage(bench, long) {
+async function printPage(bench, { long, words }) {
   const [{ env, missing }] = engines();
   if (missing) {
-    bench.skippedPageRows(missing).forEach(print);
+    bench.skippedPageRows(missing, words).forEach(print);
     return;
   }
   const { chromium } = await import('@playwright/test'); // not before set-up: a fresh clone has it only then
   const options = { executablePath: env.PARCOURS_CHROMIUM, args: ['--disable-audio-output'] };
   const server = await serve({ port: 0 });
   try {
-    for await (const row of bench.pageRows({ launch: () => chromium.launch(options), url: server.url, long }))
-      print(row);
+    const stage = { launch: () => chromium.launch(options), url: server.url, long };
+    for await (const row of bench.pageRows(stage, words)) print(row);
   } finally {
     await server.close();
   }
@@ -66,8 +67,9 @@ await main(import.meta.url, async (args) => {
     `Load (means of 1, 5 and 15 min): ${load()}. Headless: the best of 3; page: the median of 3, Chromium on the same machine.`,
   );
   if (args.includes('--calls')) return printCalls(bench);
+  const words = args.includes('--only') ? (args[args.indexOf('--only') + 1] ?? '') : '';
   print({ what: 'what', figure: 'figure', budget: 'budget', met: null });
-  for await (const row of bench.headlessRows()) print(row);
-  await printPage(bench, args.includes('--long'));
+  for await (const row of bench.headlessRows(words)) print(row);
+  await printPage(bench, { long: args.includes('--long'), words });
   note(`Load at the end: ${load()}. Measured in ${elapsed(Date.now() - started)}.`);
 });
