@@ -396,6 +396,9 @@ const DRIVES: readonly (readonly string[])[] = [
   ['import radio', 'radio.on()', 'while True:', '  forward() if radio.receive() else stop()', '  delay(7)'],
 ];
 
+/** Number of random set-ups; a thousand take ten minutes. */
+const SETUPS = Number(process.env['PARCOURS_DEVICE_SETUPS'] ?? 30);
+
 describe('the same run', { timeout: 600_000 }, () => {
   it.each([
     [2, 'f9060b5643748cc10183f80f2110ee936b82163bf8ebacac634b5a9b2a29c66b'],
@@ -408,9 +411,8 @@ describe('the same run', { timeout: 600_000 }, () => {
     for (let n = 1; n < count; n++) expect(simulation.takeConsole(n)).toContain('ahead');
   });
 
-  it('comes of any set-up, however it is cut into pieces', async () => {
-    const count = Number(process.env['PARCOURS_DEVICE_SETUPS'] ?? 30);
-    for (let seed = 1; seed <= count; seed++) {
+  it('comes of any set-up, however it is cut into pieces', { timeout: 600_000 + SETUPS * 2000 }, async () => {
+    for (let seed = 1; seed <= SETUPS; seed++) {
       const chance = createRng(seed);
       const pick = <T>(list: readonly T[]): T => list[Math.floor(chance.unit() * list.length)]!;
       const devices = Array.from({ length: 1 + Math.floor(chance.unit() * 8) }, (_, n) =>
