@@ -68,7 +68,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   emptyConsole({ work, ...running, ...talk });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   tellIdleHand({ ...page, ...running, work, editor });
-  const editing = { editor, panels: createEditorPanels() };
+  const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task };
 }

@@ -207,6 +207,19 @@ describe('a project or a course that is taken in', () => {
     expect(words).toBe('«Garten.json» ist geöffnet.');
   });
 
+  it('may be a picture: it is offered as the floor, where the arena shows', async () => {
+    page.settings.change({ showArena: false });
+    take(file('floor.JPG', 'x'));
+    await vi.waitFor(() => expect(page.panels.shown.value).toBe('background'));
+    expect(page.panels.picture.value).toMatchObject({ name: 'floor.JPG' });
+    expect([page.settings.current.value.showArena, page.layout.tab.value]).toEqual([true, 'arena']);
+  });
+
+  it('is refused in words when it is a picture and the page shows no arena', async () => {
+    page.host.parts.value = ['bar', 'code'];
+    expect(await told(() => take(file('d.PNG', 'x')))).toMatch(/^d\.PNG ist ein Bild\. .* keine Arena\.$/);
+  });
+
   it.each([
     [
       'no JSON',
@@ -216,7 +229,6 @@ describe('a project or a course that is taken in', () => {
     ],
     ['JSON of something else', 'b.json', '{ "hello": 1 }', /^b\.json: Das ist weder ein Projekt noch ein Parcours\.$/],
     ['no text', 'c.json', new Uint8Array([0xff, 0xfe]), /^c\.json lässt sich nicht lesen\.$/],
-    ['a picture', 'd.PNG', 'x', /^d\.PNG ist ein Bild\. .* «Mehr zum Parcours», dann «Bild als Boden»\.$/],
     ['of another kind', 'd.pdf', 'x', /^d\.pdf kann hier nicht geöffnet werden\. Es gehen Programme/],
     ['a project without a program', 'e.json', () => project('x').replace('main.py', 'other.py'), /^e\.json: .*main\.py heissen\.$/], // prettier-ignore
     ['a course larger than an arena can be', 'f.json', () => serializeScene(course).replace(/700/g, '70000000'), /^f\.json: .*70000000 liegt nicht zwischen/], // prettier-ignore

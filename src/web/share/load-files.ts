@@ -6,9 +6,10 @@ import type { RunParts } from '../run/parts';
 import type { WorkParts, Workplace } from '../work/model/parts';
 import { useOpenings } from '../work/use-openings';
 import { workName } from '../work/work-name';
+import type { TakesDocuments } from './open-json';
 
 /** Where files of all kinds are taken in. */
-export type TakesFiles = Workplace & Pick<RunParts, 'dataLog'>;
+export type TakesFiles = TakesDocuments & Pick<RunParts, 'dataLog'>;
 
 /** A loaded file whose name is taken: the pupil decides what happens to it. */
 export interface Conflict {

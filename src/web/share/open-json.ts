@@ -12,6 +12,18 @@ import { say } from '../page/i18n/say';
 import { reasonOf } from './problem-words';
 import { shareWords as words } from './share-words';
 
+/** Where projects, courses and pictures are taken in. */
+export type TakesDocuments = Workplace & {
+  /** The course editor's windows, where a picture becomes the floor. */
+  readonly panels: {
+    /** Returns `false` where the page has no arena. */
+    offer(picture: Blob): boolean;
+  };
+};
+
+/** Files that may become the floor. */
+const PICTURE = /\.(png|jpe?g|svg)$/i;
+
 /** Largest file of JSON that is read: a project with a picture as floor has a few MB. */
 const MAX_BYTES = 16 * 1024 * 1024;
 
@@ -19,7 +31,7 @@ const MAX_BYTES = 16 * 1024 * 1024;
  * Opens projects and courses from files, and puts the work so far aside; of several the last stays open, the others are
  * put aside like work of one's own. A file that cannot be opened gives a message.
  */
-export async function openJsonFiles(app: Workplace, files: readonly File[]): Promise<void> {
+export async function openJsonFiles(app: TakesDocuments, files: readonly File[]): Promise<void> {
   if (files.length > PREVIOUS_KEPT) {
     // More would push earlier ones, and the pupil's own work, out of what is kept.
     refuse(app, say(words.tooManyFiles, { count: files.length, max: PREVIOUS_KEPT }));
@@ -38,9 +50,9 @@ export async function openJsonFiles(app: Workplace, files: readonly File[]): Pro
 }
 
 /** @returns why the file was not opened; `null`: it was */
-async function openJsonFile(app: Workplace, loaded: File): Promise<string | null> {
+async function openJsonFile(app: TakesDocuments, loaded: File): Promise<string | null> {
   const file = loaded.name;
-  if (/\.(png|jpe?g|svg)$/i.test(file)) return say(words.problems.picture, { file });
+  if (PICTURE.test(file)) return app.panels.offer(loaded) ? null : say(words.problems.picture, { file });
   if (!file.toLowerCase().endsWith('.json')) return say(words.problems.otherKind, { file });
   if (loaded.size > MAX_BYTES) {
     const size = Math.ceil(loaded.size / 1024 / 1024);

@@ -13,7 +13,7 @@ export function useCommands(app: TakesFiles) {
   function load(): void {
     const picker = document.createElement('input');
     picker.type = 'file';
-    picker.accept = '.py,.json,.htm,.html,.csv,.tsv,.txt,text/x-python,application/json';
+    picker.accept = '.py,.json,.htm,.html,.csv,.tsv,.txt,.png,.jpg,.jpeg,.svg,text/x-python,application/json';
     picker.multiple = true;
     picker.addEventListener('change', () => take(picker.files ?? []));
     picker.click();

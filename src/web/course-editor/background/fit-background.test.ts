@@ -17,6 +17,15 @@ describe('a picture taken in as floor', () => {
     expect(cells).toEqual([1000, 1000]);
   });
 
+  it('is stretched to the arena where that is asked for', () => {
+    expect(fitBackground(100, 100, [1200, 900], 'arena')).toMatchObject({ at: [0, 0], size: [1200, 900] });
+  });
+
+  it('has the true size of a sheet of paper, upright or lying as the picture is', () => {
+    expect(fitBackground(400, 300, [1200, 900], 'A4')).toMatchObject({ at: [452, 345], size: [297, 210] });
+    expect(fitBackground(300, 400, [1200, 900], 'A3')).toMatchObject({ size: [297, 420], cells: [149, 210] });
+  });
+
   it('stays within what a course may hold for each proportion', () => {
     for (const [width, height] of [
       [1, 40_000],

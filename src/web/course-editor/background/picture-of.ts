@@ -1,16 +1,13 @@
 import { sceneLimits } from '#scene/scene';
 
-/** Longest side of the picture that is displayed, in pixels; reduced until it fits. Chosen: sharp on a projector. */
-const LONGEST_PX = 2000;
+import type { Pixels } from './pixels';
 
 /** Its limit in characters: well below that of a course, as all copies of the work share the browser's 5 million. */
 const MOST_CHARACTERS = Math.min(600_000, sceneLimits.pictureCharacters);
 
 /** What to paint. */
 interface Source {
-  readonly source: CanvasImageSource;
-  readonly widthPx: number;
-  readonly heightPx: number;
+  readonly pixels: Pixels;
   /** A photograph: too large as a PNG, and without transparent parts. */
   readonly isPhoto: boolean;
 }
@@ -19,10 +16,10 @@ interface Source {
  * Repaints a picture as a `data:image/…` URL of limited length: PNG if that is short (drawings), otherwise WebP or JPEG
  * (photographs), scaled down until it fits. Everything else in the file (location, camera, name) is dropped.
  */
-export function pictureOf(source: Source, mostCharacters: number = MOST_CHARACTERS): string {
-  const longest = Math.max(source.widthPx, source.heightPx);
-  for (let px = Math.min(LONGEST_PX, longest); px >= 1; px /= 1.5) {
-    const found = encoded(painted(source, px / longest), source.isPhoto, mostCharacters);
+export function pictureOf({ pixels, isPhoto }: Source, mostCharacters: number = MOST_CHARACTERS): string {
+  const whole = canvasOf(pixels);
+  for (let scale = 1; Math.max(whole.width, whole.height) * scale >= 1; scale /= 1.5) {
+    const found = encoded(scaled(whole, scale), isPhoto, mostCharacters);
     if (found.length <= mostCharacters) return found;
   }
   return ''; // the grey levels are shown instead
@@ -39,10 +36,21 @@ function encoded(canvas: HTMLCanvasElement, isPhoto: boolean, mostCharacters: nu
   return isPhoto || isOpaque(canvas) ? canvas.toDataURL('image/jpeg', 0.85) : webp;
 }
 
-function painted({ source, widthPx, heightPx }: Source, scale: number): HTMLCanvasElement {
+/** A canvas that shows a picture. */
+export function canvasOf({ data, width, height }: Pixels): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
-  canvas.width = Math.max(1, Math.round(widthPx * scale));
-  canvas.height = Math.max(1, Math.round(heightPx * scale));
+  canvas.width = width;
+  canvas.height = height;
+  canvas.getContext('2d', { willReadFrequently: true })?.putImageData(new ImageData(data, width, height), 0, 0);
+  return canvas;
+}
+
+/** The same, smaller. */
+export function scaled(source: HTMLCanvasElement, scale: number): HTMLCanvasElement {
+  if (scale >= 1) return source;
+  const canvas = document.createElement('canvas');
+  canvas.width = Math.max(1, Math.round(source.width * scale));
+  canvas.height = Math.max(1, Math.round(source.height * scale));
   const context = canvas.getContext('2d', { willReadFrequently: true });
   if (context === null) return canvas;
   context.imageSmoothingQuality = 'high';

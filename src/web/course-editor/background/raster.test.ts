@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
-import { createRaster } from './raster';
+import { brightnessOfCells, FULL_BRIGHTNESS } from './raster';
+import { levelsOf } from './sensor-view';
 
 /** A picture as text: `#` black, `.` white, `o` mid grey, ` ` transparent, `r` red. */
 const COLOURS: Readonly<Record<string, readonly number[]>> = {
@@ -14,9 +15,10 @@ const pixels = (rows: readonly string[]): number[] =>
   rows.flatMap((row) => Array.from(row).flatMap((sign) => COLOURS[sign] ?? []));
 
 function levels(rows: readonly string[], columns: number, cellRows: number): number[] {
-  const raster = createRaster(rows[0]?.length ?? 0, rows.length, columns, cellRows);
-  raster.add(pixels(rows));
-  return [...raster.levels()];
+  const data = Uint8ClampedArray.from(pixels(rows));
+  const brightness = brightnessOfCells({ width: rows[0]?.length ?? 0, height: rows.length, data }, columns, cellRows);
+  const view = { steps: 'greys', thresholdPercent: 50, isEven: false } as const;
+  return [...levelsOf({ columns, rows: cellRows, brightness }, view)];
 }
 
 describe('the levels of a picture', () => {
@@ -43,19 +45,9 @@ describe('the levels of a picture', () => {
     expect(levels(['#.'], 4, 2)).toEqual([0, 0, 15, 15, 0, 0, 15, 15]);
   });
 
-  it('are the same whether the picture comes at once or in strips', () => {
-    const rows = ['#.o#.', '.o##o', 'oo..#', '#####', '.r.r.', 'o#o#o', '.....'];
-    const whole = createRaster(5, 7, 3, 4);
-    whole.add(pixels(rows));
-    const strips = createRaster(5, 7, 3, 4);
-    for (const row of rows) strips.add(pixels([row]));
-    expect([...strips.levels()]).toEqual([...whole.levels()]);
-  });
-
-  it('stay exact for the largest picture: 40 million white pixels are all bare floor', () => {
-    const raster = createRaster(40_000, 1000, 3, 1);
-    const row = new Uint8ClampedArray(4 * 40_000).fill(255);
-    for (let y = 0; y < 1000; y += 1) raster.add(row);
-    expect([...raster.levels()]).toEqual([15, 15, 15]);
+  it('stay exact for the largest picture: 4 million white pixels are all bare floor', () => {
+    const data = new Uint8ClampedArray(4 * 4_000_000).fill(255);
+    const brightness = brightnessOfCells({ width: 2000, height: 2000, data }, 3, 1);
+    expect([...brightness]).toEqual([FULL_BRIGHTNESS, FULL_BRIGHTNESS, FULL_BRIGHTNESS]);
   });
 });

@@ -1,34 +1,31 @@
-import { packLevels } from '#scene/background';
-import type { Background, Point } from '#scene/scene';
-
 import { svgProblem, svgSize } from './check-svg';
-import { fitBackground } from './fit-background';
-import { readImageHeader } from './image-header';
+import { readImageHeader, type ImageHeader } from './image-header';
 import { pictureOf } from './picture-of';
-import { createRaster } from './raster';
+import type { Pixels } from './pixels';
 
-/** Why a file cannot be used as the floor. */
-export type BackgroundProblem = 'type' | 'file-too-large' | 'too-many-pixels' | 'unsafe' | 'damaged' | 'no-memory';
+/** Why a file cannot be used as a picture. */
+export type BackgroundProblem = 'type' | 'file-too-large' | 'unsafe' | 'damaged' | 'no-memory';
 
-/** Largest file that is opened, in bytes. */
-const MOST_BYTES = 50_000_000;
+/**
+ * Longest side of an opened picture in pixels; a larger one is scaled down while it is opened. Chosen: twice what the
+ * sensors tell apart on 2 m, and 16 MB of memory.
+ */
+export const LONGEST_PX = 2000;
 
-/** Most pixels of a picture that is decoded: each needs 4 bytes of memory. */
-const MOST_PIXELS = 50_000_000;
+/** Largest drawing that is read, in bytes: it is text, and all of it is checked. */
+const MOST_SVG_BYTES = 50_000_000;
 
-/** Pixels along the longer side of a drawing, which has none of its own: enough to look sharp on a screen. */
-const SVG_PX = 3000;
+/** Where a header is looked for, in bytes: cameras write small pictures and much text before it. */
+const HEADER_BYTES = 1_000_000;
 
-/** Size of the strips in which a picture is turned into levels, in pixels. */
-const STRIP_PIXELS = 1_000_000;
+/** A picture with more pixels than this that cannot be opened is too large for the device, in all likelihood. */
+const MANY_PIXELS = 50_000_000;
 
 /** A picture that has been opened. */
-interface Opened {
-  readonly source: CanvasImageSource;
-  readonly widthPx: number;
-  readonly heightPx: number;
+export interface OpenedPicture {
+  readonly pixels: Pixels;
+  /** A photograph: too large as a PNG, and without transparent parts. */
   readonly isPhoto: boolean;
-  close(): void;
 }
 
 /** A problem found while reading. */
@@ -39,33 +36,22 @@ class Refusal extends Error {
 }
 
 /**
- * Makes a background from a picture file (PNG, JPEG, or an SVG that contains only a picture): in the middle of the
- * arena, as large as fits, with the grid that the line sensors read and the picture that is displayed. That one is
- * repainted, so that nothing else in the file survives.
+ * Opens a picture file (PNG, JPEG, or an SVG that contains only a picture), scaled down to `LONGEST_PX`. Only pixels are
+ * kept, so that nothing else in the file survives.
  *
- * @param arena its size in mm
- * @returns a problem to report (`backgroundProblemTexts`) if the file cannot be read; never rejects
+ * @returns a problem to report if the file cannot be read; never rejects
  */
-export async function readBackground(
+export async function openPicture(
   file: Blob,
-  arena: Point,
-): Promise<{ readonly background: Background } | { readonly problem: BackgroundProblem }> {
-  let opened: Opened | null = null;
+): Promise<{ readonly picture: OpenedPicture } | { readonly problem: BackgroundProblem }> {
+  let header: ImageHeader | null = null;
   try {
-    opened = await open(file);
-    const { widthPx, heightPx } = opened;
-    const place = fitBackground(widthPx, heightPx, arena);
-    const raster = createRaster(widthPx, heightPx, place.cells[0], place.cells[1]);
-    for (const strip of stripsOf(opened)) {
-      raster.add(strip);
-      await breath();
-    }
-    return { background: { ...place, levels: packLevels(raster.levels()), picture: pictureOf(opened) } };
+    header = readImageHeader(new Uint8Array(await file.slice(0, HEADER_BYTES).arrayBuffer()));
+    const pixels = header === null ? await pixelsOfSvg(file) : await pixelsOfBitmap(file, header);
+    return { picture: { pixels, isPhoto: header?.type === 'jpeg' } };
   } catch (error) {
     if (error instanceof Refusal) return { problem: error.problem };
-    return { problem: opened === null ? 'damaged' : 'no-memory' };
-  } finally {
-    opened?.close();
+    return { problem: header !== null && header.widthPx * header.heightPx > MANY_PIXELS ? 'no-memory' : 'damaged' };
   }
 }
 
@@ -79,37 +65,29 @@ export async function readPicture(
   file: Blob,
   mostCharacters: number,
 ): Promise<{ readonly picture: string } | { readonly problem: BackgroundProblem }> {
-  let opened: Opened | null = null;
+  const opened = await openPicture(file);
+  return 'problem' in opened ? opened : { picture: pictureOf(opened.picture, mostCharacters) };
+}
+
+/** The browser scales while it opens, so that a large photograph is never in memory as a whole. */
+async function pixelsOfBitmap(file: Blob, { type, widthPx, heightPx }: ImageHeader): Promise<Pixels> {
+  const isLarge = Math.max(widthPx, heightPx) > LONGEST_PX;
+  // One side alone keeps the proportions, also of a photograph that says how it is to be turned.
+  const side = widthPx >= heightPx ? 'resizeWidth' : 'resizeHeight';
+  const options: ImageBitmapOptions = isLarge ? { [side]: LONGEST_PX, resizeQuality: 'high' } : {};
+  const bitmap = await createImageBitmap(new Blob([file], { type: `image/${type}` }), options);
   try {
-    opened = await open(file);
-    return { picture: pictureOf(opened, mostCharacters) };
-  } catch (error) {
-    return { problem: error instanceof Refusal ? error.problem : 'damaged' };
+    return painted(bitmap, bitmap.width, bitmap.height);
   } finally {
-    opened?.close();
+    bitmap.close();
   }
 }
 
-async function open(file: Blob): Promise<Opened> {
-  if (file.size > MOST_BYTES) throw new Refusal('file-too-large');
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  const header = readImageHeader(bytes);
-  if (header === null) return openSvg(bytes);
-  if (header.widthPx * header.heightPx > MOST_PIXELS) throw new Refusal('too-many-pixels');
-  const bitmap = await createImageBitmap(new Blob([bytes], { type: `image/${header.type}` }));
-  return {
-    source: bitmap,
-    widthPx: bitmap.width,
-    heightPx: bitmap.height,
-    isPhoto: header.type === 'jpeg',
-    close: () => bitmap.close(),
-  };
-}
-
-async function openSvg(bytes: Uint8Array): Promise<Opened> {
+async function pixelsOfSvg(file: Blob): Promise<Pixels> {
+  if (file.size > MOST_SVG_BYTES) throw new Refusal('file-too-large');
   let text: string;
   try {
-    text = new TextDecoder('utf-8', { fatal: true }).decode(bytes);
+    text = new TextDecoder('utf-8', { fatal: true }).decode(await file.arrayBuffer());
   } catch {
     throw new Refusal('type');
   }
@@ -117,20 +95,18 @@ async function openSvg(bytes: Uint8Array): Promise<Opened> {
   if (problem !== null) throw new Refusal(problem === 'unsafe' ? 'unsafe' : 'type');
   const size = svgSize(text);
   if (size === null) throw new Refusal('damaged');
-  const scale = SVG_PX / Math.max(size.width, size.height);
+  const scale = LONGEST_PX / Math.max(size.width, size.height);
   const widthPx = Math.max(1, Math.round(size.width * scale));
   const heightPx = Math.max(1, Math.round(size.height * scale));
   const url = URL.createObjectURL(new Blob([sizedSvg(text, size, widthPx, heightPx)], { type: 'image/svg+xml' }));
   const image = new Image(widthPx, heightPx);
   image.src = url;
-  const close = (): void => URL.revokeObjectURL(url);
   try {
     await image.decode();
-  } catch (error) {
-    close();
-    throw error;
+    return painted(image, widthPx, heightPx);
+  } finally {
+    URL.revokeObjectURL(url);
   }
-  return { source: image, widthPx, heightPx, isPhoto: false, close };
 }
 
 /** The drawing with a size in pixels: without one, Firefox draws nothing on a canvas. */
@@ -149,21 +125,16 @@ function sizedSvg(
   return new XMLSerializer().serializeToString(document);
 }
 
-/** The pixels, a few rows at a time: a large photograph does not fit into a tablet's memory as a whole. */
-function* stripsOf({ source, widthPx, heightPx }: Opened): Generator<Uint8ClampedArray> {
-  const rows = Math.min(heightPx, Math.max(1, Math.floor(STRIP_PIXELS / widthPx)));
+/** The pixels of what is painted, scaled down where it is larger than asked for. */
+function painted(source: CanvasImageSource, widthPx: number, heightPx: number): Pixels {
+  // A browser that does not scale while it opens, and a turned photograph, may bring more.
+  const scale = Math.min(1, LONGEST_PX / Math.max(widthPx, heightPx));
   const canvas = document.createElement('canvas');
-  canvas.width = widthPx;
-  canvas.height = rows;
+  canvas.width = Math.max(1, Math.round(widthPx * scale));
+  canvas.height = Math.max(1, Math.round(heightPx * scale));
   const context = canvas.getContext('2d', { willReadFrequently: true });
   if (context === null) throw new Refusal('no-memory');
-  for (let from = 0; from < heightPx; from += rows) {
-    const height = Math.min(rows, heightPx - from);
-    context.clearRect(0, 0, widthPx, rows);
-    context.drawImage(source, 0, -from, widthPx, heightPx);
-    yield context.getImageData(0, 0, widthPx, height).data;
-  }
+  context.imageSmoothingQuality = 'high';
+  context.drawImage(source, 0, 0, canvas.width, canvas.height);
+  return context.getImageData(0, 0, canvas.width, canvas.height);
 }
-
-/** Lets the page draw and respond in between. */
-const breath = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));

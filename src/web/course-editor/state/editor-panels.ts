@@ -1,5 +1,8 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
+import type { LayoutParts } from '../../layout/parts';
+import type { WorkParts } from '../../work/model/parts';
+
 /** The parts of the editor that have a window of their own. */
 export type EditorPanel = 'list' | 'course' | 'background' | 'print';
 
@@ -9,12 +12,36 @@ export interface EditorPanels {
   readonly shown: Readonly<ShallowRef<EditorPanel | null>>;
   readonly open: (panel: EditorPanel) => void;
   readonly close: () => void;
+  /** The picture file from which the floor is being made; `null`: none. */
+  readonly picture: ShallowRef<Blob | null>;
+  /** Opens a picture as a floor to be. Returns `false` where the page has no arena. */
+  readonly offer: (picture: Blob) => boolean;
 }
 
 /** Creates the model of the editor's windows, all closed. */
-export function createEditorPanels(): EditorPanels {
+export function createEditorPanels({
+  layout,
+  settings,
+}: Pick<LayoutParts, 'layout'> & Pick<WorkParts, 'settings'>): EditorPanels {
   const shown = shallowRef<EditorPanel | null>(null);
-  return { shown, open: (panel) => void (shown.value = panel), close: () => void (shown.value = null) };
+  const picture = shallowRef<Blob | null>(null);
+  return {
+    shown,
+    open: (panel) => void (shown.value = panel),
+    close() {
+      shown.value = null;
+      picture.value = null;
+    },
+    picture,
+    offer(file) {
+      if (!layout.tabs.value.includes('arena')) return false;
+      settings.change({ showArena: true });
+      layout.tab.value = 'arena';
+      picture.value = file;
+      shown.value = 'background';
+      return true;
+    },
+  };
 }
 
 /**
