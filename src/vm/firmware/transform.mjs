@@ -2,6 +2,7 @@
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
+import { enterFrame, findScopeEnd, leaveFrame, tellScopes, tellState } from './debugging.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
@@ -50,7 +51,9 @@ export function transform(published, report) {
   const module = splitModule(original.emitText().replace(/\$global\$0(?!\d)/g, '$__stack_pointer'));
   original.dispose();
   const work = findWork(module);
+  const scopeEnd = findScopeEnd(module);
   declareHost(module);
+  tellState(module);
   computeInSingles(module);
   collectInsideFixedHeap(module);
   tellHeapPlace(module);
@@ -75,6 +78,7 @@ export function transform(published, report) {
   spilled.dispose();
   meter(metered, findInterpreter(metered));
   chargeWork(metered, work);
+  tellScopes(metered, scopeEnd);
 
   report('making it suspendable');
   binaryen.setOptimizeLevel(2);
@@ -255,7 +259,9 @@ function returningTo(name, inner, text) {
   const given = [...parameters.matchAll(/\$\d+/g)].map(([parameter]) => `(local.get ${parameter})`).join(' ');
   return `(func $${name} ${parameters} (local $asked_by i32) (local $how i32)
     (local.set $asked_by (global.get $in_program))
+    ${enterFrame}
     (local.set $how (call $${inner} ${given}))
+    ${leaveFrame}
     (global.set $in_program (local.get $asked_by))
     (local.get $how))`;
 }
@@ -370,7 +376,9 @@ function echoPasted(module) {
 function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);
-  const imports = ['tick', 'fatal', 'collected'].map((name) => ` (import "host" "${name}" (func $${name}))`).join('\n');
+  const imports = [...['tick', 'fatal', 'collected'].map((name) => [name, '']), ['scope', ' (param i32)']]
+    .map(([name, taken]) => ` (import "host" "${name}" (func $${name}${taken}))`)
+    .join('\n');
   const counters = [
     'gas',
     'library_gas',
@@ -381,6 +389,7 @@ function declareHost(module) {
     'heap_end',
     'reserve',
     'echo',
+    'frames_end',
   ]
     .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
     .join('\n');

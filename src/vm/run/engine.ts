@@ -21,6 +21,14 @@ const WANTS_TO_RUN = 1;
 const EXCEPTION_WAITS = 2;
 const UNWINDING = 1;
 
+/** Lets a program stop before its time is over. Neither watch nor stop changes its time, memory or output. */
+export interface Hold {
+  /** Asked before each bytecode of the program whether it shall stop there; `null`: nobody is asked, which costs nothing. */
+  watch: (() => boolean) | null;
+  /** The watch has stopped the program; the next `run` goes on from there. */
+  isHeld: boolean;
+}
+
 /** An error in our code or the C code: the VM is in a state that it cannot leave, and its run ends. */
 export class VmFault extends Error {}
 
@@ -50,9 +58,10 @@ export class Engine implements Machine {
   private readonly firmware: Firmware;
   private readonly ram: Memory;
   private readonly flow: Flow;
+  private readonly hold: Hold;
 
   constructor(
-    running: { readonly firmware: Firmware; readonly memory: Memory; readonly flow: Flow },
+    running: { readonly firmware: Firmware; readonly memory: Memory; readonly flow: Flow; readonly hold: Hold },
     readonly clock: Clock,
     readonly startUs: number,
     syscalls: (engine: Engine) => SyscallTable,
@@ -60,6 +69,7 @@ export class Engine implements Machine {
     this.firmware = running.firmware;
     this.ram = running.memory;
     this.flow = running.flow;
+    this.hold = running.hold;
     const named = Object.entries(syscalls(this));
     this.table = named.map(([, call]) => call);
     this.references = new Map(named.map(([name], place) => [name, HAL_REFERENCE + 1 + place]));
@@ -137,6 +147,7 @@ export class Engine implements Machine {
    */
   run(enter: () => void, limitUs: number): boolean {
     this.limitUs = limitUs;
+    this.hold.isHeld = false;
     if (this.suspended) this.rewind();
     else this.refill();
     this.suspended = false;
@@ -160,6 +171,8 @@ export class Engine implements Machine {
         this.spend(FREE_LIBRARY_BYTECODES);
       }
       this.catchUp();
+      this.hold.isHeld = this.hold.watch?.() ?? false;
+      if (this.hold.isHeld) return this.suspend();
     } else if (this.owedUs === 0) return this.refill();
     if (!this.payOwed() || this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
     else this.refill();
@@ -274,7 +287,10 @@ export class Engine implements Machine {
   /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the available time. */
   private refill(): void {
     const now = this.clock.nowUs;
-    const untilUs = this.owedUs > 0 ? now : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
+    const untilUs =
+      this.owedUs > 0 || this.hold.watch !== null
+        ? now
+        : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
     this.stretchUs = Math.max(1, untilUs - now);
     this.firmware.gas.value = this.stretchUs;
   }

@@ -57,6 +57,12 @@ export interface Firmware {
   readonly heap_start: WebAssembly.Global;
   /** End of the heap. */
   readonly heap_end: WebAssembly.Global;
+  /** End of the list of running functions (../debug/inspected.ts); it starts where the host sets it at first. */
+  readonly frames_end: WebAssembly.Global;
+  /** Address of the pointer to the last pool of interned names. */
+  readonly interned: WebAssembly.Global;
+  /** Address of the pointer to the names of the module or class whose body runs. */
+  readonly locals_at: WebAssembly.Global;
 }
 
 /** The functions that the firmware calls on the run-time side. */
@@ -67,6 +73,8 @@ export interface FirmwareHost {
   fatal(): never;
   /** The collector has run. */
   collected(): void;
+  /** The compiler has finished the scope_t at this address. */
+  scope(address: number): void;
   /** Bytes for the console (stdout and stderr). */
   write(bytes: Uint8Array): void;
   /** A random 32-bit number. */
@@ -132,6 +140,7 @@ export function instantiateFirmware(
       tick: () => host().tick(),
       fatal: () => host().fatal(),
       collected: () => host().collected(),
+      scope: (address: number) => host().scope(address),
       ...decimals(inMemory),
     },
     env: { ...invokers(running, inMemory, flow), ...boundary(inMemory, host), ...files.environment, ...system(host) },

@@ -1,7 +1,9 @@
 import { createRng, type Rng } from '#core/rng';
+import type { Inspected } from '../debug/inspected';
+import { Scopes } from '../debug/scopes';
 import { wholeOf } from './arguments';
 import type { ConsolePort } from './console-port';
-import { Engine, VmFault } from './engine';
+import { Engine, VmFault, type Hold } from './engine';
 import type { Files } from './files';
 import { HAL_REFERENCE, instantiateFirmware, type Firmware, type FirmwareHost } from './firmware';
 import { createHal } from './hal/hal';
@@ -23,6 +25,7 @@ export interface SessionPorts {
   readonly port: ConsolePort;
   readonly report: Report;
   readonly repl: Repl;
+  readonly hold: Hold;
   /** When the board was last switched on or reset. */
   readonly startUs: number;
 }
@@ -46,6 +49,8 @@ export class Session {
   private readonly memory: Memory;
   private readonly engine: Engine;
   private readonly heap: Heap;
+  private readonly scopes: Scopes;
+  private framesStart = 0;
   private readonly program: () => void;
   private restartsAs: 'reset' | 'reboot' | null = null;
 
@@ -59,9 +64,9 @@ export class Session {
     this.firmware = firmware;
     this.memory = memory;
     this.heap = new Heap(firmware, memory);
-    this.engine = new Engine({ firmware, memory, flow }, setup.clock, ports.startUs, (machine) =>
-      this.calls(machine, rng),
-    );
+    this.scopes = new Scopes(memory);
+    const running = { firmware, memory, flow, hold: ports.hold };
+    this.engine = new Engine(running, setup.clock, ports.startUs, (machine) => this.calls(machine, rng));
     serve(this.host(rng));
     ports.port.onInterrupt = () => this.engine.interrupt();
     this.startFirmware();
@@ -71,13 +76,14 @@ export class Session {
 
   /** What the firmware asks. */
   private host(rng: Rng): FirmwareHost {
-    const { engine, heap } = this;
+    const { engine, heap, scopes } = this;
     return {
       tick: () => engine.tick(),
       fatal: () => {
         throw new VmFault('MicroPython cannot go on: its memory or its stack is used up.');
       },
       collected: () => heap.collected(),
+      scope: (address) => scopes.add(address),
       write: (bytes) => {
         this.print(bytes);
         engine.print(bytes.length * this.printByteUs);
@@ -97,6 +103,22 @@ export class Session {
       return 'ended';
     }
     return this.restartsAs ?? 'ended';
+  }
+
+  /** What a debugger may read. */
+  inspect(): Inspected {
+    const { firmware, memory, scopes, framesStart } = this;
+    return {
+      memory,
+      framesStart,
+      framesEnd: () => firmware.frames_end.value,
+      interned: firmware.interned.value,
+      localsAt: firmware.locals_at.value,
+      heapStart: firmware.heap_start.value,
+      programStart: firmware.program_start.value,
+      scopeOf: (code) => scopes.of(code),
+      isOwnFile: (name) => this.ports.files.find(name) !== undefined,
+    };
   }
 
   /** KeyboardInterrupt at the program's next jump. */
@@ -231,6 +253,9 @@ export class Session {
     firmware._emscripten_stack_restore(base - STACK_ALIGNMENT);
     memory.bytes.fill(0, base - STACK_ALIGNMENT, base);
     firmware.stack_base.value = base;
+    // The C stack never comes down here (STACK_BYTES), so there is room for the list of running functions.
+    this.framesStart = stack;
+    firmware.frames_end.value = stack;
     firmware.mp_js_init(PYSTACK_WORDS, HEAP_BYTES);
     firmware.proxy_c_init();
     const name = memory.allocateText('_host').address;

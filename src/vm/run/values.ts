@@ -39,6 +39,18 @@ export class Memory {
     return this.view.getInt32(address, true);
   }
 
+  half(address: number): number {
+    return this.view.getUint16(address, true);
+  }
+
+  byte(address: number): number {
+    return this.bytes[address] ?? 0;
+  }
+
+  double(address: number): number {
+    return this.view.getFloat64(address, true);
+  }
+
   setWord(address: number, value: number): void {
     this.view.setInt32(address, value, true);
   }

@@ -1,4 +1,6 @@
+import type { Inspected } from '../debug/inspected';
 import { ConsolePort } from './console-port';
+import type { Hold } from './engine';
 import { fileHint, Files } from './files';
 import { Repl } from './repl';
 import { Report, type VmEnd } from './report';
@@ -27,6 +29,10 @@ export interface Vm {
   stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
+  /** What a debugger reads of this MicroPython until the next `resume`: see `../debug`. */
+  inspect(): Inspected;
+  /** Where the program shall stop before its time is over; a watch that is set takes effect with the next `resume`. */
+  readonly hold: Hold;
   /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end, the bytes it left. */
   heapFree(): number;
 }
@@ -41,14 +47,11 @@ const REBOOT = new TextEncoder().encode('MPY: soft reboot\r\n');
 export function createVm(setup: VmSetup): Vm {
   const { board, clock } = setup;
   const files = new Files(setup.files);
-  const report = new Report(
-    (text) => setup.write(text),
-    (name) => new TextDecoder().decode(files.find(name)?.bytes),
-    fileHint(setup.files),
-  );
+  const report = reportOn(setup, files);
   const port = new ConsolePort((bytes) => report.write(bytes));
   const repl = new Repl(port, board.firmware.banner, setup.repl === 'at-once');
-  const start = (startUs: number): Session => new Session(setup, { files, port, report, repl, startUs });
+  const hold: Hold = { watch: null, isHeld: false };
+  const start = (startUs: number): Session => new Session(setup, { files, port, report, repl, hold, startUs });
   let session = start(clock.nowUs);
   let isOver = false;
   const restart = (kind: 'reset' | 'reboot'): void => {
@@ -95,6 +98,13 @@ export function createVm(setup: VmSetup): Vm {
       interrupt();
     },
     feed: (text) => port.feed(text),
+    inspect: () => session.inspect(),
+    hold,
     heapFree: () => session.heapFree,
   };
+}
+
+function reportOn(setup: VmSetup, files: Files): Report {
+  const read = (name: string): string => new TextDecoder().decode(files.find(name)?.bytes);
+  return new Report((text) => setup.write(text), read, fileHint(setup.files));
 }

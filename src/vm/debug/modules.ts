@@ -1,0 +1,41 @@
+import { readCode } from './code';
+import { STATE } from './frames';
+import type { Inspected } from './inspected';
+import type { Entry, Objects } from './objects';
+
+/** What a program can import, as far as it tells the program's names from those that it has imported. */
+export interface Modules {
+  /** The dict of the program's globals. */
+  readonly program: number;
+  /** Whether a global is a module, or was imported from one, that is no file of the pupil's. */
+  isImported(entry: Entry): boolean;
+}
+
+/**
+ * Finds the modules. The outermost function that runs is ours and has the program's globals; the one that it has called
+ * has imported all modules of the library (../library/internal/_boot.py).
+ */
+export function readModules(vm: Inspected, objects: Objects): Modules {
+  const { memory } = vm;
+  const globalsOfFrame = (place: number): number => {
+    const functionAt = memory.word(memory.word(vm.framesStart + 4 * place) + STATE.function);
+    return readCode(memory, objects.names, functionAt).globals;
+  };
+  const program = globalsOfFrame(0);
+  const library = new Map<number, Set<number>>();
+  for (const [, module] of objects.entries(globalsOfFrame(1), Infinity)) {
+    if (objects.layoutOf(module) !== 'module' || objects.dictOf(module) === program) continue;
+    for (const [key, value] of objects.members(module, Infinity))
+      library.set(key, (library.get(key) ?? new Set()).add(value));
+  }
+  const isDriver = (value: number): boolean => {
+    const layout = objects.layoutOf(value);
+    if (layout === 'module') return !vm.isOwnFile(`${objects.moduleName(value)}.py`);
+    if (layout !== 'function' || !objects.isOfPython(value)) return false;
+    return !vm.isOwnFile(readCode(memory, objects.names, value).file);
+  };
+  return {
+    program,
+    isImported: ([key, value]) => library.get(key)?.has(value) === true || isDriver(value),
+  };
+}
