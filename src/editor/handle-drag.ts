@@ -6,6 +6,7 @@ import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { kindOf } from './kinds/index';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
+import { lured } from './snap/attract';
 import type { Drag, Handle, Selection, ToolContext } from './tools/tool';
 
 /** The result of a drag of a handle. */
@@ -19,11 +20,12 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   if (!object) return null;
   // A thing that is grabbed beside its middle keeps that distance.
   const place = plus(handle.at, minus(endOf(drag), startOf(drag)));
+  const snapping = lured(drag, context, selection);
   const kind = kindOf(object);
   const changed =
     handle.kind === 'size'
-      ? kind.sized?.(object, place, drag)
-      : kind.endMoved?.(object, handle.kind, place, drag, scene);
+      ? kind.sized?.(object, place, snapping)
+      : kind.endMoved?.(object, handle.kind, place, snapping, scene);
   return changed ? changing([changed]) : null;
 }
 

@@ -1,6 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Point, Scene, Wall } from '#scene/scene';
-import type { Mark } from './tools/tool';
+import type { Drag, Lure, Mark } from './tools/tool';
 import { distanceMm, nearestOn, toPoint, toVec, within } from './plane';
 
 /** Distance of the lines that attract what is put down or moved, in mm. Chosen: the finest lines of the arena's grid. */
@@ -10,7 +10,7 @@ export const GRID_MM = 10;
  * Ends and walls attract no farther than this, in mm, also where a finger on a small screen reaches farther. Chosen: half
  * of the smallest cell of a maze, so that walls can be drawn side by side.
  */
-const ATTRACTS_MM = 25;
+export const ATTRACTS_MM = 25;
 
 /** A coordinate drawn onto the nearest grid line if that is within reach. */
 export function gridMm(mm: number, reachMm: number): number {
@@ -20,6 +20,10 @@ export function gridMm(mm: number, reachMm: number): number {
 
 /** A place drawn onto the nearest grid lines within reach, each coordinate on its own. */
 export const onGrid = ({ x, y }: Vec, reachMm: number): Vec => ({ x: gridMm(x, reachMm), y: gridMm(y, reachMm) });
+
+/** A place drawn onto the nearest thing, or else the nearest grid line, each coordinate on its own; as it is when free. */
+export const snappedPlace = ({ x, y }: Vec, { free, reachMm, lure }: Omit<Drag, 'path' | 'adds'>): Vec =>
+  free ? { x, y } : { x: lure?.(x, 'x') ?? gridMm(x, reachMm), y: lure?.(y, 'y') ?? gridMm(y, reachMm) };
 
 /** A place kept inside the arena, its edge included. */
 export const intoArena = ({ x, y }: Vec, [width, height]: Point): Vec => ({
@@ -73,6 +77,8 @@ export interface LineRules {
   readonly reachMm: number;
   /** Nothing attracts, any direction. */
   readonly free: boolean;
+  /** Edges and middles of things, which attract the ends of lines along the axes. */
+  readonly lure?: Lure | undefined;
 }
 
 /**
@@ -86,9 +92,9 @@ export function snappedLine(start: Vec, end: Vec, to: Attractors, rules: LineRul
     const from = intoArena(start, size);
     return { from: toPoint(from), to: toPoint(shortenedInto(from, end, size)), snaps: [] };
   }
-  const first = snappedStart(intoArena(start, size), to, reachMm);
+  const first = snappedStart(intoArena(start, size), to, { ...rules, reachMm });
   const from = toVec(toPoint(intoArena(first.at, size)));
-  const last = snappedEnd(from, end, to, { size, reachMm, free });
+  const last = snappedEnd(from, end, to, { ...rules, reachMm });
   return {
     from: toPoint(from),
     to: toPoint(last.at),
@@ -105,7 +111,7 @@ export function snappedTo(from: Point, place: Vec, to: Attractors, rules: LineRu
   const { size, free } = rules;
   const start = intoArena(toVec(from), size);
   if (free) return toPoint(shortenedInto(start, place, size));
-  return toPoint(snappedEnd(start, place, to, { size, free, reachMm: Math.min(rules.reachMm, ATTRACTS_MM) }).at);
+  return toPoint(snappedEnd(start, place, to, { ...rules, reachMm: Math.min(rules.reachMm, ATTRACTS_MM) }).at);
 }
 
 interface Snapped {
@@ -113,7 +119,8 @@ interface Snapped {
   readonly isSnapped: boolean;
 }
 
-function snappedStart(place: Vec, { ends, walls }: Attractors, reachMm: number): Snapped {
+function snappedStart(place: Vec, { ends, walls }: Attractors, rules: LineRules): Snapped {
+  const { reachMm } = rules;
   const end = nearestEnd(ends, place, reachMm);
   if (end) return { at: end, isSnapped: true };
   const beside = nearestOf(
@@ -123,10 +130,11 @@ function snappedStart(place: Vec, { ends, walls }: Attractors, reachMm: number):
     place,
     reachMm,
   );
-  return beside ? { at: beside, isSnapped: true } : { at: onGrid(place, reachMm), isSnapped: false };
+  return beside ? { at: beside, isSnapped: true } : { at: snappedPlace(place, rules), isSnapped: false };
 }
 
-function snappedEnd(from: Vec, place: Vec, { ends, walls }: Attractors, { size, reachMm }: LineRules): Snapped {
+function snappedEnd(from: Vec, place: Vec, { ends, walls }: Attractors, rules: LineRules): Snapped {
+  const { size, reachMm, lure } = rules;
   const end = nearestEnd(ends, intoArena(place, size), reachMm);
   if (end && distanceMm(end, from) > 0) return { at: end, isSnapped: true };
   const straight = shortenedInto(from, alongEighths(from, place), size);
@@ -135,13 +143,16 @@ function snappedEnd(from: Vec, place: Vec, { ends, walls }: Attractors, { size, 
     .flatMap((wall) => crossing(from, straight, wall) ?? []);
   const crossed = nearestOf(crossings, straight, reachMm);
   if (crossed) return { at: crossed, isSnapped: true };
-  return { at: shortenedInto(from, wholeCentimetres(from, straight, reachMm), size), isSnapped: false };
+  return { at: shortenedInto(from, wholeCentimetres(from, straight, reachMm, lure), size), isSnapped: false };
 }
 
-/** The end of a line in one of the eight directions, brought to a grid line, or to whole cm of both sides if diagonal. */
-export function wholeCentimetres(from: Vec, to: Vec, reachMm: number): Vec {
-  if (to.x === from.x) return { x: to.x, y: gridMm(to.y, reachMm) };
-  if (to.y === from.y) return { x: gridMm(to.x, reachMm), y: to.y };
+/**
+ * The end of a line in one of the eight directions: brought to a thing or a grid line, or to whole cm of both sides if
+ * diagonal.
+ */
+export function wholeCentimetres(from: Vec, to: Vec, reachMm: number, lure?: Lure): Vec {
+  if (to.x === from.x) return { x: to.x, y: lure?.(to.y, 'y') ?? gridMm(to.y, reachMm) };
+  if (to.y === from.y) return { x: lure?.(to.x, 'x') ?? gridMm(to.x, reachMm), y: to.y };
   const aside = Math.abs(to.x - from.x);
   const whole = gridMm(aside, reachMm);
   return { x: from.x + (to.x < from.x ? -whole : whole), y: from.y + (to.y < from.y ? -whole : whole) };

@@ -6,7 +6,7 @@ import { sceneLimits, type Point, type SceneObject } from '#scene/scene';
 import { endOf, startOf } from '../drag';
 import { lengthField, placeFields, turnField, type Field } from '../object-fields';
 import { eighths, minus, plus, toPoint, toVec, turned, turnedAbout, within } from '../plane';
-import { gridMm, intoArena, onGrid } from '../snap';
+import { gridMm, intoArena, snappedPlace } from '../snap';
 import type { Drag, Handle } from '../tools/tool';
 import { hitWithin, shifted } from './kind';
 
@@ -73,9 +73,7 @@ const SMALLEST_MM = 10;
 
 /** The upright box between where a drag began and where it is, inside the arena. */
 function draggedBox<O extends BoxObject>(box: O, drag: Drag, arena: Point): O {
-  const [a, b] = [startOf(drag), endOf(drag)].map((place) =>
-    intoArena(drag.free ? place : onGrid(place, drag.reachMm), arena),
-  ) as [Vec, Vec];
+  const [a, b] = [startOf(drag), endOf(drag)].map((place) => intoArena(snappedPlace(place, drag), arena)) as [Vec, Vec];
   return {
     ...box,
     at: toPoint({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 }),

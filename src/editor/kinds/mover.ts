@@ -56,10 +56,10 @@ function moved(mover: Mover, dx: number, dy: number): Mover {
 }
 
 /** The turning point of a mover during its drag: in one of the eight directions, unless free; never at its start. */
-function turningPoint(place: Vec, at: Point, arena: Point, { free, reachMm }: Drag): Point {
+function turningPoint(place: Vec, at: Point, arena: Point, { free, reachMm, lure }: Drag): Point {
   const start = toVec(at);
   const way = shortenedInto(start, free ? place : alongEighths(start, place), arena);
-  const to = toPoint(free ? way : wholeCentimetres(start, way, reachMm));
+  const to = toPoint(free ? way : wholeCentimetres(start, way, reachMm, lure));
   return distanceMm(start, toVec(to)) < sceneLimits.blockMm.min ? usualTurningPoint(at, arena) : to;
 }
 

@@ -35,12 +35,12 @@ export const stroke: EditorKind<Stroke> = {
     const at = { x: middleOfInk(stroke).x, y: boundsOf(stroke).maxY + 2 * reachMm };
     return points.length < 2 ? [] : [{ kind: 'rotate', at, id }];
   },
-  endMoved(stroke, end, place, { reachMm, free }, scene) {
+  endMoved(stroke, end, place, { reachMm, free, lure }, scene) {
     const [first, last] = endsOf(stroke) ?? [];
     if (!first || !last) return null;
     const stays = end === 'from' ? last : first;
     const ends = strokeEnds(scene).filter((point) => point !== first && point !== last);
-    const to = snappedTo(stays, place, { ends, walls: [] }, { size: scene.size, reachMm, free });
+    const to = snappedTo(stays, place, { ends, walls: [] }, { size: scene.size, reachMm, free, lure });
     if (isSame(stays, to)) return null;
     return { ...stroke, points: end === 'from' ? [to, stays] : [stays, to] };
   },

@@ -23,9 +23,9 @@ export const wall: EditorKind<Wall> = {
   // At the very end of what a course may hold a turn could press the ends together.
   turned: (wall, pivot, angleDeg) => withEnds(wall, ...turnedEnds(wall.from, wall.to, pivot, angleDeg)) ?? wall,
   handles: ({ id, from, to, thickness }, reachMm) => lineHandles(id, [from, to], thickness, reachMm),
-  endMoved(wall, end, place, { reachMm, free }, scene) {
+  endMoved(wall, end, place, { reachMm, free, lure }, scene) {
     const stays = end === 'from' ? wall.to : wall.from;
-    const to = snappedTo(stays, place, otherWalls(scene, wall), { size: scene.size, reachMm, free });
+    const to = snappedTo(stays, place, otherWalls(scene, wall), { size: scene.size, reachMm, free, lure });
     return isSame(stays, to) ? null : { ...wall, [end]: to };
   },
   fields: (wall) => [

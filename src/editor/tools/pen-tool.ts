@@ -10,6 +10,7 @@ import { distanceMm, toPoint, within } from '../plane';
 import { arenaBounds, grown } from '../bounds';
 import { smooth } from './smooth';
 import { isInArena, onGrid, snapMarks, snappedLine, strokeEnds, type SnappedLine } from '../snap';
+import { lured } from '../snap/attract';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
 /** Paints a line on the floor: as drawn, straight, or smoothed; a tap makes a dot. */
@@ -45,12 +46,13 @@ function straightPoints(drag: Drag, context: ToolContext): readonly Point[] {
   return from[0] === to[0] && from[1] === to[1] ? [from] : [from, to];
 }
 
-function straightLine(drag: Drag, { scene }: ToolContext): SnappedLine {
-  const { reachMm, free } = drag;
+function straightLine(drag: Drag, context: ToolContext): SnappedLine {
+  const { scene } = context;
+  const { reachMm, free, lure } = lured(drag, context);
   const size = scene.size;
   if (!isInArena(startOf(drag), size, reachMm))
     return { from: toPoint(startOf(drag)), to: toPoint(startOf(drag)), snaps: [] };
-  return snappedLine(startOf(drag), endOf(drag), { ends: strokeEnds(scene), walls: [] }, { size, reachMm, free });
+  return snappedLine(startOf(drag), endOf(drag), { ends: strokeEnds(scene), walls: [] }, { size, reachMm, free, lure });
 }
 
 /** A place within what a course may hold. */

@@ -20,6 +20,10 @@ export const rotateTool: Tool = {
     const angleDeg = draggedAngle(drag, scene, meant);
     return angleDeg === null ? null : turnedBy(scene, meant, angleDeg, footprint);
   },
+  turns(drag, context): number | null {
+    const meant = isTap(drag) ? null : meantBy(drag, context);
+    return meant && draggedAngle(drag, context.scene, meant);
+  },
   select: (drag, context) => meantBy(drag, context) ?? context.selection,
 };
 

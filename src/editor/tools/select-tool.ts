@@ -1,14 +1,13 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
 import { moved } from '../arrange';
 import { endOf, isTap, startOf } from '../drag';
-import { handleDragged } from '../handle-drag';
+import { draggedAngle, handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
-import { placeOf } from '../kinds/index';
-import { minus, toVec } from '../plane';
+import { minus } from '../plane';
 import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
-import { onGrid } from '../snap';
+import { movingOf, snappedStep } from '../snap/attract';
+import { luresOf } from '../snap/lures';
 import {
   nothingSelected,
   type Drag,
@@ -33,12 +32,17 @@ export const selectTool: Tool = {
       case 'handle':
         return handleDragged(grip.handle, drag, context);
       case 'things':
-        return moved(context.scene, grip.selection, stepOf(drag, grip, context.scene), context.footprint);
+        return moved(context.scene, grip.selection, stepOf(drag, grip, context), context.footprint);
       case 'floor':
         return null;
       default:
         return grip satisfies never;
     }
+  },
+  turns(drag, context): number | null {
+    const grip = isTap(drag) ? null : gripOf(drag, context);
+    if (grip?.type !== 'handle' || grip.handle.kind !== 'rotate') return null;
+    return draggedAngle(drag, context.scene, context.selection);
   },
   marks(drag, context, isDown): readonly Mark[] {
     if (!isDown || isTap(drag) || gripOf(drag, context).type !== 'floor') return [];
@@ -97,20 +101,12 @@ function findGrip(drag: Drag, { scene, selection, footprint }: ToolContext): Gri
   return { type: 'things', held: topmost, selection: drag.adds ? joined(selection, only(topmost)) : only(topmost) };
 }
 
-/** The displacement of a drag: the place of the held thing snaps to the grid if that is near. */
-function stepOf(drag: Drag, { held }: Extract<Grip, { type: 'things' }>, scene: Scene): Vec {
+/** The displacement of a drag, with what it snaps to. */
+function stepOf(drag: Drag, { held, selection }: Extract<Grip, { type: 'things' }>, context: ToolContext): Vec {
   const step = minus(endOf(drag), startOf(drag));
-  const anchor = anchorOf(held, scene);
-  if (drag.free || !anchor) return step;
-  const to = onGrid({ x: anchor.x + step.x, y: anchor.y + step.y }, drag.reachMm);
-  return minus(to, anchor);
-}
-
-/** The place of a thing in its number fields: the grid attracts it. */
-function anchorOf(thing: Thing, scene: Scene): Vec | null {
-  if (thing === null) return toVec(scene.robot.at);
-  const object = scene.objects.find(({ id }) => id === thing);
-  return object ? toVec(placeOf(object)) : null;
+  const { scene, footprint } = context;
+  const moving = movingOf(held, selection, context);
+  return moving === null ? step : snappedStep(moving, step, luresOf(scene, selection, footprint), drag);
 }
 
 function tapped(drag: Drag, { scene, selection, footprint }: ToolContext, isOnHandle: boolean): Selection {

@@ -32,6 +32,10 @@ export const startTool: Tool = {
     const at = toPoint(drag.free ? place : onGrid(place, drag.reachMm));
     return startingAt(scene, { at: placeInside({ ...scene.robot, at, heading }, scene.size, footprint), heading });
   },
+  turns: (drag, context) =>
+    isTap(drag) || !isOnRobot(drag, context)
+      ? null
+      : (selectTool.turns?.(drag, { ...context, selection: ROBOT }) ?? null),
 };
 
 /** Whether a drag began on the robot or on the knob by which it is turned. */

@@ -16,7 +16,12 @@ export interface Drag {
   readonly adds: boolean;
   /** How near counts as on a thing, in mm: larger for a finger than for a mouse, and when zoomed out. */
   readonly reachMm: number;
+  /** Things that attract what is drawn or sized; left out: only the grid does. */
+  readonly lure?: Lure | undefined;
 }
+
+/** Draws a coordinate onto a thing in reach; `null`: none is. */
+export type Lure = (mm: number, axis: 'x' | 'y') => number | null;
 
 /** The selection: objects of the course by id, and whether the robot's start is selected. */
 export interface Selection {
@@ -74,6 +79,10 @@ export type Mark =
   | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }
   /** An object that is about to be taken away. */
   | { readonly type: 'goes'; readonly object: SceneObject }
+  /** A line along edges or middles that lie in line. */
+  | { readonly type: 'guide'; readonly from: Vec; readonly to: Vec }
+  /** The distance between two things, with its figure; `equal`: one of several that are the same. */
+  | { readonly type: 'distance'; readonly from: Vec; readonly to: Vec; readonly equal: boolean }
   /** The grid on whose edges a maze is built, and the edge that a tap would change. */
   | { readonly type: 'grid'; readonly cellMm: number; readonly edge: readonly [Vec, Vec] | null };
 
@@ -107,6 +116,8 @@ export interface Tool {
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
   /** What to show while the tool is chosen and nothing points: fingers never hover. */
   marksAtRest?(context: ToolContext): readonly Mark[];
+  /** By how many degrees the drag turns things, counter-clockwise; `null` or left out: it does not turn them. */
+  turns?(drag: Drag, context: ToolContext): number | null;
   /** The selection after the drag; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
 }

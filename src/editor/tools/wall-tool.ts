@@ -3,6 +3,7 @@ import { adding } from '../edits';
 import { freeIds } from '../ids';
 import { distanceMm, toVec } from '../plane';
 import { isInArena, snapMarks, snappedLine, wallAttractors, type SnappedLine } from '../snap';
+import { lured } from '../snap/attract';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
 /** A shorter drag was not meant as a wall. Chosen: half the usual thickness. */
@@ -25,8 +26,10 @@ export const wallTool: Tool = {
   },
 };
 
-function lineOf(drag: Drag, { scene, options }: ToolContext): SnappedLine {
+function lineOf(drag: Drag, context: ToolContext): SnappedLine {
+  const { scene, options } = context;
   return snappedLine(startOf(drag), endOf(drag), wallAttractors(scene), {
+    lure: lured(drag, context).lure,
     size: scene.size,
     reachMm: drag.reachMm,
     free: drag.free || !options.wallSnaps,

@@ -46,6 +46,8 @@ export interface Palette {
   readonly cone: string;
   /** The centre of rotation. */
   readonly centre: string;
+  /** Guide lines and distances. */
+  readonly guide: string;
   readonly pill: string;
   readonly pillText: string;
   readonly hand: string;
@@ -100,6 +102,7 @@ export const lightPalette: Palette = {
   traceCasing: '#FFFFFF',
   cone: '#E06A00',
   centre: '#8A2BB8',
+  guide: '#B8137A',
   pill: '#1B1F24',
   pillText: '#FFFFFF',
   hand: '#D9691E',
@@ -154,6 +157,7 @@ export const darkPalette: Palette = {
   traceCasing: '#FFFFFF',
   cone: '#C25400',
   centre: '#6F1D99',
+  guide: '#9C0F67',
   pill: '#1B1F24',
   pillText: '#FFFFFF',
   hand: '#C25400',

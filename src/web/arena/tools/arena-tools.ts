@@ -4,6 +4,7 @@
  */
 import type { Vec } from '#core/geometry';
 import { handlesOf } from '#editor/handles';
+import { figuresOf } from '#editor/snap/figures';
 import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
 import { editProblem } from '#scene/check-edit';
@@ -23,6 +24,9 @@ import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';
 import { ToolSurface, type SurfacePicture } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
+import { readingPlace } from './draw-guides';
+import { measureText, readingText } from './reading-text';
+import { toPx } from '../view/view-transform';
 import { arenaWords } from './arena-words';
 
 /** What the tools work on. */
@@ -82,7 +86,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   let window: PxBox | null = null;
 
   function look(): typeof shown {
-    const now = surface.picture();
+    const now = withNudge(surface.picture(), keys.edit, context);
     const edit = now.edit ?? keys.edit;
     const course = sources.course();
     const after = now.after ?? (edit === null ? null : applyEdit(course, edit));
@@ -92,7 +96,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     if (canvas !== null) ink.paint(canvas, now.ink, frame, performance.now());
     const ghost = ghostObjects(course, after);
     sources.showGhost(ghostOf(ghost.hidden, course, after));
-    return { frame, picture: editPicture(sources, { now, after, ghost: ghost.shown, drawn: ink.drawn, surface }) };
+    return {
+      frame,
+      picture: editPicture(sources, { now, after, ghost: ghost.shown, drawn: ink.drawn, surface }),
+    };
   }
 
   return {
@@ -166,6 +173,17 @@ function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks 
   editor.measure.value = measured && { from: measured.from, to: measured.to };
 }
 
+/** While arrow keys move what is selected, its guide lines and distances show, too. */
+const withNudge = (now: SurfacePicture, edit: SceneEdit | null, context: () => ToolContext): SurfacePicture =>
+  edit === null ? now : { ...now, marks: figuresOf(edit, context(), null).marks };
+
+/** What is told beside which place, in world mm. */
+function toldBy({ told, marks, finger }: SurfacePicture): { text: string; at: Vec; isFinger: boolean } | null {
+  const measured = marks.find((mark) => mark.type === 'measure');
+  if (measured) return { text: measureText(measured.from, measured.to), at: measured.to, isFinger: finger !== null };
+  return told && { text: readingText(told.reading), at: told.at, isFinger: told.isFinger };
+}
+
 interface Looked {
   readonly now: SurfacePicture;
   readonly after: Scene | null;
@@ -176,8 +194,9 @@ interface Looked {
 }
 
 function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }: Looked): EditPicture {
-  const { editor } = sources;
+  const { editor, picture } = sources;
   const scene = after ?? sources.course();
+  const told = toldBy(now);
   const tool = editor.tool.value === 'hand' ? null : editor.tool.value;
   const selection = tool === 'select' || tool === 'rotate' ? editor.selection.value : nothingSelected;
   const { penColor, penWidth } = editor.options.value;
@@ -197,6 +216,10 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
         ? { at: now.hover, width: penWidth, color: sources.palette().strokes[penColor] }
         : null,
     crosshair: now.crosshair,
+    reading: told && {
+      text: told.text,
+      at: readingPlace(toPx(picture.view.value, told.at), told.isFinger, picture.canvas.value),
+    },
     finger: tool !== null && now.finger !== null ? { at: now.finger, tool } : null,
   };
 }

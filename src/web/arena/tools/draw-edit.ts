@@ -2,13 +2,16 @@ import type { Vec } from '#core/geometry';
 import type { Handle, Mark, ToolId } from '#editor/tools/tool';
 import { boundsOf } from '#scene/kinds/index';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
-import { drawCrosshair, drawHandle, drawMark, drawSelected, type MarkFrame } from './draw-marks';
+import { drawCrosshair, drawHandle, drawMark, drawSelected } from './draw-marks';
+import type { MarkFrame } from './mark-frame';
 import { drawObject } from '../picture/kinds/index';
+import { guideBox, readingBox } from './draw-guides';
+import { drawPill } from '../picture/draw-pill';
 import { drawRobotOutline, robotOutlinePx } from '../picture/draw-outline';
 import { drawInk, inkBox, type InkFrame } from './ink-layer';
 import { boxAround, unionOf, wholeCanvas, type PxBox } from '../view/moving-window';
 import { toolSigns } from './tool-cursors';
-import type { Ink } from './tool-surface';
+import type { Ink } from './gesture';
 import { toPx, type View } from '../view/view-transform';
 
 /** Everything that is to be seen of the editor over the arena at one moment. */
@@ -26,6 +29,8 @@ export interface EditPicture {
   /** The pen's tip where nothing is pressed. */
   readonly tip: { readonly at: Vec; readonly width: number; readonly color: string } | null;
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
+  /** Figures, and where they stand in CSS px. */
+  readonly reading: { readonly text: string; readonly at: Vec } | null;
   /** Where a finger uses a tool. */
   readonly finger: { readonly at: Vec; readonly tool: ToolId } | null;
 }
@@ -50,6 +55,7 @@ export function drawEdit(context: CanvasRenderingContext2D, frame: EditFrame, pi
   for (const handle of picture.handles) drawHandle(context, frame, handle);
   if (picture.tip !== null) drawTip(context, frame, picture.tip);
   if (picture.crosshair !== null) drawCrosshair(context, frame, picture.crosshair.at, picture.crosshair.isDown);
+  if (picture.reading !== null) drawPill(context, picture.reading.text, picture.reading.at, frame.canvas, palette);
   if (picture.finger !== null) drawFinger(context, frame, picture.finger.at, picture.finger.tool);
 }
 
@@ -69,6 +75,7 @@ export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
   if (picture.tip !== null)
     boxes.push(boxAround(toPx(view, picture.tip.at), (picture.tip.width / 2) * view.pxPerMm + 6));
   if (picture.crosshair !== null) boxes.push(boxAround(toPx(view, picture.crosshair.at), 26));
+  if (picture.reading !== null) boxes.push(readingBox(picture.reading.at));
   if (picture.finger !== null) boxes.push(boxAround(toPx(view, picture.finger.at), FINGER_PX + 24));
   return boxes.length === 0 ? null : unionOf(boxes);
 }
@@ -93,6 +100,7 @@ function markBox(view: View, mark: Mark): PxBox {
   if (mark.type === 'snap') return boxAround(toPx(view, mark.at), 16);
   if (mark.type === 'goes') return objectBox(view, mark.object);
   if (mark.type === 'eraser') return boxAround(toPx(view, mark.at), mark.radiusMm * view.pxPerMm + 6);
+  if (mark.type === 'guide' || mark.type === 'distance') return guideBox(view, mark);
   return { left: 0, top: 0, width: 0, height: 0 };
 }
 

@@ -1,22 +1,12 @@
-import { degOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark } from '#editor/tools/tool';
 import type { SceneObject } from '#scene/scene';
 import { mdiRotateRight } from '@mdi/js';
-import { shownLanguage } from '../../page/i18n';
-import { numberText } from '../../page/i18n/number-text';
-import { drawPill } from '../picture/draw-pill';
+import { drawDistance, drawGuide } from './draw-guides';
 import { outlinePath } from '../picture/draw-outline';
 import type { Palette } from '../model/palette';
-import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
-
-/** What the marks are drawn on. */
-export interface MarkFrame {
-  readonly view: View;
-  readonly canvas: CanvasSize;
-  readonly arena: ArenaSize;
-  readonly palette: Palette;
-}
+import { toPx } from '../view/view-transform';
+import type { MarkFrame } from './mark-frame';
 
 /** Draws what is to be seen while a tool is used. */
 export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, mark: Mark): void {
@@ -43,6 +33,12 @@ export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, ma
       cased(context, palette.forbidden, 2.5, () => outlinePath(context, view, mark.object, 3));
       context.fill();
       break;
+    case 'guide':
+      drawGuide(context, frame, mark);
+      break;
+    case 'distance':
+      drawDistance(context, frame, mark);
+      break;
     case 'grid':
       drawGrid(context, frame, mark);
       break;
@@ -61,18 +57,8 @@ function drawFrame(context: CanvasRenderingContext2D, from: Vec, to: Vec, palett
   cased(context, palette.target, 1.5, () => undefined);
 }
 
-/** What the ruler says: length and angle, then the place of its end. */
-export function measureLabel(from: Vec, to: Vec): string {
-  const cm = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');
-  const place = `x ${cm(to.x)} · y ${cm(to.y)} cm`;
-  const length = Math.hypot(to.x - from.x, to.y - from.y);
-  if (length < 0.5) return place;
-  const degrees = Math.round(degOf(Math.atan2(to.y - from.y, to.x - from.x))) + 0;
-  return `${cm(length)} cm · ${String(degrees === -180 ? 180 : degrees).replace('-', '−')}° · ${place}`;
-}
-
 function drawMeasure(context: CanvasRenderingContext2D, frame: MarkFrame, fromMm: Vec, toMm: Vec): void {
-  const { view, canvas, palette } = frame;
+  const { view, palette } = frame;
   const from = toPx(view, fromMm);
   const to = toPx(view, toMm);
   const length = Math.hypot(to.x - from.x, to.y - from.y);
@@ -87,8 +73,6 @@ function drawMeasure(context: CanvasRenderingContext2D, frame: MarkFrame, fromMm
       context.lineTo(end.x + across.x * 9, end.y + across.y * 9);
     }
   });
-  const above = to.y > 56;
-  drawPill(context, measureLabel(fromMm, toMm), { x: to.x, y: to.y + (above ? -34 : 34) }, canvas, palette);
 }
 
 /** The grid of a maze around the pointer, and the edge that a tap changes. */

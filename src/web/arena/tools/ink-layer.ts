@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import { needsRim } from '../picture/kinds/stroke';
 import type { PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
-import type { Ink } from './tool-surface';
+import type { Ink } from './gesture';
 import { toPx, type CanvasSize, type View } from '../view/view-transform';
 
 /** What ink is drawn on. */

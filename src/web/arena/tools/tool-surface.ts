@@ -1,7 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { Drag, Mark, Selection, Tool, ToolContext } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import type { Scene, StrokeColor } from '#scene/scene';
+import type { Scene } from '#scene/scene';
+import { dragOf, figuresNow, toldBy, type Gesture, type Ink, type PointerKind, type Told } from './gesture';
 import { movePicture, type PicturePorts } from '../view/pinch';
 import { toMm, type ArenaSize, type View } from '../view/view-transform';
 
@@ -20,9 +21,6 @@ export interface SurfacePorts extends PicturePorts {
   readonly changed: () => void;
 }
 
-/** What points: fingers need more room around a thing than a mouse. */
-export type PointerKind = 'mouse' | 'pen' | 'touch';
-
 /** A pointer that goes down. */
 export interface SurfacePress {
   readonly id: number;
@@ -35,14 +33,6 @@ export interface SurfacePress {
   readonly adds: boolean;
 }
 
-/** A line that is being drawn freely. */
-export interface Ink {
-  /** World mm; grows while the drag goes on. */
-  readonly path: readonly Vec[];
-  readonly width: number;
-  readonly color: StrokeColor;
-}
-
 /** What is to be seen of a tool at one moment. */
 export interface SurfacePicture {
   /** The result of the gesture so far, and the course with it. */
@@ -52,6 +42,8 @@ export interface SurfacePicture {
   readonly marks: readonly Mark[];
   /** The crosshair of the keyboard, world mm, and whether it draws. */
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
+  /** What is told beside the pointer: its place, world mm, and whether a finger covers it. */
+  readonly told: Told | null;
   /** Where a finger draws, which covers what is under it; world mm. */
   readonly finger: Vec | null;
   /** Where the pointer is with nothing pressed, world mm. */
@@ -66,23 +58,6 @@ const KEY_REACH_MM = 9;
 
 /** A hand that lies on the screen may lift a moment after the pen. */
 const PALM_MS = 400;
-
-interface Gesture {
-  /** `null`: the keyboard. */
-  readonly pointer: number | null;
-  readonly kind: PointerKind;
-  readonly tool: Tool;
-  readonly context: ToolContext;
-  readonly path: Vec[];
-  readonly reachMm: number;
-  readonly ink: Omit<Ink, 'path'> | null;
-  free: boolean;
-  readonly adds: boolean;
-  edit: SceneEdit | null;
-  after: Scene | null;
-  /** The path has grown since the last call of the tool. */
-  isStale: boolean;
-}
 
 /**
  * Turns pointers and keys over the arena into drags of the chosen tool, and their end into one edit. Gets events as
@@ -261,13 +236,15 @@ export class ToolSurface {
     const crosshair = this.keyAt && { at: this.keyAt, isDown: gesture?.pointer === null };
     if (gesture === null) return { ...NOTHING, marks: this.hoverMarks(), crosshair, hover: this.hover };
     if (gesture.isStale && gesture.ink === null) this.ask(gesture);
+    if (gesture.isStale) gesture.figures = figuresNow(gesture);
     gesture.isStale = false;
     const drag = dragOf(gesture);
     return {
       edit: gesture.edit,
       after: gesture.after,
       ink: gesture.ink && { ...gesture.ink, path: gesture.path },
-      marks: gesture.tool.marks?.(drag, gesture.context, true) ?? [],
+      marks: [...gesture.figures.marks, ...(gesture.tool.marks?.(drag, gesture.context, true) ?? [])],
+      told: toldBy(gesture),
       crosshair,
       finger: gesture.kind === 'touch' ? (gesture.path[gesture.path.length - 1] ?? null) : null,
       hover: null,
@@ -292,6 +269,7 @@ export class ToolSurface {
       adds: press.adds,
       edit: null,
       after: null,
+      figures: { reading: null, marks: [] },
       isStale: true,
     };
   }
@@ -358,12 +336,11 @@ const NOTHING: SurfacePicture = {
   after: null,
   ink: null,
   marks: [],
+  told: null,
   crosshair: null,
   finger: null,
   hover: null,
 };
-
-const dragOf = ({ path, free, adds, reachMm }: Gesture): Drag => ({ path, free, adds, reachMm });
 
 /** Beyond this many points of lines, the eraser shows its path, and the remaining lines at the end. Chosen: 5 ms. */
 const MANY_POINTS = 4000;

@@ -1,0 +1,10 @@
+import type { Palette } from '../model/palette';
+import type { ArenaSize, CanvasSize, View } from '../view/view-transform';
+
+/** What the marks are drawn on. */
+export interface MarkFrame {
+  readonly view: View;
+  readonly canvas: CanvasSize;
+  readonly arena: ArenaSize;
+  readonly palette: Palette;
+}

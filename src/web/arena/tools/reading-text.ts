@@ -1,0 +1,48 @@
+import { degOf } from '#core/angle';
+import type { Vec } from '#core/geometry';
+import type { Reading } from '#editor/snap/reading';
+import { shownLanguage } from '../../page/i18n';
+import { numberText } from '../../page/i18n/number-text';
+
+/** A length in cm, to the mm, with a minus of its own width. */
+export const cmText = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');
+
+/** A direction in whole degrees, −179 … 180. */
+export function degText(deg: number): string {
+  const whole = Math.round(deg) + 0;
+  return `${String(whole === -180 ? 180 : whole).replace('-', '−')}°`;
+}
+
+/** The figures of a gesture, in signs that every language reads. */
+export function readingText(reading: Reading): string {
+  switch (reading.type) {
+    case 'length':
+      return `${cmText(reading.mm)} cm${reading.deg === null ? '' : ` · ${degText(reading.deg)}`}`;
+    case 'size':
+      return `${cmText(reading.width)} × ${cmText(reading.height)} cm`;
+    case 'moved':
+      return `${movedText(reading.by)} cm`;
+    case 'turned':
+      return `${reading.byDeg < 0 ? '↻' : '↺'} ${degText(Math.abs(reading.byDeg))}`;
+    case 'heading':
+      return degText(reading.deg);
+    case 'place':
+      return `x ${cmText(reading.at.x)} · y ${cmText(reading.at.y)} cm`;
+    default:
+      return reading satisfies never;
+  }
+}
+
+function movedText({ x, y }: Vec): string {
+  const along = x === 0 && y !== 0 ? [] : [`${x < 0 ? '←' : '→'} ${cmText(Math.abs(x))}`];
+  return [...along, ...(y === 0 ? [] : [`${y < 0 ? '↓' : '↑'} ${cmText(Math.abs(y))}`])].join(' · ');
+}
+
+/** What the ruler says: length and angle, then the place of its end. */
+export function measureText(from: Vec, to: Vec): string {
+  const place = readingText({ type: 'place', at: to });
+  const mm = Math.hypot(to.x - from.x, to.y - from.y);
+  if (mm < 0.5) return place;
+  const deg = degOf(Math.atan2(to.y - from.y, to.x - from.x));
+  return `${readingText({ type: 'length', mm, deg, from })} · ${place}`;
+}
