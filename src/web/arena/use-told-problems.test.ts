@@ -7,12 +7,12 @@ import { startRun } from '../app/testing/run';
 import { useToldProblems } from './use-told-problems';
 
 describe('what is not right with a course', () => {
-  it('is told to who only opens a course of somebody’s own, until it runs', async () => {
+  it('is told to who only opens a course of somebody’s own, by a sign alone, also while it runs', async () => {
     const page = await editingPage();
-    const { hasEdited, isTold } = useToldProblems(page);
-    expect([hasEdited.value, isTold.value]).toEqual([false, true]);
+    const { hasEdited, isTold, isQuiet } = useToldProblems(page);
+    expect([hasEdited.value, isTold.value, isQuiet.value]).toEqual([false, true, true]);
     await startRun(page);
-    expect(isTold.value).toBe(false);
+    expect([isTold.value, isQuiet.value]).toEqual([true, true]);
   });
 
   it('is not looked for in a ready course that is only driven', () => {
@@ -21,9 +21,9 @@ describe('what is not right with a course', () => {
 
   it('is told to who edits, also while it runs', async () => {
     const page = await editingPage();
-    const { hasEdited, isTold } = useToldProblems(page);
+    const { hasEdited, isTold, isQuiet } = useToldProblems(page);
     page.editor.choose('select');
     await startRun(page);
-    expect([hasEdited.value, isTold.value]).toEqual([true, true]);
+    expect([hasEdited.value, isTold.value, isQuiet.value]).toEqual([true, true, false]);
   });
 });

@@ -18,7 +18,7 @@ afterEach(() => void vi.useRealTimers());
 async function bars(objects: readonly SceneObject[], props: object = {}, more: Parameters<typeof editingPage>[1] = {}) {
   const page = await editingPage(objects, more);
   const places: unknown[] = [];
-  const given = { isAlone: false, isTold: true, onShow: (at: unknown) => places.push(at), ...props };
+  const given = { isAlone: false, isTold: true, isQuiet: false, onShow: (at: unknown) => places.push(at), ...props };
   const mounted = mountOn(page, EditorBars, given);
   const settle = async () => {
     await nextTick(); // the last change has been noticed
@@ -43,6 +43,43 @@ describe('the row below the arena', () => {
     expect(text()).toBe(''); // half-finished work is not a problem yet
     await settle();
     expect(text()).toBe('Block 1 steckt in etwas anderem: Wand 1.');
+  });
+
+  it('mends it by a tap, as one step that can be taken back', async () => {
+    const { settle, text, steps, editor, scene } = await bars([samples.wall, stuck]);
+    await settle();
+    const before = scene().objects;
+    await press('Block zur Seite: Block 1 steckt in etwas anderem: Wand 1.');
+    await settle();
+    expect([text(), steps()]).toEqual(['', 1]);
+    editor.undo();
+    expect(scene().objects).toEqual(before);
+  });
+
+  it('lists several with what a tap does about each, and mends all of them in one step', async () => {
+    const { settle, text, steps } = await bars([samples.wall, stuck, { ...samples.checkpoint, number: 4 }]);
+    await settle();
+    await press('2 Hinweise');
+    await vi.dynamicImportSettled();
+    await nextTick();
+    const rows = [...document.querySelectorAll('[role="menuitem"]')].map((row) => textOf(row));
+    expect(rows).toEqual([
+      'Alles beheben',
+      'Kontrollpunkt 1 fehlt: Nach der Lücke kommt 4.',
+      'Neu nummerieren',
+      'Block 1 steckt in etwas anderem: Wand 1.',
+      'Block zur Seite',
+    ]);
+    document.querySelector<HTMLElement>('[data-testid="mend-all"]')?.click();
+    await settle();
+    expect([text(), steps()]).toEqual(['', 1]);
+  });
+
+  it('is a sign with a number where somebody only drives', async () => {
+    const { mounted, settle } = await bars([samples.wall, stuck], { isQuiet: true });
+    await settle();
+    expect(mounted.get('[data-testid="problems"]').classes()).toContain('bar--quiet');
+    expect(mounted.get('[data-testid="all-problems"]').text()).toBe('1');
   });
 
   it('is quiet again when it has been mended', async () => {
