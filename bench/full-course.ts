@@ -56,7 +56,7 @@ const placeOf = (i: number): Point => [
 
 function thing(i: number, at: Point, between: (low: number, high: number) => number): SceneObject {
   const id = `thing-${String(i)}`;
-  const box = { id, at, size: [between(20, 60), between(20, 60)] as Point, turn: i % 8 };
+  const box = { id, at, size: [between(20, 60), between(20, 60)] as Point, angle: 45 * (i % 8) };
   const zone = { ...box, round: i % 2 === 0, number: 0, blocks: 0 };
   // Five moving obstacles that push whatever is in their path.
   if (i % 60 === 7) return { ...box, type: 'mover', to: [at[0], at[1] + 300], speed: 100, spiked: false };

@@ -7,7 +7,7 @@ import { violationsBy } from './axe';
 import { on } from './page';
 import { by } from './parts';
 
-const zone = { size: [100, 100], turn: 0, round: false, blocks: 0 } as const;
+const zone = { size: [100, 100], angle: 0, round: false, blocks: 0 } as const;
 
 /** Straight ahead of the robot: a line across its way, a checkpoint and a wall. A target lies aside. */
 const course: Scene = {

@@ -130,7 +130,7 @@ test('a host page brings a course, lets the robot drive on it and changes it mea
     const stepped = (await parcours.getState()).atMs - atMs;
     await parcours.place({ xMm: 600, yMm: 300, headingDeg: 90 });
     await parcours.placeBlock('box', { xMm: 200, yMm: 200, headingDeg: 0 });
-    await parcours.edit({ type: 'add', objects: [{ type: 'label', id: 'l', at: [600, 800], text: 'Hi', height: 40, turn: 0 }] }); // prettier-ignore
+    await parcours.edit({ type: 'add', objects: [{ type: 'label', id: 'l', at: [600, 800], text: 'Hi', height: 40, angle: 0 }] }); // prettier-ignore
     await parcours.resume();
     await parcours.interrupt();
     const ended = await new Promise<object>((resolve) => parcours.on('ended', resolve));

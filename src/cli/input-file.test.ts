@@ -34,7 +34,7 @@ describe('an input file', () => {
           timeUs: 11_000_000,
           action: {
             type: 'edit',
-            edit: { type: 'add', objects: [{ type: 'block', id: 'b2', at: [10, 20], size: [50, 50], turn: 0 }] },
+            edit: { type: 'add', objects: [{ type: 'block', id: 'b2', at: [10, 20], size: [50, 50], angle: 0 }] },
           },
         },
       ],

@@ -9,7 +9,7 @@ import { lastLine, parcours, useFolder } from './testing/parcours';
 
 const { file } = useFolder();
 
-const target = { type: 'target', id: 't', at: [800, 450], size: [120, 120], turn: 0, round: false, number: 0, blocks: 0 } as const; // prettier-ignore
+const target = { type: 'target', id: 't', at: [800, 450], size: [120, 120], angle: 0, round: false, number: 0, blocks: 0 } as const; // prettier-ignore
 const scene: Scene = { ...defaultScene(), objects: [target] };
 const project: Project = {
   files: [

@@ -76,7 +76,7 @@ export function middleOfSelection(scene: Scene, selection: Selection): Vec | nul
   return { x: sum.x / middles.length, y: sum.y / middles.length };
 }
 
-/** Turns what is selected counter-clockwise about its middle; what knows only eighths takes the nearest. */
+/** Turns what is selected counter-clockwise about its middle. */
 export function turnedBy(
   scene: Scene,
   selection: Selection,
@@ -104,10 +104,6 @@ export const turned = (
   footprint: readonly Outline[] = [],
 ): SceneEdit | null => turnedBy(scene, selection, eighths * 45, footprint);
 
-/** Whether a selection can only be turned in eighths because something in it can. */
-export const selectionTurnsInEighths = (scene: Scene, selection: Selection): boolean =>
-  selectedObjects(scene, selection).some((object) => kindOf(object).turnsInEighths);
-
 function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: readonly Outline[]): SceneEdit | null {
   const { robot, size } = scene;
   const at = toPoint(turnedAbout(toVec(robot.at), pivot, angleDeg));
@@ -115,6 +111,6 @@ function robotTurned(scene: Scene, pivot: Vec, angleDeg: number, footprint: read
   return startingAt(scene, { at: placeInside({ ...robot, at, heading }, size, footprint), heading });
 }
 
-/** Whether rounding to whole mm left a line where it was; what has a turn was turned. */
+/** Whether rounding to whole mm left a line where it was; what has an angle was turned. */
 const isUnturned = (object: SceneObject, before: SceneObject | undefined): boolean =>
-  object === before || (!('turn' in object) && isSame(object, before));
+  object === before || (!('angle' in object) && isSame(object, before));

@@ -189,8 +189,8 @@ function commonStep(changed: Changes['changed']): Point | null {
 const ROUNDING_MM = 2;
 
 function isTurned([was, now]: readonly [SceneObject, SceneObject]): boolean {
-  if ('turn' in was && 'turn' in now)
-    return was.turn !== now.turn && (!('size' in was) || !('size' in now) || isSame(was.size, now.size));
+  if ('angle' in was && 'angle' in now)
+    return was.angle !== now.angle && (!('size' in was) || !('size' in now) || isSame(was.size, now.size));
   const [one, other] = [spanOf(was), spanOf(now)];
   return (
     one !== null &&
@@ -209,7 +209,7 @@ const spanOf = (object: SceneObject): Vec | null => kindOf(object).span(object);
 /** The angle by which all were turned, in whole degrees, or `null` when it is not the same. */
 function commonTurn(changed: Changes['changed']): number | null {
   const angles = changed.map(([was, now]) => {
-    if ('turn' in was && 'turn' in now) return wrappedDeg((now.turn - was.turn) * 45);
+    if ('angle' in was && 'angle' in now) return Math.round(wrappedDeg(now.angle - was.angle));
     const [one, other] = [spanOf(was), spanOf(now)];
     return one && other ? Math.round(wrappedDeg(directionDeg(ORIGIN, other) - directionDeg(ORIGIN, one))) : 0;
   });

@@ -29,7 +29,7 @@ export function addingOnce(scene: Scene, object: SceneObject): SceneEdit | null 
       'size' in object &&
       isSame(other.at, object.at) &&
       isSame(other.size, object.size) &&
-      other.turn === object.turn,
+      other.angle === object.angle,
   );
   return isThere ? null : adding(scene, [object]);
 }

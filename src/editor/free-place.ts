@@ -1,4 +1,4 @@
-import { solidOutline } from '#scene/kinds/index';
+import { solidParts } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
 import { arenaBounds, boundsAll } from './bounds';
@@ -83,9 +83,6 @@ function isInside({ minX, minY, maxX, maxY }: Bounds, arena: Point): boolean {
   );
 }
 
-/** The outlines of all solid things of a course but these. */
+/** The convex parts of all solid things of a course but these. */
 export const solidsBut = ({ objects }: Scene, ids: readonly string[]): readonly Outline[] =>
-  objects
-    .filter(({ id }) => !ids.includes(id))
-    .map(solidOutline)
-    .filter((outline) => outline !== null);
+  objects.filter(({ id }) => !ids.includes(id)).flatMap(solidParts);

@@ -1,7 +1,7 @@
 import { wrappedDeg } from '#core/angle';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { middleOfSelection, selectionTurnsInEighths, turnedBy } from './arrange';
+import { middleOfSelection, turnedBy } from './arrange';
 import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { kindOf } from './kinds/index';
@@ -29,9 +29,13 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   return changed ? changing([changed]) : null;
 }
 
+/** Steps of a drag that turns, in degrees. Chosen: both halves of a right angle and its thirds; a degree when free. */
+const STEP_DEG = 15;
+const FREE_STEP_DEG = 1;
+
 /**
- * By how much a drag turns a selection about its middle: steps of 45°, of 15° for the robot alone, of 1° when free and
- * nothing of it knows only eighths. `null` when there is nothing to turn or the drag has not left the middle.
+ * By how much a drag turns a selection about its middle. `null` when there is nothing to turn or the drag has not left the
+ * middle.
  */
 export function draggedAngle(drag: Drag, scene: Scene, selection: Selection): number | null {
   const pivot = middleOfSelection(scene, selection);
@@ -39,11 +43,5 @@ export function draggedAngle(drag: Drag, scene: Scene, selection: Selection): nu
   const end = endOf(drag);
   if (!pivot || !start || distanceMm(pivot, end) === 0) return null;
   const angleDeg = wrappedDeg(directionDeg(pivot, end) - directionDeg(pivot, start));
-  return steppedDeg(angleDeg, stepDeg(drag, scene, selection));
-}
-
-function stepDeg({ free }: Drag, scene: Scene, selection: Selection): number {
-  if (selectionTurnsInEighths(scene, selection)) return 45;
-  if (free) return 1;
-  return selection.robot && selection.ids.length === 0 ? 15 : 45;
+  return steppedDeg(angleDeg, drag.free ? FREE_STEP_DEG : STEP_DEG);
 }

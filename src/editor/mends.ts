@@ -1,5 +1,5 @@
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import { boundsOf, solidOutline } from '#scene/kinds/index';
+import { boundsOf, solidParts } from '#scene/kinds/index';
 import type { Outline } from '#scene/outline';
 import { robotOutlines } from '#scene/placement';
 import type { RuleProblem } from '#scene/rules';
@@ -132,9 +132,8 @@ function robotFreed(scene: Scene, about: readonly SceneObject[], footprint: read
 /** The first movable block among these at the nearest free place, clear of the robot. */
 function blockAside(scene: Scene, about: readonly SceneObject[], footprint: readonly Outline[]): SceneEdit | null {
   const block = about.find((object): object is Block => object.type === 'block');
-  const outline = block && solidOutline(block);
-  if (!outline) return null;
-  const way = wayToRoom([outline], around(scene, block, footprint), scene.size);
+  if (!block) return null;
+  const way = wayToRoom(solidParts(block), around(scene, block, footprint), scene.size);
   return way && changing([movedBy(block, way[0], way[1])]);
 }
 
@@ -143,8 +142,8 @@ function broughtIn(scene: Scene, object: SceneObject, footprint: readonly Outlin
   const inside = wayInside(boundsOf(object), scene.size);
   if (inside === null) return null;
   const home = movedBy(object, inside[0], inside[1]);
-  const outline = solidOutline(home);
-  const aside = outline && wayToRoom([outline], around(scene, object, footprint), scene.size);
+  const parts = solidParts(home);
+  const aside = parts.length === 0 ? null : wayToRoom(parts, around(scene, object, footprint), scene.size);
   return aside ? movedBy(home, aside[0], aside[1]) : home;
 }
 

@@ -1,3 +1,4 @@
+import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
 import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, type Outline } from '#scene/outline';
@@ -8,7 +9,7 @@ import { adding, changing, startingAt } from './edits';
 import { fieldsOf, movedBy, newObject } from './kinds/index';
 import { oneLine } from './kinds/label';
 import { robotFields, type Field, type FieldName, type FieldValue } from './object-fields';
-import { within } from './plane';
+import { rotationDeg, within } from './plane';
 import { placeInside } from './robot-place';
 import type { ToolOptions } from './tools/tool';
 
@@ -23,7 +24,8 @@ export function withField(scene: Scene, id: string, name: FieldName, value: Fiel
   const fit = field ? fitting(field, value) : null;
   if (!object || !field || fit === null || field.value === fit) return null;
   const changed = field.with(fit, scene);
-  return changed && changing([changed, ...swapped(scene, object, changed)]);
+  if (!changed || isSame(changed, object)) return null; // −180° is 180°
+  return changing([changed, ...swapped(scene, object, changed)]);
 }
 
 /** Sets one field of the robot's start; the robot stays inside the arena. `null` when nothing changes. */
@@ -48,7 +50,7 @@ function fitting(field: Field, value: FieldValue): FieldValue | null {
     case 'number': {
       if (typeof value !== 'number' || Number.isNaN(value)) return null;
       const inRange = within(value, field);
-      if (field.name === 'turn') return Math.round(inRange / field.step) * field.step;
+      if (field.name === 'turn') return rotationDeg(inRange);
       return field.unit === 'times' ? Math.round(inRange * 100) / 100 : Math.round(inRange) + 0;
     }
     case 'switch':

@@ -9,7 +9,7 @@ import {
   type SceneObject,
   type StrokeColor,
 } from '#scene/scene';
-import { eighths, within } from './plane';
+import { within } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
 export type NumberName =
@@ -113,10 +113,10 @@ export const endFields = <T>(
   ...pointFields(to, (end) => withEnds(from, end), ['endX', 'endY']),
 ];
 
-/** The field of a rotation in eighths of a full turn. */
-export const turnField = <T extends { readonly turn: number }>(object: T): Field<T> => ({
-  ...{ kind: 'number', name: 'turn', value: object.turn * 45, min: 0, max: 315, step: 45, unit: 'deg' },
-  with: (angleDeg: number) => ({ ...object, turn: eighths(angleDeg / 45) }),
+/** The field of a rotation. */
+export const turnField = <T extends { readonly angle: number }>(object: T): Field<T> => ({
+  ...{ kind: 'number', name: 'turn', value: object.angle, ...sceneLimits.angleDeg, step: 15, unit: 'deg' },
+  with: (angleDeg: number) => ({ ...object, angle: angleDeg }),
 });
 
 /** The field of the kind of something that can become another kind. */

@@ -1,4 +1,4 @@
-import { degOf, radOf, wrappedDeg } from '#core/angle';
+import { degOf, fullTurnDeg, radOf, wrappedDeg } from '#core/angle';
 import { exactAtan2, exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { sceneLimits, type Point } from '#scene/scene';
@@ -71,5 +71,5 @@ export function turned({ x, y }: Vec, angleDeg: number): Vec {
 export const turnedAbout = (place: Vec, pivot: Vec, angleDeg: number): Vec =>
   plus(pivot, turned(minus(place, pivot), angleDeg));
 
-/** A rotation in eighths of a full turn, brought to 0 … 7. */
-export const eighths = (turn: number): number => ((Math.round(turn) % 8) + 8) % 8;
+/** A rotation as objects have it: tenths of a degree from 0 up to but without 360. */
+export const rotationDeg = (angleDeg: number): number => fullTurnDeg(Math.round(angleDeg * 10) / 10);

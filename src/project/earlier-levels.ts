@@ -255,8 +255,8 @@ function boxObject({ is, x, y, width, height, angleDeg }: Box, id: string, size:
   const at = placeIn(size, { x, y });
   if (is !== 'wall') {
     const { blockMm } = sceneLimits;
-    const turn = Math.round(headingOf(angleDeg) / 45) % 8;
-    return { type: is, id, at, size: [clamped(width, blockMm), clamped(height, blockMm)], turn };
+    const angle = (Math.round(headingOf(angleDeg) / 45) % 8) * 45;
+    return { type: is, id, at, size: [clamped(width, blockMm), clamped(height, blockMm)], angle };
   }
   const along = radOf(angleDeg + (width >= height ? 0 : 90));
   const half = Math.max(width, height) / 2;

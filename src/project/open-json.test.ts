@@ -63,10 +63,10 @@ describe('a level of an earlier simulator', () => {
     expect(scene.size).toEqual([800, 600]);
     expect(scene.robot).toMatchObject({ at: [700, 100], heading: 270 });
     expect(scene.objects).toEqual([
-      { type: 'block', id: 'block-1', at: [100, 500], size: [50, 40], turn: 7 },
-      { type: 'fixed-block', id: 'fixed-block-1', at: [200, 500], size: [50, 50], turn: 0 },
-      { type: 'block', id: 'block-2', at: [250, 500], size: [60, 60], turn: 0 },
-      { type: 'fixed-block', id: 'fixed-block-2', at: [300, 500], size: [60, 60], turn: 0 },
+      { type: 'block', id: 'block-1', at: [100, 500], size: [50, 40], angle: 315 },
+      { type: 'fixed-block', id: 'fixed-block-1', at: [200, 500], size: [50, 50], angle: 0 },
+      { type: 'block', id: 'block-2', at: [250, 500], size: [60, 60], angle: 0 },
+      { type: 'fixed-block', id: 'fixed-block-2', at: [300, 500], size: [60, 60], angle: 0 },
       { type: 'wall', id: 'wall-1', from: [400, 400], to: [400, 200], thickness: 10 },
     ]);
   });

@@ -1,6 +1,9 @@
 import { describe, expect, it } from 'vitest';
 import { changed, full, label, mover, problemsOf, wall, withBackground, withObject, zone } from './testing/full-scene';
 
+const withPolygon = (corners: readonly unknown[]): unknown =>
+  withObject({ id: 'p', type: 'block', at: [100, 100], size: [50, 50], corners });
+
 describe('a bad course file', () => {
   const nested = `${'['.repeat(200_000)}${']'.repeat(200_000)}`;
   const table: readonly [what: string, input: unknown, code: string, path: string, message: RegExp][] = [
@@ -17,7 +20,7 @@ describe('a bad course file', () => {
       changed({ version: 7 }),
       'newer-version',
       'version',
-      /Scene version 7 is newer than this app \(4\)\. Reload/,
+      /Scene version 7 is newer than this app \(5\)\. Reload/,
     ],
     ['version 0', changed({ version: 0 }), 'unknown-version', 'version', /Scene version 0 is unknown/],
     ['version as text', changed({ version: '1' }), 'unknown-version', 'version', /unknown/],
@@ -28,7 +31,7 @@ describe('a bad course file', () => {
       'version',
       /toString/,
     ],
-    ['a version of 2.5', changed({ version: 2.5 }), 'unknown-version', 'version', /versions 1 to 4/],
+    ['a version of 2.5', changed({ version: 2.5 }), 'unknown-version', 'version', /versions 1 to 5/],
     ['no version', changed({ version: undefined }), 'unknown-version', 'version', /unknown/],
     ['a name of number', changed({ name: 3 }), 'wrong-type', 'name', /name: must be a text in quotes, not 3/],
     ['a long name', changed({ name: 'x'.repeat(201) }), 'too-long', 'name', /201 characters/],
@@ -172,6 +175,107 @@ describe('a bad course file', () => {
       /9 is not within 0 … 7/,
     ],
     [
+      'a block turned by 361°',
+      withObject({ ...full.objects[1], id: 'b', turn: undefined, angle: 361 }),
+      'out-of-range',
+      'objects[4].angle',
+      /361 is not within 0 … 360/,
+    ],
+    [
+      'a block turned twice',
+      withObject({ ...full.objects[1], id: 'b', angle: 30 }),
+      'said-twice',
+      'objects[4].angle',
+      /Leave out one of them/,
+    ],
+    [
+      'a polygon with two corners',
+      withPolygon([
+        [0, 0],
+        [9, 9],
+      ]),
+      'out-of-range',
+      'objects[4].corners',
+      /2 entries; there may be 3 … 60/,
+    ],
+    [
+      'a polygon like an 8',
+      withPolygon([
+        [0, 0],
+        [50, 50],
+        [50, 0],
+        [0, 50],
+      ]),
+      'polygon-crossing',
+      'objects[4].corners',
+      /the edge from corner 0 crosses or touches the one from corner 2\. Move a corner/,
+    ],
+    [
+      'a polygon that goes back the way it came',
+      withPolygon([
+        [0, 0],
+        [50, 0],
+        [20, 0],
+        [20, 50],
+      ]),
+      'polygon-crossing',
+      'objects[4].corners',
+      /the edge from corner 0 crosses or touches the one from corner 1/,
+    ],
+    [
+      'a polygon in a straight line',
+      withPolygon([
+        [0, 0],
+        [50, 50],
+        [20, 20],
+      ]),
+      'polygon-too-small',
+      'objects[4].corners',
+      /enclose nothing/,
+    ],
+    [
+      'a polygon of next to nothing',
+      withPolygon([
+        [0, 0],
+        [5000, 5000],
+        [2500, 2501],
+      ]),
+      'polygon-too-small',
+      'objects[4].corners',
+      /less than 25 mm²/,
+    ],
+    [
+      'a round polygon',
+      withObject({
+        ...zone,
+        round: true,
+        corners: [
+          [0, 0],
+          [50, 50],
+          [20, 60],
+        ],
+      }),
+      'said-twice',
+      'objects[4].round',
+      /Leave out "round" or "corners"/,
+    ],
+    [
+      'a mover with corners',
+      withObject({ ...mover, corners: [] }),
+      'unknown-property',
+      'objects[4].corners',
+      /unknown/,
+    ],
+    ['a lock of text', withObject({ ...wall, lock: 'yes' }), 'wrong-type', 'objects[4].lock', /true or false/],
+    ['an empty group', withObject({ ...wall, group: '' }), 'missing', 'objects[4].group', /must not be empty/],
+    [
+      'a group of one',
+      withObject({ ...wall, group: 'g1' }),
+      'group-of-one',
+      'objects[4].group',
+      /"g1" is the group of this object alone\. Give it to a second object, or leave it out/,
+    ],
+    [
       'a stroke of nothing',
       withObject({ id: 's', type: 'stroke', points: [] }),
       'out-of-range',
@@ -254,7 +358,7 @@ describe('a bad course file', () => {
       withObject({ ...zone, type: 'spikes', speed: 5 }),
       'unknown-property',
       'objects[4].speed',
-      /Known here: id, type, at, size, turn/,
+      /Known here: id, type, lock, group, at, size, angle/,
     ],
     ['an empty label', withObject({ ...label, text: '' }), 'missing', 'objects[4].text', /must not be empty/],
     ['a label of two lines', withObject({ ...label, text: 'a\nb' }), 'not-one-line', 'objects[4].text', /single line/],

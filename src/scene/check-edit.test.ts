@@ -3,7 +3,7 @@ import { editProblem, parseEdit } from './check-edit';
 import { applyEdit, type SceneEdit } from './edit';
 import { defaultScene, type Block, type Scene, type Stroke, type Wall } from './scene';
 
-const block = (id: string): Block => ({ type: 'block', id, at: [100, 100], size: [50, 50], turn: 0 });
+const block = (id: string): Block => ({ type: 'block', id, at: [100, 100], size: [50, 50], angle: 0 });
 const wall: Wall = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 };
 const stroke = (id: string, count: number): Stroke => ({
   ...{ type: 'stroke', id, width: 20, color: 'black' },

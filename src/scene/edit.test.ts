@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { applyEdit, freeId, type SceneEdit } from './edit';
 import { defaultScene, type Block, type Scene, type Stroke } from './scene';
 
-const block = (id: string, x = 100): Block => ({ type: 'block', id, at: [x, 100], size: [50, 50], turn: 0 });
+const block = (id: string, x = 100): Block => ({ type: 'block', id, at: [x, 100], size: [50, 50], angle: 0 });
 const line: Stroke = {
   ...{ type: 'stroke', id: 's', width: 20, color: 'black' },
   points: [

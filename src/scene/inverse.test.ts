@@ -4,7 +4,7 @@ import { applyEdit, type SceneEdit } from './edit';
 import { inverse } from './inverse';
 import { defaultScene, type Background, type Block, type Scene, type Stroke } from './scene';
 
-const block = (id: string, x = 100): Block => ({ type: 'block', id, at: [x, 100], size: [50, 50], turn: 0 });
+const block = (id: string, x = 100): Block => ({ type: 'block', id, at: [x, 100], size: [50, 50], angle: 0 });
 const line = (id: string, count = 2): Stroke => ({
   ...{ type: 'stroke', id, width: 20, color: 'black' },
   points: Array.from({ length: count }, (_, index) => [index % 1000, 0] as const),

@@ -1,5 +1,5 @@
 import { applyEdit, objectsPut, singleEdits, type CourseChanges, type Replacement, type SceneEdit } from './edit';
-import { sceneLimits, type Scene, type SceneObject } from './scene';
+import { countPoints, sceneLimits, type Scene, type SceneObject } from './scene';
 
 /**
  * The edit that takes another one back: done after it, it gives a course equal to `scene`, its objects in the same order.
@@ -75,7 +75,7 @@ function fitsIntoOne(edits: readonly SceneEdit[]): boolean {
   let [objects, points] = [0, 0];
   for (const object of edits.flatMap(objectsPut)) {
     objects += 1;
-    if (object.type === 'stroke') points += object.points.length;
+    points += countPoints(object);
   }
   return edits.length <= sceneLimits.objects && objects <= 2 * sceneLimits.objects && points <= sceneLimits.points;
 }

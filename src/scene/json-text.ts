@@ -1,5 +1,4 @@
-import { sceneDefaults, type Point } from './scene';
-import type { Box } from './outline';
+import { sceneDefaults, type Point, type Shaped } from './scene';
 
 /** A place or an extent in the form of a file. */
 export const pair = (point: Point): string => `[${point[0]}, ${point[1]}]`;
@@ -16,9 +15,19 @@ export function property(
 /** Properties as an object on one line. */
 export const braces = (properties: readonly string[]): string => `{ ${properties.join(', ')} }`;
 
-/** Place, size and rotation of a box. */
-export const boxProperties = ({ at, size, turn }: Box): readonly string[] => [
+/** How a version of the file says a rotation. */
+export type Rotation = (angleDeg: number) => readonly string[];
+
+/** From version 5 on: in degrees. */
+export const asAngle: Rotation = (angleDeg) => property('angle', angleDeg, sceneDefaults.angle);
+
+/** Before version 5: in eighths of a full turn. */
+export const asTurn: Rotation = (angleDeg) => property('turn', angleDeg / 45, sceneDefaults.angle);
+
+/** Place, size, rotation and, if it is a polygon, the corners of a shape. */
+export const shapeProperties = ({ at, size, angle, corners }: Shaped, rotation: Rotation): readonly string[] => [
   `"at": ${pair(at)}`,
   `"size": ${pair(size)}`,
-  ...property('turn', turn, sceneDefaults.turn),
+  ...rotation(angle),
+  ...(corners === undefined ? [] : [`"corners": [${corners.map(pair).join(', ')}]`]),
 ];

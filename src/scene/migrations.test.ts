@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { parseScene } from './parse';
-import { SCENE_VERSION, type Scene } from './scene';
+import { SCENE_VERSION, type Point, type Scene } from './scene';
 import { serializeScene } from './serialize';
 
 const kept = (version: number): string => readFileSync(new URL(`./kept/v${version}.json`, import.meta.url), 'utf8');
@@ -23,9 +23,9 @@ const version1: Scene = {
   objects: [
     { id: 'w1', type: 'wall', from: [900, 200], to: [900, 700], thickness: 10 },
     { id: 'w2', type: 'wall', from: [-50, 0], to: [200, 250], thickness: 12 },
-    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], turn: 0 },
-    { id: 'b2', type: 'block', at: [700, 300], size: [40, 60], turn: 1 },
-    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], turn: 7 },
+    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], angle: 0 },
+    { id: 'b2', type: 'block', at: [700, 300], size: [40, 60], angle: 45 },
+    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], angle: 315 },
     {
       ...{ id: 's1', type: 'stroke', width: 20, color: 'black' },
       points: [
@@ -66,8 +66,8 @@ const version2: Scene = {
   },
   objects: [
     { id: 'w1', type: 'wall', from: [900, 200], to: [900, 700], thickness: 20 },
-    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], turn: 3 },
-    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], turn: 0 },
+    { id: 'b1', type: 'block', at: [600, 300], size: [50, 50], angle: 135 },
+    { id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], angle: 0 },
     {
       ...{ id: 's1', type: 'stroke', width: 25, color: 'red' },
       points: [
@@ -79,16 +79,16 @@ const version2: Scene = {
     { id: 's2', type: 'stroke', points: [[500, 900]], width: 20, color: 'blue' },
     { id: 's3', type: 'stroke', points: short, width: 20, color: 'yellow' },
     { id: 's4', type: 'stroke', points: short, width: 20, color: 'green' },
-    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], turn: 1, round: true, number: 0, blocks: 0 },
-    { id: 't2', type: 'target', at: [1000, 200], size: [200, 200], turn: 0, round: false, number: 0, blocks: 1 },
-    { id: 'c1', type: 'checkpoint', at: [300, 200], size: [150, 150], turn: 0, round: false, number: 1, blocks: 0 },
-    { id: 'c2', type: 'checkpoint', at: [600, 200], size: [150, 100], turn: 2, round: true, number: 99, blocks: 0 },
-    { id: 'x1', type: 'forbidden', at: [100, 800], size: [150, 150], turn: 0, round: true, number: 0, blocks: 0 },
-    { id: 'p1', type: 'spikes', at: [700, 700], size: [60, 40], turn: 5 },
-    { id: 'm1', type: 'mover', at: [500, 500], size: [60, 60], turn: 0, to: [800, 500], speed: 100, spiked: false },
-    { id: 'm2', type: 'mover', at: [500, 600], size: [60, 60], turn: 1, to: [500, 900], speed: 250, spiked: true },
-    { id: 'l1', type: 'label', at: [300, 50], text: 'Start ▸ «hier» 🤖', height: 30, turn: 0 },
-    { id: 'l2', type: 'label', at: [300, 950], text: 'Ziel', height: 60, turn: 2 },
+    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], angle: 45, round: true, number: 0, blocks: 0 },
+    { id: 't2', type: 'target', at: [1000, 200], size: [200, 200], angle: 0, round: false, number: 0, blocks: 1 },
+    { id: 'c1', type: 'checkpoint', at: [300, 200], size: [150, 150], angle: 0, round: false, number: 1, blocks: 0 },
+    { id: 'c2', type: 'checkpoint', at: [600, 200], size: [150, 100], angle: 90, round: true, number: 99, blocks: 0 },
+    { id: 'x1', type: 'forbidden', at: [100, 800], size: [150, 150], angle: 0, round: true, number: 0, blocks: 0 },
+    { id: 'p1', type: 'spikes', at: [700, 700], size: [60, 40], angle: 225 },
+    { id: 'm1', type: 'mover', at: [500, 500], size: [60, 60], angle: 0, to: [800, 500], speed: 100, spiked: false },
+    { id: 'm2', type: 'mover', at: [500, 600], size: [60, 60], angle: 45, to: [500, 900], speed: 250, spiked: true },
+    { id: 'l1', type: 'label', at: [300, 50], text: 'Start ▸ «hier» 🤖', height: 30, angle: 0 },
+    { id: 'l2', type: 'label', at: [300, 950], text: 'Ziel', height: 60, angle: 90 },
   ],
 };
 
@@ -113,7 +113,7 @@ const version3: Scene = {
     },
   },
   objects: [
-    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], turn: 0, round: false, number: 0, blocks: 0 },
+    { id: 't1', type: 'target', at: [1200, 200], size: [200, 150], angle: 0, round: false, number: 0, blocks: 0 },
   ],
 };
 
@@ -132,12 +132,69 @@ const version4: Scene = {
   ],
 };
 
+const shapes = { type: 'target' as const, number: 0, blocks: 0, at: [1200, 200] as Point };
+const square = [[0, 0], [200, 0], [200, 200], [100, 80], [0, 200]] as Point[]; // prettier-ignore
+
+const version5: Scene = {
+  ...version1,
+  name: 'Formen der fünften Fassung',
+  description: '',
+  board: null,
+  robot: { type: null, at: [300, 500], heading: 0, scale: 1, options: {} },
+  objects: [
+    { id: 'b1', type: 'block', at: [600, 300], size: [66, 66], angle: 0, round: true },
+    { id: 'b2', type: 'block', at: [700, 300], size: [40, 60], angle: 12.5, lock: true },
+    {
+      ...{ id: 'b3', type: 'block', at: [800, 300], size: [80, 60], angle: 45 },
+      corners: [[0, 0], [80, 0], [40, 60]], // prettier-ignore
+    },
+    {
+      ...{ id: 'f1', type: 'fixed-block', at: [1200, 800], size: [100, 80], angle: 315, lock: true, group: 'g1' },
+      corners: [[0, 0], [10, 0], [10, 4], [4, 4], [4, 8], [0, 8]], // prettier-ignore
+    },
+    { id: 'f2', type: 'fixed-block', at: [1200, 600], size: [20, 20], angle: 0, round: true, group: 'g1' },
+    { id: 'p1', type: 'spikes', at: [700, 700], size: [60, 40], angle: 200.1, round: true },
+    {
+      ...{ id: 'p2', type: 'spikes', at: [900, 700], size: [60, 60], angle: 0 },
+      corners: [[-30, -30], [30, -30], [0, 30]], // prettier-ignore
+    },
+    {
+      ...{ id: 'm1', type: 'mover', at: [500, 500], size: [60, 50], angle: 75, to: [800, 500], round: true },
+      ...{ speed: 100, spiked: false },
+    },
+    { ...shapes, id: 't1', size: [200, 150], angle: 30, round: true },
+    { ...shapes, id: 't2', at: [1000, 200], size: [200, 200], angle: 90, round: false, corners: square, blocks: 1 },
+    {
+      ...shapes,
+      id: 'c1',
+      type: 'checkpoint',
+      at: [300, 200],
+      size: [150, 150],
+      angle: 359.9,
+      round: false,
+      number: 1,
+    },
+    {
+      ...{ ...shapes, id: 'x1', type: 'forbidden', at: [100, 800], size: [150, 150], angle: 0, round: false },
+      corners: [[0, 0], [3, 0], [0, 3]], // prettier-ignore
+    },
+    { id: 'l1', type: 'label', at: [300, 50], text: 'schräg', height: 30, angle: 10 },
+    { id: 'w1', type: 'wall', from: [900, 100], to: [900, 150], thickness: 10, lock: true },
+    { id: 's1', type: 'stroke', points: [[100, 100], [400, 100]], width: 20, color: 'black', group: 'g2' }, // prettier-ignore
+    {
+      ...{ id: 'r2', type: 'start', at: [300, 800], heading: 0, robot: null, options: {}, name: '', color: null },
+      group: 'g2',
+    },
+  ],
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
     [2, version2],
     [3, version3],
     [4, version4],
+    [5, version5],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });
@@ -146,11 +203,27 @@ describe('a course file of an older version', () => {
     for (let version = 1; version <= SCENE_VERSION; version++) expect(kept(version)).toContain(`"version": ${version}`);
   });
 
-  it('is written in version 2, which older apps read, unless it says what is new in 3 or 4; letter by letter as it was', () => {
+  it('is written in version 2, which older apps read, unless it says what is new later; letter by letter as it was', () => {
     expect(serializeScene(sceneOf(kept(1)))).toContain('"version": 2');
     expect(sceneOf(serializeScene(sceneOf(kept(1))))).toEqual(version1);
     expect(serializeScene(sceneOf(kept(2)))).toBe(kept(2));
     expect(serializeScene(sceneOf(kept(3)))).toBe(kept(3));
     expect(serializeScene(sceneOf(kept(4)))).toBe(kept(4));
+    expect(serializeScene(sceneOf(kept(5)))).toBe(kept(5));
+  });
+
+  it('says rotations in eighths of a turn, which older apps read, until one of its things needs more', () => {
+    const objects = sceneOf(kept(2)).objects.filter(({ id }) => id === 'b1' || id === 'l2');
+    const text = serializeScene({ ...version2, objects });
+    expect(text).toContain('"version": 2');
+    expect(text).toContain('"id": "b1", "type": "block", "at": [600, 300], "size": [50, 50], "turn": 3 }');
+    const locked = serializeScene({ ...version2, objects: objects.map((object) => ({ ...object, lock: true })) });
+    expect(locked).toContain('"version": 5');
+    expect(locked).toContain('"size": [50, 50], "angle": 135, "lock": true }');
+  });
+
+  it('is not written with the name of a group of which one thing is left', () => {
+    const alone = { ...version5, objects: version5.objects.filter(({ id }) => id === 'f2') };
+    expect(serializeScene(alone)).not.toContain('group');
   });
 });

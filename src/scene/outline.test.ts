@@ -1,30 +1,30 @@
 import { createRng } from '#core/rng';
 import type { Vec } from '#core/geometry';
 import { describe, expect, it } from 'vitest';
-import { boundsOf, reachesInto, solidOutline } from './kinds/index';
+import { boundsOf, reachesInto, solidParts } from './kinds/index';
 import { trackOutline } from './kinds/mover';
 import { zoneHolds, zoneOverlaps } from './kinds/zone';
 import { boxOutline, convexHull, overlapMm, type Outline } from './outline';
 import type { Mover, Point, SceneObject, Stroke, Zone } from './scene';
 
 const zone = (change: Partial<Zone> = {}): Zone => ({
-  ...{ type: 'target', id: 'z', at: [100, 100], size: [80, 40], turn: 0, round: false, number: 0, blocks: 0 },
+  ...{ type: 'target', id: 'z', at: [100, 100], size: [80, 40], angle: 0, round: false, number: 0, blocks: 0 },
   ...change,
 });
 const mover: Mover = {
-  ...{ type: 'mover', id: 'm', at: [100, 100], to: [300, 100], size: [40, 20], turn: 2, speed: 100, spiked: false },
+  ...{ type: 'mover', id: 'm', at: [100, 100], to: [300, 100], size: [40, 20], angle: 90, speed: 100, spiked: false },
 };
 const stroke = (points: readonly Point[], width = 20): Stroke => ({
   ...{ type: 'stroke', id: 's', points, width, color: 'black' },
 });
 const square = (x: number, y: number, half: number): Outline =>
-  boxOutline({ at: [x, y], size: [2 * half, 2 * half], turn: 0 });
-const rounded = (outline: Outline | null): readonly (readonly [number, number])[] | undefined =>
-  outline?.map(({ x, y }) => [Number(x.toFixed(3)), Number(y.toFixed(3))]);
+  boxOutline({ at: [x, y], size: [2 * half, 2 * half], angle: 0 });
+const rounded = (outline: Outline = []): readonly (readonly [number, number])[] =>
+  outline.map(({ x, y }) => [Number(x.toFixed(3)), Number(y.toFixed(3))]);
 
 describe('the solid outline', () => {
   it('of a wall is its centre line, half its thickness to each side', () => {
-    expect(rounded(solidOutline({ type: 'wall', id: 'w', from: [0, 50], to: [100, 50], thickness: 10 }))).toEqual([
+    expect(rounded(...solidParts({ type: 'wall', id: 'w', from: [0, 50], to: [100, 50], thickness: 10 }))).toEqual([
       [0, 45],
       [100, 45],
       [100, 55],
@@ -34,23 +34,25 @@ describe('the solid outline', () => {
 
   it('of blocks, spikes and movers is their box, exact to the bit when turned by quarters', () => {
     for (const type of ['block', 'fixed-block', 'spikes'] as const)
-      expect(solidOutline({ type, id: 'b', at: [100, 100], size: [40, 20], turn: 2 })).toEqual([
-        { x: 110, y: 80 },
-        { x: 110, y: 120 },
-        { x: 90, y: 120 },
-        { x: 90, y: 80 },
+      expect(solidParts({ type, id: 'b', at: [100, 100], size: [40, 20], angle: 90 })).toEqual([
+        [
+          { x: 110, y: 80 },
+          { x: 110, y: 120 },
+          { x: 90, y: 120 },
+          { x: 90, y: 80 },
+        ],
       ]);
-    expect(solidOutline(mover)).toHaveLength(4);
-    expect(rounded(boxOutline({ at: [0, 0], size: [20, 20], turn: 1 }))?.[2]).toEqual([0, 14.142]);
+    expect(solidParts(mover)[0]).toHaveLength(4);
+    expect(rounded(boxOutline({ at: [0, 0], size: [20, 20], angle: 45 }))[2]).toEqual([0, 14.142]);
   });
 
   it('is none for what lies flat on the floor', () => {
     const flat: readonly SceneObject[] = [
       stroke([[1, 1]]),
       zone(),
-      { type: 'label', id: 'l', at: [0, 0], text: 'a', height: 30, turn: 0 },
+      { type: 'label', id: 'l', at: [0, 0], text: 'a', height: 30, angle: 0 },
     ];
-    expect(flat.map(solidOutline)).toEqual([null, null, null]);
+    expect(flat.map(solidParts)).toEqual([[], [], []]);
   });
 
   it('of the way of a mover reaches from end to end', () => {
@@ -81,15 +83,15 @@ describe('a zone', () => {
   });
 
   it('that is turned by an eighth is turned to the left', () => {
-    const turned = zone({ turn: 1 });
+    const turned = zone({ angle: 45 });
     expect(zoneHolds(turned, { x: 126, y: 126 })).toBe(true);
     expect(zoneHolds(turned, { x: 126, y: 74 })).toBe(false);
   });
 
   it('holds the corners of a block of exactly its size, however both are turned', () => {
-    for (let turn = 0; turn < 8; turn++)
+    for (let angle = 0; angle < 360; angle += 7.5)
       expect(
-        boxOutline({ at: [100, 100], size: [80, 40], turn }).every((corner) => zoneHolds(zone({ turn }), corner)),
+        boxOutline({ at: [100, 100], size: [80, 40], angle }).every((corner) => zoneHolds(zone({ angle }), corner)),
       ).toBe(true);
   });
 
@@ -107,7 +109,7 @@ describe('a zone', () => {
     for (let round = 0; round < 400; round++) {
       const ellipse = zone({
         round: true,
-        turn: rng.u32() % 8,
+        angle: (rng.u32() % 3600) / 10,
         size: [20 + (rng.u32() % 100), 20 + (rng.u32() % 100)],
       });
       const body: Outline = convexHull(Array.from({ length: 5 }, () => ({ x: between(20, 180), y: between(20, 180) })));
@@ -137,13 +139,13 @@ describe('the bounds', () => {
   });
 
   it('of a round zone are those of the ellipse, not of its box', () => {
-    const { minX, maxX, minY } = boundsOf(zone({ round: true, size: [100, 100], turn: 1 }));
+    const { minX, maxX, minY } = boundsOf(zone({ round: true, size: [100, 100], angle: 45 }));
     expect([minX, maxX, minY].map((mm) => Number(mm.toFixed(6)))).toEqual([50, 150, 50]);
   });
 
   it('of a label grow with its text', () => {
     const width = (text: string): number => {
-      const { minX, maxX } = boundsOf({ type: 'label', id: 'l', at: [0, 0], text, height: 30, turn: 0 });
+      const { minX, maxX } = boundsOf({ type: 'label', id: 'l', at: [0, 0], text, height: 30, angle: 0 });
       return maxX - minX;
     };
     expect(width('Ziel')).toBeCloseTo(4 * 24);
@@ -154,11 +156,11 @@ describe('the bounds', () => {
 describe('an object reaches into the arena', () => {
   const arena: Point = [1000, 800];
   const table: readonly [what: string, object: SceneObject, reaches: boolean][] = [
-    ['a block half inside', { type: 'block', id: 'b', at: [1010, 400], size: [50, 50], turn: 0 }, true],
-    ['a block beside it', { type: 'block', id: 'b', at: [1025, 400], size: [50, 50], turn: 0 }, false],
+    ['a block half inside', { type: 'block', id: 'b', at: [1010, 400], size: [50, 50], angle: 0 }, true],
+    ['a block beside it', { type: 'block', id: 'b', at: [1025, 400], size: [50, 50], angle: 0 }, false],
     [
       'a turned block whose corner reaches in',
-      { type: 'block', id: 'b', at: [1030, 400], size: [50, 50], turn: 1 },
+      { type: 'block', id: 'b', at: [1030, 400], size: [50, 50], angle: 45 },
       true,
     ],
     [
@@ -200,7 +202,7 @@ describe('an object reaches into the arena', () => {
     ['a mover that stays outside', { ...mover, at: [-100, 100], to: [-100, 500] }, false],
     ['a round zone at the corner', zone({ at: [1030, 830], size: [80, 80], round: true }), false],
     ['a square zone at the corner', zone({ at: [1030, 830], size: [80, 80] }), true],
-    ['a label above it', { type: 'label', id: 'l', at: [500, 830], text: 'x', height: 30, turn: 0 }, false],
+    ['a label above it', { type: 'label', id: 'l', at: [500, 830], text: 'x', height: 30, angle: 0 }, false],
   ];
   it.each(table)('%s', (_what, object, reaches) => expect(reachesInto(object, arena)).toBe(reaches));
 });

@@ -1,3 +1,5 @@
+import { rotationRad } from '#core/angle';
+import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import type { Point } from './scene';
 
@@ -12,11 +14,11 @@ export interface Bounds {
   readonly maxY: number;
 }
 
-/** Objects in the form of a turned rectangle: centre, extent along its own x and y, and rotation in eighths. */
+/** Objects in the form of a turned rectangle: centre, extent along its own x and y, and rotation in degrees. */
 export interface Box {
   readonly at: Point;
   readonly size: Point;
-  readonly turn: number;
+  readonly angle: number;
 }
 
 const DIAGONAL = Math.SQRT1_2;
@@ -36,10 +38,15 @@ const EIGHTHS: readonly Vec[] = [
 const AHEAD: Vec = { x: 1, y: 0 };
 
 /** The direction of a box's own x axis: a vector of length 1. */
-export const directionOf = (turn: number): Vec => EIGHTHS[turn & 7] ?? AHEAD;
+export function directionOf(angleDeg: number): Vec {
+  const eighths = angleDeg / 45;
+  if (Number.isInteger(eighths)) return EIGHTHS[eighths & 7] ?? AHEAD;
+  const rad = rotationRad(angleDeg);
+  return { x: exactCos(rad), y: exactSin(rad) };
+}
 
 /** The four corners of a box in world mm, counter-clockwise, beginning at its own lower left. */
-export function boxOutline({ at, size, turn }: Box): Outline {
+export function boxOutline({ at, size, angle }: Box): Outline {
   const x = size[0] / 2;
   const y = size[1] / 2;
   const corners = [
@@ -48,7 +55,7 @@ export function boxOutline({ at, size, turn }: Box): Outline {
     { x, y },
     { x: -x, y },
   ];
-  return movedOutline(corners, { x: at[0], y: at[1] }, directionOf(turn));
+  return movedOutline(corners, { x: at[0], y: at[1] }, directionOf(angle));
 }
 
 /** An outline turned about the origin so that +x points along `direction` (of length 1), then moved. */
@@ -67,6 +74,14 @@ export function squaredDistance(place: Vec, from: Vec, to: Vec): number {
   const x = place.x - from.x - share * dx;
   const y = place.y - from.y - share * dy;
   return x * x + y * y;
+}
+
+/** Distance of a place from the edge of an outline in mm. */
+export function distanceToEdge(outline: Outline, place: Vec): number {
+  const squared = outline.map((from, index) =>
+    squaredDistance(place, from, outline[(index + 1) % outline.length] ?? from),
+  );
+  return Math.sqrt(Math.min(...squared));
 }
 
 /** Distance of a place from a convex outline in mm; 0 inside. */

@@ -4,7 +4,7 @@ import type { SceneObject } from './scene';
 
 const blocks = (count: number, x: (index: number) => number, type: 'block' | 'fixed-block' = 'block'): SceneObject[] =>
   Array.from({ length: count }, (_, index) => ({
-    ...{ type, id: `b${String(index)}`, size: [50, 50], turn: 0 },
+    ...{ type, id: `b${String(index)}`, size: [50, 50], angle: 0 },
     at: [x(index), 400],
   }));
 

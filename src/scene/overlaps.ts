@@ -1,4 +1,4 @@
-import { solidOutline } from './kinds/index';
+import { solidParts } from './kinds/index';
 import { boundsOfOutline, overlapMm, type Bounds, type Outline } from './outline';
 import type { Block, Point, SceneObject } from './scene';
 
@@ -10,7 +10,8 @@ const MOST_PAIRS = 50_000;
 
 interface Solid {
   readonly object: SceneObject;
-  readonly outline: Outline;
+  /** Convex parts. */
+  readonly parts: readonly Outline[];
   readonly bounds: Bounds;
 }
 
@@ -32,17 +33,20 @@ export function stuckBlocks(objects: readonly SceneObject[]): readonly Stuck[] {
       const pair = movableFirst(one, other);
       if (!pair || stuck.has(pair.block) || !sharesHeight(one.bounds, other.bounds)) continue;
       pairs++;
-      if (overlapMm(one.outline, other.outline) > TOLERANCE_MM) stuck.set(pair.block, pair.other);
+      if (areInside(one, other)) stuck.set(pair.block, pair.other);
     }
   }
   return [...stuck].map(([block, other]) => ({ block, other }));
 }
 
+const areInside = ({ parts }: Solid, other: Solid): boolean =>
+  parts.some((one) => other.parts.some((another) => overlapMm(one, another) > TOLERANCE_MM));
+
 /** Everything solid, from left to right. */
 function solidsOf(objects: readonly SceneObject[]): readonly Solid[] {
   const solids = objects.flatMap((object): Solid[] => {
-    const outline = solidOutline(object);
-    return outline ? [{ object, outline, bounds: boundsOfOutline(outline) }] : [];
+    const parts = solidParts(object);
+    return parts.length > 0 ? [{ object, parts, bounds: boundsOfOutline(parts.flat()) }] : [];
   });
   return solids.sort((one, other) => one.bounds.minX - other.bounds.minX);
 }
@@ -63,7 +67,7 @@ export function isHeap(objects: readonly SceneObject[]): boolean {
       if (!other || other.bounds.minX > one.bounds.maxX) break;
       if (!movableFirst(one, other) || !sharesHeight(one.bounds, other.bounds)) continue;
       measured++;
-      if (overlapMm(one.outline, other.outline) > TOLERANCE_MM) overlapping++;
+      if (areInside(one, other)) overlapping++;
       if (overlapping > MOST_STUCK_PAIRS) return true;
     }
   }

@@ -1,3 +1,4 @@
+import { loneGroups } from './groups';
 import { readJsonFile, summaryOf } from './json-file';
 import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
@@ -90,7 +91,17 @@ function readObjects(value: unknown, reader: Reader): SceneObject[] {
     if (object.id !== '') noteId(object.id, path, places, reader); // else it was reported already
     objects.push(object);
   }
+  if (reader.problems.length === 0) reportLoneGroups(objects, reader);
   return objects;
+}
+
+function reportLoneGroups(objects: readonly SceneObject[], reader: Reader): void {
+  const lone = loneGroups(objects);
+  for (const [index, { group }] of objects.entries()) {
+    if (group === undefined || !lone.has(group)) continue;
+    const what = `"${group}" is the group of this object alone. Give it to a second object, or leave it out.`;
+    reader.report('group-of-one', `objects[${index}].group`, group, what, { group });
+  }
 }
 
 function noteId(id: string, path: string, places: Map<string, string>, reader: Reader): void {

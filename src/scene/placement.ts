@@ -1,7 +1,7 @@
 import { radOf } from '#core/angle';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
-import { kindOf, solidOutline } from './kinds/index';
+import { kindOf, solidParts } from './kinds/index';
 import { movedOutline, overlapMm, type Outline } from './outline';
 import type { SceneProblem } from './problem';
 import type { RobotStart, Scene, SceneObject } from './scene';
@@ -20,8 +20,8 @@ export function placementProblems(scene: Scene, footprint: readonly Outline[]): 
   const outside = outsideProblem(scene, parts);
   if (outside) return [outside];
   for (const [index, object] of scene.objects.entries()) {
-    const solid = solidOutline(object);
-    if (solid && parts.some((part) => overlapMm(part, solid) > TOLERANCE_MM))
+    const solids = solidParts(object);
+    if (parts.some((part) => solids.some((solid) => overlapMm(part, solid) > TOLERANCE_MM)))
       return [insideProblem(scene.robot, object, index)];
   }
   return [];

@@ -1,20 +1,22 @@
 import { sceneKinds } from './kinds/index';
-import { unread } from './kinds/unread';
+import { commonProperties, readCommon, unread } from './kinds/unread';
 import type { Reader } from './reader';
 import type { SceneObject } from './scene';
 
 /**
  * Reads an unchecked object of a course; its mistakes are noted in the reader.
  *
- * @param pointsLeft maximum number of points of a stroke
+ * @param pointsLeft maximum number of its points
  * @returns `null` if not even its type is known
  */
 export function readObject(value: unknown, path: string, pointsLeft: number, reader: Reader): SceneObject | null {
   const type: unknown = typeof value === 'object' && value !== null && 'type' in value ? value.type : undefined;
   if (isKnown(type)) {
     const kind = sceneKinds[type];
-    const fields = reader.fields(value, path, ['id', 'type', ...kind.properties]);
-    return kind.read(unread(fields, path, pointsLeft, reader));
+    const older = kind.properties.includes('angle') ? ['turn'] : [];
+    const fields = reader.fields(value, path, [...commonProperties, ...kind.properties, ...older]);
+    const given = unread(fields, path, pointsLeft, reader);
+    return { ...kind.read(given), ...readCommon(given) };
   }
   const known = Object.keys(sceneKinds);
   if (typeof value !== 'object' || value === null) reader.wrongType(value, path, 'an object { … }');

@@ -28,16 +28,16 @@ const block = (id: string, x: number, size = 50): Block => ({
   id,
   at: [x, 100],
   size: [size, size],
-  turn: 0,
+  angle: 0,
 });
 const zone = (id: string, change: Partial<Zone>): Zone => ({
-  ...{ type: 'target', id, at: [200, 200], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 },
+  ...{ type: 'target', id, at: [200, 200], size: [200, 200], angle: 0, round: false, number: 0, blocks: 0 },
   ...change,
 });
 const checkpoint = (id: string, number: number): Zone =>
   zone(id, { type: 'checkpoint', number, at: [100 * number, 200] });
 const mover: Mover = {
-  ...{ type: 'mover', id: 'm', at: [900, 300], to: [900, 300], size: [50, 50], turn: 0, speed: 100, spiked: false },
+  ...{ type: 'mover', id: 'm', at: [900, 300], to: [900, 300], size: [50, 50], angle: 0, speed: 100, spiked: false },
 };
 const stroke = (id: string, x: number): Stroke => ({
   ...{ type: 'stroke', id, width: 20, color: 'black' },
@@ -84,7 +84,7 @@ describe('the rules of a course', () => {
   it.each<[string, SceneObject]>([
     ['wall', wall('x', 650)],
     ['block', { ...block('x', 650), at: [650, 450] }],
-    ['spikes', { type: 'spikes', id: 'x', at: [650, 450], size: [50, 50], turn: 1 }],
+    ['spikes', { type: 'spikes', id: 'x', at: [650, 450], size: [50, 50], angle: 45 }],
     ['moving block', { ...mover, id: 'x', at: [650, 450] }],
   ])('tell of a robot inside: %s', (kind, object) => {
     expect(only(withObjects(object))).toMatchObject({

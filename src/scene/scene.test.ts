@@ -24,7 +24,7 @@ describe('a course file', () => {
       ],
     });
     expect(scene.robot.at).toEqual([500, 400]);
-    expect(scene.objects).toMatchObject([{ thickness: 10 }, { turn: 0 }, { width: 20, color: 'black' }]);
+    expect(scene.objects).toMatchObject([{ thickness: 10 }, { angle: 0 }, { width: 20, color: 'black' }]);
   });
 
   it('is the same after writing and reading it again', () => {
@@ -56,9 +56,9 @@ describe('a course file', () => {
       background: floor,
     } = sceneOf(changed({ objects: [zone, mover, label], task: {}, background }));
     expect(objects).toEqual([
-      { ...zone, turn: 0, round: false, number: 0, blocks: 0 },
-      { ...mover, turn: 0, speed: 100, spiked: false },
-      { ...label, turn: 0, height: 30 },
+      { ...zone, angle: 0, round: false, number: 0, blocks: 0 },
+      { ...mover, angle: 0, speed: 100, spiked: false },
+      { ...label, angle: 0, height: 30 },
     ]);
     expect(task).toEqual({ seconds: null, noTouch: false });
     expect(floor).toEqual({ ...background, picture: '' });
@@ -80,7 +80,7 @@ describe('a course file', () => {
         at: [-20_000, -20_000],
         text: unprintable,
         height: 500,
-        turn: 7,
+        angle: 315,
       },
     }));
     const points = Array.from({ length: sceneLimits.points }, () => [-20_000, -20_000]);

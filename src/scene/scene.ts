@@ -8,32 +8,49 @@
 /** A place or an extent `[x, y]` in whole mm. */
 export type Point = readonly [x: number, y: number];
 
-/** A straight solid wall; `from` and `to` are the ends of its centre line. */
-export interface Wall {
-  readonly type: 'wall';
+/** What every object may have. */
+interface Common {
   readonly id: string;
+  /** The editor leaves it as it is. Left out: it does not. */
+  readonly lock?: true;
+  /** Name of the group to which it belongs, with at least one more object; left out: none. */
+  readonly group?: string;
+}
+
+/** What fills a part of the plane: a rectangle, an ellipse or a polygon. */
+export interface Shaped {
+  /** The middle of its rectangle. */
+  readonly at: Point;
+  /** Extent along its own x and y, in mm. */
+  readonly size: Point;
+  /** Rotation in degrees counter-clockwise, 0 up to but without 360. */
+  readonly angle: number;
+  /** The ellipse within `size` instead of the rectangle. */
+  readonly round?: boolean;
+  /**
+   * The corners of a polygon, in order: its figure in its own frame, stretched so that it fills `size`. Left out: a
+   * rectangle, or what `round` says. No edges cross, and what it encloses may be hollow (concave).
+   */
+  readonly corners?: readonly Point[];
+}
+
+/** A straight solid wall; `from` and `to` are the ends of its centre line. */
+export interface Wall extends Common {
+  readonly type: 'wall';
   readonly from: Point;
   readonly to: Point;
   /** Full thickness in mm. */
   readonly thickness: number;
 }
 
-/** A box on the floor: a `block` can be pushed, a `fixed-block` cannot. */
-export interface Block {
+/** A body on the floor: a `block` can be pushed, a `fixed-block` cannot. Of one that is not round, `round` is left out. */
+export interface Block extends Common, Shaped {
   readonly type: 'block' | 'fixed-block';
-  readonly id: string;
-  /** Its centre. */
-  readonly at: Point;
-  /** Extent along its own x and y, in mm. */
-  readonly size: Point;
-  /** Rotation in eighths of a full turn, 0 … 7, counter-clockwise. */
-  readonly turn: number;
 }
 
 /** A painted line on the floor: a polyline with round ends and joints. */
-export interface Stroke {
+export interface Stroke extends Common {
   readonly type: 'stroke';
-  readonly id: string;
   readonly points: readonly Point[];
   /** Full width in mm. */
   readonly width: number;
@@ -52,16 +69,8 @@ export type StrokeColor = (typeof strokeColors)[number];
  * - `checkpoint`: to be passed in the order of `number`;
  * - `forbidden`: not to be touched.
  */
-export interface Zone {
+export interface Zone extends Common, Shaped {
   readonly type: 'target' | 'checkpoint' | 'forbidden';
-  readonly id: string;
-  /** Its centre. */
-  readonly at: Point;
-  /** Extent along its own x and y, in mm. */
-  readonly size: Point;
-  /** Rotation in eighths of a full turn, 0 … 7, counter-clockwise. */
-  readonly turn: number;
-  /** The ellipse within `size` instead of the rectangle. */
   readonly round: boolean;
   /** Place of a checkpoint in the order, 1 … 99; 0 for other zones. */
   readonly number: number;
@@ -70,24 +79,15 @@ export interface Zone {
 }
 
 /** A solid thing with spikes that stands still: a robot that touches it has failed. */
-export interface Spikes {
+export interface Spikes extends Common, Shaped {
   readonly type: 'spikes';
-  readonly id: string;
-  readonly at: Point;
-  readonly size: Point;
-  readonly turn: number;
 }
 
-/** A solid box that moves to and fro between `at` and `to`, whatever is in its path. */
-export interface Mover {
+/** A solid body that moves to and fro between `at`, where it is at the start of a run, and `to`, whatever is in its path. */
+export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly type: 'mover';
-  readonly id: string;
-  /** Its centre at the start of a run. */
-  readonly at: Point;
   /** Its centre where it turns round. */
   readonly to: Point;
-  readonly size: Point;
-  readonly turn: number;
   /** In mm/s. */
   readonly speed: number;
   /** Whoever touches it has failed. */
@@ -95,25 +95,24 @@ export interface Mover {
 }
 
 /** Words on the floor, for people: no sensor sees them. */
-export interface Label {
+export interface Label extends Common {
   readonly type: 'label';
-  readonly id: string;
   /** Middle of the text. */
   readonly at: Point;
   /** One line. */
   readonly text: string;
   /** Height of its capitals in mm. */
   readonly height: number;
-  readonly turn: number;
+  /** Rotation in degrees counter-clockwise, 0 up to but without 360. */
+  readonly angle: number;
 }
 
 /**
  * Where the robot of a further device starts: the first start belongs to the second device with a robot, and so on. The
  * first one's is the course's `robot`. It lies flat on the floor, and nothing feels it.
  */
-export interface Start {
+export interface Start extends Common {
   readonly type: 'start';
-  readonly id: string;
   /** The middle of the robot's axle. */
   readonly at: Point;
   /** Degrees counter-clockwise from +x. */
@@ -135,8 +134,11 @@ export type RobotColor = (typeof robotColors)[number];
 /** Everything that can stand or lie in the arena. */
 export type SceneObject = Wall | Block | Stroke | Zone | Spikes | Mover | Label | Start;
 
-/** How many points an object holds: a stroke may have tens of thousands, everything else has none. */
-export const countPoints = (object: SceneObject): number => ('points' in object ? object.points.length : 0);
+/** How many points an object holds: a stroke may have tens of thousands, a polygon has some. */
+export function countPoints(object: SceneObject): number {
+  if ('points' in object) return object.points.length;
+  return 'corners' in object ? object.corners.length : 0;
+}
 
 /** The task of a course besides its zones. */
 export interface Task {
@@ -239,13 +241,13 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
-export const SCENE_VERSION = 4;
+export const SCENE_VERSION = 5;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {
   size: [1200, 900] as Point, // chosen: a table top
   thickness: 10,
-  turn: 0,
+  angle: 0,
   width: 20, // chosen: what school courses are taped with (15 to 20 mm)
   color: 'black' as StrokeColor,
   scale: 1,
@@ -273,6 +275,10 @@ export const sceneLimits = {
   placeMm: { min: -20_000, max: 20_000 },
   thicknessMm: { min: 2, max: 500 },
   blockMm: { min: 5, max: 5_000 },
+  angleDeg: { min: 0, max: 360 },
+  corners: { min: 3, max: 60 },
+  /** Of a polygon; as large as the smallest block. */
+  leastAreaMm2: 25,
   widthMm: { min: 1, max: 500 },
   scale: { min: 0.5, max: 3 },
   headingDeg: { min: -360, max: 360 },

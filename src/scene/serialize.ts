@@ -1,4 +1,6 @@
-import { braces, pair, property } from './json-text';
+import { additionsOf } from './additions';
+import { tidied } from './groups';
+import { asAngle, asTurn, braces, pair, property, type Rotation } from './json-text';
 import { kindOf } from './kinds/index';
 import { optionsProperty } from './robot-values';
 import {
@@ -20,9 +22,10 @@ import {
  * the oldest version that can say it, from 2 on, so that older apps open it as well.
  */
 export function serializeScene(scene: Scene): string {
+  const version = versionFor(scene);
   const lines = [
     `"format": ${JSON.stringify(SCENE_FORMAT)}`,
-    `"version": ${versionFor(scene)}`,
+    `"version": ${version}`,
     ...property('name', scene.name, ''),
     ...property('description', scene.description, ''),
     `"size": ${pair(scene.size)}`,
@@ -31,13 +34,17 @@ export function serializeScene(scene: Scene): string {
     ...taskProperty(scene.task),
     ...backgroundProperty(scene.background),
   ];
-  const objects = scene.objects.map((object) => `    ${objectText(object)}`).join(',\n');
+  const rotation = version < SCENE_VERSION ? asTurn : asAngle;
+  const objects = tidied(scene.objects)
+    .map((object) => `    ${objectText(object, rotation)}`)
+    .join(',\n');
   lines.push(objects === '' ? '"objects": []' : `"objects": [\n${objects}\n  ]`);
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
 
 function versionFor({ task, objects }: Scene): number {
-  if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return SCENE_VERSION;
+  if (tidied(objects).some((object) => Object.keys(additionsOf(object)).length > 0)) return SCENE_VERSION;
+  if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return 4;
   return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : 3;
 }
 
@@ -103,6 +110,12 @@ function backgroundProperty(background: Background | null): string[] {
   return [`"background": {\n    ${lines.join(',\n    ')}\n  }`];
 }
 
-/** One object in the form of a file. */
-export const objectText = (object: SceneObject): string =>
-  braces([`"id": ${JSON.stringify(object.id)}`, `"type": "${object.type}"`, ...kindOf(object).write(object)]);
+/** One object in the form of a file of the newest version, or of an older one, which says rotations in its own manner. */
+export const objectText = (object: SceneObject, rotation: Rotation = asAngle): string =>
+  braces([
+    `"id": ${JSON.stringify(object.id)}`,
+    `"type": "${object.type}"`,
+    ...kindOf(object).write(object, rotation),
+    ...property('lock', object.lock ?? false, false),
+    ...property('group', object.group ?? null, null),
+  ]);

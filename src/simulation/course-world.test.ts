@@ -12,7 +12,7 @@ function anything(rng: Rng): SceneObject {
   const whole = (low: number, high: number): number => low + Math.floor((high - low) * rng.unit());
   const point = (): Point => [whole(0, 1200), whole(0, 900)];
   const id = `o${String(whole(0, 20))}`;
-  const box = { id, at: point(), size: [whole(20, 90), whole(20, 90)] as Point, turn: whole(0, 8) };
+  const box = { id, at: point(), size: [whole(20, 90), whole(20, 90)] as Point, angle: 45 * whole(0, 8) };
   switch (whole(0, 8)) {
     case 0:
       return { type: 'wall', id, from: point(), to: [whole(0, 1200), 901], thickness: 10 };

@@ -1,5 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
+import { rotationRad } from '#core/angle';
 import type { AnyObject } from '#scene/kinds/kind';
 import { reflectanceOf } from '#scene/reflectance';
 import type { Block, Mover, Point, SceneObject, Spikes, Stroke, Wall } from '#scene/scene';
@@ -95,7 +96,7 @@ function strokeBody({ points, width, color }: Stroke, world: World): Body {
 
 const vec = ([x, y]: Point): Vec => ({ x, y });
 
-const angleOf = ({ turn }: BoxObject): number => (turn * Math.PI) / 4;
+const angleOf = ({ angle }: BoxObject): number => rotationRad(angle);
 
 const shapeOf = (box: BoxObject): { readonly atMm: Vec; readonly sizeMm: Vec; readonly angleRad: number } => ({
   atMm: vec(box.at),

@@ -22,7 +22,7 @@ beforeAll(() => {
   firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
 });
 
-const block = (id: string, at: Point, size: Point = [50, 50]): Block => ({ type: 'block', id, at, size, turn: 0 });
+const block = (id: string, at: Point, size: Point = [50, 50]): Block => ({ type: 'block', id, at, size, angle: 0 });
 const wall = (id: string, x: number): SceneObject => ({
   type: 'wall',
   id,
@@ -149,7 +149,7 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
     simulation.advanceTo(2_000_000);
     const before = simulation.snapshot().blocks['pushed'];
     expect(before?.xMm).toBeGreaterThan(510);
-    edit(simulation, replace({ ...block('moved', [250, 700]), turn: 2 }));
+    edit(simulation, replace({ ...block('moved', [250, 700]), angle: 90 }));
     // undo may add everything again
     edit(simulation, {
       type: 'all',
@@ -165,7 +165,7 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
     ['a new wall', add(wall('new', 600))],
     ['a wall that is taken away', remove('w')],
     ['a fixed block', add({ ...block('f', [700, 450]), type: 'fixed-block' })],
-    ['spikes', add({ type: 'spikes', id: 'x', at: [700, 450], size: [50, 50], turn: 0 })],
+    ['spikes', add({ type: 'spikes', id: 'x', at: [700, 450], size: [50, 50], angle: 0 })],
     [
       'a moving obstacle',
       add({
@@ -174,7 +174,7 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
         at: [700, 450],
         to: [700, 800],
         size: [50, 50],
-        turn: 0,
+        angle: 0,
         speed: 100,
         spiked: false,
       }),
@@ -218,7 +218,7 @@ describe('a course that is changed while it is driven', { timeout: 30_000 }, () 
       id: 't',
       at: [600, 450],
       size: [100, 100],
-      turn: 0,
+      angle: 0,
       round: false,
       number: 0,
       blocks: 0,
@@ -278,7 +278,7 @@ describe('the log of a run with edits', { timeout: 30_000 }, () => {
     first.advanceTo(1_501_000);
     edit(first, { type: 'all', edits: [remove('s', 'a'), add(wall('w', 800))] });
     first.advanceTo(2_003_000);
-    edit(first, replace({ ...block('b', [650, 500]), turn: 1 }));
+    edit(first, replace({ ...block('b', [650, 500]), angle: 45 }));
     first.input({ type: 'place-block', id: 'b', pose: { xMm: 620, yMm: 470, headingDeg: 10 } });
     first.advanceTo(6_000_000);
     const again = await start(scene, DRIVE, { inputs: structuredClone(first.inputLog) });
@@ -339,7 +339,7 @@ describe('a crowd of moving obstacles', () => {
     const crowd = Array.from({ length: 101 }, (_, index): Mover => {
       const at: Point = [600 + (index % 10) * 50, 60 + Math.floor(index / 10) * 70];
       const size: Point = [20, 20];
-      return { id: `m${index}`, type: 'mover', at, to: [at[0] + 30, at[1]], size, turn: 0, speed: 50, spiked: false };
+      return { id: `m${index}`, type: 'mover', at, to: [at[0] + 30, at[1]], size, angle: 0, speed: 50, spiked: false };
     });
     await expect(start(sceneOf(...crowd), DRIVE)).rejects.toThrow('101 moving obstacles are too many');
   });

@@ -5,7 +5,7 @@ import { CourseWorld } from './course-world';
 import type { InputAction, InputEvent } from './input';
 import { RunInputs } from './run-inputs';
 
-const block = (id: string): SceneObject => ({ type: 'block', id, at: [300, 300], size: [50, 50], turn: 0 });
+const block = (id: string): SceneObject => ({ type: 'block', id, at: [300, 300], size: [50, 50], angle: 0 });
 const scene: Scene = { ...defaultScene(), size: [1200, 900], objects: [block('b')] };
 const interrupt: InputAction = { type: 'interrupt' };
 const remove: InputAction = { type: 'edit', edit: { type: 'remove', ids: ['b'] } };

@@ -10,7 +10,7 @@ const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => 
   layer: 3,
   ...boxed,
   fields: (box) => [typeField(box.type, boxKinds, (type) => ({ ...box, type })), ...boxFields(box)],
-  made: (id, at, _scene, { blockSize }) => ({ type, id, at, size: blockSize, turn: 0 }),
+  made: (id, at, _scene, { blockSize }) => ({ type, id, at, size: blockSize, angle: 0 }),
 });
 
 /** Movable blocks. */

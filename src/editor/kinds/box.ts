@@ -1,30 +1,30 @@
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import type { AnyObject } from '#scene/kinds/kind';
-import { boxOutline, directionOf, type Box } from '#scene/outline';
-import { sceneLimits, type Point, type SceneObject } from '#scene/scene';
+import { directionOf } from '#scene/outline';
+import { sceneLimits, type Point, type SceneObject, type Shaped } from '#scene/scene';
+import { toOwnFrame } from '#scene/shape/shape';
 import { endOf, startOf } from '../drag';
 import { lengthField, placeFields, turnField, type Field } from '../object-fields';
-import { eighths, minus, plus, toPoint, toVec, turned, turnedAbout, within } from '../plane';
+import { plus, rotationDeg, toPoint, toVec, turned, turnedAbout, within } from '../plane';
 import { gridMm, intoArena, snappedPlace } from '../snap';
 import type { Drag, Handle } from '../tools/tool';
-import { hitWithin, shifted } from './kind';
+import { hitShape, shifted } from './kind';
 
 /** An object with a middle and a rotation. */
-type Placed = AnyObject & Pick<Box, 'at' | 'turn'>;
+type Placed = AnyObject & Pick<Shaped, 'at' | 'angle'>;
 
-/** An object that is a rectangle. */
-type BoxObject = AnyObject & Box;
+/** An object that fills a rectangle, an ellipse or a polygon. */
+type BoxObject = AnyObject & Shaped;
 
 const turnedPlaced = <O extends Placed>(object: O, pivot: Vec, angleDeg: number): O => ({
   ...object,
   at: toPoint(turnedAbout(toVec(object.at), pivot, angleDeg)),
-  turn: eighths(object.turn + angleDeg / 45),
+  angle: rotationDeg(object.angle + angleDeg),
 });
 
 /** Shared by all objects with a middle and a rotation. */
 export const placed = {
-  turnsInEighths: true,
   place: ({ at }: Placed) => at,
   span: () => null,
   middle: ({ at }: Placed) => toVec(at),
@@ -32,10 +32,10 @@ export const placed = {
   turned: turnedPlaced,
 };
 
-/** Shared by all boxes: a rectangle with a corner that sizes it and a knob that turns it. */
+/** Shared by all shapes: a corner of their rectangle sizes them and a knob turns them. */
 export const boxed = {
   ...placed,
-  ...hitWithin<BoxObject>(boxOutline),
+  ...hitShape,
   extentMm: ({ size }: BoxObject) => Math.min(...size),
   handles: boxHandles,
   sized: sizedBox,
@@ -55,15 +55,15 @@ export const boxFields = <O extends BoxObject & SceneObject>(
 
 /** A corner that sizes a box and a knob that turns it. */
 function boxHandles(box: BoxObject, reachMm: number): readonly Handle[] {
-  const { x: cos, y: sin } = directionOf(box.turn);
+  const { x: cos, y: sin } = directionOf(box.angle);
   const [halfX, halfY] = [box.size[0] / 2, box.size[1] / 2];
   const corner = { x: box.at[0] + halfX * cos - halfY * sin, y: box.at[1] + halfX * sin + halfY * cos };
   return [{ kind: 'size', at: corner, id: box.id }, knobAbove(box, box.size[1], reachMm)];
 }
 
 /** The knob that turns a box, above the middle of its own upper side. */
-export function knobAbove({ id, at, turn }: Placed, heightMm: number, reachMm: number): Handle {
-  const { x: cos, y: sin } = directionOf(turn);
+export function knobAbove({ id, at, angle }: Placed, heightMm: number, reachMm: number): Handle {
+  const { x: cos, y: sin } = directionOf(angle);
   const byMm = heightMm / 2 + 2 * reachMm;
   return { kind: 'rotate', at: { x: at[0] - sin * byMm, y: at[1] + cos * byMm }, id };
 }
@@ -87,17 +87,12 @@ const boxSide = (mm: number, leastMm: number = sceneLimits.blockMm.min): number 
 
 /** A box with its upper right corner (in its own frame) at a place; the corner opposite stays where it is. */
 function sizedBox<O extends BoxObject>(box: O, place: Vec, { free, reachMm }: Drag): O | null {
-  const own = toOwnFrame(minus(place, toVec(box.at)), box.turn);
+  const own = toOwnFrame(box, place);
   const opposite = { x: -box.size[0] / 2, y: -box.size[1] / 2 };
   const side = (mm: number): number => boxSide(free ? mm : gridMm(mm, reachMm));
   const size: Point = [side(own.x - opposite.x), side(own.y - opposite.y)];
   if (isSame(size, box.size)) return null;
   const middle = { x: opposite.x + size[0] / 2, y: opposite.y + size[1] / 2 };
-  const at = toPoint(plus(toVec(box.at), turned(middle, box.turn * 45)));
+  const at = toPoint(plus(toVec(box.at), turned(middle, box.angle)));
   return { ...box, at, size };
-}
-
-function toOwnFrame({ x, y }: Vec, turn: number): Vec {
-  const { x: cos, y: sin } = directionOf(turn);
-  return { x: x * cos + y * sin, y: y * cos - x * sin };
 }

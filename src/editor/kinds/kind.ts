@@ -1,7 +1,8 @@
 import type { Vec } from '#core/geometry';
 import type { AnyObject } from '#scene/kinds/kind';
-import { distanceToOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
-import type { Point, Scene, SceneObject } from '#scene/scene';
+import { distanceToEdge, distanceToOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
+import type { Point, Scene, SceneObject, Shaped } from '#scene/scene';
+import { outlineHolds, shapeOutline, shapeParts } from '#scene/shape/shape';
 import type { Field } from '../object-fields';
 import type { Drag, Handle, ToolOptions } from '../tools/tool';
 
@@ -9,8 +10,6 @@ import type { Drag, Handle, ToolOptions } from '../tools/tool';
 export interface EditorKind<O extends AnyObject = SceneObject> {
   /** Order of drawing: zones, then strokes (1) and words (2) on the floor, then solid things (3). */
   readonly layer: 0 | 1 | 2 | 3;
-  /** Whether it can only be turned in eighths of a full turn. */
-  readonly turnsInEighths: boolean;
   /** Its place in its number fields, which the grid attracts; of a line its start. */
   place(object: O): Point;
   /** A line's displacement from one end to the other; `null` for anything but a line. */
@@ -25,7 +24,7 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   meets(object: O, outline: Outline, around: Bounds): boolean;
   /** Moved by whole mm; the caller sees to it that it stays within what a course may hold. */
   moved(object: O, dx: number, dy: number): O;
-  /** Turned counter-clockwise about a place; what knows only eighths takes the nearest. */
+  /** Turned counter-clockwise about a place. */
   turned(object: O, pivot: Vec, angleDeg: number): O;
   /** The points where it can be grabbed. `reachMm`: of the pointer; knobs keep this distance from it. */
   handles(object: O, reachMm: number): readonly Handle[];
@@ -48,6 +47,15 @@ export const hitWithin = <O extends AnyObject>(
   distanceMm: (object, place) => distanceToOutline(outline(object), place),
   meets: (object, other) => overlapMm(outline(object), other) >= 0,
 });
+
+/** Hit where a rectangle, an ellipse or a polygon is. */
+export const hitShape: Pick<EditorKind<AnyObject & Shaped>, 'distanceMm' | 'meets'> = {
+  distanceMm(shape, place) {
+    const outline = shapeOutline(shape);
+    return outlineHolds(outline, place, 0) ? 0 : distanceToEdge(outline, place);
+  },
+  meets: (shape, other) => shapeParts(shape).some((part) => overlapMm(part, other) >= 0),
+};
 
 /** The longer side of a rectangle. */
 export const longerSide = ({ minX, minY, maxX, maxY }: Bounds): number => Math.max(maxX - minX, maxY - minY);

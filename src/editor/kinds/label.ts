@@ -22,7 +22,7 @@ export const label: EditorKind<Label> = {
     turnField(label),
   ],
   made: (id, at, _scene, { labelText, labelHeight }) => ({
-    ...{ type: 'label', id, at, text: oneLine(labelText) || 'Text', height: labelHeight, turn: 0 },
+    ...{ type: 'label', id, at, text: oneLine(labelText) || 'Text', height: labelHeight, angle: 0 },
   }),
 };
 

@@ -44,7 +44,7 @@ export const mover: EditorKind<Mover> = {
     at,
     to: usualTurningPoint(at, size),
     size: blockSize,
-    turn: 0,
+    angle: 0,
     speed: moverSpeed,
     spiked: moverSpiked,
   }),

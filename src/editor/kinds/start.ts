@@ -10,7 +10,6 @@ const moved = (start: Start, dx: number, dy: number): Start => ({ ...start, at: 
 /** Starts of further robots: moved and turned like a robot. */
 export const start: EditorKind<Start> = {
   layer: 2,
-  turnsInEighths: false,
   place: ({ at }) => at,
   span: () => null,
   middle: ({ at }) => toVec(at),

@@ -15,7 +15,6 @@ const NEW_MM = 300;
 /** Painted lines. One of two points is straight: its ends move alone, a drawn one moves as a whole. */
 export const stroke: EditorKind<Stroke> = {
   layer: 1,
-  turnsInEighths: false,
   place: ({ points }) => points[0] ?? [0, 0],
   span({ points }) {
     const [first, last] = [points[0], points[points.length - 1]];

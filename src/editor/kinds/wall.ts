@@ -1,5 +1,5 @@
 import { isSame } from '#core/same';
-import { solidOutline } from '#scene/kinds/index';
+import { wallOutline } from '#scene/kinds/wall';
 import { sceneLimits, type Wall } from '#scene/scene';
 import { endFields, lengthField } from '../object-fields';
 import { distanceMm, middleBetween, minus, toVec } from '../plane';
@@ -13,12 +13,11 @@ const NEW_MM = 200;
 /** Walls; no edit leaves one without length. */
 export const wall: EditorKind<Wall> = {
   layer: 3,
-  turnsInEighths: false,
   place: ({ from }) => from,
   span: ({ from, to }) => minus(toVec(to), toVec(from)),
   middle: ({ from, to }) => middleBetween(toVec(from), toVec(to)),
   extentMm: ({ from, to }) => distanceMm(toVec(from), toVec(to)),
-  ...hitWithin<Wall>((wall) => solidOutline(wall) ?? []),
+  ...hitWithin<Wall>(wallOutline),
   moved: (wall, dx, dy) => ({ ...wall, from: shifted(wall.from, dx, dy), to: shifted(wall.to, dx, dy) }),
   // At the very end of what a course may hold a turn could press the ends together.
   turned: (wall, pivot, angleDeg) => withEnds(wall, ...turnedEnds(wall.from, wall.to, pivot, angleDeg)) ?? wall,

@@ -1,9 +1,7 @@
-import { exactCos, exactSin } from '#core/exact-math';
-import { boxOutline, movedOutline, type Outline } from '#scene/outline';
 import { sceneLimits, type Point, type Scene, type Zone } from '#scene/scene';
 import { countField, typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
-import { hitWithin, type EditorKind } from './kind';
+import type { EditorKind } from './kind';
 
 /** Kinds of zones, which can become each other. */
 const zoneKinds = ['target', 'checkpoint', 'forbidden'] as const;
@@ -12,7 +10,6 @@ const zoneKinds = ['target', 'checkpoint', 'forbidden'] as const;
 const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
   layer: 0,
   ...boxed,
-  ...hitWithin<Zone>((zone) => (zone.round ? ellipseOutline(zone) : boxOutline(zone))),
   fields: (zone) => [
     typeField(zone.type, zoneKinds, (type, scene) => {
       const number = numberOf(type, scene);
@@ -25,12 +22,12 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
       ? [countField('blocks', zone.blocks, sceneLimits.blocks, (blocks) => ({ ...zone, blocks }))]
       : []),
     ...boxFields(zone),
-    { kind: 'switch', name: 'round', value: zone.round, with: (round: boolean) => ({ ...zone, round }) },
+    { kind: 'switch', name: 'round', value: zone.round, with: (round: boolean) => withoutCorners({ ...zone, round }) },
   ],
   made(id, at, scene, { zoneRound, zoneBlocks }) {
     const number = numberOf(type, scene);
     if (number === null) return null;
-    return { type, id, at, size, turn: 0, round: zoneRound, number, blocks: type === 'target' ? zoneBlocks : 0 };
+    return { type, id, at, size, angle: 0, round: zoneRound, number, blocks: type === 'target' ? zoneBlocks : 0 };
   },
 });
 
@@ -45,6 +42,8 @@ export const checkpoint = zoneKind('checkpoint', [150, 150]);
 /** A place that must not be entered. */
 export const forbidden = zoneKind('forbidden', [200, 200]);
 
+const withoutCorners = ({ corners: _, ...zone }: Zone): Zone => zone;
+
 const numberOf = (type: Zone['type'], scene: Scene): number | null =>
   type === 'checkpoint' ? nextCheckpoint(scene) : 0;
 
@@ -57,16 +56,4 @@ export function nextCheckpoint(scene: Scene, alsoTaken: readonly number[] = []):
   if (highest < max) return highest + 1;
   for (let number = min; number <= max; number += 1) if (!taken.has(number)) return number;
   return null;
-}
-
-/** Corners of the outline that stands for an ellipse. Chosen: within 1 mm of an ellipse of 400 mm. */
-const ELLIPSE_CORNERS = 32;
-
-function ellipseOutline({ at, size, turn }: Zone): Outline {
-  const corners = Array.from({ length: ELLIPSE_CORNERS }, (_, i) => {
-    const angle = (i * 2 * Math.PI) / ELLIPSE_CORNERS;
-    return { x: (exactCos(angle) * size[0]) / 2, y: (exactSin(angle) * size[1]) / 2 };
-  });
-  const direction = { x: exactCos((turn * Math.PI) / 4), y: exactSin((turn * Math.PI) / 4) };
-  return movedOutline(corners, { x: at[0], y: at[1] }, direction);
 }

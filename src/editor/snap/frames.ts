@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { boundsOf, solidOutline } from '#scene/kinds/index';
+import { boundsOf, solidParts } from '#scene/kinds/index';
 import { boundsOfOutline, type Bounds, type Outline } from '#scene/outline';
 import { robotOutlines } from '#scene/placement';
 import type { Point, Scene, SceneObject } from '#scene/scene';
@@ -49,8 +49,8 @@ const known = new WeakMap<SceneObject, Frame>();
 export function frameOf(object: SceneObject): Frame {
   const before = known.get(object);
   if (before) return before;
-  const solid = solidOutline(object);
-  const around = solid === null ? boundsOf(object) : boundsOfOutline(solid);
+  const solid = solidParts(object).flat();
+  const around = solid.length === 0 ? boundsOf(object) : boundsOfOutline(solid);
   const ends = endsOf(object);
   const whole = frameOfBounds(around);
   const frame = ends === null ? whole : alongLine(whole, frameOfBounds(boundsOfOutline(ends)));

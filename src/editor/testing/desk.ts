@@ -34,12 +34,12 @@ export const wall = (id: string, from: Point, to: Point): SceneObject => ({
 });
 
 /** A block of 50 × 50 mm for tests. */
-export const block = (id: string, at: Point, turn = 0): SceneObject => ({
+export const block = (id: string, at: Point, eighths = 0): SceneObject => ({
   type: 'block',
   id,
   at,
   size: [50, 50],
-  turn,
+  angle: 45 * eighths,
 });
 
 /** A black stroke of 20 mm for tests. */
@@ -57,7 +57,7 @@ export const target = (id: string, at: Point): SceneObject => ({
   id,
   at,
   size: [200, 200],
-  turn: 0,
+  angle: 0,
   round: false,
   number: 0,
   blocks: 0,
@@ -69,7 +69,7 @@ export const checkpoint = (id: string, at: Point, number: number): SceneObject =
   id,
   at,
   size: [150, 150],
-  turn: 0,
+  angle: 0,
   round: false,
   number,
   blocks: 0,
@@ -82,7 +82,7 @@ export const mover = (id: string, at: Point, to: Point): SceneObject => ({
   at,
   to,
   size: [50, 50],
-  turn: 0,
+  angle: 0,
   speed: 100,
   spiked: false,
 });

@@ -9,7 +9,7 @@ const put = (one: Drag, options: Partial<ToolOptions> = {}) =>
 describe('block', () => {
   it('is put by a tap with its middle on the 10 mm grid, in the chosen size', () => {
     expect(put(drag([303, 298]), { blockSize: [60, 40] })).toEqual([
-      { type: 'block', id: 'block-1', at: [300, 300], size: [60, 40], turn: 0 },
+      { type: 'block', id: 'block-1', at: [300, 300], size: [60, 40], angle: 0 },
     ]);
   });
 
@@ -61,7 +61,7 @@ describe('mover', () => {
         at: [300, 300],
         to: [300, 600],
         size: [50, 50],
-        turn: 0,
+        angle: 0,
         speed: 150,
         spiked: true,
       },

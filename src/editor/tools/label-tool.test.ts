@@ -9,7 +9,7 @@ const put = (labelText: string, x = 300) =>
 describe('label', () => {
   it('puts the chosen words with their middle where it is tapped', () => {
     expect(put('Start')).toEqual([
-      { type: 'label', id: 'label-1', at: [300, 400], text: 'Start', height: 40, turn: 0 },
+      { type: 'label', id: 'label-1', at: [300, 400], text: 'Start', height: 40, angle: 0 },
     ]);
   });
 

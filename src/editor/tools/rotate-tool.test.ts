@@ -49,7 +49,7 @@ describe('rotate', () => {
 
   it('turns the track of a mover with it', () => {
     expect(taps(course(mover('m', [300, 300], [500, 300])), drag([300, 300]), 2).objects).toEqual([
-      { ...mover('m', [300, 300], [300, 500]), turn: 2 },
+      { ...mover('m', [300, 300], [300, 500]), angle: 90 },
     ]);
   });
 
@@ -59,9 +59,10 @@ describe('rotate', () => {
     expect(after(course(), freely(drag([640, 450], [640, 472]))).robot.heading).toBe(29);
   });
 
-  it('turns a wall by a drag in steps of 45°, in any direction when it is free', () => {
+  it('turns a wall by a drag in steps of 15°, in any direction when it is free', () => {
     const scene = course(wall('w', [300, 300], [500, 300]));
     expect(after(scene, drag([480, 300], [470, 370])).objects).toEqual([wall('w', [330, 230], [471, 371])]);
+    expect(after(scene, drag([480, 300], [470, 340])).objects).toEqual([wall('w', [314, 250], [487, 350])]);
     const [turned] = after(scene, freely(drag([480, 300], [470, 336]))).objects;
     if (turned?.type !== 'wall') throw new Error('no wall');
     // 27° of a wall of 200 mm: 178 × 91 mm.

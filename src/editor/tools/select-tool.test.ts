@@ -139,13 +139,12 @@ describe('handles', () => {
     expect(sized).toMatchObject({ at: [300, 350], size: [150, 50] });
   });
 
-  it('turn a block in steps of 45°, even when it is free', () => {
+  it('turn a block in steps of 15°, of 1° when it is free', () => {
     const scene = course(block('b', [300, 300]));
     const knob = [300, 341] as const; // 25 mm of block and twice the reach
     expect(after(scene, drag(knob, [259, 300]), selectionOf(['b'])).objects).toEqual([block('b', [300, 300], 2)]);
-    expect(after(scene, freely(drag(knob, [275, 333])), selectionOf(['b'])).objects).toEqual([
-      block('b', [300, 300], 1),
-    ]);
+    expect(after(scene, drag(knob, [281, 336]), selectionOf(['b'])).objects).toMatchObject([{ angle: 30 }]);
+    expect(after(scene, freely(drag(knob, [275, 333])), selectionOf(['b'])).objects).toMatchObject([{ angle: 37 }]);
   });
 
   it('turn the start of the robot in steps of 15°, of 1° when it is free', () => {

@@ -5,6 +5,7 @@ import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { parseScene } from '#scene/parse';
 import type { Scene } from '#scene/scene';
+import { asKept } from '#scene/groups';
 import { serializeScene } from '#scene/serialize';
 import { forManySeeds, fuzzRuns, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { nudged, turned } from '../arrange';
@@ -57,7 +58,7 @@ function play(rng: Rng): void {
   }
   const parsed = parseScene(serializeScene(scene));
   if ('problem' in parsed) throw new Error(parsed.problem);
-  if (!isDeepStrictEqual(parsed.scene, scene)) throw new Error('another course was loaded than was saved');
+  if (!isDeepStrictEqual(parsed.scene, asKept(scene))) throw new Error('another course was loaded than was saved');
 }
 
 describe('editing at random', () => {

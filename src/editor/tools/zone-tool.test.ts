@@ -11,7 +11,16 @@ const put = (one: Drag, options: Partial<ToolOptions> = {}, scene: Scene = cours
 describe('zone', () => {
   it('is a target of 200 × 200 mm where it is tapped', () => {
     expect(put(drag([402, 399]))).toEqual([
-      { type: 'target', id: 'target-1', at: [400, 400], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 },
+      {
+        type: 'target',
+        id: 'target-1',
+        at: [400, 400],
+        size: [200, 200],
+        angle: 0,
+        round: false,
+        number: 0,
+        blocks: 0,
+      },
     ]);
   });
 

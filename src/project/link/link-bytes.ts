@@ -8,6 +8,7 @@
  *     4   for a robot of one's own: as 3, with that robot
  *     5   for several devices: as 4, with those after the first
  *     6   for starts of further robots in the course, and a task that they share: as 5, with those
+ *     7   for any angle, round bodies, polygons, locks and groups: as 6, with those
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -19,11 +20,13 @@ import {
   deflatedContent,
   deflatedDevices,
   deflatedRobot,
+  deflatedShapes,
   deflatedStarts,
   deflatedTask,
   modelledContent,
   modelledDevices,
   modelledRobot,
+  modelledShapes,
   modelledStarts,
   modelledTask,
   type Content,
@@ -37,7 +40,7 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2 | 3 | 4 | 5 | 6;
+  readonly version: 1 | 2 | 3 | 4 | 5 | 6 | 7;
   readonly bytes: Uint8Array;
 }
 
@@ -54,6 +57,7 @@ const extended = {
   4: { deflated: deflatedRobot, modelled: modelledRobot },
   5: { deflated: deflatedDevices, modelled: modelledDevices },
   6: { deflated: deflatedStarts, modelled: modelledStarts },
+  7: { deflated: deflatedShapes, modelled: modelledShapes },
 } as const;
 
 /** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
@@ -65,7 +69,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 }
 
 /** The oldest version that can say it all; `null`: one of the first two. */
-function versionFor({ extras, myRobot, devices, starts, sharing }: Content): 3 | 4 | 5 | 6 | null {
+function versionFor({ extras, myRobot, devices, starts, sharing, additions }: Content): keyof typeof extended | null {
+  if (additions.length > 0) return 7;
   if (starts.length > 0 || sharing !== null) return 6;
   if (devices !== null) return 5;
   if (myRobot !== '') return 4;

@@ -1,4 +1,6 @@
 import { fnvOfBytes } from '#core/fnv';
+import { additionsOf } from '#scene/additions';
+import { tidied } from '#scene/groups';
 import type { Scene, SceneObject, TaskRule } from '#scene/scene';
 
 import { constant, mapped, record, type Codec } from './codec';
@@ -15,6 +17,7 @@ import {
   type SourceFile,
 } from '../project';
 import {
+  additionsCodec,
   dictionary,
   sceneCodec,
   sharedCodecs,
@@ -22,6 +25,7 @@ import {
   startsCodec,
   taskExtrasCodec,
   type PathCodec,
+  type PlacedAdditions,
   type PlacedStart,
   type SharedCodecs,
   type TaskExtras,
@@ -49,6 +53,8 @@ export interface Content {
   readonly starts: readonly PlacedStart[];
   /** How the robots share the task of a whole course; `null` before version 6. */
   readonly sharing: TaskRule | null;
+  /** What is new of the objects of a whole course; nothing before version 7. */
+  readonly additions: readonly PlacedAdditions[];
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -77,24 +83,19 @@ export const deflatedDevices = contentCodec(pathCodec, taskExtrasCodec, jsonCode
 export const modelledDevices = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec);
 
 /** Version 6: with starts of further robots and a task that they share, too. */
-export const deflatedStarts = contentCodec(
-  pathCodec,
-  taskExtrasCodec,
-  jsonCodec,
-  devicesCodec,
-  startsCodec,
-  sharingCodec,
-);
-export const modelledStarts = contentCodec(
-  handCodec,
-  taskExtrasCodec,
-  jsonCodec,
-  devicesCodec,
-  startsCodec,
-  sharingCodec,
-);
+const withStarts = [taskExtrasCodec, jsonCodec, devicesCodec, startsCodec, sharingCodec] as const;
+export const deflatedStarts = contentCodec(pathCodec, ...withStarts);
+export const modelledStarts = contentCodec(handCodec, ...withStarts);
+
+/** Version 7: with any angle, round bodies, polygons, locks and groups, too. */
+export const deflatedShapes = contentCodec(pathCodec, ...withStarts, additionsCodec);
+export const modelledShapes = contentCodec(handCodec, ...withStarts, additionsCodec);
 
 function noStarts(): Codec<readonly PlacedStart[]> {
+  return constant([]);
+}
+
+function noAdditions(): Codec<readonly PlacedAdditions[]> {
   return constant([]);
 }
 
@@ -125,6 +126,7 @@ function contentCodec(
   severalCodec: (shared: SharedCodecs) => Codec<ProjectDevices | null> = oneDevice,
   placesCodec: (shared: SharedCodecs) => Codec<readonly PlacedStart[]> = noStarts,
   rulesCodec: (shared: SharedCodecs) => Codec<TaskRule | null> = notShared,
+  newCodec: (shared: SharedCodecs) => Codec<readonly PlacedAdditions[]> = noAdditions,
 ): ContentCodec {
   const shared = sharedCodecs();
   const { columns, word } = shared;
@@ -139,6 +141,7 @@ function contentCodec(
     devices: severalCodec(shared),
     starts: placesCodec(shared),
     sharing: rulesCodec(shared),
+    additions: newCodec(shared),
   });
   return { codec, columns: columns.used };
 }
@@ -202,27 +205,47 @@ function isUsual(settings: LinkSettings): boolean {
 /** A checksum of a course that later versions of links and of the course's file do not change. */
 export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
-  const { whole, starts } = apart(scene);
+  const { whole, starts, additions } = apart(scene);
   checkedScene.write(out, whole);
   const { figures, words } = out.bytes();
   const sum = fnvOfBytes(words, fnvOfBytes(figures));
-  return starts.length === 0 ? sum : fnvOfBytes(new TextEncoder().encode(JSON.stringify(starts)), sum);
+  return [starts, additions].reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
 }
+const fnvOfText = (part: readonly unknown[], sum: number): number =>
+  fnvOfBytes(new TextEncoder().encode(JSON.stringify(part)), sum);
+
 const checkedScene = sceneCodec(sharedCodecs(), pathCodec);
 
-/** A course without its starts, and those. */
-export function apart(scene: Scene): { readonly whole: Scene; readonly starts: readonly PlacedStart[] } {
-  const starts = scene.objects.flatMap((object, place): PlacedStart[] => {
+/** A course as links have always had it, and what stands apart from it. */
+export interface Apart {
+  /** The course without its starts, and without what is new of the other objects. */
+  readonly whole: Scene;
+  readonly starts: readonly PlacedStart[];
+  readonly additions: readonly PlacedAdditions[];
+}
+
+/** Takes a course apart. */
+export function apart(scene: Scene): Apart {
+  const objects = tidied(scene.objects);
+  const starts = objects.flatMap((object, place): PlacedStart[] => {
     if (object.type !== 'start') return [];
     const { id, at, heading, robot, options, name, color } = object;
     return [{ place, id, at, heading, robot, options, name, color }];
   });
-  return { whole: { ...scene, objects: scene.objects.filter(({ type }) => type !== 'start') }, starts };
+  const additions = objects.flatMap((object, place): PlacedAdditions[] => {
+    const said = additionsOf(object);
+    return Object.keys(said).length === 0 ? [] : [{ place, ...said }];
+  });
+  return { whole: { ...scene, objects: objects.filter(({ type }) => type !== 'start') }, starts, additions };
 }
 
-/** The course with its starts at their places again. */
-export function joined(whole: Scene, starts: readonly PlacedStart[]): Scene {
+/** The course put together again; unchecked as long as its parts are. */
+export function joined({ whole, starts, additions }: Apart): Scene {
   const objects: SceneObject[] = [...whole.objects];
   for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
+  for (const { place, ...said } of additions) {
+    const object = objects[place];
+    if (object) objects[place] = { ...object, ...said };
+  }
   return { ...whole, objects };
 }

@@ -14,6 +14,7 @@ import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
 import {
   devicesProject,
+  shapesProject,
   startsProject,
   FORTY_LINES,
   fortyObjects,
@@ -168,8 +169,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=7.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 7; this app reads version 6. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=8.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 8; this app reads version 7. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -190,7 +191,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [] }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -241,6 +242,7 @@ describe('a link of version 1', () => {
       devices: null,
       starts: [],
       sharing: null,
+      additions: [],
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -412,6 +414,35 @@ describe('a link of version 6', () => {
     expect(projectOfLink(made, () => scene)).toMatchObject({ isCourseChanged: false, project: { scene } });
     const moved = { ...scene, objects: scene.objects.filter(({ id }) => id !== 'r2') };
     expect(projectOfLink(made, () => moved)).toMatchObject({ isCourseChanged: true });
+  });
+});
+
+describe('a link of version 7', () => {
+  const kept = keptLink(7);
+
+  it('opens with every shape, lock and group', () => {
+    expect(projectIn(kept)).toEqual(shapesProject());
+  });
+
+  it('is still made so, and only for a course that has what is new', () => {
+    expect(link(shapesProject())).toBe(kept);
+    const { scene, ...project } = shapesProject();
+    const plain = scene.objects.filter(({ lock, group }) => lock === undefined && group === undefined);
+    expect(link({ ...project, scene: { ...scene, objects: plain } })).toMatch(/^p=6\./);
+    const alone = scene.objects.filter(({ id }) => id === 'rund-2').map((object) => ({ ...object, angle: 90 }));
+    const read = projectIn(link({ ...project, scene: { ...scene, objects: alone } }));
+    expect(read?.scene.objects).toEqual([
+      { type: 'block', id: 'rund-2', at: [300, 600], size: [80, 60], angle: 90, round: true },
+    ]);
+  });
+
+  it('names a ready course with a polygon, and tells where it was changed since', () => {
+    const { scene, ...project } = shapesProject();
+    const made =
+      linkOf({ ...project, scene, course: 'shapes' }, { courses: () => scene, program: true })?.fragment ?? '';
+    expect(projectOfLink(made, () => scene)).toMatchObject({ isCourseChanged: false, project: { scene } });
+    const turned = scene.objects.map((object) => ('corners' in object ? { ...object, angle: 1 } : object));
+    expect(projectOfLink(made, () => ({ ...scene, objects: turned }))).toMatchObject({ isCourseChanged: true });
   });
 });
 

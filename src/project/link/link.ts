@@ -4,7 +4,7 @@
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
  *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
- *                            that they share
+ *                            that they share, 7 for any angle, round bodies, polygons, locks and groups
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -23,7 +23,7 @@ import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 6;
+export const LINK_VERSION = 7;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -118,7 +118,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, robots, ...extras } = scene.task;
-  const { whole, starts } = apart(scene);
+  const { whole, starts, additions } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
@@ -130,6 +130,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     devices: devices === undefined ? null : program ? devices : withoutPrograms(devices),
     starts: isReady ? [] : starts,
     sharing: isReady ? null : (robots ?? null),
+    additions: isReady ? [] : additions,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -171,7 +172,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5, 6] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6, 7] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);
@@ -191,7 +192,7 @@ function isWhole(all: Uint8Array): boolean {
 }
 
 function readContent(content: Content, courses: ReadyCourses): ReadLink {
-  const { files, course, scene, devices, starts } = content;
+  const { files, course, scene, devices } = content;
   const ready = 'ready' in scene ? courses(course ?? '') : null;
   if ('ready' in scene && ready === null) {
     const message = `The link names the ready course "${course ?? ''}", which this app does not have. Reload the page to update.`;
@@ -210,7 +211,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
-        : valueOf({ ...joined(scene.whole, starts), task: taskIn(content, scene.whole) }),
+        : valueOf({ ...joined({ ...content, whole: scene.whole }), task: taskIn(content, scene.whole) }),
   });
   if ('problems' in parsed)
     return failed('invalid', `The link holds no project: ${parsed.problem}`, {}, parsed.problems);

@@ -3,6 +3,7 @@
  * format: a change needs a new version of the link (`link.ts`). A test with a kept link checks that.
  */
 import { fromBase64, toBase64 } from '#core/base64';
+import { isEighth, type Additions } from '#scene/additions';
 import {
   helps,
   robotColors,
@@ -127,7 +128,7 @@ export interface SharedByKinds {
   readonly id: Codec<string>;
   readonly place: Codec<Point>;
   readonly size: Codec<Point>;
-  readonly turn: Codec<number>;
+  readonly angle: Codec<number>;
   readonly text: Codec<string>;
   readonly paths: PathCodec;
   readonly zone: Readonly<Pick<Fields<Zone>, 'round' | 'number' | 'blocks'>>;
@@ -135,7 +136,7 @@ export interface SharedByKinds {
 type Fields<T> = { readonly [K in keyof T]-?: Codec<T[K]> };
 type LinkKind = (shared: SharedByKinds) => Codec<LinkObject>;
 
-const boxOf = ({ id, place, size, turn }: SharedByKinds) => ({ id, at: place, size, turn });
+const boxOf = ({ id, place, size, angle }: SharedByKinds) => ({ id, at: place, size, angle });
 const zoneOf =
   (type: Zone['type']): LinkKind =>
   (shared) =>
@@ -164,8 +165,8 @@ export const linkKinds: Readonly<Record<LinkObject['type'], LinkKind>> = {
       speed: shared.columns.uint(),
       spiked: shared.columns.flag(),
     }),
-  label: ({ columns, id, place, text, turn }) =>
-    record<Label>({ type: constant('label'), id, at: place, text, height: columns.uint(), turn }),
+  label: ({ columns, id, place, text, angle }) =>
+    record<Label>({ type: constant('label'), id, at: place, text, height: columns.uint(), angle }),
   block: (shared) => record({ type: constant('block'), ...boxOf(shared) }),
   'fixed-block': (shared) => record({ type: constant('fixed-block'), ...boxOf(shared) }),
   spikes: (shared) => record({ type: constant('spikes'), ...boxOf(shared) }),
@@ -177,9 +178,14 @@ export const linkKinds: Readonly<Record<LinkObject['type'], LinkKind>> = {
 function objectCodec(columns: Columns, { word, ...parts }: Parts): Codec<SceneObject> {
   const type = columns.choice(linkOrder);
   const id = idCodec(columns, word);
-  const turn = columns.uint();
+  // Eighths of a full turn; other angles stand apart (`additionsCodec`).
+  const angle = mapped(
+    columns.uint(),
+    (deg: number) => (isEighth(deg) ? deg / 45 : 0),
+    (eighths) => 45 * eighths,
+  );
   const zone = { round: columns.flag(), number: columns.uint(), blocks: columns.uint() };
-  const shared: SharedByKinds = { columns, id, turn, zone, ...parts };
+  const shared: SharedByKinds = { columns, id, angle, zone, ...parts };
   const own = Object.fromEntries(Object.entries(linkKinds).map(([name, codec]) => [name, codec(shared)]));
   const codecOf = (name: SceneObject['type']): Codec<SceneObject> => {
     const codec = own[name];
@@ -269,6 +275,36 @@ export function startsCodec({ columns, text, word, options }: SharedCodecs): Cod
   });
   return columns.list(start, sceneLimits.objects);
 }
+
+/** What version 7 of links adds to an object, and the object's place in its course. */
+export type PlacedAdditions = Additions & { readonly place: number };
+
+/** The codec of what version 7 of links adds to the objects of a course. */
+export function additionsCodec({ columns, word }: SharedCodecs): Codec<readonly PlacedAdditions[]> {
+  const corner = pairOf(columns.int(), columns.int());
+  const said = record<Required<SaidOrNull>>({
+    angle: columns.optional(columns.number()),
+    round: columns.optional(constant(true)),
+    corners: columns.optional(columns.list(corner, sceneLimits.corners.max)),
+    lock: columns.optional(constant(true)),
+    group: columns.optional(word),
+  });
+  const place = columns.uint();
+  const placed: Codec<PlacedAdditions> = {
+    write(out, { angle = null, round = null, corners = null, lock = null, group = null, ...rest }) {
+      place.write(out, rest.place);
+      said.write(out, { angle, round, corners, lock, group });
+    },
+    read: (from) => ({ place: place.read(from), ...withoutNulls(said.read(from)) }),
+  };
+  return columns.list(placed, sceneLimits.objects);
+}
+
+/** Additions with `null` for what is not said. */
+type SaidOrNull = { readonly [K in keyof Additions]: Additions[K] | null };
+
+const withoutNulls = (said: SaidOrNull): Additions =>
+  Object.fromEntries(Object.entries(said).filter(([, value]) => value !== null));
 
 /** The codec of how robots share a task, which version 6 of links adds, too. */
 export function sharingCodec({ columns }: SharedCodecs): Codec<TaskRule | null> {

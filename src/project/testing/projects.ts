@@ -16,8 +16,8 @@ function anObject(rng: Rng, index: number): SceneObject {
   const pick = (max: number): number => Math.floor(rng.unit() * max);
   const number = Math.floor(index / 8) + 1;
   const at: Point = [10 * pick(200), 10 * pick(150)];
-  const box = { at, size: [50, 50] as Point, turn: pick(8) };
-  const zone = { ...box, size: [200, 200] as Point, turn: 0, round: index % 2 === 0, blocks: 0, number: 0 };
+  const box = { at, size: [50, 50] as Point, angle: 45 * pick(8) };
+  const zone = { ...box, size: [200, 200] as Point, angle: 0, round: index % 2 === 0, blocks: 0, number: 0 };
   switch (index % 8) {
     case 0:
     case 1:
@@ -103,12 +103,12 @@ export function largeProject(seed = 1): Project {
 
 /** A project with one of everything: all types of objects, all options, several files, a background. */
 export function fullProject(): Project {
-  const box = { at: [300, 400], size: [60, 45], turn: 3 } as const;
+  const box = { at: [300, 400], size: [60, 45], angle: 135 } as const;
   const zone = { ...box, round: true, blocks: 0, number: 0 };
   const objects: readonly SceneObject[] = [
     { type: 'wall', id: 'a1', from: [-20, 35], to: [700, 35], thickness: 12 },
     { type: 'block', id: 'block-7', ...box },
-    { type: 'fixed-block', id: 'block-2', ...box, turn: 0 },
+    { type: 'fixed-block', id: 'block-2', ...box, angle: 0 },
     { type: 'stroke', id: 'Linie', points: [[0, 0], [10, -5], [10, 40], [-400, 41], [-400, 41]], width: 15, color: 'blue' }, // prettier-ignore
     { type: 'stroke', id: 'stroke-007', points: [[33, 44]], width: 30, color: 'white' },
     { type: 'target', id: 'target-1', ...zone, blocks: 2 },
@@ -116,7 +116,7 @@ export function fullProject(): Project {
     { type: 'forbidden', id: 'ä', ...zone },
     { type: 'spikes', id: 's', ...box },
     { type: 'mover', id: 'm1', ...box, to: [900, 400], speed: 120, spiked: true },
-    { type: 'label', id: 'l', at: [600, 800], text: 'Grüezi 👋', height: 40, turn: 6 },
+    { type: 'label', id: 'l', at: [600, 800], text: 'Grüezi 👋', height: 40, angle: 270 },
   ];
   const scene: Scene = {
     name: 'Alles «drin»',
@@ -171,7 +171,7 @@ export function taskProject(): Project {
         solution: true,
       },
     },
-    objects: [{ type: 'target', id: 't', at: [900, 450], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 }], // prettier-ignore
+    objects: [{ type: 'target', id: 't', at: [900, 450], size: [200, 200], angle: 0, round: false, number: 0, blocks: 0 }], // prettier-ignore
   };
   return { files: [{ name: 'main.py', text: 'print("los")\n' }], scene, course: null };
 }
@@ -215,6 +215,22 @@ export function startsProject(): Project {
     { ...third, options: {}, name: '', color: null },
   ];
   return { ...project, scene: { ...scene, task: { ...scene.task, robots: 'catch' }, objects } };
+}
+
+/** The project of `startsProject` with any angle, round bodies, polygons, locks and groups in its course. */
+export function shapesProject(): Project {
+  const project = startsProject();
+  const said = [
+    { angle: 12.5, lock: true },
+    { angle: 359.9, round: true, group: 'g1' },
+    { corners: [[0, 0], [80, 0], [20, 20], [-5, 60]] as Point[], group: 'g1' }, // prettier-ignore
+  ] as const;
+  const blocks = said.map((one, index): SceneObject => {
+    const box = { type: 'block', id: `rund-${String(index + 1)}`, at: [200 + 100 * index, 600] as Point } as const;
+    return { ...box, size: [80, 60], angle: 0, ...one };
+  });
+  const locked = project.scene.objects.map((object) => (object.type === 'start' ? { ...object, lock: true as const } : object)); // prettier-ignore
+  return { ...project, scene: { ...project.scene, objects: [...locked, ...blocks] } };
 }
 
 /** A project with three devices: a robot, a board to hold in the hand, and one that runs the same program. */

@@ -1,23 +1,26 @@
-import { boxProperties } from '../json-text';
-import { boxOutline } from '../outline';
-import type { Block, Spikes } from '../scene';
+import { property, shapeProperties } from '../json-text';
+import { sceneDefaults, type Block, type Spikes } from '../scene';
+import { shapeParts } from '../shape/shape';
 import { standing, type SceneKind } from './kind';
-import { readBox } from './unread';
+import { readBody } from './unread';
 
-/** A kind of which nothing is said but where it stands, how large and how turned. */
-const boxKind = (type: (Block | Spikes)['type'], name: string = type): SceneKind<Block | Spikes> => ({
+/** A kind of which nothing is said but where it stands, its shape and how it is turned. */
+const bodyKind = (type: (Block | Spikes)['type'], name: string = type): SceneKind<Block | Spikes> => ({
   name,
-  properties: ['at', 'size', 'turn'],
-  read: (given) => ({ type, ...readBox(given) }),
-  write: boxProperties,
-  ...standing<Block | Spikes>(boxOutline),
+  properties: ['at', 'size', 'angle', 'round', 'corners'],
+  read: (given) => ({ type, ...readBody(given) }),
+  write: (body, rotation) => [
+    ...shapeProperties(body, rotation),
+    ...property('round', body.round ?? sceneDefaults.round, sceneDefaults.round),
+  ],
+  ...standing<Block | Spikes>(shapeParts),
 });
 
 /** Movable blocks. */
-export const block = boxKind('block');
+export const block = bodyKind('block');
 
 /** Blocks that stand fast. */
-export const fixedBlock = boxKind('fixed-block', 'block');
+export const fixedBlock = bodyKind('fixed-block', 'block');
 
 /** Spikes. */
-export const spikes = boxKind('spikes');
+export const spikes = bodyKind('spikes');

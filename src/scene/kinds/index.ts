@@ -27,8 +27,8 @@ export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
 /** The kind of an object. */
 export const kindOf = ({ type }: SceneObject): SceneKind => sceneKinds[type];
 
-/** The outline of what a robot bumps into, in world mm; `null` for what lies flat on the floor. */
-export const solidOutline = (object: SceneObject): Outline | null => kindOf(object).solid(object);
+/** The convex parts of what a robot bumps into, in world mm; none of what lies flat on the floor. */
+export const solidParts = (object: SceneObject): readonly Outline[] => kindOf(object).solid(object);
 
 const knownBounds = new WeakMap<SceneObject, Bounds>();
 

@@ -1,3 +1,4 @@
+import type { Rotation } from '../json-text';
 import { boundsOfOutline, overlapMm, type Bounds, type Outline } from '../outline';
 import type { SceneObject } from '../scene';
 import type { Unread } from './unread';
@@ -12,14 +13,14 @@ export interface AnyObject {
 export interface SceneKind<O extends AnyObject = SceneObject> {
   /** Its name in messages. */
   readonly name: string;
-  /** Its properties in a file besides `id` and `type`. */
+  /** Its properties in a file besides those that every kind has (`commonProperties`). */
   readonly properties: readonly string[];
   /** Reads an unchecked one; what is wrong with it is noted in the reader. */
   read(given: Unread): O;
-  /** Its properties in the form of a file, without defaults. */
-  write(object: O): readonly string[];
-  /** The outline of what a robot bumps into, in world mm (a mover: where it starts); `null` for what lies flat on the floor. */
-  solid(object: O): Outline | null;
+  /** Its own properties in the form of a file, without defaults. */
+  write(object: O, rotation: Rotation): readonly string[];
+  /** The convex parts of what a robot bumps into, in world mm (a mover: where it starts); none of what lies flat on the floor. */
+  solid(object: O): readonly Outline[];
   /** The smallest rectangle along the axes around all of it. World mm. */
   bounds(object: O): Bounds;
   /** Whether a part of it lies within the arena's outline; for the round ends of strokes this errs towards yes. */
@@ -34,7 +35,11 @@ export const filling = <O extends AnyObject>(
   reachesInto: (object, arena) => overlapMm(outline(object), arena) > 0,
 });
 
-/** The extent of a kind whose objects fill a convex outline that a robot bumps into. */
+/** The extent of a kind whose objects fill convex parts that a robot bumps into. */
 export const standing = <O extends AnyObject>(
-  outline: (object: O) => Outline,
-): Pick<SceneKind<O>, 'solid' | 'bounds' | 'reachesInto'> => ({ solid: outline, ...filling(outline) });
+  parts: (object: O) => readonly Outline[],
+): Pick<SceneKind<O>, 'solid' | 'bounds' | 'reachesInto'> => ({
+  solid: parts,
+  bounds: (object) => boundsOfOutline(parts(object).flat()),
+  reachesInto: (object, arena) => parts(object).some((part) => overlapMm(part, arena) > 0),
+});

@@ -2,14 +2,14 @@ import { pair, property } from '../json-text';
 import { boxOutline, type Outline } from '../outline';
 import { sceneDefaults, sceneLimits, type Label } from '../scene';
 import { filling, type SceneKind } from './kind';
-import { readId, readPlace, readTurn } from './unread';
+import { readAngle, readId, readPlace } from './unread';
 
 const LINE_BREAK = /[\n\r\u2028\u2029]/;
 
 /** Words on the floor. */
 export const label: SceneKind<Label> = {
   name: 'label',
-  properties: ['at', 'text', 'height', 'turn'],
+  properties: ['at', 'text', 'height', 'angle'],
   read(given) {
     const { reader, at } = given;
     const [value, path] = at('text');
@@ -22,16 +22,16 @@ export const label: SceneKind<Label> = {
       at: readPlace(given, 'at'),
       text,
       height: reader.whole(...at('height'), sceneLimits.labelMm, sceneDefaults.labelHeight),
-      turn: readTurn(given),
+      angle: readAngle(given),
     };
   },
-  write: ({ at, text, height, turn }) => [
+  write: ({ at, text, height, angle }, rotation) => [
     `"at": ${pair(at)}`,
     `"text": ${JSON.stringify(text)}`,
     ...property('height', height, sceneDefaults.labelHeight),
-    ...property('turn', turn, sceneDefaults.turn),
+    ...rotation(angle),
   ],
-  solid: () => null,
+  solid: () => [],
   ...filling(labelOutline),
 };
 
@@ -40,6 +40,6 @@ const LETTER_WIDTH = 0.8;
 const LINE_HEIGHT = 1.4;
 
 /** The box a label is taken to fill; how wide its letters really are differs between screens. */
-export function labelOutline({ at, text, height, turn }: Label): Outline {
-  return boxOutline({ at, size: [text.length * height * LETTER_WIDTH, height * LINE_HEIGHT], turn });
+export function labelOutline({ at, text, height, angle }: Label): Outline {
+  return boxOutline({ at, size: [text.length * height * LETTER_WIDTH, height * LINE_HEIGHT], angle });
 }

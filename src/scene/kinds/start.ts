@@ -33,7 +33,7 @@ export const start: SceneKind<Start> = {
     ...property('name', name, ''),
     ...property('color', color, null),
   ],
-  solid: () => null,
+  solid: () => [],
   ...filling(startOutline),
 };
 
@@ -42,5 +42,5 @@ export const START_SIDE_MM = 140;
 
 /** What a start covers, however it is turned: good enough to grab it, and to find room for it. World mm. */
 export function startOutline({ at }: Start): Outline {
-  return boxOutline({ at, size: [START_SIDE_MM, START_SIDE_MM], turn: 0 });
+  return boxOutline({ at, size: [START_SIDE_MM, START_SIDE_MM], angle: 0 });
 }

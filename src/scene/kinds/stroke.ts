@@ -25,7 +25,7 @@ export const stroke: SceneKind<Stroke> = {
     ...property('width', width, sceneDefaults.width),
     ...property('color', color, sceneDefaults.color),
   ],
-  solid: () => null,
+  solid: () => [],
   bounds({ points, width }) {
     const { minX, minY, maxX, maxY } = boundsOfOutline(points.map(([x, y]) => ({ x, y })));
     const half = width / 2;

@@ -14,7 +14,7 @@ export const wall: SceneKind<Wall> = {
     `"to": ${pair(to)}`,
     ...property('thickness', thickness, sceneDefaults.thickness),
   ],
-  ...standing(outlineOf),
+  ...standing<Wall>((wall) => [wallOutline(wall)]),
 };
 
 function read(given: Unread): Wall {
@@ -31,7 +31,8 @@ function read(given: Unread): Wall {
   return { type: 'wall', id, from, to, thickness };
 }
 
-function outlineOf({ from, to, thickness }: Wall): Outline {
+/** The rectangle that a wall fills, in world mm. */
+export function wallOutline({ from, to, thickness }: Wall): Outline {
   const dx = to[0] - from[0];
   const dy = to[1] - from[1];
   const half = thickness / 2 / lengthOf(dx, dy);

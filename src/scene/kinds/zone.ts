@@ -1,20 +1,11 @@
 import type { Vec } from '#core/geometry';
-import { boxProperties, property } from '../json-text';
-import {
-  boundsOfOutline,
-  boxOutline,
-  directionOf,
-  lengthOf,
-  overlapMm,
-  squaredDistance,
-  type Bounds,
-  type Box,
-  type Outline,
-} from '../outline';
+import { property, shapeProperties } from '../json-text';
+import { overlapMm, squaredDistance, type Outline } from '../outline';
 import type { Range } from '../reader';
 import { sceneDefaults, sceneLimits, type Zone } from '../scene';
+import { outlineHolds, shapeBounds, shapeOutline, shapeParts, toOwnFrame } from '../shape/shape';
 import type { SceneKind } from './kind';
-import { readBox } from './unread';
+import { readShape } from './unread';
 
 const NONE: Range = { min: 0, max: 0 };
 
@@ -24,22 +15,22 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
   const blocks = type === 'target' ? sceneLimits.blocks : NONE;
   return {
     name: type,
-    properties: ['at', 'size', 'turn', 'round', 'number', 'blocks'],
+    properties: ['at', 'size', 'angle', 'round', 'corners', 'number', 'blocks'],
     read: (given) => ({
       type,
-      ...readBox(given),
+      ...readShape(given),
       round: given.reader.flag(...given.at('round'), sceneDefaults.round),
       number: given.reader.whole(...given.at('number'), numbers, isNumbered ? undefined : 0),
       blocks: given.reader.whole(...given.at('blocks'), blocks, sceneDefaults.blocks),
     }),
-    write: (zone) => [
-      ...boxProperties(zone),
+    write: (zone, rotation) => [
+      ...shapeProperties(zone, rotation),
       ...property('round', zone.round, sceneDefaults.round),
       ...property('number', zone.number, 0),
       ...property('blocks', zone.blocks, sceneDefaults.blocks),
     ],
-    solid: () => null,
-    bounds: (zone) => (zone.round ? ellipseBounds(zone) : boundsOfOutline(boxOutline(zone))),
+    solid: () => [],
+    bounds: shapeBounds,
     reachesInto: zoneOverlaps,
   };
 }
@@ -58,6 +49,7 @@ const ROUNDING_MM = 1e-6;
 
 /** Whether a place lies in a zone; its edge belongs to it. World mm. */
 export function zoneHolds(zone: Zone, place: Vec): boolean {
+  if (zone.corners) return outlineHolds(shapeOutline(zone), place, ROUNDING_MM);
   const { x, y } = toOwnFrame(zone, place);
   const halfX = zone.size[0] / 2 + ROUNDING_MM;
   const halfY = zone.size[1] / 2 + ROUNDING_MM;
@@ -69,7 +61,7 @@ export function zoneHolds(zone: Zone, place: Vec): boolean {
 
 /** Whether a convex outline in world mm covers a part of a zone; touching its edge is not yet covering. */
 export function zoneOverlaps(zone: Zone, outline: Outline): boolean {
-  if (!zone.round) return overlapMm(outline, boxOutline(zone)) > ROUNDING_MM;
+  if (!zone.round) return shapeParts(zone).some((part) => overlapMm(outline, part) > ROUNDING_MM);
   const scaleX = 2 / zone.size[0];
   const scaleY = 2 / zone.size[1];
   const inCircle = outline.map((corner) => {
@@ -77,13 +69,6 @@ export function zoneOverlaps(zone: Zone, outline: Outline): boolean {
     return { x: x * scaleX, y: y * scaleY };
   });
   return coversUnitCircle(inCircle);
-}
-
-function toOwnFrame({ at, turn }: Box, place: Vec): Vec {
-  const { x: cos, y: sin } = directionOf(turn);
-  const x = place.x - at[0];
-  const y = place.y - at[1];
-  return { x: x * cos + y * sin, y: y * cos - x * sin };
 }
 
 /** Whether a convex outline covers a part of the circle of radius 1 about the origin. */
@@ -97,12 +82,4 @@ function coversUnitCircle(outline: Outline): boolean {
     else rights++;
   }
   return lefts === 0 || rights === 0; // the origin lies on the same side of all edges: the circle lies inside
-}
-
-function ellipseBounds({ at: [x, y], size, turn }: Box): Bounds {
-  const { x: cos, y: sin } = directionOf(turn);
-  const [halfX, halfY] = [size[0] / 2, size[1] / 2];
-  const reachX = lengthOf(halfX * cos, halfY * sin);
-  const reachY = lengthOf(halfX * sin, halfY * cos);
-  return { minX: x - reachX, minY: y - reachY, maxX: x + reachX, maxY: y + reachY };
 }

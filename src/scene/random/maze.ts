@@ -154,7 +154,7 @@ function finish(cell: Cell, headingDeg: number, wish: MazeWish): SceneObject[] {
     [at[0] + dx, at[1] + dy],
   ];
   return [
-    { type: 'target', id: 'target', at, size: [side, side], turn: 0, round: false, number: 0, blocks: 0 },
+    { type: 'target', id: 'target', at, size: [side, side], angle: 0, round: false, number: 0, blocks: 0 },
     { type: 'stroke', id: 'finish', points, width: LINE_MM, color: 'black' },
   ];
 }

@@ -263,7 +263,7 @@ function longestPiece(loop: readonly Vec[]): number {
 function marks(start: Vec, ring: readonly Vec[]): SceneObject[] {
   const way = evenly(ring, 10);
   const quarter = (part: number): Point => rounded(way[Math.floor((way.length * part) / 4)] ?? ORIGIN);
-  const zone = { size: [MARK_MM, MARK_MM], turn: 0, round: true, blocks: 0 } as const;
+  const zone = { size: [MARK_MM, MARK_MM], angle: 0, round: true, blocks: 0 } as const;
   return [
     ...[1, 2, 3].map((number): SceneObject => {
       return { ...zone, type: 'checkpoint', id: `checkpoint-${String(number)}`, at: quarter(number), number };

@@ -1,3 +1,4 @@
+import { exactCos, exactSin } from '#core/exact-math';
 import type { Rng } from '#core/rng';
 import { freeId, type SceneEdit } from '../edit';
 import {
@@ -13,12 +14,28 @@ import { inPercent, oneOf, wholeFrom } from './fuzz';
 
 const point = (rng: Rng): Point => [wholeFrom(rng, -200, 1400), wholeFrom(rng, -200, 1100)];
 const size = (rng: Rng): Point => [wholeFrom(rng, 5, 300), wholeFrom(rng, 5, 300)];
-const turn = (rng: Rng): number => wholeFrom(rng, 0, 7);
+const angle = (rng: Rng): number => (inPercent(rng, 50) ? 45 * wholeFrom(rng, 0, 7) : wholeFrom(rng, 0, 3599) / 10);
+/** A star with some corners, which is concave as a rule. */
+function corners(rng: Rng): readonly Point[] {
+  const count = wholeFrom(rng, 3, 12);
+  return Array.from({ length: count }, (_, index): Point => {
+    const [far, rad] = [wholeFrom(rng, 100, 400), (index * 2 * Math.PI) / count];
+    return [Math.round(far * exactCos(rad)) + 0, Math.round(far * exactSin(rad)) + 0];
+  });
+}
+/** What any object may have, and mostly has not. */
+const common = (rng: Rng): Pick<SceneObject, 'lock' | 'group'> => ({
+  ...(inPercent(rng, 10) ? { lock: true } : {}),
+  ...(inPercent(rng, 10) ? { group: oneOf(rng, ['g', 'toString', '1']) } : {}),
+});
 
 /** An object of any kind with random figures, as a course may have it. */
 export function randomObject(rng: Rng, id: string): SceneObject {
-  const box = { id, at: point(rng), size: size(rng), turn: turn(rng) };
-  const zone = { ...box, round: inPercent(rng, 50), number: 0, blocks: 0 };
+  const box = { id, at: point(rng), size: size(rng), angle: angle(rng) };
+  const polygon = inPercent(rng, 20) ? { corners: corners(rng), size: [200, 300] as Point } : {};
+  const round = inPercent(rng, 20) ? ({ round: true } as const) : {};
+  const body = { ...box, ...(inPercent(rng, 50) ? polygon : round) };
+  const zone = { ...box, ...polygon, round: !('corners' in polygon) && inPercent(rng, 50), number: 0, blocks: 0 };
   const from = point(rng);
   const makers: readonly (() => SceneObject)[] = [
     () => ({
@@ -28,7 +45,7 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       to: [from[0] + 10, from[1] - wholeFrom(rng, 0, 99)],
       thickness: wholeFrom(rng, 2, 500),
     }),
-    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...box }),
+    () => ({ type: oneOf(rng, ['block', 'fixed-block', 'spikes'] as const), ...body }),
     () => ({
       ...{ type: 'stroke', id, width: wholeFrom(rng, 1, 500), color: oneOf(rng, strokeColors) },
       points: Array.from({ length: wholeFrom(rng, 1, 30) }, () => point(rng)),
@@ -36,9 +53,16 @@ export function randomObject(rng: Rng, id: string): SceneObject {
     () => ({ ...zone, type: 'target', blocks: wholeFrom(rng, 0, 50) }),
     () => ({ ...zone, type: 'checkpoint', number: wholeFrom(rng, 1, 99) }),
     () => ({ ...zone, type: 'forbidden' }),
-    () => ({ ...box, type: 'mover', to: point(rng), speed: wholeFrom(rng, 5, 500), spiked: inPercent(rng, 50) }),
     () => ({
-      ...{ type: 'label', id, at: point(rng), height: wholeFrom(rng, 5, 500), turn: turn(rng) },
+      ...box,
+      ...round,
+      type: 'mover',
+      to: point(rng),
+      speed: wholeFrom(rng, 5, 500),
+      spiked: inPercent(rng, 50),
+    }),
+    () => ({
+      ...{ type: 'label', id, at: point(rng), height: wholeFrom(rng, 5, 500), angle: angle(rng) },
       text: oneOf(rng, ['Start', 'Ziel ▸', '"', '\\', '🤖', '\ud800', '</script>']),
     }),
     () => ({
@@ -47,7 +71,7 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       color: oneOf(rng, [null, ...robotColors]),
     }),
   ];
-  return oneOf(rng, makers)();
+  return { ...oneOf(rng, makers)(), ...common(rng) };
 }
 
 /** An edit that suits a course: what the tools, the lists and the dialogs may do to it. */

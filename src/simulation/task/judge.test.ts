@@ -8,12 +8,12 @@ import { Judge } from './judge';
 import { spikedIds } from './task-brief';
 
 const zone = (type: Zone['type'], id: string, at: Point, more: Partial<Zone> = {}): Zone => ({
-  ...{ type, id, at, size: [100, 100], turn: 0, round: false, number: 0, blocks: 0 },
+  ...{ type, id, at, size: [100, 100], angle: 0, round: false, number: 0, blocks: 0 },
   ...more,
 });
 const checkpoint = (number: number, at: Point, more: Partial<Zone> = {}): Zone =>
   zone('checkpoint', `c${String(number)}`, at, { number, ...more });
-const block = (id: string, at: Point): SceneObject => ({ type: 'block', id, at, size: [50, 50], turn: 0 });
+const block = (id: string, at: Point): SceneObject => ({ type: 'block', id, at, size: [50, 50], angle: 0 });
 const courseOf = (objects: readonly SceneObject[], task: Partial<Task> = {}): Scene => ({
   ...defaultScene(),
   size: [2000, 1000],
@@ -198,7 +198,7 @@ describe('a forbidden zone', () => {
 });
 
 describe('spikes', () => {
-  const spikes: SceneObject = { type: 'spikes', id: 's', at: [800, 500], size: [60, 60], turn: 0 };
+  const spikes: SceneObject = { type: 'spikes', id: 's', at: [800, 500], size: [60, 60], angle: 0 };
 
   it('stop the robot, and the task is failed', () => {
     const { drive, verdict, robot } = start([spikes, zone('target', 't', [1500, 500])]);
@@ -209,7 +209,7 @@ describe('spikes', () => {
 
   it('on a moving obstacle hurt who stands still', () => {
     const mover: SceneObject = {
-      ...{ type: 'mover', id: 'm', at: [600, 500], to: [300, 500], size: [60, 60], turn: 0, speed: 100 },
+      ...{ type: 'mover', id: 'm', at: [600, 500], to: [300, 500], size: [60, 60], angle: 0, speed: 100 },
       spiked: true,
     };
     const spiked = start([mover]);
@@ -327,7 +327,7 @@ describe('help', () => {
   });
 
   it('is not a change of the course that the run does not feel: its name, words on the floor, a wall', () => {
-    const label: SceneObject = { type: 'label', id: 'l', at: [9, 9], text: 'Start', height: 30, turn: 0 };
+    const label: SceneObject = { type: 'label', id: 'l', at: [9, 9], text: 'Start', height: 30, angle: 0 };
     const wall: SceneObject = { type: 'wall', id: 'w', from: [800, 900], to: [900, 900], thickness: 10 };
     const { verdict, judge } = start([target]);
     judge.take({ ...courseOf([target, label, wall]), name: 'Other', description: 'Drive.' });

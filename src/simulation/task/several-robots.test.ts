@@ -7,12 +7,12 @@ import { Judge } from './judge';
 import { spikedIds } from './task-brief';
 
 const zone = (type: Zone['type'], id: string, at: Point, more: Partial<Zone> = {}): Zone => ({
-  ...{ type, id, at, size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 },
+  ...{ type, id, at, size: [200, 200], angle: 0, round: false, number: 0, blocks: 0 },
   ...more,
 });
 const target = zone('target', 't', [1500, 500], { size: [400, 900] });
 const checkpoint = (number: number, at: Point): Zone => zone('checkpoint', `c${String(number)}`, at, { number });
-const block = (id: string, at: Point): SceneObject => ({ type: 'block', id, at, size: [50, 50], turn: 0 });
+const block = (id: string, at: Point): SceneObject => ({ type: 'block', id, at, size: [50, 50], angle: 0 });
 
 /** Ada at (300 | 200), Ben at (300 | 500), Cem at (300 | 800), side by side; they look along x. */
 function start(robots: Task['robots'], objects: readonly SceneObject[], task: Partial<Task> = {}, count = 3) {

@@ -55,7 +55,7 @@ export function convoyOf(count: number, change: Partial<RunSetup> = {}): RunSetu
     ...defaultScene(),
     objects: [
       { type: 'stroke', id: 'line', points: [[100, 300], [1100, 300], [1100, 700], [100, 700]], width: 20, color: 'black' }, // prettier-ignore
-      { type: 'block', id: 'block', at: [600, 600], size: [60, 60], turn: 0 },
+      { type: 'block', id: 'block', at: [600, 600], size: [60, 60], angle: 0 },
     ] as const,
   };
   return { scene, devices: [remote, ...robots], seed: 5, reality: 0, ...change };

@@ -8,7 +8,7 @@ import { withField } from '#editor/object-edits';
 import { usualToolOptions } from '#editor/tools/tool-options';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { inverse } from '#scene/inverse';
-import { boundsOf, reachesInto, sceneKinds, solidOutline } from '#scene/kinds/index';
+import { boundsOf, reachesInto, sceneKinds, solidParts } from '#scene/kinds/index';
 import type { AnyObject, SceneKind } from '#scene/kinds/kind';
 import { readId, readPlace } from '#scene/kinds/unread';
 import { parseScene } from '#scene/parse';
@@ -51,13 +51,12 @@ const inScene: SceneKind<Puddle> = {
     radius: given.reader.whole(...given.at('radius'), { min: 1, max: 500 }),
   }),
   write: ({ at, radius }) => [`"at": [${at.join(', ')}]`, `"radius": ${String(radius)}`],
-  solid: () => null,
+  solid: () => [],
   bounds: around,
   reachesInto: () => true,
 };
 const inEditor: EditorKind<Puddle> = {
   layer: 0,
-  turnsInEighths: false,
   place: ({ at }) => at,
   span: () => null,
   middle: ({ at: [x, y] }) => ({ x, y }),
@@ -183,7 +182,7 @@ describe.each(types)('the kind %s', (type) => {
     const object = made();
     const { minX, minY, maxX, maxY } = boundsOf(object);
     expect([minX < maxX, minY < maxY || type === 'wall', reachesInto(object, empty.size)]).toEqual([true, true, true]);
-    for (const { x, y } of solidOutline(object) ?? [])
+    for (const { x, y } of solidParts(object).flat())
       expect([x >= minX, x <= maxX, y >= minY, y <= maxY]).toEqual([true, true, true, true]);
   });
 

@@ -211,7 +211,7 @@ describe('a run', () => {
   it('goes on when its course is edited, and hears of it', async () => {
     const page = await running();
     const before = page.work.scene.value;
-    const block = { type: 'block', id: 'new-block', at: [100, 100], size: [50, 50], turn: 0 } as const;
+    const block = { type: 'block', id: 'new-block', at: [100, 100], size: [50, 50], angle: 0 } as const;
     page.work.edit({ type: 'add', objects: [block] });
     await flushPromises();
     expect(page.run.phase.value).toBe('running');

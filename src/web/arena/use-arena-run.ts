@@ -24,11 +24,11 @@ export function useArenaRun(
     return { ...scene, objects, robot: { ...scene.robot, at: [xMm, yMm], heading: headingDeg } };
   });
 
-  /** Poses of the hand are finer than those of a course: neither whole mm nor eighths of a turn. Only for showing. */
+  /** Poses of the hand are finer than those of a course: neither whole mm nor tenths of a degree. Only for showing. */
   function inHand(object: SceneObject): SceneObject {
     const pose = object.type === 'block' ? hand.blocks.value[object.id] : undefined;
     if (object.type !== 'block' || pose === undefined) return object;
-    return { ...object, at: [pose.xMm, pose.yMm], turn: pose.headingDeg / 45 };
+    return { ...object, at: [pose.xMm, pose.yMm], angle: pose.headingDeg };
   }
 
   /** The last picture of a stopped run would hide what the hand does. */

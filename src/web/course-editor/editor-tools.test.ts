@@ -288,10 +288,10 @@ describe('what is selected', () => {
   it('is turned by 45° to the left and to the right', async () => {
     const { object } = await selecting(['block']);
     await press('Nach links drehen');
-    expect(object('block', 'block').turn).toBe(1);
+    expect(object('block', 'block').angle).toBe(45);
     await press('Nach rechts drehen');
     await press('Nach rechts drehen');
-    expect(object('block', 'block').turn).toBe(7);
+    expect(object('block', 'block').angle).toBe(315);
   });
 
   it('is deleted as one step, and selected no more', async () => {

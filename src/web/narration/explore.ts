@@ -9,7 +9,7 @@ import { say } from '../page/i18n/say';
 import { metAlong } from './met-along';
 import { narrationWords } from './narration-words';
 import { poseText } from './sentences';
-import { fromRobot, isOn, nearestOfLine, outlineNow, vecOf } from './solids';
+import { fromRobot, isOn, nearestOfLine, partsNow, vecOf } from './solids';
 
 const words = narrationWords.explore;
 
@@ -95,7 +95,7 @@ export function tellAround(asked: Asked): Told {
   const { scene, moved, robot, body, crosshair } = asked;
   const at = originOf(asked);
   const names = namesOf(scene);
-  const under = inOrder(scene).filter((object) => outlineNow(object, moved) === null && isOn(object, at));
+  const under = inOrder(scene).filter((object) => partsNow(object, moved).length === 0 && isOn(object, at));
   const onText = under.length === 0 ? [] : [say(words.on, { names: under.map(({ id }) => names.get(id) ?? '').join(', ') })]; // prettier-ignore
   const isRobot = crosshair === null && robot !== null;
   const sides = isRobot ? (['front', 'left', 'back', 'right'] as const) : (['east', 'north', 'west', 'south'] as const);

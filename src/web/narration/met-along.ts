@@ -2,7 +2,7 @@ import type { Pose, Vec } from '#core/geometry';
 import { arenaOutline, type Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 
-import { fromRobot, outlineNow } from './solids';
+import { fromRobot, partsNow } from './solids';
 
 /** Who looks along which direction. */
 export interface Look {
@@ -35,9 +35,7 @@ export function metAlong({ pose, scene, moved, body, quarter }: Look): {
     );
   let met: { id: string | null; mm: number } = { id: null, mm: distance(arenaOutline(scene.size)) };
   for (const object of scene.objects) {
-    const outline = outlineNow(object, moved);
-    if (outline === null) continue;
-    const mm = distance(outline);
+    const mm = Math.min(...partsNow(object, moved).map(distance));
     if (mm < met.mm) met = { id: object.id, mm };
   }
   return { id: met.id, mm: Math.max(0, met.mm - aheadMm) };

@@ -1,7 +1,9 @@
 import type { Pose, Vec } from '#core/geometry';
-import { solidOutline } from '#scene/kinds/index';
-import { boundsOfOutline, boxOutline, lengthOf, movedOutline, overlapMm, type Outline } from '#scene/outline';
-import type { Block, Mover, Scene, SceneObject, Zone } from '#scene/scene';
+import { solidParts } from '#scene/kinds/index';
+import { zoneHolds } from '#scene/kinds/zone';
+import { boundsOfOutline, lengthOf, movedOutline, overlapMm, type Outline } from '#scene/outline';
+import type { Scene, SceneObject, Zone } from '#scene/scene';
+import { ownParts } from '#scene/shape/shape';
 
 /** What a robot can bump into; `edge`: the edge of the arena. */
 export type Solid = 'wall' | 'block' | 'fixed-block' | 'spikes' | 'mover' | 'edge';
@@ -18,31 +20,20 @@ export interface Near {
 /** How much nearer an object must be than the edge of the arena to be what a sensor meets, in mm. */
 const LIKE_EDGE_MM = 1;
 
-/** An object's outline where it is now: blocks are pushed, obstacles move. `null` for what lies flat on the floor. */
-export function outlineNow(object: SceneObject, moved: Readonly<Record<string, Pose>>): Outline | null {
+/** An object's convex parts where they are now: blocks are pushed, obstacles move. None of what lies flat on the floor. */
+export function partsNow(object: SceneObject, moved: Readonly<Record<string, Pose>>): readonly Outline[] {
   const pose = moved[object.id];
-  if (pose === undefined || !('size' in object)) return solidOutline(object);
-  return boxAt(object, pose);
-}
-
-function boxAt({ size }: Block | Mover | { readonly size: Block['size'] }, pose: Pose): Outline {
-  const [x, y] = [size[0] / 2, size[1] / 2];
-  const corners = [
-    { x: -x, y: -y },
-    { x, y: -y },
-    { x, y },
-    { x: -x, y },
-  ];
-  return movedOutline(corners, vecOf(pose), directionOf(pose));
+  if (pose === undefined || !('size' in object)) return solidParts(object);
+  return ownParts(object).map((part) => movedOutline(part, vecOf(pose), directionOf(pose)));
 }
 
 /** The nearest thing that a robot can bump into. */
 export function nearestSolid(at: Vec, scene: Scene, moved: Readonly<Record<string, Pose>>): Near {
   let nearest = edgeNear(at, scene);
   for (const object of scene.objects) {
-    const outline = outlineNow(object, moved);
-    if (outline === null) continue;
-    const atMm = nearestOn(outline, at);
+    const parts = partsNow(object, moved);
+    if (parts.length === 0) continue;
+    const atMm = nearestOnParts(parts, at);
     const mm = lengthOf(atMm.x - at.x, atMm.y - at.y);
     if (mm < nearest.mm + (nearest.id === null ? LIKE_EDGE_MM : 0))
       nearest = { what: object.type as Solid, id: object.id, atMm, mm };
@@ -61,12 +52,11 @@ export function touchedSolid(
   let touched = edgeNear(vecOf(pose), scene);
   let deepest = Math.max(...parts.map((part) => beyondEdge(part, scene)));
   for (const object of scene.objects) {
-    const outline = outlineNow(object, moved);
-    if (outline === null) continue;
-    const depth = Math.max(...parts.map((part) => overlapMm(part, outline)));
+    const others = partsNow(object, moved);
+    const depth = Math.max(...parts.flatMap((part) => others.map((other) => overlapMm(part, other))));
     if (depth <= deepest) continue;
     deepest = depth;
-    const atMm = nearestOn(outline, vecOf(pose));
+    const atMm = nearestOnParts(others, vecOf(pose));
     touched = { what: object.type as Solid, id: object.id, atMm, mm: 0 };
   }
   return touched;
@@ -92,7 +82,14 @@ export function edgeNear(at: Vec, { size: [width, height] }: Scene): Near {
   return { what: 'edge', id: null, atMm, mm: mmTo(atMm) };
 }
 
-/** The place of an outline, or of what is inside it, that is nearest. */
+/** The place of several outlines, or of what is inside them, that is nearest. */
+export function nearestOnParts(parts: readonly Outline[], at: Vec): Vec {
+  const places = parts.map((part) => nearestOn(part, at));
+  const mmTo = (to: Vec): number => lengthOf(to.x - at.x, to.y - at.y);
+  return places.reduce((nearest, one) => (mmTo(one) < mmTo(nearest) ? one : nearest));
+}
+
+/** The place of a convex outline, or of what is inside it, that is nearest. */
 export function nearestOn(outline: Outline, at: Vec): Vec {
   return isInside(outline, at) ? at : nearestOfLine([...outline, ...outline.slice(0, 1)], at);
 }
@@ -127,13 +124,10 @@ export function isOn(object: SceneObject, at: Vec): boolean {
     );
     return lengthOf(near.x - at.x, near.y - at.y) <= object.width / 2;
   }
-  return 'round' in object && isInside(boxOutline(object), at) && (!object.round || isInEllipse(object, at));
+  return isZone(object) && zoneHolds(object, at);
 }
 
-function isInEllipse({ at: [x, y], size, turn }: Zone, at: Vec): boolean {
-  const own = fromRobot({ xMm: x, yMm: y, headingRad: (turn * Math.PI) / 4 }, at);
-  return (own.x / (size[0] / 2)) ** 2 + (own.y / (size[1] / 2)) ** 2 <= 1;
-}
+const isZone = (object: SceneObject): object is Zone => 'number' in object;
 
 /** Whether a place is inside a convex outline of either turn. */
 function isInside(outline: Outline, { x, y }: Vec): boolean {

@@ -101,7 +101,7 @@ describe('a course printed true to scale', () => {
   });
 
   it('prints everything that a course may hold', () => {
-    const box = { at: [300, 200], size: [100, 60], turn: 1 } as const;
+    const box = { at: [300, 200], size: [100, 60], angle: 45 } as const;
     const objects: readonly SceneObject[] = [
       { type: 'wall', id: 'c', from: [0, 0], to: [300, 400], thickness: 10 },
       { type: 'block', id: 'd', ...box },
@@ -109,7 +109,7 @@ describe('a course printed true to scale', () => {
       { type: 'target', id: 'i', ...box, round: true, number: 0, blocks: 2 },
       { type: 'checkpoint', id: 'j', ...box, round: false, number: 12, blocks: 0 },
       { type: 'forbidden', id: 'k', ...box, round: false, number: 0, blocks: 0 },
-      { type: 'label', id: 'l', at: [600, 700], text: 'Zürich → (1)', height: 30, turn: 2 },
+      { type: 'label', id: 'l', at: [600, 700], text: 'Zürich → (1)', height: 30, angle: 90 },
     ];
     const [page] = pagesOf(course(objects), 'exact');
     expect(page?.operators).not.toMatch(/NaN|undefined|Infinity/);
@@ -175,7 +175,7 @@ describe('what a sheet takes of a long line', () => {
   });
 
   it('writes them as one byte each, as the fonts have them', () => {
-    const [page] = pagesOf(course([{ type: 'label', id: 'l', at: [600, 700], text: 'œ “é” – ’', height: 30, turn: 0 }]), 'exact'); // prettier-ignore
+    const [page] = pagesOf(course([{ type: 'label', id: 'l', at: [600, 700], text: 'œ “é” – ’', height: 30, angle: 0 }]), 'exact'); // prettier-ignore
     expect(page?.operators).toContain('(\u009c \u0093é\u0094 \u0096 \u0092) Tj'); // Windows-1252
   });
 });

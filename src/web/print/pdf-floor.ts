@@ -1,6 +1,6 @@
 import type { jsPDF } from 'jspdf';
 import { radOf } from '#core/angle';
-import { boundsOf, solidOutline } from '#scene/kinds/index';
+import { boundsOf, solidParts } from '#scene/kinds/index';
 import { boundsMeet, type Bounds } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
 
@@ -51,8 +51,7 @@ function printOutlines(pdf: jsPDF, { objects, robot }: Scene, to: ToSheet, shown
   pdf.setLineWidth(0.3);
   pdf.setLineCap('butt');
   for (const object of objects) {
-    const outline = solidOutline(object);
-    if (outline !== null && boundsMeet(boundsOf(object), shown)) polygon(pdf, outline, to);
+    if (boundsMeet(boundsOf(object), shown)) for (const part of solidParts(object)) polygon(pdf, part, to);
   }
   const heading = radOf(robot.heading);
   const ahead = (mm: number, aside: number): Point =>

@@ -19,7 +19,7 @@ const course = (objects: readonly SceneObject[], part: Partial<Scene> = {}): Sce
   objects,
   ...part,
 });
-const box = { at: [300, 200], size: [100, 60], turn: 1 } as const;
+const box = { at: [300, 200], size: [100, 60], angle: 45 } as const;
 const everything: readonly SceneObject[] = [
   { type: 'stroke', id: 'a', points: [[100, 100], [400, 100]], width: 20, color: 'black' }, // prettier-ignore
   { type: 'stroke', id: 'b', points: [[5, 5]], width: 20, color: 'yellow' },
@@ -32,7 +32,7 @@ const everything: readonly SceneObject[] = [
   { type: 'target', id: 'i', ...box, round: true, number: 0, blocks: 2 },
   { type: 'checkpoint', id: 'j', ...box, round: false, number: 12, blocks: 0 },
   { type: 'forbidden', id: 'k', ...box, round: false, number: 0, blocks: 0 },
-  { type: 'label', id: 'l', at: [600, 700], text: 'A & <B> "Zürich"', height: 30, turn: 2 },
+  { type: 'label', id: 'l', at: [600, 700], text: 'A & <B> "Zürich"', height: 30, angle: 90 },
 ];
 
 describe('a picture of a course for worksheets', () => {

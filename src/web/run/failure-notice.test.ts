@@ -8,7 +8,7 @@ import { soloRun } from '#simulation/run-setup';
 
 const empty = defaultScene();
 const callibot = findRobot('callibot');
-const mover: Mover = { type: 'mover', id: 'm', at: [900, 600], to: [900, 800], size: [50, 50], turn: 0, speed: 100, spiked: false }; // prettier-ignore
+const mover: Mover = { type: 'mover', id: 'm', at: [900, 600], to: [900, 800], size: [50, 50], angle: 0, speed: 100, spiked: false }; // prettier-ignore
 const startAt = (x: number, y: number): Scene => ({ ...empty, robot: { ...empty.robot, at: [x, y], heading: 90 } });
 
 /** What the simulation says about this start, and what the page makes of it. */
@@ -37,7 +37,7 @@ describe('the notice about a run that could not begin', () => {
   });
 
   it('says in the page’s language what else no run can begin with', () => {
-    const heap = Array.from({ length: 300 }, (_, index): Block => ({ type: 'block', id: `b${String(index)}`, at: [900, 600], size: [50, 50], turn: 0 })); // prettier-ignore
+    const heap = Array.from({ length: 300 }, (_, index): Block => ({ type: 'block', id: `b${String(index)}`, at: [900, 600], size: [50, 50], angle: 0 })); // prettier-ignore
     const movers = Array.from({ length: 101 }, (_, index): Mover => ({ ...mover, id: `m${String(index)}` }));
     const background: Background = { at: [0, 0], size: [100, 100], cells: [9, 9], levels: 'AAAA', picture: '' };
     const messageOf = (scene: Partial<Scene>) => noticeAt({ ...startAt(300, 300), ...scene }).values?.['message'];

@@ -6,7 +6,7 @@ import type { Verdict } from '#simulation/task/verdict';
 import { goalsInWords, rulesInWords } from './goals';
 
 const zone = (type: Zone['type'], number = 0, blocks = 0): Zone => ({
-  ...{ type, id: `${type}-${String(number)}`, at: [100, 100], size: [50, 50], turn: 0, round: false },
+  ...{ type, id: `${type}-${String(number)}`, at: [100, 100], size: [50, 50], angle: 0, round: false },
   ...{ number, blocks },
 });
 const course = (objects: readonly SceneObject[], task: Partial<Task> = {}): Scene => ({
@@ -75,7 +75,7 @@ describe('the goals in words', () => {
 });
 
 describe('the rules in words', () => {
-  const spikes: SceneObject = { type: 'spikes', id: 's', at: [9, 9], size: [50, 50], turn: 0 };
+  const spikes: SceneObject = { type: 'spikes', id: 's', at: [9, 9], size: [50, 50], angle: 0 };
   const scene = course([zone('target'), zone('forbidden'), spikes], { seconds: 60 });
 
   it('are those of the course; that nothing may be touched includes spikes', () => {

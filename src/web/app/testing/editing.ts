@@ -81,14 +81,14 @@ export const samples = {
     color: 'black',
   },
   wall: { type: 'wall', id: 'wall', from: [100, 100], to: [300, 100], thickness: 10 },
-  block: { type: 'block', id: 'block', at: [400, 200], size: [50, 50], turn: 0 },
-  'fixed-block': { type: 'fixed-block', id: 'fixed', at: [900, 200], size: [100, 50], turn: 0 },
-  spikes: { type: 'spikes', id: 'spikes', at: [1050, 200], size: [60, 60], turn: 0 },
-  mover: { type: 'mover', id: 'mover', at: [900, 400], to: [1100, 400], size: [50, 50], turn: 0, speed: 100, spiked: false }, // prettier-ignore
-  target: { type: 'target', id: 'target', at: [900, 700], size: [150, 150], turn: 0, round: false, number: 0, blocks: 0 }, // prettier-ignore
-  checkpoint: { type: 'checkpoint', id: 'one', at: [200, 300], size: [100, 100], turn: 0, round: false, number: 1, blocks: 0 }, // prettier-ignore
-  forbidden: { type: 'forbidden', id: 'forbidden', at: [200, 600], size: [100, 100], turn: 0, round: true, number: 0, blocks: 0 }, // prettier-ignore
-  label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, turn: 0 },
+  block: { type: 'block', id: 'block', at: [400, 200], size: [50, 50], angle: 0 },
+  'fixed-block': { type: 'fixed-block', id: 'fixed', at: [900, 200], size: [100, 50], angle: 0 },
+  spikes: { type: 'spikes', id: 'spikes', at: [1050, 200], size: [60, 60], angle: 0 },
+  mover: { type: 'mover', id: 'mover', at: [900, 400], to: [1100, 400], size: [50, 50], angle: 0, speed: 100, spiked: false }, // prettier-ignore
+  target: { type: 'target', id: 'target', at: [900, 700], size: [150, 150], angle: 0, round: false, number: 0, blocks: 0 }, // prettier-ignore
+  checkpoint: { type: 'checkpoint', id: 'one', at: [200, 300], size: [100, 100], angle: 0, round: false, number: 1, blocks: 0 }, // prettier-ignore
+  forbidden: { type: 'forbidden', id: 'forbidden', at: [200, 600], size: [100, 100], angle: 0, round: true, number: 0, blocks: 0 }, // prettier-ignore
+  label: { type: 'label', id: 'label', at: [500, 800], text: 'Hallo', height: 30, angle: 0 },
   start: {
     type: 'start',
     id: 'second',

@@ -3,7 +3,7 @@ import type { Mover } from '#scene/scene';
 import { moverSprite, spriteCorner, wayWindow } from './mover-sprite';
 import { toPx } from '../view/view-transform';
 
-const mover: Mover = { type: 'mover', id: 'm', at: [200, 300], to: [500, 300], size: [60, 80], turn: 0, speed: 100, spiked: false }; // prettier-ignore
+const mover: Mover = { type: 'mover', id: 'm', at: [200, 300], to: [500, 300], size: [60, 80], angle: 0, speed: 100, spiked: false }; // prettier-ignore
 
 describe('the canvas of a moving obstacle', () => {
   it('has room for it however it is turned, and for its shadow: 116 px for 60 × 80 mm at 1 px per mm', () => {

@@ -7,8 +7,8 @@ describe('the arena before and during a run', () => {
     ...defaultScene(),
     robot: { type: null, at: [600, 450], heading: 270, scale: 1, options: {} },
     objects: [
-      { type: 'block', id: 'b', at: [100, 100], size: [50, 50], turn: 2 },
-      { type: 'fixed-block', id: 'f', at: [300, 100], size: [50, 50], turn: 0 },
+      { type: 'block', id: 'b', at: [100, 100], size: [50, 50], angle: 90 },
+      { type: 'fixed-block', id: 'f', at: [300, 100], size: [50, 50], angle: 0 },
     ],
   };
   const moved = { xMm: 120, yMm: 100, headingRad: 1 };

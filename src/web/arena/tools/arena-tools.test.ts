@@ -336,7 +336,7 @@ describe('selecting in the arena', () => {
   it('turns what is tapped by 45° with the tool for it', async () => {
     const { tap, object, steps } = await toolsOver('rotate', two);
     tap(400, 200);
-    expect([object('block', 'block').turn, steps()]).toEqual([1, 1]);
+    expect([object('block', 'block').angle, steps()]).toEqual([45, 1]);
   });
 
   it('takes back every drag, in reverse order', async () => {
@@ -406,10 +406,10 @@ describe('the keyboard in the arena', () => {
     const { editor, key, object, ids } = await toolsOver('select', [samples.block]);
     editor.select({ ids: ['block'], robot: false });
     key('q');
-    expect(object('block', 'block').turn).toBe(1);
+    expect(object('block', 'block').angle).toBe(45);
     key('e');
     key('e');
-    expect(object('block', 'block').turn).toBe(7);
+    expect(object('block', 'block').angle).toBe(315);
     key('Escape');
     expect(editor.selection.value.ids).toEqual([]);
     expect(key('Delete')).toBe(false);

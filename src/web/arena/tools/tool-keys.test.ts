@@ -6,7 +6,7 @@ import { defaultScene, type Block, type Scene } from '#scene/scene';
 import { Clipboard } from '../../course-editor/state/clipboard';
 import { createSelectionKeys } from './tool-keys';
 
-const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], turn: 0 };
+const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], angle: 0 };
 
 function keysOverArena(selection: Selection = { ids: ['b'], robot: false }, clipboard = new Clipboard()) {
   const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, copies: 0 };
@@ -39,9 +39,9 @@ describe('keys on what is selected', () => {
   it('turn it by 45°', () => {
     const { keys, now } = keysOverArena();
     keys.keyDown('q', false, false);
-    expect(now.scene.objects[0]).toMatchObject({ turn: 1 });
+    expect(now.scene.objects[0]).toMatchObject({ angle: 45 });
     keys.keyDown('E', false, false);
-    expect(now.scene.objects[0]).toMatchObject({ turn: 0 });
+    expect(now.scene.objects[0]).toMatchObject({ angle: 0 });
   });
 
   it('delete it, and then select nothing', () => {

@@ -8,7 +8,7 @@ const zone = (part: Partial<Zone>): Zone => ({
   id: 'z',
   at: [100, 200],
   size: [100, 100],
-  turn: 0,
+  angle: 0,
   round: false,
   number: 0,
   blocks: 0,
@@ -26,7 +26,7 @@ describe('the task of a course', () => {
     expect(hasTask(course([wall, zone({})]))).toBe(true);
     expect(hasTask(course([wall], { noTouch: true }))).toBe(true);
     expect(hasTask(course([], { seconds: 20 }))).toBe(true);
-    const mover = { type: 'mover', id: 'm', at: [0, 0], to: [9, 9], size: [50, 50], turn: 0, speed: 100 } as const;
+    const mover = { type: 'mover', id: 'm', at: [0, 0], to: [9, 9], size: [50, 50], angle: 0, speed: 100 } as const;
     expect(hasTask(course([{ ...mover, spiked: false }]))).toBe(false);
     expect(hasTask(course([{ ...mover, spiked: true }]))).toBe(true);
   });
@@ -46,7 +46,7 @@ describe('the task of a course', () => {
   });
 
   it('says what must not happen, and spikes only where not everything is forbidden to touch', () => {
-    const spikes = { type: 'spikes', id: 's', at: [0, 0], size: [50, 50], turn: 0 } as const;
+    const spikes = { type: 'spikes', id: 's', at: [0, 0], size: [50, 50], angle: 0 } as const;
     expect(rulesOf(course([spikes, zone({ type: 'forbidden' })]))).toEqual(['avoidZones', 'avoidSpikes']);
     expect(rulesOf(course([spikes], { noTouch: true }))).toEqual(['noTouch']);
     expect(rulesOf(course([], { seconds: 9 }))).toEqual(['holdOut']);

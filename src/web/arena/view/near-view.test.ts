@@ -29,7 +29,7 @@ describe('robot and nearest obstacle', () => {
   });
 
   it('is as near as a block is now, not where it was before it was pushed and turned', () => {
-    const block: SceneObject = { type: 'block', id: 'b', at: [300, 300], size: [100, 50], turn: 0 };
+    const block: SceneObject = { type: 'block', id: 'b', at: [300, 300], size: [100, 50], angle: 0 };
     const nearest = (x: number, y: number, pose?: Pose): number =>
       nearestMm({ x, y }, [block], arena, pose === undefined ? null : { blocks: { b: pose }, movers: {} });
     expect(nearest(400, 300)).toBeCloseTo(50);
@@ -41,7 +41,7 @@ describe('robot and nearest obstacle', () => {
   });
 
   it('is as near as a moving obstacle is now', () => {
-    const mover: SceneObject = { type: 'mover', id: 'm', at: [300, 300], to: [900, 300], size: [50, 50], turn: 2, speed: 100, spiked: false }; // prettier-ignore
+    const mover: SceneObject = { type: 'mover', id: 'm', at: [300, 300], to: [900, 300], size: [50, 50], angle: 90, speed: 100, spiked: false }; // prettier-ignore
     const moved = { blocks: {}, movers: { m: { xMm: 700, yMm: 300, headingRad: Math.PI / 2 } } };
     expect(nearestMm({ x: 600, y: 300 }, [mover], arena, moved)).toBeCloseTo(75);
   });

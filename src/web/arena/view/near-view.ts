@@ -1,6 +1,7 @@
+import { rotationRad } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { SceneObject } from '#scene/scene';
-import { solidOutline } from '#scene/kinds/index';
+import { solidParts } from '#scene/kinds/index';
 import { distanceToOutline } from '#scene/outline';
 
 import { inSight, marginsPx, zoomLimits, type ArenaSize, type CanvasSize, type View } from './view-transform';
@@ -26,16 +27,16 @@ export function nearestMm(
   const toEdge = [at.x, at.y, width - at.x, height - at.y].map((mm) => Math.max(0, mm));
   const moved: Moved = { ...now?.blocks, ...now?.movers };
   const toObjects = objects.flatMap((object) => {
-    const outline = solidOutline(object);
-    return outline === null ? [] : [distanceToOutline(outline, asBefore(at, object, moved[object.id]))];
+    const place = asBefore(at, object, moved[object.id]);
+    return solidParts(object).map((part) => distanceToOutline(part, place));
   });
   return Math.min(...toEdge, ...toObjects);
 }
 
 /** The place that lies to an object at its start as `at` lies to it now: pushed blocks stand at any angle. */
 function asBefore(at: Vec, object: SceneObject, pose: Pose | undefined): Vec {
-  if (pose === undefined || !('turn' in object)) return at;
-  const turn = (object.turn * Math.PI) / 4 - pose.headingRad;
+  if (pose === undefined || !('angle' in object)) return at;
+  const turn = rotationRad(object.angle) - pose.headingRad;
   const [x, y] = [at.x - pose.xMm, at.y - pose.yMm];
   return {
     x: object.at[0] + x * Math.cos(turn) - y * Math.sin(turn),

@@ -303,7 +303,7 @@ describe('the list of objects', () => {
     const { open, object } = await list([samples.block]);
     await open('block');
     await fill('Gedreht', '100');
-    expect(object('block', 'block').turn).toBe(2);
+    expect(object('block', 'block').angle).toBe(90);
   });
 
   it('sets the tempo of a mover in cm/s, and gives it spikes', async () => {

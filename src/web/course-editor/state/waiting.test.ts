@@ -7,7 +7,7 @@ import { waitsForStart } from './waiting';
 
 const start = defaultScene();
 const wall: SceneObject = { type: 'wall', id: 'w', from: [0, 0], to: [100, 0], thickness: 10 };
-const block: SceneObject = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], turn: 0 };
+const block: SceneObject = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], angle: 0 };
 const stroke: SceneObject = { type: 'stroke', id: 's', points: [[0, 0], [9, 9]], width: 20, color: 'black' }; // prettier-ignore
 const after = (...edits: readonly SceneEdit[]) => edits.reduce(applyEdit, start);
 const add = (...objects: readonly SceneObject[]): SceneEdit => ({ type: 'add', objects });

@@ -12,7 +12,7 @@ beforeAll(async () => {
 });
 
 const wall = (id: string): SceneObject => ({ type: 'wall', id, from: [0, 0], to: [100, 0], thickness: 10 });
-const fixed: SceneObject = { type: 'fixed-block', id: 'f', at: [300, 300], size: [50, 50], turn: 0 };
+const fixed: SceneObject = { type: 'fixed-block', id: 'f', at: [300, 300], size: [50, 50], angle: 0 };
 const start = { ...defaultScene(), objects: [wall('old')] };
 const told = (...edits: readonly SceneEdit[]): string => waitingWords(start, edits.reduce(applyEdit, start));
 const moveStart: SceneEdit = { type: 'robot', robot: { at: [100, 100] } };

@@ -21,7 +21,7 @@ const checkpoint = (number: number): SceneObject => ({
   id: `c${String(number)}`,
   at: [100, 100],
   size: [150, 150],
-  turn: 0,
+  angle: 0,
   round: false,
   number,
   blocks: 0,
@@ -65,13 +65,13 @@ describe('problems of a course in words', () => {
       objects: [
         ...scene.objects,
         wall('copy'),
-        { type: 'fixed-block', id: 'f', at: [600, 450], size: [100, 100], turn: 0 },
-        { type: 'block', id: 'inside', at: [600, 450], size: [50, 50], turn: 0 },
-        { type: 'block', id: 'far', at: [9000, 450], size: [50, 50], turn: 0 },
-        { type: 'mover', id: 'm', at: [200, 600], to: [200, 600], size: [50, 50], turn: 0, speed: 10, spiked: false },
+        { type: 'fixed-block', id: 'f', at: [600, 450], size: [100, 100], angle: 0 },
+        { type: 'block', id: 'inside', at: [600, 450], size: [50, 50], angle: 0 },
+        { type: 'block', id: 'far', at: [9000, 450], size: [50, 50], angle: 0 },
+        { type: 'mover', id: 'm', at: [200, 600], to: [200, 600], size: [50, 50], angle: 0, speed: 10, spiked: false },
         { ...checkpoint(2), id: 'twice' },
-        { type: 'target', id: 't', at: [900, 200], size: [20, 20], turn: 0, round: false, number: 0, blocks: 9 },
-        { type: 'forbidden', id: 'v', at: [600, 450], size: [200, 200], turn: 0, round: false, number: 0, blocks: 0 },
+        { type: 'target', id: 't', at: [900, 200], size: [20, 20], angle: 0, round: false, number: 0, blocks: 9 },
+        { type: 'forbidden', id: 'v', at: [600, 450], size: [200, 200], angle: 0, round: false, number: 0, blocks: 0 },
       ],
     };
     const problems = findProblems(odd, [[{ x: -30, y: -30 }, { x: 30, y: -30 }, { x: 30, y: 30 }, { x: -30, y: 30 }]]); // prettier-ignore
@@ -82,7 +82,7 @@ describe('problems of a course in words', () => {
   });
 
   it('say what lies twice, and how often', () => {
-    const block = (id: string): SceneObject => ({ type: 'fixed-block', id, at: [900, 700], size: [50, 50], turn: 0 });
+    const block = (id: string): SceneObject => ({ type: 'fixed-block', id, at: [900, 700], size: [50, 50], angle: 0 });
     const twice: Scene = { ...scene, objects: ['a', 'b', 'c'].map(wall).concat(block('f'), block('g')) };
     expect(findProblems(twice, []).map((problem) => problemWords(problem, twice))).toEqual([
       'Hier liegen 3 gleiche Wände übereinander.',

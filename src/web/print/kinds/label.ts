@@ -11,11 +11,11 @@ import { SVG_FONT, turned } from './svg-parts';
 /** Words on the floor. */
 export const label: PrintKind<Label> = { layer: 2, svg: labelSvg, pdf: printLabel };
 
-function labelSvg({ at, text, height, turn }: Label, to: ToPicture): string {
+function labelSvg({ at, text, height, angle }: Label, to: ToPicture): string {
   return element(
     'text',
     {
-      transform: turned(to(at), -45 * turn),
+      transform: turned(to(at), -angle),
       y: height / 2,
       'font-family': SVG_FONT,
       'font-size': height / CAPITAL,
@@ -27,7 +27,7 @@ function labelSvg({ at, text, height, turn }: Label, to: ToPicture): string {
   );
 }
 
-function printLabel(pdf: jsPDF, { text, at, height, turn }: Label, to: ToSheet): void {
+function printLabel(pdf: jsPDF, { text, at, height, angle }: Label, to: ToSheet): void {
   pdf.setTextColor(colors.label);
-  write(pdf, text, to(at), height, turn * 45);
+  write(pdf, text, to(at), height, angle);
 }

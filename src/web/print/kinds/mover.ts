@@ -20,7 +20,7 @@ function moverSvg(mover: Mover, to: ToPicture): string {
   const line = { fill: 'none', stroke: colors.moverInk, 'stroke-width': 2.5 };
   return (
     element('path', { ...line, d: pathThrough([from, turning]), 'stroke-dasharray': '7.5 6' }) +
-    boxFrame({ at: end, turn: mover.turn }, to, rect(size, 4, { ...line, 'stroke-dasharray': '6 5' })) +
+    boxFrame({ at: end, angle: mover.angle }, to, rect(size, 4, { ...line, 'stroke-dasharray': '6 5' })) +
     element('circle', {
       cx: turning[0],
       cy: turning[1],
@@ -38,7 +38,7 @@ function moverSvg(mover: Mover, to: ToPicture): string {
           stroke: colors.moverInk,
           'stroke-width': frame,
         }) +
-        element('g', { transform: `rotate(${String(mover.turn * 45 - wayDeg)})` }, icon(mdiArrowLeftRightBold, short * 0.72, colors.moverInk)), // prettier-ignore
+        element('g', { transform: `rotate(${String(mover.angle - wayDeg)})` }, icon(mdiArrowLeftRightBold, short * 0.72, colors.moverInk)), // prettier-ignore
     )
   );
 }

@@ -8,10 +8,10 @@ export const SVG_FONT = 'Roboto, Arial, Helvetica, sans-serif';
 
 /** A group in the frame of a box: origin in its centre, turned as it is. */
 export const boxFrame = (
-  { at, turn }: { readonly at: Point; readonly turn: number },
+  { at, angle }: { readonly at: Point; readonly angle: number },
   to: ToPicture,
   inside: string,
-): string => element('g', { transform: turned(to(at), -45 * turn) }, inside);
+): string => element('g', { transform: turned(to(at), -angle) }, inside);
 
 /** A move, then a turn by degrees clockwise. */
 export function turned([x, y]: Point, deg: number): string {

@@ -12,7 +12,7 @@ import { createHand } from '../../run/hand';
 import { useLiveEdits } from './use-live-edits';
 import { WorkModel } from './work-model';
 
-const block = (id: string): SceneObject => ({ type: 'block', id, at: [100, 100], size: [50, 50], turn: 0 });
+const block = (id: string): SceneObject => ({ type: 'block', id, at: [100, 100], size: [50, 50], angle: 0 });
 const adding = (id: string): SceneEdit => ({ type: 'add', objects: [block(id)] });
 
 /** A course that is worked on beside a run that only notes what it is told. */

@@ -1,4 +1,5 @@
 import type { Project } from '#project/project';
+import { tidied } from '#scene/groups';
 import type { Scene, SceneObject } from '#scene/scene';
 import { objectText, serializeScene } from '#scene/serialize';
 
@@ -14,7 +15,7 @@ export function packed({ files, course, settings, devices }: Project, scene: str
 /** The course as text. Each object is written once: a course may have 20,000 points, and a stroke of the pen adds one object. */
 export const sceneText = remembered((scene: Scene): string => {
   const bare = compact(serializeScene({ ...scene, objects: [] }));
-  return `${bare.slice(0, -'[]}'.length)}[${scene.objects.map(compactObject).join(',')}]}`;
+  return `${bare.slice(0, -'[]}'.length)}[${tidied(scene.objects).map(compactObject).join(',')}]}`;
 });
 
 const compactObject = remembered((object: SceneObject): string => compact(objectText(object)));

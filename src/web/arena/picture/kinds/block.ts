@@ -1,4 +1,5 @@
 import { mdiArrowAll, mdiLock } from '@mdi/js';
+import { rotationRad } from '#core/angle';
 import type { Block } from '#scene/scene';
 import type { PlacedBlock } from '../../model/arena-model';
 import type { Palette } from '../../model/palette';
@@ -8,7 +9,7 @@ import { toPx, type View } from '../../view/view-transform';
 export function placedBlock(block: Block): PlacedBlock {
   return {
     id: block.id,
-    pose: { xMm: block.at[0], yMm: block.at[1], headingRad: (block.turn * Math.PI) / 4 },
+    pose: { xMm: block.at[0], yMm: block.at[1], headingRad: rotationRad(block.angle) },
     sizeMm: { x: block.size[0], y: block.size[1] },
   };
 }

@@ -1,3 +1,4 @@
+import { rotationRad } from '#core/angle';
 import { START_SIDE_MM } from '#scene/kinds/start';
 import type { Block, Label, Mover, SceneObject, Start, Wall, Zone } from '#scene/scene';
 import type { View } from '../../view/view-transform';
@@ -44,7 +45,7 @@ export const pictureKinds: Readonly<Record<SceneObject['type'], PictureKind>> = 
     mark: drawLabel,
     frame: (label: Label) => ({
       at: { x: label.at[0], y: label.at[1] },
-      angleRad: (label.turn * Math.PI) / 4,
+      angleRad: rotationRad(label.angle),
       size: labelSize(label),
     }),
   },

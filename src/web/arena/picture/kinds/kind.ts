@@ -1,3 +1,4 @@
+import { rotationRad } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { AnyObject } from '#scene/kinds/kind';
 import type { SceneObject } from '#scene/scene';
@@ -41,8 +42,8 @@ export interface PictureKind<O extends AnyObject = SceneObject> {
 }
 
 /** The frame of a rectangle. */
-export const boxFrame = ({ at: [x, y], size, turn }: Extract<SceneObject, { readonly size: unknown }>): Frame => ({
+export const boxFrame = ({ at: [x, y], size, angle }: Extract<SceneObject, { readonly size: unknown }>): Frame => ({
   at: { x, y },
-  angleRad: (turn * Math.PI) / 4,
+  angleRad: rotationRad(angle),
   size: { x: size[0], y: size[1] },
 });

@@ -94,7 +94,7 @@ describe('things of a course, as they are drawn', () => {
   });
 
   it('a block that is turned by 45° is wider by the diagonal', () => {
-    const [left, , right] = boxOf(drawn({ ...samples.block, turn: 1 }).in(palette.movable));
+    const [left, , right] = boxOf(drawn({ ...samples.block, angle: 45 }).in(palette.movable));
     expect(right! - left!).toBeGreaterThan(60);
     expect((left! + right!) / 2).toBeCloseTo(400, 0);
   });
@@ -154,11 +154,11 @@ describe('zones, as they are drawn', () => {
   });
 
   it('keeps its number upright however the zone is turned', () => {
-    const at = (turn: number) => {
-      const [number] = drawn({ ...samples.checkpoint, turn }).painted.filter(({ by }) => by === 'text');
+    const at = (angle: number) => {
+      const [number] = drawn({ ...samples.checkpoint, angle }).painted.filter(({ by }) => by === 'text');
       return [number?.left, number?.top];
     };
-    expect(at(3)).toEqual(at(0));
+    expect(at(135)).toEqual(at(0));
   });
 
   it('has a check mark instead of its number once it is reached', () => {

@@ -1,3 +1,4 @@
+import { rotationRad } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { Label } from '#scene/scene';
 import { canvasFont, type Palette } from '../../model/palette';
@@ -13,7 +14,7 @@ export function drawLabel(context: CanvasRenderingContext2D, view: View, label: 
   if (size < 2) return;
   context.save();
   context.translate(at.x, at.y);
-  context.rotate((-label.turn * Math.PI) / 4);
+  context.rotate(-rotationRad(label.angle));
   context.font = `600 ${size.toFixed(2)}px ${canvasFont}`;
   context.textAlign = 'center';
   context.textBaseline = 'alphabetic';

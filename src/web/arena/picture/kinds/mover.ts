@@ -1,4 +1,5 @@
 import { mdiArrowLeftRightBold } from '@mdi/js';
+import { rotationRad } from '#core/angle';
 import type { Pose } from '#core/geometry';
 import type { Mover } from '#scene/scene';
 import type { Palette } from '../../model/palette';
@@ -70,7 +71,7 @@ export function drawTrack(context: CanvasRenderingContext2D, view: View, mover: 
     context.stroke();
   }
   context.translate(to.x, to.y);
-  context.rotate((-mover.turn * Math.PI) / 4);
+  context.rotate(-rotationRad(mover.angle));
   context.scale(view.pxPerMm, view.pxPerMm);
   context.lineWidth = line / view.pxPerMm;
   context.setLineDash([2.4 * context.lineWidth, 2 * context.lineWidth]);

@@ -1,4 +1,5 @@
 import { mdiAlert } from '@mdi/js';
+import { rotationRad } from '#core/angle';
 import type { Pose, Vec } from '#core/geometry';
 import type { Mover, Spikes } from '#scene/scene';
 import type { PlacedBlock } from '../../model/arena-model';
@@ -11,10 +12,10 @@ export function placedBox(box: Spikes | Mover): PlacedBlock {
   return { id: box.id, pose: startPose(box), sizeMm: { x: box.size[0], y: box.size[1] } };
 }
 
-const startPose = ({ at, turn }: Spikes | Mover): Pose => ({
+const startPose = ({ at, angle }: Spikes | Mover): Pose => ({
   xMm: at[0],
   yMm: at[1],
-  headingRad: (turn * Math.PI) / 4,
+  headingRad: rotationRad(angle),
 });
 
 /** Draws spikes: teeth around a dark body with a warning sign. */

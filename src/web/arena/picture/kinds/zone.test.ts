@@ -4,7 +4,7 @@ import type { Verdict } from '#simulation/task/verdict';
 import { zoneState } from './zone';
 
 const zone = (type: Zone['type'], number = 0, blocks = 0): Zone => {
-  return { type, id: `${type}${String(number)}`, at: [0, 0], size: [100, 100], turn: 0, round: false, number, blocks };
+  return { type, id: `${type}${String(number)}`, at: [0, 0], size: [100, 100], angle: 0, round: false, number, blocks };
 };
 const open: Verdict = {
   state: 'open',

@@ -1,4 +1,5 @@
 import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
+import { rotationRad } from '#core/angle';
 import type { SceneObject, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 import { canvasFont, type Palette } from '../../model/palette';
@@ -35,7 +36,7 @@ export function drawZoneGround(context: CanvasRenderingContext2D, view: View, zo
   context.save();
   context.translate(at.x, at.y);
   context.scale(view.pxPerMm, view.pxPerMm);
-  context.rotate((-zone.turn * Math.PI) / 4);
+  context.rotate(-rotationRad(zone.angle));
   context.fillStyle = palette[`${zone.type}Fill`];
   outline(context, zone, 0);
   context.fill();
