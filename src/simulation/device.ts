@@ -1,6 +1,8 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
+import type { Inspected } from '#vm/debug/inspected';
+import type { Hold } from '#vm/run/engine';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
@@ -98,6 +100,16 @@ export class Device {
   /** The program has ended, and nothing is set for later: no callback, tone, moving picture. */
   get isIdle(): boolean {
     return this.end !== null && this.clock.alarms <= this.ownAlarms;
+  }
+
+  /** What a debugger reads of its MicroPython while it stands still. */
+  get inspected(): Inspected {
+    return this.vm.inspected;
+  }
+
+  /** Where its program stops before its time is over. */
+  get hold(): Hold {
+    return this.vm.hold;
   }
 
   /** Free bytes on the program's heap now, or when it ended. */

@@ -2,6 +2,8 @@ import { packetOfText } from '#board/radio-text';
 import type { Vec } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
+import type { Inspected } from '#vm/debug/inspected';
+import { watchLines, type StopRule } from '#vm/debug/line-watch';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
 import { Air } from './several/air';
@@ -25,6 +27,9 @@ export type { Ended } from './device';
 
 /** Before the world moves, every device has come to this short a time before. */
 const JUST_BEFORE_US = 1;
+
+/** A program stands where a debugger has stopped it. */
+const isHeld = ({ hold }: Device): boolean => hold.isHeld;
 
 /**
  * One run: one world, and one or several devices in it. The first device's clock moves the world, every 4 ms of
@@ -153,23 +158,62 @@ export class Simulation {
     return this.devices[device]?.heapFree() ?? 0;
   }
 
+  /** What a debugger reads of a device's program, see `#vm/debug`; `null`: there is no such device. */
+  inspect(device = 0): Inspected | null {
+    return this.devices[device]?.inspected ?? null;
+  }
+
+  /**
+   * Stops the run at the lines of a device's program that the rule names; `null`: not any more. `heldBy` tells where it
+   * stands, and the next `advanceTo` goes on. Time, output, memory and trajectory stay what they are without.
+   */
+  watch(rule: StopRule | null, device = 0): void {
+    const watched = this.devices[device];
+    if (watched) watched.hold.watch = rule && watchLines(() => watched.inspected, rule);
+  }
+
+  /** The place of the device whose rule has stopped the run, or `null`. */
+  get heldBy(): number | null {
+    const place = this.devices.findIndex(isHeld);
+    return place < 0 ? null : place;
+  }
+
   /**
    * Lets programs and world run until simulated time `us`; after a program's end the world goes on, and the REPL waits. A
    * call of the device that is not finished by then is finished first, so the clock may be a little later.
    */
   advanceTo(us: number): void {
     this.advanceProgramTo(us);
-    this.first.resumeUntil(us);
+    if (this.heldBy === null) this.first.resumeUntil(us);
   }
 
   /** Like `advanceTo`, but stops when the program ends: at once, or of several at the step at which all have ended. */
   advanceProgramTo(us: number): void {
     if (this.isFresh) this.begin();
+    for (const { hold } of this.devices) hold.isHeld = false;
+    const isWatched = this.devices.some(({ hold }) => hold.watch !== null);
     while (!this.hasEnded && us > this.nowUs) {
       const isAlone = this.followers.length === 0;
       const nextStepUs = (Math.floor(this.nowUs / STEP_US) + 1) * STEP_US;
+      if (isWatched && !this.bringFollowersTo(nextStepUs - JUST_BEFORE_US)) return;
       this.first.resume(isAlone ? us : Math.min(us, nextStepUs));
+      if (isHeld(this.first)) return;
     }
+  }
+
+  /**
+   * While somebody steps, the devices after the first run before it: inside the step of the world none could stop. They meet
+   * only there, so the order makes no difference.
+   *
+   * @returns false if one was stopped
+   */
+  private bringFollowersTo(us: number): boolean {
+    for (const device of this.followers)
+      while (device.clock.nowUs < us) {
+        device.resume(us);
+        if (isHeld(device)) return false;
+      }
+    return true;
   }
 
   /**
@@ -225,7 +269,10 @@ export class Simulation {
   }
 
   private step(): void {
-    for (const device of this.followers) device.resumeUntil(this.nowUs - JUST_BEFORE_US);
+    for (const device of this.followers) {
+      device.resumeUntil(this.nowUs - JUST_BEFORE_US);
+      device.hold.isHeld = false; // the first device was in one long call: here no other can be stopped
+    }
     this.takeInputs();
     this.world.step();
     for (const device of this.devices) device.sense();

@@ -1,4 +1,5 @@
 import type { Memory } from '../run/values';
+import type { CodePlace } from './lines';
 import type { Names } from './names';
 
 /** py/objfun.h: mp_obj_fun_bc_t; py/bc.h: mp_module_context_t. */
@@ -14,19 +15,9 @@ export interface Code {
   readonly file: string;
   /** Number of words for variables and stack. */
   readonly words: number;
-  /** Table of line numbers, and the first bytecode. */
-  readonly lines: { readonly start: number; readonly end: number };
-  readonly first: number;
+  readonly place: CodePlace;
   /** Address of the dict of its module. */
   readonly globals: number;
-}
-
-/** The bytecodes of one line. */
-export interface LineRange {
-  readonly line: number;
-  /** Addresses: from the first up to, not including, the last. */
-  readonly from: number;
-  readonly to: number;
 }
 
 /** Address of a function's bytecode. */
@@ -48,28 +39,9 @@ export function readCode(memory: Memory, names: Names, functionAt: number): Code
     name,
     file: names.of(memory.half(nameTable)),
     words: signature.words,
-    lines: { start: lineStart, end: lineEnd },
-    first: lineEnd + sizes.cells,
+    place: { table: { start: lineStart, end: lineEnd }, first: lineEnd + sizes.cells },
     globals: memory.word(context + CONTEXT.globals),
   };
-}
-
-/** The line of the bytecode at this address: py/bc.h, mp_bytecode_get_source_line. */
-export function lineAt(memory: Memory, code: Code, address: number): LineRange {
-  let line = 1;
-  let from = code.first;
-  for (let at = code.lines.start; at < code.lines.end;) {
-    const head = memory.byte(at);
-    const isLong = (head & 0x80) !== 0;
-    const bytes = isLong ? head & 0xf : head & 0x1f;
-    const lines = isLong ? ((head << 4) & 0x700) | memory.byte(at + 1) : head >> 5;
-    // A step of no lines only carries on a long stretch of bytes.
-    if (address < from + bytes) return { line, from, to: from + bytes };
-    from += bytes;
-    line += lines;
-    at += isLong ? 2 : 1;
-  }
-  return { line, from, to: Infinity };
 }
 
 function readSignature(memory: Memory, start: number) {

@@ -6,16 +6,16 @@ import { readFrames, readPosition } from './frames';
 function stackOf(program: string, options: ProgramOptions = {}): readonly string[] {
   const { vm } = deviceWith(`from microbit import *\n${program}`, options);
   vm.resume(500_000);
-  return readFrames(vm.inspect()).map(({ code, line }) => `${code.file}:${line} ${code.name}`);
+  return readFrames(vm.inspected).map(({ code, line }) => `${code.file}:${line} ${code.name}`);
 }
 
 describe('the position in a program', () => {
   it('is the line that waits, however long it sleeps in the library', () => {
     const { vm } = deviceWith('from microbit import *\nsleep(100)\nsleep(1000)');
     vm.resume(50_000);
-    expect(readPosition(vm.inspect())).toEqual({ file: 'main.py', line: 2, depth: 0 });
+    expect(readPosition(vm.inspected)).toEqual({ file: 'main.py', line: 2, depth: 0 });
     vm.resume(500_000);
-    expect(readPosition(vm.inspect())).toEqual({ file: 'main.py', line: 3, depth: 0 });
+    expect(readPosition(vm.inspected)).toEqual({ file: 'main.py', line: 3, depth: 0 });
   });
 
   it('is known in a loop without a pause, too', () => {
@@ -85,9 +85,9 @@ describe('the position in a program', () => {
 
   it('is nowhere before the program and after its end', () => {
     const { vm } = deviceWith('x = 1');
-    expect(readPosition(vm.inspect())).toBeNull();
+    expect(readPosition(vm.inspected)).toBeNull();
     vm.resume(1_000_000);
-    expect(readPosition(vm.inspect())).toBeNull();
+    expect(readPosition(vm.inspected)).toBeNull();
   });
 
   it('is right after reset()', () => {
@@ -95,6 +95,6 @@ describe('the position in a program', () => {
       "import os, microbit\nif 'seen' in os.listdir():\n    while True: pass\nopen('seen', 'w').close()\nmicrobit.reset()",
     );
     vm.resume(2_000_000);
-    expect(readPosition(vm.inspect())).toEqual({ file: 'main.py', line: 3, depth: 0 });
+    expect(readPosition(vm.inspected)).toEqual({ file: 'main.py', line: 3, depth: 0 });
   });
 });

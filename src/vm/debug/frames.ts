@@ -1,15 +1,22 @@
-import { codeOf, readCode, lineAt, type Code } from './code';
-import type { Inspected } from './inspected';
+import type { Memory } from '../run/values';
+import { codeOf, readCode, type Code } from './code';
+import type { Inspected, Scope } from './inspected';
+import { rangeAt, readLines, type LineRange } from './lines';
 import { Names } from './names';
 
 /** py/bc.h: mp_code_state_t. */
 export const STATE = { function: 0, at: 4, slots: 20 } as const;
 
+/** The code of a function of the pupil's, with the lines of its bytecodes. */
+export interface OwnCode extends Code {
+  readonly lines: readonly LineRange[];
+}
+
 /** A function of the pupil's that runs. */
 export interface Frame {
   /** Address of its code_state. */
   readonly state: number;
-  readonly code: Code;
+  readonly code: OwnCode;
   readonly line: number;
 }
 
@@ -28,7 +35,7 @@ export function readFrames(vm: Inspected, names = new Names(vm.memory, vm.intern
   for (let at = vm.framesEnd() - 4; at >= vm.framesStart; at -= 4) {
     const state = memory.word(at);
     const code = ownCode(vm, names, state);
-    if (code) found.push({ state, code, line: lineAt(memory, code, memory.word(state + STATE.at)).line });
+    if (code) found.push({ state, code, line: rangeAt(code.lines, memory.word(state + STATE.at)).line });
   }
   return found;
 }
@@ -40,11 +47,19 @@ export function readPosition(vm: Inspected, names?: Names): Position | null {
   return innermost ? { file: innermost.code.file, line: innermost.line, depth: frames.length - 1 } : null;
 }
 
+/** Read once: the code of a scope does not change, and what is compiled later has a scope of its own. */
+const known = new WeakMap<Scope, OwnCode>();
+
 /** The code that a code_state runs, or `null` if it is not the pupil's. */
-export function ownCode(vm: Inspected, names: Names, state: number): Code | null {
+export function ownCode(vm: Inspected, names: Names, state: number): OwnCode | null {
   const { memory } = vm;
   const functionAt = memory.word(state + STATE.function);
-  if (codeOf(memory, functionAt) < vm.programStart) return null;
-  const code = readCode(memory, names, functionAt);
+  const scope = vm.scopeOf(codeOf(memory, functionAt));
+  if (scope === undefined) return null;
+  const before = known.get(scope);
+  const code = before ?? withLines(memory, readCode(memory, names, functionAt));
+  if (before === undefined) known.set(scope, code);
   return vm.isOwnFile(code.file) ? code : null;
 }
+
+const withLines = (memory: Memory, code: Code): OwnCode => ({ ...code, lines: readLines(memory, code.place) });

@@ -7,7 +7,7 @@ function look(program: string, files: Readonly<Record<string, string>> = {}): Va
   const { vm } = deviceWith(`from microbit import *\n${program}`, { files });
   vm.resume(500_000);
   expect(vm.ended?.exception ?? null).toBeNull();
-  return readVariables(vm.inspect());
+  return readVariables(vm.inspected);
 }
 
 const texts = (variables: readonly Variable[] | undefined): Readonly<Record<string, string>> =>
@@ -35,7 +35,7 @@ describe('the variables of a program that stands still', () => {
     const program = `x = ${expression}\nprint(repr(x))\nsleep(1000)`;
     const { vm, console } = deviceWith(`from microbit import *\n${program}`);
     vm.resume(900_000);
-    expect(texts(readVariables(vm.inspect()).globals)['x']).toBe(console().trimEnd());
+    expect(texts(readVariables(vm.inspected).globals)['x']).toBe(console().trimEnd());
   });
 
   it('are those of every function that runs, innermost first', () => {
@@ -155,8 +155,8 @@ counter(3)(2)`).stack.map(({ locals }) => texts(locals)),
     const { vm } = deviceWith('x = 4\ndef f(): pass');
     vm.resume(1_000_000);
     expect(vm.ended?.kind).toBe('finished');
-    expect(readVariables(vm.inspect()).stack).toEqual([]);
-    expect(texts(readVariables(vm.inspect()).globals)).toEqual({ x: '4', f: '<function f>' });
+    expect(readVariables(vm.inspected).stack).toEqual([]);
+    expect(texts(readVariables(vm.inspected).globals)).toEqual({ x: '4', f: '<function f>' });
   });
 
   it('are looked at without a trace: output, time and free memory are those of a run that nobody watched', () => {
@@ -179,7 +179,7 @@ print(gc.mem_free(), len(table), sorted(table)[3])`;
     let looks = 0;
     while (!vm.ended) {
       vm.resume(clock.nowUs + 97);
-      looks += readVariables(vm.inspect()).globals.length;
+      looks += readVariables(vm.inspected).globals.length;
     }
     expect(looks).toBeGreaterThan(1000);
     expect({ console: console(), nowUs: clock.nowUs, heapFree: vm.heapFree() }).toEqual({

@@ -50,7 +50,8 @@ export class Session {
   private readonly engine: Engine;
   private readonly heap: Heap;
   private readonly scopes: Scopes;
-  private framesStart = 0;
+  /** What a debugger may read. */
+  readonly inspected: Inspected;
   private readonly program: () => void;
   private restartsAs: 'reset' | 'reboot' | null = null;
 
@@ -70,6 +71,7 @@ export class Session {
     serve(this.host(rng));
     ports.port.onInterrupt = () => this.engine.interrupt();
     this.startFirmware();
+    this.inspected = this.inspect();
     this.loadLibrary();
     this.program = this.executor(PROGRAM);
   }
@@ -103,22 +105,6 @@ export class Session {
       return 'ended';
     }
     return this.restartsAs ?? 'ended';
-  }
-
-  /** What a debugger may read. */
-  inspect(): Inspected {
-    const { firmware, memory, scopes, framesStart } = this;
-    return {
-      memory,
-      framesStart,
-      framesEnd: () => firmware.frames_end.value,
-      interned: firmware.interned.value,
-      localsAt: firmware.locals_at.value,
-      heapStart: firmware.heap_start.value,
-      programStart: firmware.program_start.value,
-      scopeOf: (code) => scopes.of(code),
-      isOwnFile: (name) => this.ports.files.find(name) !== undefined,
-    };
   }
 
   /** KeyboardInterrupt at the program's next jump. */
@@ -254,7 +240,6 @@ export class Session {
     memory.bytes.fill(0, base - STACK_ALIGNMENT, base);
     firmware.stack_base.value = base;
     // The C stack never comes down here (STACK_BYTES), so there is room for the list of running functions.
-    this.framesStart = stack;
     firmware.frames_end.value = stack;
     firmware.mp_js_init(PYSTACK_WORDS, HEAP_BYTES);
     firmware.proxy_c_init();
@@ -263,6 +248,22 @@ export class Session {
     memory.writeReference(HAL_REFERENCE, value);
     firmware.mp_js_register_js_module(name, value);
     this.heap.divide();
+  }
+
+  /** Call it while nothing runs. */
+  private inspect(): Inspected {
+    const { firmware, memory, scopes } = this;
+    return {
+      memory,
+      framesStart: firmware.frames_end.value,
+      framesEnd: () => firmware.frames_end.value,
+      interned: firmware.interned.value,
+      localsAt: firmware.locals_at.value,
+      heapStart: firmware.heap_start.value,
+      programStart: firmware.program_start.value,
+      scopeOf: (code) => scopes.of(code),
+      isOwnFile: (name) => this.ports.files.find(name) !== undefined,
+    };
   }
 
   /** Loads the library, which takes no time. */

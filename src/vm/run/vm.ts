@@ -29,8 +29,8 @@ export interface Vm {
   stop(): void;
   /** Text that a person types on the serial line. Ctrl-C (\x03) in it interrupts, unless the program switched that off. */
   feed(text: string): void;
-  /** What a debugger reads of this MicroPython until the next `resume`: see `../debug`. */
-  inspect(): Inspected;
+  /** What a debugger reads (`../debug`) while the program stands still; another object after a reset of the board. */
+  readonly inspected: Inspected;
   /** Where the program shall stop before its time is over; a watch that is set takes effect with the next `resume`. */
   readonly hold: Hold;
   /** Free bytes of the program's heap, as `gc.mem_free()` gives them; after the program's end, the bytes it left. */
@@ -98,7 +98,9 @@ export function createVm(setup: VmSetup): Vm {
       interrupt();
     },
     feed: (text) => port.feed(text),
-    inspect: () => session.inspect(),
+    get inspected() {
+      return session.inspected;
+    },
     hold,
     heapFree: () => session.heapFree,
   };

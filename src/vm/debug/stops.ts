@@ -1,0 +1,43 @@
+import type { Position } from './frames';
+import type { StopRule } from './line-watch';
+
+/** A line at which a program shall stop. */
+export interface BreakPoint {
+  readonly file: string;
+  readonly line: number;
+}
+
+/** How to go on from where a program stands. */
+export type Step = 'into' | 'over' | 'out';
+
+/** Stops at the n-th time that a line begins. */
+export function atLine({ file, line }: BreakPoint, hit = 1): StopRule {
+  let left = hit;
+  return (event) => event.kind === 'line' && event.line === line && event.file === file && --left === 0;
+}
+
+/** Stops at each of these lines. */
+export function atBreakPoints(points: readonly BreakPoint[]): StopRule {
+  const keys = new Set(points.map(({ file, line }) => `${line} ${file}`));
+  return ({ kind, file, line }) => kind === 'line' && keys.has(`${line} ${file}`);
+}
+
+/**
+ * Stops after one step from a position; `null`: from before the program. *Over* leaves out what the line calls, and what
+ * is called from outside meanwhile; *out* goes on until the function has returned. A step at a function's end leads back
+ * into the line that has called it.
+ */
+export function afterStep(step: Step, from: Position | null): StopRule {
+  const depth = from?.depth ?? 0;
+  return (event) => {
+    if (event.depth < depth) return true;
+    if (step === 'out' || event.kind === 'return') return false;
+    return step === 'into' || event.depth === depth;
+  };
+}
+
+/** Stops where one of the rules says so. Each is asked every time, since it may count. */
+export const atAnyOf =
+  (rules: readonly StopRule[]): StopRule =>
+  (event) =>
+    rules.filter((rule) => rule(event)).length > 0;
