@@ -7,7 +7,7 @@ import { changing } from './edits';
 import { kindOf } from './kinds/index';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import { lured } from './snap/attract';
-import type { Drag, Handle, Selection, ToolContext } from './tools/tool';
+import type { Drag, Handle, Selection, ToolContext, Turn } from './tools/tool';
 
 /** The result of a drag of a handle. */
 export function handleDragged(handle: Handle, drag: Drag, context: ToolContext): SceneEdit | null {
@@ -44,4 +44,10 @@ export function draggedAngle(drag: Drag, scene: Scene, selection: Selection): nu
   if (!pivot || !start || distanceMm(pivot, end) === 0) return null;
   const angleDeg = wrappedDeg(directionDeg(pivot, end) - directionDeg(pivot, start));
   return steppedDeg(angleDeg, drag.free ? FREE_STEP_DEG : STEP_DEG);
+}
+
+/** That angle with the place about which it turns. */
+export function draggedTurn(drag: Drag, scene: Scene, selection: Selection): Turn | null {
+  const [byDeg, about] = [draggedAngle(drag, scene, selection), middleOfSelection(scene, selection)];
+  return byDeg === null || about === null ? null : { byDeg, about };
 }

@@ -4,6 +4,7 @@ import { boundsMeet, boundsOfOutline, type Bounds, type Outline } from '#scene/o
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { freeIds } from '../ids';
 import { grown } from '../bounds';
+import { noteMove } from '../moves';
 import type { Field } from '../object-fields';
 import type { ToolOptions } from '../tools/tool';
 import { block, fixedBlock, spikes } from './block';
@@ -35,7 +36,7 @@ export const kindOf = ({ type }: Pick<SceneObject, 'type'>): EditorKind => edito
 
 /** An object moved by whole mm; the caller sees to it that it stays within what a course may hold. */
 export const movedBy = (object: SceneObject, dx: number, dy: number): SceneObject =>
-  kindOf(object).moved(object, dx, dy);
+  noteMove(object, kindOf(object).moved(object, dx, dy), dx, dy);
 
 /** The place of an object in its number fields; of a line its start. */
 export const placeOf = (object: SceneObject): Point => kindOf(object).place(object);

@@ -30,7 +30,7 @@ describe('figures', () => {
 
   it('tell width and height of a field while it is drawn', () => {
     const { reading } = figuresWith(zoneTool, drag([100, 100], [300, 200], [400, 300]), contextWith());
-    expect(reading).toEqual({ type: 'size', width: 300, height: 200 });
+    expect(reading).toEqual({ type: 'size', width: 300, height: 200, from: { x: 100, y: 100 } });
   });
 
   it('tell how far something is moved, and many things as one', () => {
@@ -44,7 +44,7 @@ describe('figures', () => {
   it('tell by how much something is turned', () => {
     const context = contextWith(wall('a', [300, 300], [500, 300]));
     const turned = figuresWith(rotateTool, drag([480, 300], [450, 400], [400, 400]), context);
-    expect(turned.reading).toEqual({ type: 'turned', byDeg: 90 });
+    expect(turned.reading).toEqual({ type: 'turned', byDeg: 90, about: { x: 400, y: 300 } });
   });
 
   it('tell a wall’s length from the end that stays when the other is moved', () => {

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { objectsPut, singleEdits, type SceneEdit } from '#scene/edit';
+import { startOf } from '../drag';
 import { distanceMm } from '../plane';
 import type { Drag, Mark, Selection, Tool, ToolContext } from '../tools/tool';
 import { frameAround, frameOf, frameOfRobot, type Frame } from './frames';
@@ -12,9 +13,12 @@ export interface Figures {
   readonly reading: Reading | null;
   /** Guide lines and distances. */
   readonly marks: readonly Mark[];
+  /** Where the things would be. */
+  readonly frame: Frame | null;
 }
 
-const NONE: Figures = { reading: null, marks: [] };
+/** Nothing is under way. */
+export const noFigures: Figures = { reading: null, marks: [], frame: null };
 
 /** A drag of a tool that is under way. */
 export interface UsedTool {
@@ -28,17 +32,27 @@ export interface UsedTool {
  * @param used the tool and its drag; `null`: keys move what is selected
  */
 export function figuresOf(edit: SceneEdit | null, context: ToolContext, used: UsedTool | null): Figures {
-  const byDeg = used?.tool.turns?.(used.drag, context) ?? null;
-  if (byDeg !== null) return { reading: { type: 'turned', byDeg }, marks: [] };
-  if (edit === null) return NONE;
-  const reading = readingOf(context.scene, edit);
-  if (reading === null || reading.type === 'heading') return { reading, marks: [] };
+  const reading = (used && turnReading(used, context)) ?? editReading(edit, context, used);
+  if (edit === null || reading === null || reading.type === 'heading' || reading.type === 'turned')
+    return { ...noFigures, reading };
   const { frame, changed } = changedBy(edit, context);
-  if (frame === null) return { reading, marks: [] };
+  if (frame === null) return { ...noFigures, reading };
   const lures = luresOf(context.scene, changed, context.footprint);
   const guides = used?.drag.free === true ? [] : guidesOf(frame, lures);
-  return { reading, marks: [...guides, ...distancesOf(frame, lures)] };
+  return { reading, marks: [...guides, ...distancesOf(frame, lures)], frame };
 }
+
+function turnReading({ tool, drag }: UsedTool, context: ToolContext): Reading | null {
+  const turn = tool.turns?.(drag, context) ?? null;
+  return turn && { type: 'turned', ...turn };
+}
+
+const editReading = (edit: SceneEdit | null, { scene }: ToolContext, used: UsedTool | null): Reading | null =>
+  edit && readingOf(scene, edit, used && startOf(used.drag));
+
+/** What a drag of a tool tells; `null`: nothing. */
+export const readingBy = (tool: Tool, drag: Drag, context: ToolContext): Reading | null =>
+  turnReading({ tool, drag }, context) ?? editReading(tool.edit(drag, context), context, { tool, drag });
 
 /** How long a line is that is drawn freely. */
 export function inkReading(path: readonly Vec[]): Reading {

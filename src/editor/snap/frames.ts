@@ -5,6 +5,7 @@ import { robotOutlines } from '#scene/placement';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { boundsAll } from '../bounds';
 import { kindOf } from '../kinds/index';
+import { rootOf } from '../moves';
 import { plus, toVec } from '../plane';
 
 /** The two directions in which things snap. */
@@ -47,6 +48,8 @@ const known = new WeakMap<SceneObject, Frame>();
 
 /** The frame of an object: of what moves by itself, where it starts; of a line, its ends where it runs along the axis. */
 export function frameOf(object: SceneObject): Frame {
+  const { root, by } = rootOf(object);
+  if (root !== object) return shiftedFrame(frameOf(root), by);
   const before = known.get(object);
   if (before) return before;
   const solid = solidParts(object).flat();

@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { singleEdits, type SceneEdit } from '#scene/edit';
 import { boundsOf } from '#scene/kinds/index';
+import type { Bounds } from '#scene/outline';
 import type { Scene, SceneObject } from '#scene/scene';
 import { placeOf } from '../kinds/index';
 import { directionDeg, distanceMm, minus, toVec } from '../plane';
@@ -10,22 +11,26 @@ import { endsOf } from './frames';
 export type Reading =
   /** A line, from the end that stays; or one that is drawn freely, which has no direction. */
   | { readonly type: 'length'; readonly mm: number; readonly deg: number | null; readonly from: Vec }
-  /** Along the thing's own x and y. */
-  | { readonly type: 'size'; readonly width: number; readonly height: number }
+  /** Along the thing's own x and y; `from`: the corner of a new one from which it was drawn. */
+  | { readonly type: 'size'; readonly width: number; readonly height: number; readonly from: Vec | null }
   | { readonly type: 'moved'; readonly by: Vec }
-  /** Counter-clockwise. */
-  | { readonly type: 'turned'; readonly byDeg: number }
+  /** Counter-clockwise about a place. */
+  | { readonly type: 'turned'; readonly byDeg: number; readonly about: Vec }
   /** A direction that is drawn. */
   | { readonly type: 'heading'; readonly deg: number; readonly from: Vec }
   /** Where something is put that has no size of its own. */
   | { readonly type: 'place'; readonly at: Vec };
 
-/** What an edit amounts to in figures; of things that change together the first tells. `null`: nothing can be told. */
-export function readingOf(scene: Scene, edit: SceneEdit): Reading | null {
+/**
+ * What an edit amounts to in figures; of things that change together the first tells. `null`: nothing can be told.
+ *
+ * @param start where something new is drawn from
+ */
+export function readingOf(scene: Scene, edit: SceneEdit, start: Vec | null = null): Reading | null {
   const [first] = singleEdits(edit);
   if (first?.type === 'add') {
     const [object, second] = first.objects;
-    return object && !second ? newReading(object) : null;
+    return object && !second ? newReading(object, start) : null;
   }
   if (first?.type === 'robot') return robotReading(scene, first.robot);
   if (first?.type !== 'replace') return null;
@@ -35,10 +40,12 @@ export function readingOf(scene: Scene, edit: SceneEdit): Reading | null {
   return was && now && was.id === now.id ? changeReading(was, now) : null;
 }
 
-function newReading(object: SceneObject): Reading {
+function newReading(object: SceneObject, start: Vec | null): Reading {
   const ends = endsOf(object);
   if (ends) return lengthOf(...ends);
-  return 'size' in object ? sizeOf(object.size) : { type: 'place', at: toVec(placeOf(object)) };
+  return 'size' in object
+    ? sizeOf(object.size, start && nearestCorner(boundsOf(object), start))
+    : { type: 'place', at: toVec(placeOf(object)) };
 }
 
 const lengthOf = (from: Vec, to: Vec): Reading => ({
@@ -48,7 +55,17 @@ const lengthOf = (from: Vec, to: Vec): Reading => ({
   from,
 });
 
-const sizeOf = ([width, height]: readonly [number, number]): Reading => ({ type: 'size', width, height });
+const sizeOf = ([width, height]: readonly [number, number], from: Vec | null = null): Reading => ({
+  type: 'size',
+  width,
+  height,
+  from,
+});
+
+const nearestCorner = ({ minX, minY, maxX, maxY }: Bounds, { x, y }: Vec): Vec => ({
+  x: Math.abs(x - minX) <= Math.abs(x - maxX) ? minX : maxX,
+  y: Math.abs(y - minY) <= Math.abs(y - maxY) ? minY : maxY,
+});
 
 function robotReading({ robot }: Scene, { at, heading }: Partial<Scene['robot']>): Reading | null {
   if (heading !== undefined && heading !== robot.heading)
@@ -66,7 +83,7 @@ function changeReading(was: SceneObject, now: SceneObject): Reading | null {
   }
   if ('size' in was && 'size' in now) return sizeOf(now.size);
   const { minX, minY, maxX, maxY } = boundsOf(now);
-  return { type: 'size', width: maxX - minX, height: maxY - minY };
+  return sizeOf([maxX - minX, maxY - minY]);
 }
 
 /** Whether all that is seen of a thing has gone the same way. */

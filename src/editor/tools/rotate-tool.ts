@@ -1,9 +1,9 @@
 import type { SceneEdit } from '#scene/edit';
 import { turned, turnedBy } from '../arrange';
 import { isTap, startOf } from '../drag';
-import { draggedAngle } from '../handle-drag';
+import { draggedAngle, draggedTurn } from '../handle-drag';
 import { includes, only, thingsAt } from '../selection';
-import type { Drag, Selection, Tool, ToolContext } from './tool';
+import type { Drag, Selection, Tool, ToolContext, Turn } from './tool';
 
 /**
  * Turns what it is used on about its middle: a tap by 45° counter-clockwise, a drag in steps. What is selected together
@@ -20,9 +20,9 @@ export const rotateTool: Tool = {
     const angleDeg = draggedAngle(drag, scene, meant);
     return angleDeg === null ? null : turnedBy(scene, meant, angleDeg, footprint);
   },
-  turns(drag, context): number | null {
+  turns(drag, context): Turn | null {
     const meant = isTap(drag) ? null : meantBy(drag, context);
-    return meant && draggedAngle(drag, context.scene, meant);
+    return meant && draggedTurn(drag, context.scene, meant);
   },
   select: (drag, context) => meantBy(drag, context) ?? context.selection,
 };

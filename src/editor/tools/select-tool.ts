@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import { moved } from '../arrange';
 import { endOf, isTap, startOf } from '../drag';
-import { draggedAngle, handleDragged } from '../handle-drag';
+import { draggedTurn, handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
 import { minus } from '../plane';
 import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
@@ -16,6 +16,7 @@ import {
   type Selection,
   type Tool,
   type ToolContext,
+  type Turn,
 } from './tool';
 
 /**
@@ -39,10 +40,10 @@ export const selectTool: Tool = {
         return grip satisfies never;
     }
   },
-  turns(drag, context): number | null {
+  turns(drag, context): Turn | null {
     const grip = isTap(drag) ? null : gripOf(drag, context);
     if (grip?.type !== 'handle' || grip.handle.kind !== 'rotate') return null;
-    return draggedAngle(drag, context.scene, context.selection);
+    return draggedTurn(drag, context.scene, context.selection);
   },
   marks(drag, context, isDown): readonly Mark[] {
     if (!isDown || isTap(drag) || gripOf(drag, context).type !== 'floor') return [];

@@ -95,6 +95,12 @@ export interface Handle {
   readonly id: string | null;
 }
 
+/** A turn about a place, counter-clockwise. */
+export interface Turn {
+  readonly byDeg: number;
+  readonly about: Vec;
+}
+
 /**
  * One tool: a function from a drag to one edit. A tap is a drag with one place. Tools keep nothing: the same drag in the
  * same context gives the same edit.
@@ -116,8 +122,8 @@ export interface Tool {
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
   /** What to show while the tool is chosen and nothing points: fingers never hover. */
   marksAtRest?(context: ToolContext): readonly Mark[];
-  /** By how many degrees the drag turns things, counter-clockwise; `null` or left out: it does not turn them. */
-  turns?(drag: Drag, context: ToolContext): number | null;
+  /** How the drag turns things; `null` or left out: it does not turn them. */
+  turns?(drag: Drag, context: ToolContext): Turn | null;
   /** The selection after the drag; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
 }

@@ -9,6 +9,7 @@ import type { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { toMm } from '../view/view-transform';
 import { arenaWords } from './arena-words';
+import { readingWords } from './reading-text';
 
 /** The keys of the arena while a tool is chosen. */
 export interface ArenaKeys {
@@ -39,7 +40,7 @@ export function arenaKeys(
   pointers: ToolPointers,
 ): ArenaKeys {
   const { editor, picture } = sources;
-  const tellPlace = sayer(sources);
+  const tellPlace = sayer(sources, surface);
   const middle = (): Vec => middleOfSight(picture);
   const press = (): void => {
     if (!surface.pressKey(middle())) return; // what was done is told by the editor
@@ -62,6 +63,10 @@ export function arenaKeys(
       const { key, shiftKey, repeat } = event;
       const command = event.ctrlKey || event.metaKey;
       if (event.altKey) return false;
+      if (!command && surface.type(key)) {
+        sayTyped(sources, surface);
+        return true;
+      }
       if (key === 'Escape') return escape();
       // An arrow draws when the keyboard has begun something, even where something is selected.
       if (!surface.isBusy && keys.keyDown(key, shiftKey, command)) return true;
@@ -85,12 +90,21 @@ export function arenaKeys(
   };
 }
 
-/** Says where the crosshair is as soon as it rests. */
-function sayer(sources: KeySources): (at: Vec) => void {
+/** The numbers typed so far. */
+function sayTyped(sources: KeySources, { told }: ToolSurface): void {
+  if (told !== null && told.typed !== '') sources.say(told.typed);
+}
+
+/** Says where the crosshair is as soon as it rests, and the figures of what it draws. */
+function sayer(sources: KeySources, surface: ToolSurface): (at: Vec) => void {
   let timer: ReturnType<typeof setTimeout> | null = null;
   return (at) => {
     if (timer !== null) clearTimeout(timer);
-    timer = setTimeout(() => sources.say(sayPlace(arenaWords.tools.place, at)), SAY_MS);
+    timer = setTimeout(() => {
+      const told = surface.told;
+      const place = sayPlace(arenaWords.tools.place, at);
+      sources.say(told?.reading ? `${place}, ${readingWords(told.reading)}` : place);
+    }, SAY_MS);
   };
 }
 

@@ -12,6 +12,7 @@ import { lightPalette } from '../model/palette';
 import { RecordingCanvas, recordCanvases } from '../testing/recording-canvas';
 import type { ArenaView } from '../view/use-arena-view';
 import { createArenaTools } from './arena-tools';
+import { readingPlace } from './draw-guides';
 import type { Ghost } from './ghost';
 
 const palette = lightPalette;
@@ -465,5 +466,83 @@ describe('a full course', () => {
     key('c', { ctrlKey: true });
     expect(key(letter, { ctrlKey: true })).toBe(true);
     expect([scene().objects.length, editor.problem.value?.code]).toEqual([2000, 'too-many']);
+  });
+});
+
+describe('figures beside the pointer', () => {
+  it('are a wall’s length and direction while it is drawn, and are told at its end', async () => {
+    const { down, move, up, look, said } = await toolsOver('wall');
+    down(100, 500);
+    move(400, 500);
+    expect(look().words.join()).toContain('30.0 cm · 0°');
+    up(400, 500);
+    expect(said.at(-1)).toBe('Länge 30.0 cm, Richtung 0°');
+  });
+
+  it('are above a finger and the sign over it, or beside it where there is no room', () => {
+    const canvas = { widthPx: 1200, heightPx: 900 };
+    expect(readingPlace({ x: 500, y: 500 }, true, canvas)).toEqual({ x: 500, y: 396 });
+    expect(readingPlace({ x: 500, y: 60 }, true, canvas)).toEqual({ x: 350, y: 60 });
+    expect(readingPlace({ x: 100, y: 60 }, true, canvas)).toEqual({ x: 250, y: 60 });
+    expect(readingPlace({ x: 500, y: 500 }, false, canvas)).toEqual({ x: 500, y: 466 });
+  });
+
+  it('show while arrow keys move something, with how far the next thing is', async () => {
+    const { editor, key, look } = await toolsOver('select', [samples.wall]);
+    editor.select({ ids: ['wall'], robot: false });
+    key('ArrowRight');
+    key('ArrowRight');
+    expect(look().words.join()).toContain('→ 2.0 cm');
+  });
+});
+
+describe('numbers typed while something is drawn', () => {
+  it('make it as long as that, and Enter ends it there, whatever the pointer does', async () => {
+    const { down, move, up, look, key, only, steps } = await toolsOver('wall');
+    down(100, 500);
+    move(400, 502);
+    expect(['3', '5', '.', '5'].map((digit) => key(digit))).toEqual([true, true, true, true]);
+    expect(look().words.join()).toContain('35.5▏cm');
+    key('Enter');
+    expect(only()).toMatchObject({ from: [100, 500], to: [455, 500] });
+    move(900, 100);
+    up(900, 100);
+    expect([only(), steps()]).toMatchObject([{ to: [455, 500] }, 1]);
+  });
+
+  it('count when the button goes up, and Tab leads to the second one', async () => {
+    const { editor, down, move, up, key, only } = await toolsOver('zone');
+    editor.setOptions({ zone: 'forbidden' });
+    down(100, 500);
+    move(300, 600);
+    for (const name of ['4', '0', 'Tab', '3', '0']) key(name);
+    up(300, 600);
+    expect(only()).toMatchObject({ size: [400, 300], at: [300, 650] });
+  });
+
+  it('are left with Escape, the drag goes on', async () => {
+    const { down, move, up, key, only } = await toolsOver('wall');
+    down(100, 500);
+    move(400, 500);
+    key('9');
+    key('Escape');
+    up(400, 500);
+    expect(only()).toMatchObject({ to: [400, 500] });
+  });
+
+  it('work with the crosshair of the keyboard, too, and are told', async () => {
+    const { key, only, said } = await toolsOver('wall');
+    key('ArrowRight'); // the crosshair shows in the middle
+    key('Enter');
+    key('2');
+    key('5');
+    expect(said.at(-1)).toBe('25');
+    key('Enter');
+    expect(only()).toMatchObject({ from: [600, 450], to: [850, 450] });
+  });
+
+  it('are left alone where nothing is drawn', async () => {
+    const { key } = await toolsOver('wall');
+    expect(key('3')).toBe(false);
   });
 });

@@ -5,7 +5,7 @@
 import type { Vec } from '#core/geometry';
 import { handlesOf } from '#editor/handles';
 import { figuresOf } from '#editor/snap/figures';
-import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
+import { nothingSelected, type ToolContext } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
@@ -22,10 +22,12 @@ import type { Palette } from '../model/palette';
 import { toolCursor } from './tool-cursors';
 import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';
-import { ToolSurface, type SurfacePicture } from './tool-surface';
+import { ToolSurface, type SurfacePicture, type SurfacePorts } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
+import { createCarriedThings } from './carried-things';
 import { readingPlace } from './draw-guides';
-import { measureText, readingText } from './reading-text';
+import type { Told } from './gesture';
+import { measureText, readingText, readingWords, typedFieldText } from './reading-text';
 import { toPx } from '../view/view-transform';
 import { arenaWords } from './arena-words';
 
@@ -64,20 +66,14 @@ export interface ArenaTools extends ToolPointers, ArenaKeys {
 /** Makes the tools of one arena. */
 export function createArenaTools(sources: ToolSources): ArenaTools {
   const { editor, picture } = sources;
-  const ink = createInkLayer();
+  const [ink, carried] = [createInkLayer(), { ghost: createCarriedThings(), selected: createCarriedThings() }];
   const context = (): ToolContext => ({
     scene: sources.course(),
     selection: editor.selection.value,
     options: editor.options.value,
     footprint: sources.footprint(),
   });
-  const { select, clipboard } = editor;
-  const ports = {
-    ...{ context, select, clipboard },
-    commit: (edit: SceneEdit, chosen?: Selection): void => void editor.commit(edit, chosen),
-    copied: (): void => sources.say(say(arenaWords.tools.copied)),
-    changed: sources.redraw,
-  };
+  const ports = portsOf(sources, context);
   const keys = createSelectionKeys(ports);
   const surface = surfaceOf(sources, ports);
   const unfinished = unfinishedOf(sources, surface);
@@ -90,7 +86,7 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     const edit = now.edit ?? keys.edit;
     const course = sources.course();
     const after = now.after ?? (edit === null ? null : applyEdit(course, edit));
-    const frame = frameOf(sources);
+    const frame = { ...frameOf(sources), carried };
     tellSession(editor, edit, now);
     const canvas = sources.inkCanvas();
     if (canvas !== null) ink.paint(canvas, now.ink, frame, performance.now());
@@ -133,7 +129,23 @@ const unfinishedOf =
     return edit === null || editProblem(course(), edit) !== null ? null : applyEdit(course(), edit);
   };
 
-function surfaceOf({ editor, picture, course }: ToolSources, ports: SelectionKeyPorts): ToolSurface {
+/** What the keys and the pointers do to the course. */
+function portsOf(sources: ToolSources, context: () => ToolContext): SelectionKeyPorts & Pick<SurfacePorts, 'done'> {
+  const { editor } = sources;
+  const { select, clipboard } = editor;
+  return {
+    ...{ context, select, clipboard },
+    commit: (edit, chosen) => void editor.commit(edit, chosen),
+    copied: () => sources.say(say(arenaWords.tools.copied)),
+    done: (reading) => sources.say(readingWords(reading)),
+    changed: sources.redraw,
+  };
+}
+
+function surfaceOf(
+  { editor, picture, course }: ToolSources,
+  ports: SelectionKeyPorts & Pick<SurfacePorts, 'done'>,
+): ToolSurface {
   return new ToolSurface(
     {
       ...ports,
@@ -148,7 +160,7 @@ function surfaceOf({ editor, picture, course }: ToolSources, ports: SelectionKey
   );
 }
 
-function frameOf(sources: ToolSources): EditFrame {
+function frameOf(sources: ToolSources): Omit<EditFrame, 'carried'> {
   const { picture } = sources;
   const arena = sources.course().size;
   const view = picture.view.value;
@@ -173,15 +185,27 @@ function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks 
   editor.measure.value = measured && { from: measured.from, to: measured.to };
 }
 
-/** While arrow keys move what is selected, its guide lines and distances show, too. */
-const withNudge = (now: SurfacePicture, edit: SceneEdit | null, context: () => ToolContext): SurfacePicture =>
-  edit === null ? now : { ...now, marks: figuresOf(edit, context(), null).marks };
+/** While arrow keys move what is selected, it has figures, too. */
+function withNudge(now: SurfacePicture, edit: SceneEdit | null, context: () => ToolContext): SurfacePicture {
+  if (edit === null) return now;
+  const { reading, marks, frame } = figuresOf(edit, context(), null);
+  const at = frame && { x: frame.x.mid, y: frame.y.max };
+  return { ...now, marks, told: reading && at && { reading, typed: '', at, isFinger: false } };
+}
 
 /** What is told beside which place, in world mm. */
-function toldBy({ told, marks, finger }: SurfacePicture): { text: string; at: Vec; isFinger: boolean } | null {
+function toldBy({
+  told,
+  marks,
+  finger,
+}: SurfacePicture): (Pick<Told, 'at' | 'isFinger'> & { text: string; isField: boolean }) | null {
   const measured = marks.find((mark) => mark.type === 'measure');
-  if (measured) return { text: measureText(measured.from, measured.to), at: measured.to, isFinger: finger !== null };
-  return told && { text: readingText(told.reading), at: told.at, isFinger: told.isFinger };
+  const isFinger = finger !== null;
+  if (measured) return { text: measureText(measured.from, measured.to), isField: false, at: measured.to, isFinger };
+  if (told === null) return null;
+  const { at, typed, reading } = told;
+  if (typed !== '') return { text: typedFieldText(typed, reading), isField: true, at, isFinger };
+  return reading && { text: readingText(reading), isField: false, at, isFinger };
 }
 
 interface Looked {
@@ -208,7 +232,10 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
     selected: objectsById(scene, selection.ids),
     start: showsStart && sources.footprint().length > 0 ? scene.robot : null,
     isStartSelected: selection.robot,
-    handles: tool === 'select' || tool === 'start' ? handlesOf(scene, held, sources.footprint(), surface.reachMm) : [],
+    handles:
+      (tool === 'select' || tool === 'start') && now.told?.reading?.type !== 'moved'
+        ? handlesOf(scene, held, sources.footprint(), surface.reachMm)
+        : [],
     marks: now.marks,
     ink: now.ink && { ink: now.ink, from: Math.max(0, drawn - 1) },
     tip:
@@ -218,6 +245,7 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
     crosshair: now.crosshair,
     reading: told && {
       text: told.text,
+      isField: told.isField,
       at: readingPlace(toPx(picture.view.value, told.at), told.isFinger, picture.canvas.value),
     },
     finger: tool !== null && now.finger !== null ? { at: now.finger, tool } : null,

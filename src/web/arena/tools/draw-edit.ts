@@ -1,10 +1,11 @@
 import type { Vec } from '#core/geometry';
 import type { Handle, Mark, ToolId } from '#editor/tools/tool';
-import { boundsOf } from '#scene/kinds/index';
 import type { RobotStart, Scene, SceneObject } from '#scene/scene';
 import { drawCrosshair, drawHandle, drawMark, drawSelected } from './draw-marks';
 import type { MarkFrame } from './mark-frame';
 import { drawObject } from '../picture/kinds/index';
+import { thingBox, type CarriedThings } from './carried-things';
+import { areMany } from '../picture/still-cache';
 import { guideBox, readingBox } from './draw-guides';
 import { drawPill } from '../picture/draw-pill';
 import { drawRobotOutline, robotOutlinePx } from '../picture/draw-outline';
@@ -29,8 +30,8 @@ export interface EditPicture {
   /** The pen's tip where nothing is pressed. */
   readonly tip: { readonly at: Vec; readonly width: number; readonly color: string } | null;
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
-  /** Figures, and where they stand in CSS px. */
-  readonly reading: { readonly text: string; readonly at: Vec } | null;
+  /** Figures, or the field in which they are typed, and where they stand in CSS px. */
+  readonly reading: { readonly text: string; readonly isField: boolean; readonly at: Vec } | null;
   /** Where a finger uses a tool. */
   readonly finger: { readonly at: Vec; readonly tool: ToolId } | null;
 }
@@ -39,32 +40,35 @@ export interface EditPicture {
 export interface EditFrame extends MarkFrame, InkFrame {
   /** Convex parts of the robot at scale 1 in its own frame, mm. */
   readonly footprint: readonly (readonly Vec[])[];
+  /** Painters of what a gesture changes, and of the frames around what is selected. */
+  readonly carried: { readonly ghost: CarriedThings; readonly selected: CarriedThings };
 }
 
 /** Draws the editor's picture, in CSS px. */
 export function drawEdit(context: CanvasRenderingContext2D, frame: EditFrame, picture: EditPicture): void {
   const { view, palette } = frame;
-  for (const object of picture.ghost) drawObject(context, view, object, palette);
+  frame.carried.ghost(context, frame, picture.ghost, (on, object) => drawObject(on, view, object, palette));
   if (picture.ink !== null) drawInk(context, picture.ink.ink, picture.ink.from, frame);
   if (picture.start !== null) {
     const parts = robotOutlinePx(view, picture.start, frame.footprint);
     drawRobotOutline(context, parts, frame.ratio, picture.isStartSelected ? palette.hand : palette.trace);
   }
-  for (const object of picture.selected) drawSelected(context, frame, object);
+  frame.carried.selected(context, frame, picture.selected, (on, object) => drawSelected(on, frame, object));
   for (const mark of picture.marks) drawMark(context, frame, mark);
   for (const handle of picture.handles) drawHandle(context, frame, handle);
   if (picture.tip !== null) drawTip(context, frame, picture.tip);
   if (picture.crosshair !== null) drawCrosshair(context, frame, picture.crosshair.at, picture.crosshair.isDown);
-  if (picture.reading !== null) drawPill(context, picture.reading.text, picture.reading.at, frame.canvas, palette);
+  if (picture.reading !== null) drawReading(context, frame, picture.reading);
   if (picture.finger !== null) drawFinger(context, frame, picture.finger.at, picture.finger.tool);
 }
 
 /** Where that is, in CSS px; larger than needed rather than smaller. `null`: nothing is to be seen. */
 export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
   const { view, canvas } = frame;
-  if (picture.marks.some(({ type }) => type === 'measure' || type === 'grid')) return wholeCanvas(canvas);
+  const isWide = picture.marks.some(({ type }) => type === 'measure' || type === 'grid');
+  if (isWide || areMany(picture.ghost) || areMany(picture.selected)) return wholeCanvas(canvas);
   const boxes: PxBox[] = [];
-  for (const object of [...picture.ghost, ...picture.selected]) boxes.push(objectBox(view, object));
+  for (const object of [...picture.ghost, ...picture.selected]) boxes.push(thingBox(view, object));
   for (const mark of picture.marks) boxes.push(markBox(view, mark));
   for (const { at } of picture.handles) boxes.push(boxAround(toPx(view, at), 20));
   if (picture.ink !== null) boxes.push(inkBox(picture.ink.ink, picture.ink.from, view));
@@ -80,28 +84,23 @@ export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
   return boxes.length === 0 ? null : unionOf(boxes);
 }
 
-const boxes = new WeakMap<SceneObject, ReturnType<typeof boundsOf>>();
-
-function objectBox(view: View, object: SceneObject): PxBox {
-  const bounds = boxes.get(object) ?? boundsOf(object);
-  boxes.set(object, bounds);
-  const corner = toPx(view, { x: bounds.minX, y: bounds.maxY });
-  const rim = 14; // shadow, frame and, on a stroke, round ends
-  return {
-    left: corner.x - rim,
-    top: corner.y - rim,
-    width: (bounds.maxX - bounds.minX) * view.pxPerMm + 2 * rim,
-    height: (bounds.maxY - bounds.minY) * view.pxPerMm + 2 * rim,
-  };
-}
-
 function markBox(view: View, mark: Mark): PxBox {
   if (mark.type === 'frame') return unionOf([mark.from, mark.to].map((at) => boxAround(toPx(view, at), 4)));
   if (mark.type === 'snap') return boxAround(toPx(view, mark.at), 16);
-  if (mark.type === 'goes') return objectBox(view, mark.object);
+  if (mark.type === 'goes') return thingBox(view, mark.object);
   if (mark.type === 'eraser') return boxAround(toPx(view, mark.at), mark.radiusMm * view.pxPerMm + 6);
   if (mark.type === 'guide' || mark.type === 'distance') return guideBox(view, mark);
   return { left: 0, top: 0, width: 0, height: 0 };
+}
+
+/** On a pill; what is typed stands larger, on blue. */
+function drawReading(
+  context: CanvasRenderingContext2D,
+  { canvas, palette }: EditFrame,
+  { text, isField, at }: NonNullable<EditPicture['reading']>,
+): void {
+  if (isField) drawPill(context, text, at, canvas, palette, { ground: palette.target, height: 30, fontPx: 16 });
+  else drawPill(context, text, at, canvas, palette);
 }
 
 /** What the pen would draw here. */

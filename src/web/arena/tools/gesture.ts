@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
-import { figuresOf, inkReading, type Figures } from '#editor/snap/figures';
+import { figuresOf, inkReading, noFigures, type Figures } from '#editor/snap/figures';
 import type { Reading } from '#editor/snap/reading';
+import { typedDrag, typedNumbers, typedText } from '#editor/snap/typed';
 import type { Drag, Tool, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
 import type { Scene, StrokeColor } from '#scene/scene';
@@ -31,29 +32,48 @@ export interface Gesture {
   edit: SceneEdit | null;
   after: Scene | null;
   figures: Figures;
+  /** The numbers that are typed while it goes on; empty: none. */
+  typed: string;
   /** The path has grown since the last call of the tool. */
   isStale: boolean;
 }
 
 /** Figures beside a place. */
 export interface Told {
-  readonly reading: Reading;
+  /** `null`: nothing can be told yet, only typed. */
+  readonly reading: Reading | null;
+  /** Numbers that are being typed; empty: none. */
+  readonly typed: string;
   /** World mm. */
   readonly at: Vec;
   readonly isFinger: boolean;
 }
 
-/** What a tool sees of a gesture. */
-export const dragOf = ({ path, free, adds, reachMm }: Gesture): Drag => ({ path, free, adds, reachMm });
+/** What a tool sees of a gesture: the pointer's drag, or the one that leads to the typed numbers. */
+export function dragOf({ path, free, adds, reachMm, typed, tool, context }: Gesture): Drag {
+  const drag = { path, free, adds, reachMm };
+  return typed === '' ? drag : typedDrag(tool, drag, context, typedNumbers(typed));
+}
+
+/**
+ * A key is pressed while a gesture goes on. Returns whether it belongs to numbers; what is drawn freely takes none.
+ */
+export function typeKey(gesture: Gesture, key: string): boolean {
+  const typed = gesture.ink === null ? typedText(gesture.typed, key) : null;
+  if (typed === null) return false;
+  gesture.typed = typed;
+  gesture.isStale = true;
+  return true;
+}
 
 /** What a gesture amounts to in figures. */
 export const figuresNow = (gesture: Gesture): Figures =>
   gesture.ink !== null && gesture.tool.ink !== undefined
-    ? { reading: inkReading(gesture.path), marks: [] }
+    ? { ...noFigures, reading: inkReading(gesture.path) }
     : figuresOf(gesture.edit, gesture.context, { tool: gesture.tool, drag: dragOf(gesture) });
 
 /** What is told beside the pointer. */
-export function toldBy({ figures: { reading }, path, kind }: Gesture): Told | null {
+export function toldBy({ figures: { reading }, path, kind, typed }: Gesture): Told | null {
   const at = path[path.length - 1];
-  return reading && at ? { reading, at, isFinger: kind === 'touch' } : null;
+  return at && (reading || typed !== '') ? { reading, typed, at, isFinger: kind === 'touch' } : null;
 }

@@ -3,6 +3,8 @@ import type { Vec } from '#core/geometry';
 import type { Reading } from '#editor/snap/reading';
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
+import { say } from '../../page/i18n/say';
+import { arenaWords } from './arena-words';
 
 /** A length in cm, to the mm, with a minus of its own width. */
 export const cmText = (mm: number): string => numberText(Math.round(mm) / 10, shownLanguage(), 1).replace('-', '−');
@@ -32,6 +34,33 @@ export function readingText(reading: Reading): string {
       return reading satisfies never;
   }
 }
+
+/** The figures in words, for screen readers. */
+export function readingWords(reading: Reading): string {
+  const { figures } = arenaWords;
+  switch (reading.type) {
+    case 'length':
+      return reading.deg === null
+        ? say(figures.long, { cm: cmText(reading.mm) })
+        : say(figures.length, { cm: cmText(reading.mm), deg: degText(reading.deg) });
+    case 'size':
+      return say(figures.size, { width: cmText(reading.width), height: cmText(reading.height) });
+    case 'moved':
+      return say(figures.moved, { x: cmText(reading.by.x), y: cmText(reading.by.y) });
+    case 'turned':
+      return say(figures.turned, { deg: degText(reading.byDeg) });
+    case 'heading':
+      return say(figures.heading, { deg: degText(reading.deg) });
+    case 'place':
+      return say(figures.place, { x: cmText(reading.at.x), y: cmText(reading.at.y) });
+    default:
+      return reading satisfies never;
+  }
+}
+
+/** A number that is being typed, with its unit. */
+export const typedFieldText = (typed: string, reading: Reading | null): string =>
+  `${typed}▏${reading?.type === 'turned' || reading?.type === 'heading' ? '°' : 'cm'}`;
 
 function movedText({ x, y }: Vec): string {
   const along = x === 0 && y !== 0 ? [] : [`${x < 0 ? '←' : '→'} ${cmText(Math.abs(x))}`];

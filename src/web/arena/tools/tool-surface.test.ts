@@ -41,6 +41,7 @@ function surfaceOf(tool: Tool, scene = defaultScene()) {
     select: (selection) => done.push(selection),
     pan: (by) => picture.push(`pan ${String(by.x)} ${String(by.y)}`),
     zoom: (factor) => picture.push(`zoom ${factor.toFixed(2)}`),
+    done: () => undefined,
     changed: () => undefined,
   });
   const keys = { free: false, adds: false };

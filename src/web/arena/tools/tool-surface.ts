@@ -1,8 +1,10 @@
 import type { Vec } from '#core/geometry';
+import { noFigures } from '#editor/snap/figures';
+import type { Reading } from '#editor/snap/reading';
 import type { Drag, Mark, Selection, Tool, ToolContext } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { dragOf, figuresNow, toldBy, type Gesture, type Ink, type PointerKind, type Told } from './gesture';
+import { dragOf, figuresNow, toldBy, typeKey, type Gesture, type Ink, type PointerKind, type Told } from './gesture';
 import { movePicture, type PicturePorts } from '../view/pinch';
 import { toMm, type ArenaSize, type View } from '../view/view-transform';
 
@@ -17,6 +19,8 @@ export interface SurfacePorts extends PicturePorts {
   readonly isFree: () => boolean;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly select: (selection: Selection) => void;
+  /** A gesture has changed the course, to these figures. */
+  readonly done: (reading: Reading) => void;
   /** Something looks different now. */
   readonly changed: () => void;
 }
@@ -102,6 +106,11 @@ export class ToolSurface {
   /** Whether the pointer moves the picture. */
   get isPanning(): boolean {
     return this.panner !== null || this.pinched;
+  }
+
+  /** The figures of the gesture, or `null`. */
+  get told(): Told | null {
+    return this.gesture && toldBy(this.gesture);
   }
 
   /** Where the crosshair of the keyboard is, world mm, or `null` while it is hidden. */
@@ -211,6 +220,21 @@ export class ToolSurface {
     return to;
   }
 
+  /**
+   * A key is pressed that may belong to a number typed during the gesture: Enter ends it there, Escape goes back to the
+   * pointer. Returns whether it was used.
+   */
+  type(key: string): boolean {
+    const gesture = this.gesture;
+    if (gesture === null) return false;
+    const isTyping = gesture.typed !== '';
+    if (isTyping && key === 'Enter') this.finish(gesture);
+    else if (isTyping && key === 'Escape') Object.assign(gesture, { typed: '', isStale: true });
+    else if (!typeKey(gesture, key)) return false;
+    this.ports.changed();
+    return true;
+  }
+
   /** Begins a gesture at the crosshair, or ends it. Returns whether it draws now. */
   pressKey(middle: Vec): boolean {
     const at = this.keyAt ?? this.moveCrosshair({ x: 0, y: 0 }, middle, false);
@@ -269,7 +293,8 @@ export class ToolSurface {
       adds: press.adds,
       edit: null,
       after: null,
-      figures: { reading: null, marks: [] },
+      figures: noFigures,
+      typed: '',
       isStale: true,
     };
   }
@@ -298,8 +323,10 @@ export class ToolSurface {
     // What was measured stays in sight until the next gesture.
     this.kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
     const selection = tool.select?.(drag, context, gesture.after ?? context.scene);
+    const { reading } = figuresNow(gesture);
     if (gesture.edit !== null) this.ports.commit(gesture.edit, selection);
     else if (selection !== undefined) this.ports.select(selection);
+    if (gesture.edit !== null && reading !== null) this.ports.done(reading);
   }
 
   private hoverMarks(): readonly Mark[] {

@@ -1,0 +1,36 @@
+import type { Vec } from '#core/geometry';
+import type { SceneObject } from '#scene/scene';
+
+/** An object, and how far another one is from it that is the same but for its place. */
+export interface Moved {
+  readonly root: SceneObject;
+  readonly by: Vec;
+}
+
+const roots = new WeakMap<SceneObject, Moved>();
+
+/** The object that this one was made of by moving, as far as is known; itself if it was not moved. */
+export const rootOf = (object: SceneObject): Moved => roots.get(object) ?? { root: object, by: { x: 0, y: 0 } };
+
+/** Remembers that an object is another one that was moved. Returns it. */
+export function noteMove(from: SceneObject, to: SceneObject, dx: number, dy: number): SceneObject {
+  const { root, by } = rootOf(from);
+  roots.set(to, { root, by: { x: by.x + dx, y: by.y + dy } });
+  return to;
+}
+
+/** How far all objects of a list have gone from those of another, if they have gone alike and nothing else has changed. */
+export function commonStep(before: readonly SceneObject[], now: readonly SceneObject[]): Vec | null {
+  if (before.length !== now.length) return null;
+  let step: Vec | null = null;
+  for (const [index, object] of now.entries()) {
+    const was = before[index];
+    if (was === undefined) return null;
+    const [one, other] = [rootOf(was), rootOf(object)];
+    if (one.root !== other.root) return null;
+    const by = { x: other.by.x - one.by.x, y: other.by.y - one.by.y };
+    if (step !== null && (step.x !== by.x || step.y !== by.y)) return null;
+    step = by;
+  }
+  return step;
+}
