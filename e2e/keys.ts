@@ -94,7 +94,9 @@ export function withKeys(plain: App): Pupil {
         at = null;
       }
       at ??= await crosshair(app);
-      await app.strike([...way(at, [first]), 'Enter', ...way(first, others), 'Enter']);
+      // Where one press puts a thing down, a second one would put another.
+      const isTap = others.length === 0 && PUT_DOWN.includes(await chosen(app));
+      await app.strike([...way(at, [first]), 'Enter', ...way(first, others), ...(isTap ? [] : ['Enter'])]);
       at = others.at(-1) ?? first;
     },
   };
@@ -110,6 +112,16 @@ const LETTERS: Readonly<Record<string, string>> = {
   select: 'v',
   eraser: 'x',
 };
+
+/** Tools that put a thing down with one press. */
+const PUT_DOWN = ['block', 'zone', 'label'];
+
+/** The tool that is chosen. */
+const chosen = (app: App): Promise<string> =>
+  app.evaluate(
+    () => document.querySelector<HTMLElement>('[data-tool][aria-pressed="true"]')?.dataset['tool'] ?? '',
+    null,
+  );
 
 const isChosen = (app: App, tool: string): Promise<boolean> =>
   app.evaluate((css) => document.querySelector(css)?.getAttribute('aria-pressed') === 'true', toolButton(tool));

@@ -11,6 +11,7 @@ import type { Drag, Tool, ToolContext } from './tool';
 /** Puts a block, fixed block, spikes or mover: a tap in the size of the options, a drag in its own size or track. */
 export const blockTool: Tool = {
   id: 'block',
+  putsDown: true,
   cursor: 'crosshair',
   edit: (drag, context) => putting(context.options.block, drag, context),
 };

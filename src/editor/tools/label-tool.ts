@@ -10,6 +10,7 @@ import type { Tool } from './tool';
 /** Puts the words of the options where the drag ends; without words it does nothing. */
 export const labelTool: Tool = {
   id: 'label',
+  putsDown: true,
   cursor: 'text',
   edit(drag, context) {
     const { scene, options } = context;

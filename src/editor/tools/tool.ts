@@ -107,6 +107,8 @@ export interface Turn {
  */
 export interface Tool {
   readonly id: ToolId;
+  /** It puts things down: one press of Enter does what a tap does, and with Shift it begins a drag. */
+  readonly putsDown?: true;
   /** CSS cursor over the floor. */
   readonly cursor: string;
   /**

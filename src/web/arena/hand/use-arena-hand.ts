@@ -12,6 +12,8 @@ import { wheelGesture, wheelPx } from '../view/wheel-gesture';
 export interface HandPlace {
   readonly picture: ArenaView;
   readonly arena: () => ArenaSize;
+  /** Shows all that there is. */
+  readonly showAll: () => void;
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
   readonly place: (thing: HeldThing, pose: Pose) => void;
@@ -23,7 +25,7 @@ export interface ArenaHand {
   readonly hand: Hand;
   readonly cursor: Readonly<ShallowRef<string>>;
   /** Zooms by keyboard. Returns whether the key was one of its keys. */
-  readonly zoomKey: (key: string) => boolean;
+  readonly zoomKey: (event: ZoomKey) => boolean;
   readonly on: {
     pointerdown(event: PointerEvent): void;
     pointermove(event: PointerEvent): void;
@@ -70,13 +72,13 @@ export function useArenaHand(where: HandPlace): ArenaHand {
   return {
     hand,
     cursor,
-    zoomKey: (key) => zoomKey(key, picture),
+    zoomKey: (event) => zoomKey(event, where),
     on: {
       ...pointerHandlers(hand),
       wheel: (event) => onWheel(event, hand, picture),
       keydown: (event) => {
         if (event.ctrlKey || event.metaKey || event.altKey) return;
-        if (zoomKey(event.key, picture) || hand.keyDown(event.key, event.shiftKey)) event.preventDefault();
+        if (zoomKey(event, where) || hand.keyDown(event.key, event.shiftKey)) event.preventDefault();
       },
       keyup: () => hand.keyUp(),
       focus(event) {
@@ -121,10 +123,16 @@ function onWheel(event: WheelEvent, hand: Hand, picture: ArenaView): void {
   else picture.panBy(gesture.byPx);
 }
 
-function zoomKey(key: string, picture: ArenaView): boolean {
+/** What is looked at of a key. Shift+1 is another sign on each keyboard, and a plus on some, which zooms in there. */
+export type ZoomKey = Pick<KeyboardEvent, 'key' | 'code' | 'shiftKey'>;
+
+function zoomKey(
+  { key, code, shiftKey }: ZoomKey,
+  { picture, showAll }: Pick<HandPlace, 'picture' | 'showAll'>,
+): boolean {
   if (key === '+' || key === '=') picture.zoomBy(ZOOM_STEP);
   else if (key === '-') picture.zoomBy(1 / ZOOM_STEP);
-  else if (key === '0') picture.fit();
+  else if (key === '0' || (shiftKey && code === 'Digit1')) showAll();
   else return false;
   return true;
 }

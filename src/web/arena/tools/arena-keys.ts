@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Texts } from '#core/languages';
 import { nothingSelected } from '#editor/tools/tool';
+import { tools } from '#editor/tools/tools';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
 import { say } from '../../page/i18n/say';
 import { arrowOf, STEP_MM, type SelectionKeys } from './tool-keys';
@@ -25,6 +26,8 @@ export interface ArenaKeys {
 export interface KeySources {
   readonly editor: CourseEditorModel;
   readonly picture: ArenaView;
+  /** Shows what is selected, large. Returns whether something is. */
+  readonly showSelected: () => boolean;
   /** Says something to screen readers. */
   readonly say: (words: string) => void;
 }
@@ -42,8 +45,8 @@ export function arenaKeys(
   const { editor, picture } = sources;
   const tellPlace = sayer(sources, surface);
   const middle = (): Vec => middleOfSight(picture);
-  const press = (): void => {
-    if (!surface.pressKey(middle())) return; // what was done is told by the editor
+  const press = (drags: boolean): void => {
+    if (!surface.pressKey(middle(), drags)) return; // what was done is told by the editor
     if (surface.crosshair !== null) sources.say(sayPlace(arenaWords.tools.drawing, surface.crosshair));
   };
   const escape = (): boolean => {
@@ -68,20 +71,21 @@ export function arenaKeys(
         return true;
       }
       if (key === 'Escape') return escape();
+      if (shiftKey && !command && event.code === 'Digit2') return sources.showSelected();
       // An arrow draws when the keyboard has begun something, even where something is selected.
       if (!surface.isBusy && keys.keyDown(key, shiftKey, command)) return true;
       if (command) return false;
       const arrow = arrowOf(key);
       if (arrow !== null) step(arrow, shiftKey);
       else if (key === ' ' && !repeat) pointers.holdSpace();
-      else if (key === 'Enter' && !repeat) press();
+      else if (key === 'Enter' && !repeat) press(shiftKey);
       return arrow !== null || key === ' ' || key === 'Enter';
     },
     keyUp(event) {
       keys.keyUp(event.key);
-      if (event.key === ' ' && pointers.letGoSpace()) press();
+      if (event.key === ' ' && pointers.letGoSpace()) press(event.shiftKey);
     },
-    focus: () => sources.say(say(isSelected(editor) ? arenaWords.tools.helpSelected : arenaWords.tools.help)),
+    focus: () => sources.say(say(arenaWords.tools[helpFor(editor)])),
     blur() {
       pointers.letGoSpace();
       keys.keyUp('ArrowLeft'); // any arrow: what they have moved is done
@@ -113,6 +117,12 @@ const sayPlace = (text: Texts, at: Vec): string => say(text, { x: cm(at.x), y: c
 /** Where the middle of what is in sight lies, world mm. */
 function middleOfSight({ view, canvas }: ArenaView): Vec {
   return toMm(view.value, { x: canvas.value.widthPx / 2, y: canvas.value.heightPx / 2 });
+}
+
+function helpFor(editor: CourseEditorModel): 'help' | 'helpPuts' | 'helpSelected' {
+  if (isSelected(editor)) return 'helpSelected';
+  const tool = editor.tool.value;
+  return tool !== 'hand' && tools[tool].putsDown === true ? 'helpPuts' : 'help';
 }
 
 const isSelected = ({ selection }: CourseEditorModel): boolean =>

@@ -22,6 +22,7 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
   const page = await editingPage(objects);
   const said: string[] = [];
   const moved: Vec[] = [];
+  const boxes: (readonly number[])[] = [];
   let ghost: Ghost | null = null;
   const picture: ArenaView = {
     view: shallowRef({ pxPerMm: 1, leftPx: 0, bottomPx: 900 }),
@@ -31,6 +32,9 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
     zoomBy: () => undefined,
     panBy: (by) => void moved.push(by),
     fit: () => undefined,
+    showAll: () => undefined,
+    showBox: ({ minX, minY, maxX, maxY }) => void boxes.push([minX, minY, maxX, maxY]),
+    showTrueSize: () => undefined,
     showNear: () => undefined,
     showPlace: () => undefined,
     follow: () => false,
@@ -81,7 +85,7 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
     tools.keyDown(new KeyboardEvent('keydown', { key: name, ...more }));
   const letGo = (name: string) => tools.keyUp(new KeyboardEvent('keyup', { key: name }));
   const only = () => page.scene().objects[0]!;
-  return { ...page, tools, look, down, move, up, drag, tap, key, letGo, said, moved, only, ghost: () => ghost };
+  return { ...page, tools, look, down, move, up, drag, tap, key, letGo, said, moved, boxes, only, ghost: () => ghost };
 }
 
 beforeEach(recordCanvases);
@@ -371,6 +375,37 @@ describe('the keyboard in the arena', () => {
     key('ArrowRight', { shiftKey: true });
     key('Enter');
     expect(said).toEqual(['Ansetzen bei 60.1 | 45 cm']);
+  });
+
+  it('puts a block down with one Enter, and says so in sight what is under way', async () => {
+    const { key, ids, look, steps } = await toolsOver('block');
+    key('ArrowRight');
+    key('Enter');
+    expect([ids().length, steps()]).toEqual([1, 1]);
+    for (let times = 0; times < 20; times += 1) key('ArrowUp');
+    const before = look().painted.length;
+    key('Enter', { shiftKey: true });
+    key('ArrowUp');
+    expect(look().painted.length).toBeGreaterThan(before);
+    key('Enter');
+    expect(ids().length).toBe(2);
+  });
+
+  it('keeps a line that was begun when another tool is chosen', async () => {
+    const { key, only, editor, tools } = await toolsOver('wall');
+    key('Enter');
+    for (let times = 0; times < 10; times += 1) key('ArrowUp');
+    editor.choose('pen');
+    tools.toolChanged();
+    expect(only()).toMatchObject({ type: 'wall', from: [600, 450], to: [600, 550] });
+  });
+
+  it('shows what is selected large with Shift+2, on every keyboard', async () => {
+    const { editor, key, boxes } = await toolsOver('select', [samples.block]);
+    expect(key('"', { code: 'Digit2', shiftKey: true })).toBe(false);
+    editor.select({ ids: ['block'], robot: false });
+    expect(key('"', { code: 'Digit2', shiftKey: true })).toBe(true);
+    expect(boxes).toEqual([[375, 175, 425, 225]]);
   });
 
   it('drops with Escape what was begun, and says so', async () => {

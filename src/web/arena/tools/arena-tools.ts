@@ -5,6 +5,7 @@
 import type { Vec } from '#core/geometry';
 import { handlesOf } from '#editor/handles';
 import { figuresOf } from '#editor/snap/figures';
+import { boundsOfSelection } from '#editor/selection';
 import { nothingSelected, type ToolContext } from '#editor/tools/tool';
 import { tools } from '#editor/tools/tools';
 import { editProblem } from '#scene/check-edit';
@@ -25,7 +26,7 @@ import { toolPointers, type ToolPointers } from './tool-pointers';
 import { ToolSurface, type SurfacePicture, type SurfacePorts } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { createCarriedThings } from './carried-things';
-import { readingPlace } from './draw-guides';
+import { hintPlace, readingPlace } from './draw-guides';
 import type { Told } from './gesture';
 import { measureText, readingText, readingWords, typedFieldText } from './reading-text';
 import { toPx } from '../view/view-transform';
@@ -56,6 +57,8 @@ export interface ArenaTools extends ToolPointers, ArenaKeys {
   /** The course has changed: what was begun on the old one is dropped. */
   courseChanged(): void;
   readonly cursor: () => string;
+  /** Shows what is selected, large. Returns whether something is. */
+  showSelected(): boolean;
   /** Where the keyboard's crosshair is, world mm, while it shows. */
   readonly crosshair: () => Vec | null;
   /** Looks what there is to be seen, and where, in CSS px; `null`: nothing. Asked before each `paint`. */
@@ -98,9 +101,15 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     };
   }
 
+  const showSelected = (): boolean => {
+    const box = boundsOfSelection(sources.course(), editor.selection.value, sources.footprint());
+    if (box !== null) picture.showBox(box);
+    return box !== null;
+  };
   return {
     ...pointers,
-    ...arenaKeys(sources, surface, keys, pointers),
+    ...arenaKeys({ ...sources, showSelected }, surface, keys, pointers),
+    showSelected,
     toolChanged: () => surface.reset(),
     courseChanged: () => void surface.cancel(),
     crosshair: () => surface.crosshair,
@@ -248,6 +257,10 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
       isField: told.isField,
       at: readingPlace(toPx(picture.view.value, told.at), told.isFinger, picture.canvas.value),
     },
+    hint:
+      now.crosshair?.isDown === true
+        ? { text: say(arenaWords.tools.underWay), at: hintPlace(toPx(picture.view.value, now.crosshair.at)) }
+        : null,
     finger: tool !== null && now.finger !== null ? { at: now.finger, tool } : null,
   };
 }

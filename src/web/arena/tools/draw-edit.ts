@@ -32,6 +32,8 @@ export interface EditPicture {
   readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
   /** Figures, or the field in which they are typed, and where they stand in CSS px. */
   readonly reading: { readonly text: string; readonly isField: boolean; readonly at: Vec } | null;
+  /** What the keyboard is doing, and how it ends, where it is said in CSS px. */
+  readonly hint: { readonly text: string; readonly at: Vec } | null;
   /** Where a finger uses a tool. */
   readonly finger: { readonly at: Vec; readonly tool: ToolId } | null;
 }
@@ -59,6 +61,7 @@ export function drawEdit(context: CanvasRenderingContext2D, frame: EditFrame, pi
   if (picture.tip !== null) drawTip(context, frame, picture.tip);
   if (picture.crosshair !== null) drawCrosshair(context, frame, picture.crosshair.at, picture.crosshair.isDown);
   if (picture.reading !== null) drawReading(context, frame, picture.reading);
+  if (picture.hint !== null) drawPill(context, picture.hint.text, picture.hint.at, frame.canvas, palette);
   if (picture.finger !== null) drawFinger(context, frame, picture.finger.at, picture.finger.tool);
 }
 
@@ -80,6 +83,7 @@ export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
     boxes.push(boxAround(toPx(view, picture.tip.at), (picture.tip.width / 2) * view.pxPerMm + 6));
   if (picture.crosshair !== null) boxes.push(boxAround(toPx(view, picture.crosshair.at), 26));
   if (picture.reading !== null) boxes.push(readingBox(picture.reading.at));
+  if (picture.hint !== null) boxes.push(readingBox(picture.hint.at));
   if (picture.finger !== null) boxes.push(boxAround(toPx(view, picture.finger.at), FINGER_PX + 24));
   return boxes.length === 0 ? null : unionOf(boxes);
 }

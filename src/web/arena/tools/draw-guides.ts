@@ -86,6 +86,9 @@ export function readingPlace(pointer: Vec, isFinger: boolean, { widthPx }: Canva
   return { x: pointer.x + (isRoomLeft ? -FINGER.besidePx : FINGER.besidePx), y: pointer.y };
 }
 
+/** Where a hint stands beside the crosshair of the keyboard, below it and below a reading there; CSS px. */
+export const hintPlace = (crosshair: Vec): Vec => ({ x: crosshair.x, y: crosshair.y + (crosshair.y > 56 ? 38 : 66) });
+
 /** Where a reading is to be seen, in CSS px. */
 export const readingBox = (at: Vec): PxBox => boxAround(at, 2 * READING_PX);
 

@@ -245,12 +245,37 @@ describe('the crosshair of the keyboard', () => {
     expect(surface.picture().crosshair).toBeNull();
   });
 
-  it('drops what it draws when the keyboard goes elsewhere', () => {
+  it('keeps what it draws when the keyboard goes elsewhere or another tool is chosen', () => {
+    for (const leave of ['blur', 'reset'] as const) {
+      const { surface, done } = surfaceOf(lineTool);
+      surface.pressKey(middle);
+      surface.moveCrosshair({ x: 0, y: 10 }, middle, false);
+      surface[leave]();
+      expect([done, surface.isBusy]).toEqual([[wall([600, 450], [600, 460])], false]);
+    }
+  });
+
+  it('drops what it draws with Escape alone', () => {
     const { surface, done } = surfaceOf(lineTool);
     surface.pressKey(middle);
     surface.moveCrosshair({ x: 0, y: 10 }, middle, false);
+    expect(surface.cancel()).toBe(true);
     surface.blur();
-    expect([done, surface.isBusy]).toEqual([[], false]);
+    expect(done).toEqual([]);
+  });
+
+  it('puts a block or a zone down with one press, and drags it with Shift', () => {
+    const { surface, done } = surfaceOf({
+      ...lineTool,
+      putsDown: true,
+      edit: ({ path }) => wall([path[0]!.x, path[0]!.y], [path.at(-1)!.x, path.at(-1)!.y]),
+    });
+    expect(surface.pressKey(middle)).toBe(false);
+    expect(done).toEqual([wall([600, 450], [600, 450])]);
+    expect(surface.pressKey(middle, true)).toBe(true);
+    surface.moveCrosshair({ x: 10, y: 0 }, middle, false);
+    expect(surface.pressKey(middle)).toBe(false);
+    expect(done.at(-1)).toEqual(wall([600, 450], [610, 450]));
   });
 });
 

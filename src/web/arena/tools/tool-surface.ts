@@ -193,6 +193,7 @@ export class ToolSurface {
 
   /** Forgets everything: another tool is chosen, or another course is open. */
   reset(): void {
+    this.endKeys();
     this.cancel();
     this.kept = [];
     this.hover = null;
@@ -235,13 +236,18 @@ export class ToolSurface {
     return true;
   }
 
-  /** Begins a gesture at the crosshair, or ends it. Returns whether it draws now. */
-  pressKey(middle: Vec): boolean {
+  /**
+   * Begins a gesture at the crosshair, or ends it. Returns whether it draws now.
+   *
+   * @param drags a tool that puts things down with one press begins a drag instead
+   */
+  pressKey(middle: Vec, drags = false): boolean {
     const at = this.keyAt ?? this.moveCrosshair({ x: 0, y: 0 }, middle, false);
     const gesture = this.gesture;
     if (gesture === null) {
       this.kept = [];
       this.begin(null, at, { kind: 'mouse', free: false, adds: false });
+      if (!drags && this.ports.tool()?.putsDown === true) this.endKeys();
     } else if (gesture.pointer === null) this.finish(gesture);
     this.ports.changed();
     return this.gesture !== null;
@@ -249,7 +255,6 @@ export class ToolSurface {
 
   /** The crosshair shows only as long as the arena has the keyboard. */
   blur(): void {
-    if (this.gesture?.pointer === null) this.cancel();
     this.hideCrosshair();
     this.ports.changed();
   }
@@ -352,8 +357,13 @@ export class ToolSurface {
     this.pinched = false;
   }
 
+  /** What the keyboard has drawn is done: only Escape drops it. */
+  private endKeys(): void {
+    if (this.gesture?.pointer === null) this.finish(this.gesture);
+  }
+
   private hideCrosshair(): void {
-    if (this.gesture?.pointer === null) this.cancel();
+    this.endKeys();
     this.keyAt = null;
   }
 }

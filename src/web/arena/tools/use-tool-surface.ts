@@ -26,6 +26,8 @@ export interface ToolLayer {
   readonly said: Readonly<ShallowRef<string>>;
   /** Where the keyboard's crosshair is, world mm, while a tool shows it. */
   readonly crosshair: () => Vec | null;
+  /** Shows what is selected, large. */
+  readonly showSelected: () => void;
   readonly on: ArenaHand['on'];
 }
 
@@ -70,6 +72,7 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
     said,
     cursor,
     crosshair: () => (isUsed.value ? (tools.value?.crosshair() ?? null) : null),
+    showSelected: () => void tools.value?.showSelected(),
     on: handlers(hand, () => (isUsed.value ? tools.value : null), { isUsed, early }),
   };
 }
@@ -140,7 +143,7 @@ function handlers(
         return;
       }
       const isPlain = !event.ctrlKey && !event.metaKey && !event.altKey;
-      if (tools()?.keyDown(event) === true || (isPlain && zoomKey(event.key))) event.preventDefault();
+      if (tools()?.keyDown(event) === true || (isPlain && zoomKey(event))) event.preventDefault();
     },
     keyup(event) {
       if (isUsed.value) tools()?.keyUp(event);

@@ -228,7 +228,7 @@ describe('the buttons of a run', () => {
     setWindow(1400);
     const page = await editingPage();
     const done: string[] = [];
-    const listeners = { onZoomIn: () => done.push('in'), onZoomOut: () => done.push('out'), onFit: () => done.push('fit') }; // prettier-ignore
+    const listeners = { onZoomIn: () => done.push('in'), onZoomOut: () => done.push('out'), onFit: () => done.push('fit'), onTrueSize: () => done.push('true') }; // prettier-ignore
     const mounted = mountOn(page, ViewControls, { zoomPercent: 125, withPercent: true, ...listeners });
     expect(mounted.find('.zoom').exists()).toBe(true);
     await press('Vergrössern');
@@ -236,5 +236,9 @@ describe('the buttons of a run', () => {
     await press('Ganze Arena zeigen');
     expect([done, disabled('Ganze Arena zeigen')]).toEqual([['in', 'out', 'fit'], false]);
     expect(textOf(document.querySelector('.zoom'))).toBe('125 %');
+    await press('Vergrösserung wählen');
+    await vi.waitFor(() => expect(document.querySelector('[data-testid="zoom-true"]')).not.toBeNull());
+    document.querySelector<HTMLElement>('[data-testid="zoom-true"]')?.click();
+    expect(done.at(-1)).toBe('true');
   });
 });

@@ -3,6 +3,9 @@ import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { defineComponent, h, nextTick, shallowRef, useTemplateRef } from 'vue';
 import { mount } from '@vue/test-utils';
 
+import { defaultScene, type Scene } from '#scene/scene';
+
+import { samples } from '../../app/testing/editing';
 import '../../app/testing/mount-on';
 import { useArenaView, type ArenaView } from './use-arena-view';
 import { toPx } from './view-transform';
@@ -35,7 +38,8 @@ function viewed() {
   });
   mount(Host, { attachTo: document.body });
   resize(800, 600);
-  return { view: view as unknown as ArenaView, arena, pans: () => pans };
+  const scene = (at: readonly [number, number]): Scene => ({ ...defaultScene(), objects: [{ ...samples.block, at }] });
+  return { view: view as unknown as ArenaView, arena, scene, pans: () => pans };
 }
 const middle = { x: 600, y: 450 };
 
@@ -50,6 +54,37 @@ describe('the view of the arena', () => {
     expect([whole(), view.percent.value]).toEqual([true, 100]);
     resize(400, 700);
     expect([whole(), view.percent.value, view.canvas.value]).toEqual([true, 100, { widthPx: 400, heightPx: 700 }]);
+  });
+
+  it('shows with everything what lies outside of the arena, too', () => {
+    const { view, scene } = viewed();
+    view.showAll(scene([500, 500]));
+    expect(view.percent.value).toBe(100);
+    view.showAll(scene([3000, 500]));
+    expect(view.percent.value).toBeLessThan(50);
+    for (const at of [
+      { x: 0, y: 0 },
+      { x: 3025, y: 525 },
+    ]) {
+      const { x, y } = toPx(view.view.value, at);
+      expect(x > 0 && x < 800 && y > 0 && y < 600).toBe(true);
+    }
+  });
+
+  it('shows a thing large, in the middle, with room around it', () => {
+    const { view } = viewed();
+    view.showBox({ minX: 550, minY: 425, maxX: 650, maxY: 475 });
+    const [left, right] = [toPx(view.view.value, { x: 550, y: 450 }), toPx(view.view.value, { x: 650, y: 450 })];
+    expect(right.x - left.x).toBeGreaterThan(350);
+    expect(Math.abs((left.x + right.x) / 2 - 400)).toBeLessThan(15);
+    view.showBox({ minX: 2000, minY: 2000, maxX: 2050, maxY: 2050 });
+    expect(toPx(view.view.value, { x: 2025, y: 2025 }).x).toBeGreaterThan(300);
+  });
+
+  it('shows the arena about in its true size: 96 px to an inch', () => {
+    const { view } = viewed();
+    view.showTrueSize();
+    expect(view.view.value.pxPerMm * 25.4).toBeCloseTo(96, 6);
   });
 
   it('is not troubled by an element that is out of sight', () => {

@@ -1,15 +1,19 @@
 import { computed, onBeforeUnmount, onMounted, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
+import { boundsOf, reachesInto } from '#scene/kinds/index';
+import type { Bounds } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import { nearestMm, nearView, type MovedThings } from './near-view';
 import {
   backingRatio,
+  boxView,
   fitView,
   followView,
   panView,
   placeView,
   resizeView,
   toPx,
+  withArena,
   zoomPercent,
   zoomView,
   type ArenaSize,
@@ -29,7 +33,14 @@ export interface ArenaView {
   zoomBy(factor: number, aroundPx?: Vec): void;
   /** Moves the picture by hand. */
   panBy(byPx: Vec): void;
+  /** Shows the whole arena. */
   fit(): void;
+  /** Shows the whole arena, and what lies outside of it. */
+  showAll(course: Pick<Scene, 'objects' | 'size'>): void;
+  /** Shows a rectangle (world mm) with some room around it. */
+  showBox(box: Bounds): void;
+  /** Shows the arena about as large as it is in truth, by what browsers take an inch to be. */
+  showTrueSize(): void;
   /** Brings a place (world mm; `null`: there is none) into the middle, and all up to the nearest obstacle into sight. */
   showNear(atMm: Vec | null, around: Pick<Scene, 'objects' | 'size'>, now: MovedThings): void;
   /** Brings a place (world mm) into sight and lets it flash. */
@@ -42,6 +53,20 @@ export interface ArenaView {
    */
   follow(atMm: Vec, elapsedMs: number): boolean;
 }
+
+/** CSS px per mm: 96 to an inch (CSS Values and Units 4, 6.2); screens differ from that by some percent. */
+const TRUE_PX_PER_MM = 96 / 25.4;
+
+/** Room around what is looked at, as a share of its longer side, and in mm at least. Chosen by eye. */
+const [ROOM_SHARE, LEAST_ROOM_MM] = [0.2, 40];
+
+/** The part of a rectangle that lies in the arena. */
+const intoArena = ({ minX, minY, maxX, maxY }: Bounds, [width, height]: ArenaSize): Bounds => ({
+  minX: Math.max(0, minX),
+  minY: Math.max(0, minY),
+  maxX: Math.min(width, maxX),
+  maxY: Math.min(height, maxY),
+});
 
 /** Time to cover two thirds of the distance to the followed thing, in ms. Chosen by eye: glides without lag. */
 const FOLLOW_MS = 140;
@@ -93,6 +118,22 @@ export function useArenaView(
       panned();
     },
     fit,
+    showAll({ objects, size }) {
+      const outside = objects.filter((object) => !reachesInto(object, size)).map(boundsOf);
+      if (outside.length === 0) fit();
+      else change(boxView(withArena(outside, size), arena(), canvas.value));
+    },
+    showBox({ minX, minY, maxX, maxY }) {
+      const roomMm = Math.max(LEAST_ROOM_MM, Math.max(maxX - minX, maxY - minY) * ROOM_SHARE);
+      const box = { minX: minX - roomMm, minY: minY - roomMm, maxX: maxX + roomMm, maxY: maxY + roomMm };
+      const [width, height] = arena();
+      const isOutside = maxX < 0 || maxY < 0 || minX > width || minY > height;
+      change(boxView(isOutside ? box : intoArena(box, arena()), arena(), canvas.value));
+    },
+    showTrueSize() {
+      const middle = { x: canvas.value.widthPx / 2, y: canvas.value.heightPx / 2 };
+      change(zoomView(view.value, TRUE_PX_PER_MM / view.value.pxPerMm, middle, arena(), canvas.value));
+    },
     showNear(atMm, { objects, size }, now) {
       if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size, now), arena(), canvas.value));
     },

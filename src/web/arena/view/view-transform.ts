@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import type { Bounds } from '#scene/outline';
 
 /** How the arena lies on the canvas; y goes up in the arena and down on the canvas. */
 export interface View {
@@ -105,11 +106,50 @@ export function placeView(view: View, at: Vec, arena: ArenaSize, canvas: CanvasS
     px.y >= margin.top + rimY &&
     px.y <= canvas.heightPx - margin.bottom - rimY;
   if (shows) return view;
-  const isOutside = at.x < 0 || at.y < 0 || at.x > arena[0] || at.y > arena[1];
-  const pxPerMm = isOutside ? zoomLimits(arena, canvas).min : view.pxPerMm;
+  const { pxPerMm } = view;
+  if (!isWithin({ minX: at.x, minY: at.y, maxX: at.x, maxY: at.y }, arena)) {
+    const around = {
+      minX: at.x - OUTSIDE_MM,
+      minY: at.y - OUTSIDE_MM,
+      maxX: at.x + OUTSIDE_MM,
+      maxY: at.y + OUTSIDE_MM,
+    };
+    return boxView(withArena([around], arena), arena, canvas);
+  }
   const leftPx = canvas.widthPx / 2 - at.x * pxPerMm;
   return inSight({ pxPerMm, leftPx, bottomPx: canvas.heightPx / 2 + at.y * pxPerMm }, arena, canvas);
 }
+
+/** What shows around a place outside of the arena, in mm. Chosen: what lies there is about so large. */
+const OUTSIDE_MM = 50;
+
+/** The rectangle around the arena and others. */
+export function withArena(boxes: readonly Bounds[], [width, height]: ArenaSize): Bounds {
+  return {
+    minX: Math.min(0, ...boxes.map(({ minX }) => minX)),
+    minY: Math.min(0, ...boxes.map(({ minY }) => minY)),
+    maxX: Math.max(width, ...boxes.map(({ maxX }) => maxX)),
+    maxY: Math.max(height, ...boxes.map(({ maxY }) => maxY)),
+  };
+}
+
+/** The view that shows a rectangle (world mm) as large as it goes, also one that lies outside of the arena. */
+export function boxView(box: Bounds, arena: ArenaSize, canvas: CanvasSize): View {
+  const margin = marginsPx(canvas);
+  const widthPx = Math.max(20, canvas.widthPx - margin.left - margin.right);
+  const heightPx = Math.max(20, canvas.heightPx - margin.top - margin.bottom);
+  const fitting = Math.min(widthPx / Math.max(1, box.maxX - box.minX), heightPx / Math.max(1, box.maxY - box.minY));
+  const pxPerMm = Math.min(zoomLimits(arena, canvas).max, fitting);
+  const view = {
+    pxPerMm,
+    leftPx: margin.left + widthPx / 2 - ((box.minX + box.maxX) / 2) * pxPerMm,
+    bottomPx: margin.top + heightPx / 2 + ((box.minY + box.maxY) / 2) * pxPerMm,
+  };
+  return isWithin(box, arena) ? inSight(view, arena, canvas) : view;
+}
+
+const isWithin = ({ minX, minY, maxX, maxY }: Bounds, [width, height]: ArenaSize): boolean =>
+  minX >= 0 && minY >= 0 && maxX <= width && maxY <= height;
 
 /**
  * The view moved towards showing a place in its middle third. Within the third it stays as it is: the picture rests
