@@ -95,17 +95,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     if (canvas !== null) ink.paint(canvas, now.ink, frame, performance.now());
     const ghost = ghostObjects(course, after);
     sources.showGhost(ghostOf(ghost.hidden, course, after));
-    return {
-      frame,
-      picture: editPicture(sources, { now, after, ghost: ghost.shown, drawn: ink.drawn, surface }),
-    };
+    return { frame, picture: editPicture(sources, { now, after, ghost: ghost.shown, drawn: ink.drawn, surface }) };
   }
 
-  const showSelected = (): boolean => {
-    const box = boundsOfSelection(sources.course(), editor.selection.value, sources.footprint());
-    if (box !== null) picture.showBox(box);
-    return box !== null;
-  };
+  const showSelected = showingSelected(sources);
   return {
     ...pointers,
     ...arenaKeys({ ...sources, showSelected }, surface, keys, pointers),
@@ -127,6 +120,15 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     },
   };
 }
+
+/** Shows what is selected, large. Returns whether something is. */
+const showingSelected =
+  ({ editor, picture, course, footprint }: ToolSources) =>
+  (): boolean => {
+    const box = boundsOfSelection(course(), editor.selection.value, footprint());
+    if (box !== null) picture.showBox(box);
+    return box !== null;
+  };
 
 const cursorOf = (tool: ArenaTool): string => (tool === 'hand' ? 'default' : toolCursor(tool));
 

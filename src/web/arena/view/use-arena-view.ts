@@ -118,6 +118,35 @@ export function useArenaView(
       panned();
     },
     fit,
+    ...looks({ view, canvas, arena, change, fit }),
+    showPlace(atMm) {
+      const shown = placeView(view.value, atMm, arena(), canvas.value);
+      if (shown !== view.value) change(shown);
+      if (host.value !== null) flash(host.value, () => toPx(view.value, atMm), view);
+    },
+    follow(atMm, elapsedMs) {
+      if (fitted) return false;
+      const share = 1 - Math.exp(-elapsedMs / FOLLOW_MS);
+      const moved = followView(view.value, atMm, arena(), canvas.value, share, ratio.value);
+      if (moved === view.value) return false;
+      view.value = moved;
+      return true;
+    },
+  };
+}
+
+/** Ways to look at something in particular. */
+function looks({
+  view,
+  canvas,
+  arena,
+  change,
+  fit,
+}: Pick<ArenaView, 'view' | 'canvas' | 'fit'> & {
+  readonly arena: () => ArenaSize;
+  readonly change: (changed: View) => void;
+}): Pick<ArenaView, 'showAll' | 'showBox' | 'showTrueSize' | 'showNear'> {
+  return {
     showAll({ objects, size }) {
       const outside = objects.filter((object) => !reachesInto(object, size)).map(boundsOf);
       if (outside.length === 0) fit();
@@ -136,19 +165,6 @@ export function useArenaView(
     },
     showNear(atMm, { objects, size }, now) {
       if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size, now), arena(), canvas.value));
-    },
-    showPlace(atMm) {
-      const shown = placeView(view.value, atMm, arena(), canvas.value);
-      if (shown !== view.value) change(shown);
-      if (host.value !== null) flash(host.value, () => toPx(view.value, atMm), view);
-    },
-    follow(atMm, elapsedMs) {
-      if (fitted) return false;
-      const share = 1 - Math.exp(-elapsedMs / FOLLOW_MS);
-      const moved = followView(view.value, atMm, arena(), canvas.value, share, ratio.value);
-      if (moved === view.value) return false;
-      view.value = moved;
-      return true;
     },
   };
 }

@@ -58,6 +58,7 @@ export const ARENA_IDS = [
   'tell',
   'readings',
   'zoom',
+  'zoom-to',
   'fit',
   'near',
   'cinema',
