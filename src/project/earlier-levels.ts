@@ -60,8 +60,8 @@ const ROBOT = /robot|maqueen|calli/;
 
 /** Whether a JSON value may be such a level and is worth `sceneOfEarlierLevel`, which says what is wrong with it. */
 export function looksLikeEarlierLevel(value: unknown): boolean {
-  const lists = listsOf(value);
-  return lists !== null && lists.some(({ list }) => list.some((entry) => placeOf(entry) !== null));
+  const lists = Array.isArray(value) ? [value] : isFields(value) ? Object.values(value).filter(Array.isArray) : [];
+  return lists.some((list: readonly unknown[]) => list.some((entry) => placeOf(entry) !== null));
 }
 
 /** Reads such a level. Never throws. */
@@ -79,7 +79,8 @@ export function sceneOfEarlierLevel(value: unknown): EarlierLevel {
         return { problem: `There are more than ${String(sceneLimits.points)} things.`, place };
     }
   }
-  if (things.length === 0) return { problem: 'There is nothing in this level.', place: '' };
+  if (things.every(({ is }) => is === 'robot'))
+    return { problem: 'There is nothing in this level but a robot.', place: '' };
   const scene = sceneOf(things, canvasOf(value));
   const parsed = parseSceneValue(JSON.parse(serializeScene(scene)));
   return 'scene' in parsed ? parsed : { problem: parsed.problem, place: '' };

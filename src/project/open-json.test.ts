@@ -34,6 +34,12 @@ describe('a JSON file', () => {
 });
 
 describe('a level of an earlier simulator', () => {
+  it('has things in its lists: a robot beside empty ones, or alone in one, is no course', () => {
+    const robot = { x: 1, y: 1 };
+    expect(problemIn({ robot, blocks: [] })).toContain('neither a project nor a course');
+    expect(problemIn({ things: [{ ...robot, type: 'robot' }] })).toContain('nothing in this level but a robot');
+  });
+
   it('has circles in a row as a line, with the y axis turned up', () => {
     const dots = Array.from({ length: 40 }, (_, i) => ({ type: 'circle', x: 100 + 5 * i, y: 200, radius: 10 }));
     expect(sceneIn(dots)).toEqual({
