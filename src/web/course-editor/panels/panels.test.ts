@@ -210,8 +210,8 @@ describe('the list of objects', () => {
       ...['Linie 1', 'Wand 1', 'Block 1', 'Fester Block 1', 'Stacheln 1', 'Fahrender Block 1'],
       ...['Ziel 1', 'Kontrollpunkt 1', 'Verbotenes Feld 1', 'Text «Hallo»', 'Start eines Roboters «Ada»'],
     ]);
-    expect(row('wall').get('.num').text()).toBe('von 10 | 10 bis 30 | 10 cm');
-    expect(row('mover').get('.num').text()).toBe('90 | 40 ↔ 110 | 40 cm');
+    expect(row('wall').get('.num').text()).toBe('von 10 | 10 bis 30 | 10 cm · 10 mm dick');
+    expect(row('mover').get('.num').text()).toBe('90 | 40 ↔ 110 | 40 cm · 10 cm/s');
     expect(row('label').get('.num').text()).toBe('bei 50 | 80 cm');
   });
 
@@ -241,6 +241,35 @@ describe('the list of objects', () => {
     mountOn(page, ObjectList);
     await nextTick();
     expect((document.activeElement as HTMLElement).dataset['id']).toBe('block');
+  });
+
+  it('tells of each thing where it is, what it looks like and what it wants', async () => {
+    const wanting = { ...samples.target, blocks: 2, angle: 45 } as const;
+    const { mounted } = await list([samples.stroke, samples.wall, wanting, samples.mover, samples.block]);
+    const told = mounted.findAll('li .num').map((it) => it.text());
+    expect(told.slice(1)).toEqual([
+      'von 10 | 80 bis 30 | 80 cm · Schwarz, 20 mm breit',
+      'von 10 | 10 bis 30 | 10 cm · 10 mm dick',
+      '15 × 15 cm bei 90 | 70 cm · So viele Blöcke müssen hinein: 2, Gedreht 45°',
+      '90 | 40 ↔ 110 | 40 cm · 10 cm/s',
+      '5 × 5 cm bei 40 | 20 cm',
+    ]);
+  });
+
+  it('leads from row to row with the arrow keys, and takes away what the keyboard is at with Delete', async () => {
+    const { row, ids, editor } = await list([samples.wall, samples.block, samples.target]);
+    (row('wall').element as HTMLElement).focus();
+    const at = (): string | undefined => (document.activeElement as HTMLElement).dataset['id'];
+    await keyOn(row('wall').element, 'ArrowDown');
+    expect(at()).toBe('block');
+    await keyOn(row('block').element, 'End');
+    expect(at()).toBe('target');
+    await keyOn(row('target').element, 'ArrowUp');
+    await keyOn(row('block').element, 'Delete');
+    await nextTick();
+    expect([ids(), at()]).toEqual([['wall', 'target'], 'target']);
+    editor.undo();
+    expect(ids()).toEqual(['wall', 'block', 'target']);
   });
 
   it('moves the end of a wall, and refuses to make it a wall without length', async () => {
