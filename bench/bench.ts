@@ -2,7 +2,7 @@
 import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
 import { downloadSubject } from './page/download';
-import { editingSubject } from './page/editing';
+import { editingSubject, movingSubject, slowMovingSubject } from './page/editing';
 import { fourRobotsSubject, framesSubject } from './page/frames';
 import { eightDevicesMemorySubject, memorySubject } from './page/memory';
 import type { Stage } from './page/stage';
@@ -17,6 +17,8 @@ const pageSubjects = [
   framesSubject,
   fourRobotsSubject,
   editingSubject,
+  movingSubject,
+  slowMovingSubject,
   memorySubject,
   eightDevicesMemorySubject,
   runsSubject,

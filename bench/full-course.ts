@@ -6,22 +6,23 @@ import type { Point, Scene, SceneObject, Stroke } from '#scene/scene';
 export const FULL = { objects: 500, points: 20_000 } as const;
 
 const STROKES = 200;
-const SIZE: Point = [3000, 2000];
+export const SIZE: Point = [3000, 2000];
 
 /**
  * A course as full as budgets are promised for: a closed line to follow in the middle of scribbles, blocks, walls, zones and
  * obstacles, with a task. Always the same.
  *
  * @param start a course whose line, robot and board it takes
+ * @param most how many points its lines have together
  */
-export function fullCourse(start: Scene): Scene {
+export function fullCourse(start: Scene, most: number = FULL.points): Scene {
   const rng = createRng(20_000);
   const between = (low: number, high: number): number => Math.round(low + (high - low) * rng.unit());
   const line = start.objects.filter((object): object is Stroke => object.type === 'stroke');
   const objects: SceneObject[] = [];
   let points = line.reduce((sum, stroke) => sum + stroke.points.length, 0);
   for (let i = line.length; i < STROKES; i++) {
-    const count = Math.floor((FULL.points - points) / (STROKES - i));
+    const count = Math.floor((most - points) / (STROKES - i));
     points += count;
     objects.push(scribble(`scribble-${String(i)}`, count, between));
   }
@@ -53,6 +54,9 @@ const placeOf = (i: number): Point => [
   FIRST[0] + CELL * (Math.floor(i / ROWS) + 0.5),
   FIRST[1] + CELL * ((i % ROWS) + 0.5),
 ];
+
+/** The middle of one of the things. */
+export const aThingAt: Point = placeOf(0);
 
 function thing(i: number, at: Point, between: (low: number, high: number) => number): SceneObject {
   const id = `thing-${String(i)}`;

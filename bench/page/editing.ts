@@ -1,7 +1,8 @@
 import type { Page } from '@playwright/test';
 import { defaultScene, type Scene } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
-import { FULL, fullCourse } from '../full-course';
+import { fitView } from '../../src/web/arena/view/view-transform';
+import { aThingAt, FULL, fullCourse, SIZE } from '../full-course';
 import type { Subject } from '../subject';
 import { WARM_UP_MS } from './frames';
 import { pasteProgram, until, untilMoving, untilUsable, withPage, type Stage } from './stage';
@@ -73,3 +74,83 @@ async function scribble(page: Page): Promise<void> {
   for (let i = 1; i < PEN_STEPS; i += 1) await Promise.all([page.mouse.move(...at(i)), page.waitForTimeout(PEN_MS)]);
   await page.mouse.up();
 }
+
+const ALL_OF = 'all of 500 objects and 5,000 points selected, no GPU';
+
+/** How smoothly everything in a full course is moved: by arrow keys, by dragging, and back. */
+const movingAt = (throttle: number, budgetMs: number): Subject<Stage> => {
+  const where = throttle === 1 ? ALL_OF : `${ALL_OF}, throttled ${String(throttle)}x`;
+  return {
+    budgets: [
+      { what: `arrow keys, ${where}: a picture`, budget: `<= ${String(budgetMs)} ms` },
+      { what: `dragging, ${where}: a picture`, budget: `<= ${String(budgetMs)} ms` },
+      ...(throttle === 1 ? [{ what: `undo, ${where}`, budget: `<= ${String(UNDO_MS)} ms` }] : []),
+    ],
+    measure: (stage) =>
+      withPage(stage, { throttle }, async (opened) => {
+        const { page, tools } = opened;
+        await untilUsable(page);
+        await openCourse(page, { ...fullCourse(defaultScene(), FEWER_POINTS), name: NAME });
+        await tools.send('Performance.enable');
+        await page.click(PLACES.select);
+        await page.focus(PLACES.arena);
+        await page.keyboard.press('Control+a');
+        await nudge(page); // the first picture of all is painted
+        const figures = [await smoothness(opened, nudge), await smoothness(opened, dragAll)].map(
+          ({ thread, frames }) => ({
+            text: `${thread.text}, ${frames.text} a second (${frames.longest})`,
+            met: thread.taskMs <= budgetMs,
+          }),
+        );
+        if (throttle > 1) return figures;
+        const undoMs = await undoTime(page);
+        return [...figures, { text: `${undoMs.toFixed(0)} ms to the picture`, met: undoMs <= UNDO_MS }];
+      }),
+  };
+};
+
+const FEWER_POINTS = 5_000;
+const UNDO_MS = 50;
+
+/** The same at normal speed, and on a weak tablet. */
+export const movingSubject = movingAt(1, 16);
+export const slowMovingSubject = movingAt(4, 33);
+
+/** An arrow key that is held for a second, and another one back. */
+async function nudge(page: Page): Promise<void> {
+  for (const key of ['ArrowRight', 'ArrowLeft']) {
+    for (let i = 0; i < 30; i += 1) {
+      await page.keyboard.down(key);
+      await page.waitForTimeout(33); // as fast as a held key repeats
+    }
+    await page.keyboard.up(key);
+  }
+}
+
+/** Everything is dragged to and fro; it begins on one of the things. */
+async function dragAll(page: Page): Promise<void> {
+  const box = await page.locator(PLACES.arena).boundingBox();
+  if (box === null) throw new Error('There is no arena.');
+  const { pxPerMm, leftPx, bottomPx } = fitView(SIZE, { widthPx: box.width, heightPx: box.height });
+  const [x, y] = [box.x + leftPx + aThingAt[0] * pxPerMm, box.y + bottomPx - aThingAt[1] * pxPerMm];
+  await page.mouse.move(x, y);
+  await page.mouse.down();
+  for (let i = 1; i <= 120; i += 1) {
+    const far = 60 * Math.sin(i * 0.1);
+    await Promise.all([page.mouse.move(x + far, y + far / 2), page.waitForTimeout(PEN_MS)]);
+  }
+  await page.mouse.up();
+}
+
+/** From the key until the next frame has been painted. */
+const undoTime = (page: Page): Promise<number> =>
+  page.evaluate(
+    (arena) =>
+      new Promise<number>((done) => {
+        const from = performance.now();
+        const key = { key: 'z', ctrlKey: true, bubbles: true, cancelable: true };
+        document.querySelector(arena)?.dispatchEvent(new KeyboardEvent('keydown', key));
+        requestAnimationFrame(() => setTimeout(() => done(performance.now() - from)));
+      }),
+    PLACES.arena,
+  );

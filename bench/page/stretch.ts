@@ -30,6 +30,7 @@ export async function smoothness(opened: Opened, act: (page: Page) => Promise<vo
     frames: { text: rate.toFixed(1), longest, pictures: of('pictures'), met: rate >= BUDGET.framesPerSecond },
     thread: {
       text: `${taskMs.toFixed(1)} ms in tasks (TaskDuration; ThreadTime ${of('threadMs').toFixed(1)} ms)`,
+      taskMs,
       met: taskMs <= BUDGET.msPerFrame,
     },
   };

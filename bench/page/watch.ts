@@ -34,6 +34,7 @@ export const PLACES = {
   choice: '.menu-card .page-list-item',
   arena: '[data-testid=arena]',
   pen: '[data-tool=pen]',
+  select: '[data-tool=select]',
 } as const;
 
 /** Further than this from the start, in mm, the robot counts as moving. */

@@ -88,6 +88,15 @@ describe('the options of a tool', () => {
     expect([editor.free.value, named('Magnet: rastet ein').getAttribute('aria-pressed')]).toEqual([true, 'false']);
   });
 
+  it.each(['select', 'rotate', 'block', 'wall', 'zone', 'label', 'start'] as const)(
+    'have the magnet beside the tool %s, also where there is little room',
+    async (tool) => {
+      const page = await editingPage();
+      page.editor.choose(tool);
+      expect(mountOn(page, ToolOptions, { roomPx: 236 }).find('[data-testid=magnet]').exists()).toBe(true);
+    },
+  );
+
   it('take a width of one’s own, at most 50 cm; the button then shows it', async () => {
     const { set, texts } = await optionsOf('pen');
     await openCard('Eigene Breite');

@@ -514,9 +514,9 @@ describe('figures beside the pointer', () => {
     expect(said.at(-1)).toBe('Länge 30.0 cm, Richtung 0°');
   });
 
-  it('are above a finger and the sign over it, or beside it where there is no room', () => {
+  it('are above a finger, or beside it where there is no room', () => {
     const canvas = { widthPx: 1200, heightPx: 900 };
-    expect(readingPlace({ x: 500, y: 500 }, true, canvas)).toEqual({ x: 500, y: 396 });
+    expect(readingPlace({ x: 500, y: 500 }, true, canvas)).toEqual({ x: 500, y: 434 });
     expect(readingPlace({ x: 500, y: 60 }, true, canvas)).toEqual({ x: 350, y: 60 });
     expect(readingPlace({ x: 100, y: 60 }, true, canvas)).toEqual({ x: 250, y: 60 });
     expect(readingPlace({ x: 500, y: 500 }, false, canvas)).toEqual({ x: 500, y: 466 });

@@ -263,6 +263,7 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
       now.crosshair?.isDown === true
         ? { text: say(arenaWords.tools.underWay), at: hintPlace(toPx(picture.view.value, now.crosshair.at)) }
         : null,
-    finger: tool !== null && now.finger !== null ? { at: now.finger, tool } : null,
+    // Figures take the place of the tool's sign.
+    finger: tool !== null && now.finger !== null && told === null ? { at: now.finger, tool } : null,
   };
 }

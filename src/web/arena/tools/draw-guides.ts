@@ -72,12 +72,12 @@ export function guideBox(view: View, { type, from, to }: Guide | Distance): PxBo
 /** Half of the longest reading, in px. */
 const READING_PX = 110;
 
-/** A finger hides this much around it; above it is the sign of the tool. */
-const FINGER = { signPx: 62, abovePx: 104, besidePx: 150 };
+/** A finger hides this much above and beside it, in px. */
+const FINGER = { abovePx: 66, besidePx: 150 };
 
 /**
- * Where the figures of a gesture stand: above the pointer, clear of a finger and of the sign over it; below a mouse, and
- * beside a finger, where there is no room above.
+ * Where the figures of a gesture stand: above the pointer, clear of a finger; below a mouse, and beside a finger, where there
+ * is no room above.
  */
 export function readingPlace(pointer: Vec, isFinger: boolean, { widthPx }: CanvasSize): Vec {
   if (!isFinger) return { x: pointer.x, y: pointer.y + (pointer.y > 56 ? -34 : 34) };
