@@ -17,7 +17,7 @@ export function additionsOf(object: SceneObject): Additions {
   const corners = 'corners' in object ? object.corners : undefined;
   return {
     ...('angle' in object && !isEighth(object.angle) ? { angle: object.angle } : {}),
-    ...('round' in object && object.round === true && !('number' in object) ? { round: true } : {}),
+    ...('round' in object && object.round && !('number' in object) ? { round: true } : {}),
     ...(corners === undefined ? {} : { corners }),
     ...(lock === undefined ? {} : { lock }),
     ...(group === undefined ? {} : { group }),

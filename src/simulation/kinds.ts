@@ -4,7 +4,8 @@ import { rotationRad } from '#core/angle';
 import type { AnyObject } from '#scene/kinds/kind';
 import { reflectanceOf } from '#scene/reflectance';
 import type { Block, Mover, Point, SceneObject, Spikes, Stroke, Wall } from '#scene/scene';
-import type { BlockHandle, MoverHandle } from '#world/shapes';
+import { ownParts } from '#scene/shape/shape';
+import type { BlockHandle, BodyForm, MoverHandle } from '#world/shapes';
 import type { World } from '#world/world';
 
 /** What a run has in its world for an object. */
@@ -77,7 +78,7 @@ function blockBody(object: Block, world: World): Body {
   return {
     block,
     follow(now: Block) {
-      const fits = isSame(now.size, object.size);
+      const fits = isSame(formOf(now), formOf(object));
       if (fits) block.place(poseOf(now));
       return fits;
     },
@@ -94,14 +95,19 @@ function strokeBody({ points, width, color }: Stroke, world: World): Body {
   return world.addStroke({ pointsMm: points.map(vec), widthMm: width, reflectance: reflectanceOf[color] });
 }
 
+/** What of a block a run cannot change without making it anew. */
+const formOf = ({ size, round, corners }: Block) => ({ size, round, corners });
+
 const vec = ([x, y]: Point): Vec => ({ x, y });
 
 const angleOf = ({ angle }: BoxObject): number => rotationRad(angle);
 
-const shapeOf = (box: BoxObject): { readonly atMm: Vec; readonly sizeMm: Vec; readonly angleRad: number } => ({
+const shapeOf = (box: BoxObject): BodyForm & { readonly atMm: Vec; readonly angleRad: number } => ({
   atMm: vec(box.at),
   sizeMm: vec(box.size),
   angleRad: angleOf(box),
+  ...(box.round === true ? { isRound: true } : {}),
+  ...('corners' in box ? { partsMm: ownParts(box) } : {}),
 });
 
 const poseOf = (box: BoxObject): Pose => ({ xMm: box.at[0], yMm: box.at[1], headingRad: angleOf(box) });

@@ -20,12 +20,20 @@ export interface WallShape extends Named {
   readonly thicknessMm: number;
 }
 
-/** A rectangular block, movable or fixed. */
-export interface BlockShape extends Named {
-  /** Its middle. */
-  readonly atMm: Vec;
+/** What a block or a mover is from above: a rectangle, an ellipse, or convex parts. */
+export interface BodyForm {
   /** Length along its own x and y. */
   readonly sizeMm: Vec;
+  /** The ellipse within `sizeMm`, a circle where both sides are equal. */
+  readonly isRound?: boolean;
+  /** Convex parts about its middle, counter-clockwise, which fill `sizeMm`; at least one. */
+  readonly partsMm?: readonly (readonly Vec[])[];
+}
+
+/** A block, movable or fixed. */
+export interface BlockShape extends Named, BodyForm {
+  /** Its middle. */
+  readonly atMm: Vec;
   readonly angleRad: number;
   readonly fixed: boolean;
 }
@@ -45,14 +53,12 @@ export interface BlockHandle {
   liftMm(): number;
 }
 
-/** A box that moves to and fro at a steady speed, whatever is in its path. */
-export interface MoverShape extends Named {
+/** A body that moves to and fro at a steady speed, whatever is in its path. */
+export interface MoverShape extends Named, BodyForm {
   /** Its middle at the start. */
   readonly atMm: Vec;
   /** Its middle at the turning point. */
   readonly toMm: Vec;
-  /** Length along its own x and y. */
-  readonly sizeMm: Vec;
   readonly angleRad: number;
   readonly speedMmPerS: number;
 }

@@ -6,10 +6,12 @@ import { createPhysics } from './physics/physics';
 import type { RobotBody } from './physics/robot-body';
 import { movingObstacle, nearestInCone, stillObstacle } from './probes/distance-cone';
 import type { Cone, ConeHit, Obstacle } from './probes/distance-cone';
+import { circleRadiusMm, formParts } from './physics/form';
 import { wallCorners } from './shapes';
 import type {
   BlockHandle,
   BlockShape,
+  BodyForm,
   FloorGrid,
   MoverHandle,
   MoverShape,
@@ -58,12 +60,12 @@ export function createWorld(size: WorldSize): World {
   const physics = createPhysics(size);
   const ground = createGround();
   const things: Obstacle[] = edges(size).map((wall) => stillObstacle(wallCorners(wall)));
-  const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacle: Obstacle }>();
+  const blocks = new Map<BlockHandle, { readonly body: BlockBody; readonly obstacles: readonly Obstacle[] }>();
   const robots: { readonly body: RobotBody; readonly parts: readonly Obstacle[] }[] = [];
 
   function* obstacles(except: Chassis | undefined): Iterable<Obstacle> {
     yield* things;
-    for (const { obstacle } of blocks.values()) yield obstacle;
+    for (const block of blocks.values()) yield* block.obstacles;
     for (const { body, parts } of robots) {
       if (body === except) continue;
       yield* parts;
@@ -79,7 +81,7 @@ export function createWorld(size: WorldSize): World {
     },
     addBlock(block) {
       const body = physics.addBlock(block);
-      blocks.set(body, { body, obstacle: movingObstacle(body.cornersMm, () => body.pose()) });
+      blocks.set(body, { body, obstacles: obstaclesOf(block, () => body.pose()) });
       return body;
     },
     removeBlock(block) {
@@ -90,7 +92,7 @@ export function createWorld(size: WorldSize): World {
     },
     addMover(shape) {
       const mover = physics.addMover(shape);
-      things.push(movingObstacle(mover.cornersMm, () => mover.pose()));
+      things.push(...obstaclesOf(shape, () => mover.pose()));
       return mover;
     },
     addStroke: (stroke) => ground.addStroke(stroke),
@@ -107,6 +109,13 @@ export function createWorld(size: WorldSize): World {
     },
     distanceCone: (from, headingRad, cone, except) => nearestInCone(from, headingRad, cone, obstacles(except)),
   };
+}
+
+/** The convex parts of a block or a mover, for a beam. */
+function obstaclesOf(form: BodyForm, pose: () => Pose): readonly Obstacle[] {
+  const radiusMm = circleRadiusMm(form);
+  if (radiusMm !== null) return [{ cornersMm: [], radiusMm, pose }];
+  return formParts(form).map((part) => movingObstacle(part, pose));
 }
 
 /** The parts added to a robot's body, for a beam. */

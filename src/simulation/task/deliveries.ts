@@ -1,8 +1,9 @@
 import { exactCos, exactSin } from '#core/exact-math';
-import type { Pose } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import { zoneHolds } from '#scene/kinds/zone';
-import { movedOutline, type Outline } from '#scene/outline';
+import { distanceToEdge, movedOutline, type Outline } from '#scene/outline';
 import type { Zone } from '#scene/scene';
+import { outlineHolds, ownOutline, shapeOutline } from '#scene/shape/shape';
 import type { BlockHandle } from '#world/shapes';
 import type { TaskBrief } from './task-brief';
 
@@ -27,9 +28,9 @@ export function createDeliveries(
   { blocks, blockTargets }: TaskBrief,
   block: (id: string) => BlockHandle | undefined,
 ): Deliveries {
-  const watched = blocks.flatMap(({ id, size }): Watched[] => {
-    const found = block(id);
-    return found ? [{ block: found, corners: cornersOf(size), pose: null, held: false, targets: [] }] : [];
+  const watched = blocks.flatMap((object): Watched[] => {
+    const found = block(object.id);
+    return found ? [{ block: found, corners: ownOutline(object), pose: null, held: false, targets: [] }] : [];
   });
   let delivered = 0;
   return {
@@ -68,18 +69,20 @@ function countIn(targets: readonly Zone[], watched: readonly Watched[]): number 
 }
 
 function liesIn(target: Zone, { xMm: x, yMm: y, headingRad }: Pose, corners: Outline): boolean {
-  if (!zoneHolds(target, { x, y })) return false;
   const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
-  return movedOutline(corners, { x, y }, direction).every((corner) => zoneHolds(target, corner));
+  const outline = movedOutline(corners, { x, y }, direction);
+  if (!outline.every((corner) => zoneHolds(target, corner))) return false;
+  // A hollow zone may reach into what it holds by the corners.
+  return !target.corners || !shapeOutline(target).some((corner) => isWithin(outline, corner));
 }
-
-const cornersOf = ([width, height]: readonly [number, number]): Outline => [
-  { x: -width / 2, y: -height / 2 },
-  { x: width / 2, y: -height / 2 },
-  { x: width / 2, y: height / 2 },
-  { x: -width / 2, y: height / 2 },
-];
 
 /** Whether two poses are the same to the last bit. */
 export const isSame = (a: Pose, b: Pose): boolean =>
   a.xMm === b.xMm && a.yMm === b.yMm && a.headingRad === b.headingRad;
+
+/** Whether a place lies inside an outline and not only at its edge. */
+const isWithin = (outline: Outline, place: Vec): boolean =>
+  outlineHolds(outline, place, 0) && distanceToEdge(outline, place) > ROUNDING_MM;
+
+/** So little is an error of rounding. */
+const ROUNDING_MM = 1e-6;

@@ -13,8 +13,8 @@ export interface TaskBrief {
   /** Targets that want blocks. */
   readonly blockTargets: readonly Zone[];
   readonly forbidden: readonly Zone[];
-  /** Ids and sizes of the movable blocks, in the order of the course; empty if no target wants blocks. */
-  readonly blocks: readonly { readonly id: string; readonly size: readonly [number, number] }[];
+  /** The movable blocks, in the order of the course; empty if no target wants blocks. */
+  readonly blocks: readonly Block[];
   /** Number of blocks wanted in all targets together. */
   readonly blocksWanted: number;
 }
@@ -40,7 +40,7 @@ export function briefOf({ task, objects }: Pick<Scene, 'task' | 'objects'>): Tas
     ring: isRing ? robotTargets : [],
     blockTargets,
     forbidden,
-    blocks: movable.map(({ id, size }) => ({ id, size })),
+    blocks: movable,
     blocksWanted: blockTargets.reduce((sum, { blocks }) => sum + blocks, 0),
   };
 }

@@ -3,6 +3,7 @@ import { radOf } from '#core/angle';
 import { boundsOf, solidParts } from '#scene/kinds/index';
 import { boundsMeet, type Bounds } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
+import { shapeOutline } from '#scene/shape/shape';
 
 import { kindOf } from './kinds/index';
 import type { ToSheet } from './kinds/kind';
@@ -51,7 +52,9 @@ function printOutlines(pdf: jsPDF, { objects, robot }: Scene, to: ToSheet, shown
   pdf.setLineWidth(0.3);
   pdf.setLineCap('butt');
   for (const object of objects) {
-    if (boundsMeet(boundsOf(object), shown)) for (const part of solidParts(object)) polygon(pdf, part, to);
+    const parts = solidParts(object);
+    if (parts.length === 0 || !boundsMeet(boundsOf(object), shown)) continue;
+    for (const outline of 'size' in object ? [shapeOutline(object)] : parts) polygon(pdf, outline, to);
   }
   const heading = radOf(robot.heading);
   const ahead = (mm: number, aside: number): Point =>

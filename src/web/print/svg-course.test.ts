@@ -104,7 +104,7 @@ describe('a picture of a course for worksheets', () => {
 
 describe('diagonal stripes', () => {
   it('end at the edges of their box', () => {
-    const places = [...diagonals([100, 40], 10).matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)];
+    const places = [...diagonals({ size: [100, 40] }, 10).matchAll(/[ML](-?[\d.]+) (-?[\d.]+)/g)];
     expect(places.length).toBeGreaterThan(10);
     for (const [, x, y] of places) {
       expect(Math.abs(Number(x))).toBeLessThanOrEqual(50);

@@ -1,9 +1,9 @@
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Pose, Vec } from '#core/geometry';
-import { rectangleCorners } from '../shapes';
 import type { BlockHandle, BlockShape } from '../shapes';
 import { BLOCK_FRICTION, FloorJoint } from './floor-joint';
-import { PolygonShape, Vec2 } from './planck';
+import { centroidOf, engineShapes, formParts, meanRadiusMm } from './form';
+import { Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { GRAVITY, MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
 import { Kind, Solid } from './solid';
@@ -35,23 +35,25 @@ export interface Place {
 /** How a block is held: as a part of the robot's body. Its own body waits aside. */
 interface Hold {
   readonly by: Holder;
-  readonly solid: Solid;
+  /** One for each part. */
+  readonly solids: readonly Solid[];
   /** In the robot's frame. */
   readonly at: Place;
 }
 
 /** A block's body. It lies still by the friction of the floor until something pushes or takes it, or it is fixed. */
 export class BlockBody implements BlockHandle {
-  /** About its middle, counter-clockwise. */
-  readonly cornersMm: readonly Vec[];
-  /** About its middle, counter-clockwise, in units. */
-  readonly corners: readonly Vec[];
+  /** Its convex parts about where its area has its middle, counter-clockwise, in units. */
+  readonly parts: readonly (readonly Vec[])[];
   /** Friction force of the floor, in the engine's unit of force. */
   readonly drag: number;
   /** Mean distance of its area from its middle, in units: the lever of the floor's friction in a turn. */
   readonly meanRadius: number;
   readonly body: Body;
-  readonly fixture: Fixture;
+  /** One for each part. */
+  readonly fixtures: readonly Fixture[];
+  /** From the middle of its shape to that of its area, in its own frame; both are the same but for polygons. */
+  private readonly offsetMm: Vec;
   private readonly joint: FloorJoint | null;
   private readonly onPlaced: () => void;
   private hold: Hold | null = null;
@@ -62,21 +64,27 @@ export class BlockBody implements BlockHandle {
       throw new RangeError(`A block needs sides above 0 mm, not ${block.sizeMm.x} × ${block.sizeMm.y}.`);
     }
     this.onPlaced = onPlaced;
-    this.cornersMm = rectangleCorners(block.sizeMm);
-    this.corners = this.cornersMm.map(toUnits);
-    this.meanRadius = meanRadiusMm(block.sizeMm) * UNITS_PER_MM;
+    const given = formParts(block);
+    this.offsetMm = block.partsMm ? centroidOf(given) : { x: 0, y: 0 };
+    const partsMm = block.partsMm ? given.map((part) => part.map((corner) => moved(corner, this.offsetMm, -1))) : given;
+    this.parts = partsMm.map((part) => part.map(toUnits));
+    this.meanRadius = meanRadiusMm(block, partsMm) * UNITS_PER_MM;
+    const { x, y } = moved(block.atMm, this.offsetAt(block.angleRad), 1);
     this.body = world.createBody({
       type: block.fixed ? 'static' : 'dynamic',
-      position: toUnits(block.atMm),
+      position: toUnits({ x, y }),
       angle: block.angleRad,
     });
-    this.fixture = this.body.createFixture({
-      shape: new PolygonShape(this.cornersMm.map(toUnits)),
-      density: BLOCK_G_PER_MM2 * MM_PER_UNIT * MM_PER_UNIT,
-      friction: BLOCK_CONTACT_FRICTION,
-      filterCategoryBits: block.fixed ? Kind.other : Kind.movableBlock,
-      userData: block.id,
-    });
+    this.fixtures = engineShapes(block, partsMm).map((shape) =>
+      this.body.createFixture({
+        shape,
+        density: BLOCK_G_PER_MM2 * MM_PER_UNIT * MM_PER_UNIT,
+        friction: BLOCK_CONTACT_FRICTION,
+        filterCategoryBits: block.fixed ? Kind.other : Kind.movableBlock,
+        userData: block.id,
+      }),
+    );
+    this.body.setUserData(this.fixtures[0]);
     this.drag = BLOCK_FRICTION * this.body.getMass() * GRAVITY;
     this.joint = block.fixed ? null : new FloorJoint(floor, this.body, this.meanRadius);
     if (this.joint) world.createJoint(this.joint);
@@ -88,12 +96,14 @@ export class BlockBody implements BlockHandle {
 
   pose(): Pose {
     const { x, y, angle } = this.at();
-    return { xMm: x * MM_PER_UNIT, yMm: y * MM_PER_UNIT, headingRad: angle };
+    const at = moved({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT }, this.offsetAt(angle), -1);
+    return { xMm: at.x, yMm: at.y, headingRad: angle };
   }
 
   place(pose: Pose): void {
     this.release();
-    this.body.setTransform(toUnits({ x: pose.xMm, y: pose.yMm }), pose.headingRad);
+    const at = moved({ x: pose.xMm, y: pose.yMm }, this.offsetAt(pose.headingRad), 1);
+    this.body.setTransform(toUnits(at), pose.headingRad);
     this.body.setLinearVelocity(new Vec2(0, 0));
     this.body.setAngularVelocity(0);
     this.joint?.forget();
@@ -143,21 +153,29 @@ export class BlockBody implements BlockHandle {
     this.body.setAngularVelocity(0);
     this.body.setActive(false);
     this.joint?.forget();
-    this.hold = { by: holder, at, solid: new Solid(holder.body, turned(this.corners, at)) };
+    this.hold = { by: holder, at, solids: this.parts.map((part) => new Solid(holder.body, turned(part, at))) };
   }
 
   /** Lies on the floor again where it is, with the speed at which the robot carried it. */
   release(): void {
     if (!this.hold) return;
-    const { by, solid } = this.hold;
+    const { by, solids } = this.hold;
     const { x, y, angle } = this.at();
-    solid.remove();
+    for (const solid of solids) solid.remove();
     this.hold = null;
     moveBody(this.body, x, y, angle);
     this.body.setActive(true);
     this.body.setLinearVelocity(by.body.getLinearVelocityFromWorldPoint({ x, y }));
     this.body.setAngularVelocity(by.body.getAngularVelocity());
-    by.letGone(this.fixture);
+    for (const fixture of this.fixtures) by.letGone(fixture);
+  }
+
+  /** Its offset when it is turned so, in mm. */
+  private offsetAt(angle: number): Vec {
+    const { x, y } = this.offsetMm;
+    if (x === 0 && y === 0) return this.offsetMm;
+    const [cos, sin] = [exactCos(angle), exactSin(angle)];
+    return { x: cos * x - sin * y, y: sin * x + cos * y };
   }
 }
 
@@ -171,15 +189,5 @@ export function turned(corners: readonly Vec[], { x, y, angle }: Place): Vec[] {
   }));
 }
 
-/** Mean distance of a rectangle's area from its middle, in mm, from a grid of 16 × 16 points. */
-function meanRadiusMm(sizeMm: Vec): number {
-  let sum = 0;
-  for (let i = 0; i < 16; i++) {
-    for (let j = 0; j < 16; j++) {
-      const x = ((i + 0.5) / 16 - 0.5) * sizeMm.x;
-      const y = ((j + 0.5) / 16 - 0.5) * sizeMm.y;
-      sum += Math.sqrt(x * x + y * y);
-    }
-  }
-  return sum / 256;
-}
+const moved = (place: Vec, by: Vec, times: 1 | -1): Vec =>
+  by.x === 0 && by.y === 0 ? place : { x: place.x + times * by.x, y: place.y + times * by.y };

@@ -234,6 +234,6 @@ const isNear = (a: Polygon, b: Polygon): boolean => gapBetween(a, b).gap < GRIPP
 
 /** Whether two blocks are the same, or stand against each other, directly or with one more between them. */
 function isLinked(a: Thing, b: Thing, blocks: readonly Thing[]): boolean {
-  if (a === b || isNear(a.outline, b.outline)) return true;
+  if (a.block === b.block || isNear(a.outline, b.outline)) return true;
   return blocks.some(({ outline }) => isNear(a.outline, outline) && isNear(outline, b.outline));
 }

@@ -1,9 +1,9 @@
 import type { Pose, Vec } from '#core/geometry';
-import { rectangleCorners } from '../shapes';
 import type { MoverHandle, MoverShape } from '../shapes';
 import { STEP_S, STEP_US } from '../step';
 import { gapBetween } from './convex';
-import { PolygonShape, Vec2 } from './planck';
+import { engineShapes, formParts } from './form';
+import { Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { toUnits, UNITS_PER_MM } from './scale';
 import { CONTACT_FRICTION, outlineOf } from './solid';
@@ -19,8 +19,6 @@ const JAMMED = 4 * UNITS_PER_MM;
  * speed for each step, so that it pushes what it meets.
  */
 export class MoverBody implements MoverHandle {
-  /** About its middle, counter-clockwise. */
-  readonly cornersMm: readonly Vec[];
   readonly body: Body;
   private readonly mover: MoverShape;
   /** Length of one leg. */
@@ -38,18 +36,14 @@ export class MoverBody implements MoverHandle {
     this.mover = mover;
     const [dx, dy] = [toMm.x - atMm.x, toMm.y - atMm.y];
     this.lengthMm = Math.sqrt(dx * dx + dy * dy);
-    this.cornersMm = rectangleCorners(sizeMm);
     this.body = world.createBody({
       type: 'kinematic',
       position: toUnits(atMm),
       angle: angleRad,
       allowSleep: false, // it would not notice a body in its path
     });
-    this.body.createFixture({
-      shape: new PolygonShape(this.cornersMm.map(toUnits)),
-      friction: CONTACT_FRICTION,
-      userData: mover.id,
-    });
+    for (const shape of engineShapes(mover, formParts(mover)))
+      this.body.createFixture({ shape, friction: CONTACT_FRICTION, userData: mover.id });
   }
 
   pose(): Pose {

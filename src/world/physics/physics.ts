@@ -63,7 +63,7 @@ export function createPhysics(size: WorldSize): Physics {
     removeBlock(block) {
       blocks.delete(block.body);
       block.remove();
-      for (const robot of robots) robot.forgetThing(block.fixture);
+      for (const robot of robots) for (const fixture of block.fixtures) robot.forgetThing(fixture);
     },
     addMover(shape) {
       const mover = new MoverBody(world, shape);

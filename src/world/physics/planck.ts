@@ -3,7 +3,7 @@
  * The order of these three imports is the whole point: see `./lend-exact-trig`.
  */
 import './lend-exact-trig';
-import { Joint, PolygonShape, Rot, Vec2, World } from 'planck';
+import { CircleShape, Joint, PolygonShape, Rot, Settings, Vec2, World } from 'planck';
 import './return-exact-trig';
 
 // Only the exact sine is undefined this far out. This detects at once a bundler that changed the order.
@@ -14,4 +14,7 @@ if (!Number.isNaN(new Rot(1e9).s)) {
 }
 
 export type { Body, Contact, Fixture, TimeStep } from 'planck';
-export { Joint, PolygonShape, Rot, Vec2, World as PlanckWorld };
+// Of 12, which is the engine's own choice, an ellipse would be a die. A course's polygons have up to 60 corners.
+Settings.maxPolygonVertices = 64;
+
+export { CircleShape, Joint, PolygonShape, Rot, Vec2, World as PlanckWorld };

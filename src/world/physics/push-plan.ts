@@ -2,9 +2,10 @@ import type { Vec } from '#core/geometry';
 import { turned } from './block-body';
 import type { BlockBody, Place } from './block-body';
 import { gapBetween, touchPoint } from './convex';
-import type { Polygon } from './convex';
+import type { Gap, Polygon } from './convex';
 import type { Fixture } from './planck';
 import { UNITS_PER_MM } from './scale';
+import { outlineOf } from './solid';
 import type { Surroundings, Thing } from './surroundings';
 
 /**
@@ -25,7 +26,8 @@ const MAX_PUSHES = 12;
 /** A block on its way to the destination of a push. */
 interface Moved {
   readonly place: Place;
-  readonly outline: Polygon;
+  /** One for each of its parts. */
+  readonly outlines: readonly Polygon[];
   /** Direction of the last push. */
   readonly normal: Vec;
 }
@@ -49,7 +51,7 @@ export class PushPlan {
 
   /** Outline of a thing in the plan. */
   outlineOf(thing: Thing): Polygon {
-    return (thing.block && this.moved.get(thing.block)?.outline) ?? thing.outline;
+    return (thing.block && this.moved.get(thing.block)?.outlines[thing.part]) ?? thing.outline;
   }
 
   /** Whether the plan has already pushed a block against this direction. */
@@ -73,25 +75,33 @@ export class PushPlan {
     const left = before ? force : force - block.drag;
     if (left < 0) return -1;
     const from = before?.place ?? block.at();
-    const fromOutline = this.outlineOf(thing);
-    const place = slide(from, touchPoint(by, fromOutline, normal), normal, distance, block.meanRadius);
-    const outline = turned(block.corners, place);
-    this.moved.set(block, { place, outline, normal });
-    return this.clear(block, fromOutline, outline, left, row);
+    const place = slide(from, touchPoint(by, this.outlineOf(thing), normal), normal, distance, block.meanRadius);
+    const fromOutlines = before?.outlines ?? block.fixtures.map(outlineOf);
+    const outlines = block.parts.map((part) => turned(part, place));
+    this.moved.set(block, { place, outlines, normal });
+    return this.clear(block, fromOutlines, outlines, left, row);
   }
 
   /** Pushes on the things that a block meets on its way from one place to another. */
-  private clear(block: BlockBody, from: Polygon, to: Polygon, force: number, row: number): number {
+  private clear(
+    block: BlockBody,
+    from: readonly Polygon[],
+    to: readonly Polygon[],
+    force: number,
+    row: number,
+  ): number {
+    const [fixture] = block.fixtures;
     let left = force;
-    for (const other of this.around.near([to])) {
-      if (other.block === block || this.pushes(other.fixture) || !other.fixture.shouldCollide(block.fixture)) continue;
-      const allowed = Math.min(NEAR, gapBetween(from, this.outlineOf(other)).gap);
+    for (const other of this.around.near(to)) {
+      if (other.block === block || this.pushes(other.fixture)) continue;
+      if (fixture === undefined || !other.fixture.shouldCollide(fixture)) continue;
+      const allowed = Math.min(NEAR, nearestPart(from, this.outlineOf(other)).gap);
       // A block that turns as it yields may come closer at another corner.
       for (let push = 0; ; push++) {
-        const { gap, normal } = gapBetween(to, this.outlineOf(other));
+        const { part, gap, normal } = nearestPart(to, this.outlineOf(other));
         if (gap >= allowed - EQUAL) break;
         if (push === MAX_PUSHES) return -1;
-        left = this.push(to, other, normal, allowed - gap, left, row + 1);
+        left = this.push(part, other, normal, allowed - gap, left, row + 1);
         if (left < 0) return left;
       }
     }
@@ -102,6 +112,12 @@ export class PushPlan {
   carryOut(): void {
     for (const [block, { place }] of this.moved) block.shove(place);
   }
+}
+
+/** The part of a block that is nearest to an outline, and their gap. */
+function nearestPart(parts: readonly Polygon[], outline: Polygon): Gap & { readonly part: Polygon } {
+  const gaps = parts.map((part) => ({ part, ...gapBetween(part, outline) }));
+  return gaps.reduce((least, one) => (one.gap < least.gap ? one : least));
 }
 
 /** The position of a body after a point of it was pushed this far along a normal. */

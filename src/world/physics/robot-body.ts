@@ -26,6 +26,7 @@ export class RobotBody implements Chassis {
   private readonly body: Body;
   private readonly joint: DriveJoint;
   private readonly type: ChassisType;
+  /** By one fixture of the thing (`thingOf`). */
   private readonly touches = new Map<Fixture, Touch>();
   private readonly parts = new Set<Solid>();
   private readonly tools = new Set<Tool>();
@@ -224,9 +225,10 @@ export class RobotBody implements Chassis {
   /** A fixture of this body begins to touch one of another. */
   beginTouch(own: Fixture, other: Fixture): void {
     if (isWork(own, other)) return;
-    const touch = this.touches.get(other);
+    const thing = thingOf(other);
+    const touch = this.touches.get(thing);
     if (!touch) {
-      this.touches.set(other, { parts: 1, lastStep: this.steps });
+      this.touches.set(thing, { parts: 1, lastStep: this.steps });
       this.collisionCount++;
       return;
     }
@@ -238,7 +240,7 @@ export class RobotBody implements Chassis {
   endTouch(own: Fixture, other: Fixture): void {
     this.lodged.forget(own, other);
     if (isWork(own, other)) return;
-    const touch = this.touches.get(other);
+    const touch = this.touches.get(thingOf(other));
     if (!touch) return;
     touch.parts--;
     touch.lastStep = this.steps;
@@ -250,10 +252,14 @@ export class RobotBody implements Chassis {
   }
 
   private expectTouch(other: Fixture): void {
-    const parts = this.touches.get(other)?.parts ?? 0;
-    this.touches.set(other, { parts, lastStep: this.steps });
+    const thing = thingOf(other);
+    const parts = this.touches.get(thing)?.parts ?? 0;
+    this.touches.set(thing, { parts, lastStep: this.steps });
   }
 }
+
+/** The fixture that stands for all of a block; of anything else the fixture itself. */
+const thingOf = (fixture: Fixture): Fixture => (fixture.getBody().getUserData() as Fixture | null) ?? fixture;
 
 /** Contact of jaws and forks with movable blocks is their work and not a collision. */
 const isWork = (own: Fixture, other: Fixture): boolean =>

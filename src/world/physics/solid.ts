@@ -1,5 +1,6 @@
 import type { Polygon } from './convex';
-import { PolygonShape, Vec2 } from './planck';
+import { circleOutline } from './form';
+import { CircleShape, PolygonShape, Vec2 } from './planck';
 import type { Body, Fixture } from './planck';
 
 /** Robot against wall or block. Chosen: ABS on wood or plastic. */
@@ -108,10 +109,11 @@ export class Solid {
   }
 }
 
-/** Outline of a fixture in the world frame, units. All our fixtures are polygons. */
+/** Outline of a fixture in the world frame, units; of a circle, which lies in its body's middle, a polygon near to it. */
 export function outlineOf(fixture: Fixture): Polygon {
   const shape = fixture.getShape();
-  if (!(shape instanceof PolygonShape)) throw new TypeError('A fixture of the world is no polygon.');
+  if (shape instanceof CircleShape) return toWorld(fixture.getBody(), circleOutline(shape.m_radius));
+  if (!(shape instanceof PolygonShape)) throw new TypeError('A fixture of the world is neither polygon nor circle.');
   return toWorld(fixture.getBody(), shape.m_vertices);
 }
 

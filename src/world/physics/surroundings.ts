@@ -10,6 +10,8 @@ export interface Thing {
   readonly outline: Polygon;
   /** The block, if it is movable and nothing holds it. */
   readonly block: BlockBody | null;
+  /** Which of the block's parts it is; 0 for everything else. */
+  readonly part: number;
 }
 
 /** What stands around. */
@@ -37,8 +39,9 @@ export function createSurroundings(world: PlanckWorld, blocks: ReadonlyMap<Body,
       }
       const things: Thing[] = [];
       world.queryAABB({ lowerBound, upperBound }, (fixture) => {
-        const block = blocks.get(fixture.getBody()) ?? null;
-        things.push({ fixture, outline: outlineOf(fixture), block: block?.isMovable ? block : null });
+        const found = blocks.get(fixture.getBody());
+        const block = found?.isMovable ? found : null;
+        things.push({ fixture, outline: outlineOf(fixture), block, part: block?.fixtures.indexOf(fixture) ?? 0 });
         return true;
       });
       return things;

@@ -20,7 +20,7 @@ export interface ConeHit {
 
 /** A solid that a beam can meet. */
 export interface Obstacle {
-  /** Convex outline, counter-clockwise, about its own origin, mm. */
+  /** Convex outline, counter-clockwise, about its own origin, mm; none: the circle of `radiusMm` around the origin. */
   readonly cornersMm: readonly Vec[];
   /** Distance of the farthest corner from the origin, mm. */
   readonly radiusMm: number;
@@ -36,6 +36,19 @@ interface Edge {
   readonly ay: number;
   readonly bx: number;
   readonly by: number;
+}
+
+/** A circle in the beam's frame. */
+interface Circle {
+  readonly x: number;
+  readonly y: number;
+  readonly radius: number;
+}
+
+/** What a beam can meet, in its own frame. */
+interface Met {
+  readonly edges: Edge[];
+  readonly circles: Circle[];
 }
 
 const NOTHING: ConeHit = { distanceMm: Infinity, hitMm: null };
@@ -67,33 +80,38 @@ export function nearestInCone(from: Vec, headingRad: number, cone: Cone, obstacl
   const slope = exactTan(halfRad);
   const cos = exactCos(headingRad);
   const sin = exactSin(headingRad);
-  const edges: Edge[] = [];
+  const met: Met = { edges: [], circles: [] };
   for (const obstacle of obstacles) {
-    if (gatherEdges(obstacle, from, cos, sin, cone.rangeMm, edges)) return { distanceMm: 0, hitMm: from };
+    if (gather(obstacle, from, cos, sin, cone.rangeMm, met)) return { distanceMm: 0, hitMm: from };
   }
   const hit =
     cone.incidenceLimitRad === undefined
-      ? nearestPoint(edges, slope)
-      : nearestEcho(edges, halfRad, exactCos(cone.incidenceLimitRad));
+      ? nearer(nearestPoint(met.edges, slope), nearestOfCircles(met.circles, halfRad, slope))
+      : nearestEcho(met, halfRad, exactCos(cone.incidenceLimitRad));
   const distanceMm = Math.sqrt(hit.x * hit.x + hit.y * hit.y);
   if (!(distanceMm <= cone.rangeMm)) return NOTHING;
   return { distanceMm, hitMm: { x: from.x + hit.x * cos - hit.y * sin, y: from.y + hit.x * sin + hit.y * cos } };
 }
 
-/** Adds an obstacle's edges in the beam's frame if they can be in range; true if the sensor is inside the obstacle. */
-function gatherEdges(obstacle: Obstacle, from: Vec, cos: number, sin: number, rangeMm: number, edges: Edge[]): boolean {
+/** Adds an obstacle in the beam's frame if it can be in range; true if the sensor is inside the obstacle. */
+function gather(obstacle: Obstacle, from: Vec, cos: number, sin: number, rangeMm: number, met: Met): boolean {
   const pose = obstacle.pose();
   const x = (pose.xMm - from.x) * cos + (pose.yMm - from.y) * sin;
   const y = (pose.yMm - from.y) * cos - (pose.xMm - from.x) * sin;
   const reach = rangeMm + obstacle.radiusMm;
   if (x * x + y * y > reach * reach || x < -obstacle.radiusMm) return false;
+  const corners = obstacle.cornersMm;
+  const last = corners[corners.length - 1];
+  if (last === undefined) {
+    const { radiusMm: radius } = obstacle;
+    met.circles.push({ x, y, radius });
+    return x * x + y * y <= radius * radius;
+  }
   // Own heading in the beam's frame.
   const ownCos = pose.headingRad === 0 ? 1 : exactCos(pose.headingRad);
   const ownSin = pose.headingRad === 0 ? 0 : exactSin(pose.headingRad);
   const turnCos = ownCos * cos + ownSin * sin;
   const turnSin = ownSin * cos - ownCos * sin;
-  const corners = obstacle.cornersMm;
-  const last = corners[corners.length - 1] ?? { x: 0, y: 0 };
   let ax = x + last.x * turnCos - last.y * turnSin;
   let ay = y + last.x * turnSin + last.y * turnCos;
   let inside = true;
@@ -103,7 +121,7 @@ function gatherEdges(obstacle: Obstacle, from: Vec, cos: number, sin: number, ra
     const side = ax * by - ay * bx;
     if (side < 0) {
       inside = false; // the sensor sees this edge from outside
-      edges.push({ ax, ay, bx, by });
+      met.edges.push({ ax, ay, bx, by });
     }
     ax = bx;
     ay = by;
@@ -143,8 +161,36 @@ function nearestPoint(edges: readonly Edge[], slope: number): Vec {
   return { x: bestX, y: bestY };
 }
 
+const FAR: Vec = { x: Infinity, y: 0 };
+
+const nearer = (a: Vec, b: Vec): Vec => (b.x * b.x + b.y * b.y < a.x * a.x + a.y * a.y ? b : a);
+
+/**
+ * The point nearest to the origin among the parts of circles within the beam; far away if there is none. It lies towards
+ * the circle's middle, or, when that is outside of the beam, on the side of the beam that is nearer to it.
+ */
+function nearestOfCircles(circles: readonly Circle[], halfRad: number, slope: number): Vec {
+  const [cos, sin] = [exactCos(halfRad), exactSin(halfRad)];
+  return circles.reduce((best, circle) => {
+    const { x, y, radius } = circle;
+    const length = Math.sqrt(x * x + y * y);
+    if (x > 0 && Math.abs(y) <= slope * x) return nearer(best, { x: x - (x / length) * radius, y: y - (y / length) * radius }); // prettier-ignore
+    const side = y < 0 ? -sin : sin;
+    const along = wayToCircle(circle, cos, side);
+    return along === Infinity ? best : nearer(best, { x: along * cos, y: along * side });
+  }, FAR);
+}
+
+/** How far it is along a ray from the origin to a circle that the origin is outside of; `Infinity`: it does not meet it. */
+function wayToCircle({ x, y, radius }: Circle, cos: number, sin: number): number {
+  const along = x * cos + y * sin;
+  const across = y * cos - x * sin;
+  const half = radius * radius - across * across;
+  return along > 0 && half >= 0 ? along - Math.sqrt(half) : Infinity;
+}
+
 /** The nearest point where a ray meets a surface that is not turned away too far; far away if there is none. */
-function nearestEcho(edges: readonly Edge[], halfRad: number, steepCos: number): Vec {
+function nearestEcho({ edges, circles }: Met, halfRad: number, steepCos: number): Vec {
   const raysPerSide = Math.ceil(halfRad / RAY_STEP_RAD);
   let bestDistance = Infinity;
   let best: Vec = { x: Infinity, y: 0 };
@@ -164,6 +210,12 @@ function nearestEcho(edges: readonly Edge[], halfRad: number, steepCos: number):
       if (share < 0 || share > 1 || along <= 0 || along >= distance) continue;
       distance = along;
       steepness = Math.abs(dy) / Math.sqrt(dx * dx + dy * dy);
+    }
+    for (const circle of circles) {
+      const along = wayToCircle(circle, cos, sin);
+      if (along >= distance) continue;
+      distance = along;
+      steepness = Math.abs(along * cos - circle.x) / circle.radius;
     }
     if (steepness >= steepCos && distance < bestDistance) {
       bestDistance = distance;

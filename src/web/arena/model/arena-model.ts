@@ -1,4 +1,5 @@
 import type { Pose, Vec } from '#core/geometry';
+import type { Point } from '#scene/scene';
 import type { RobotType } from '#robots/robot';
 import type { RobotSnapshot } from '#simulation/snapshot';
 import type { LightForm } from '../../work/settings/light-wish';
@@ -10,12 +11,17 @@ export type ArenaRobot = Pick<RobotSnapshot, 'pose' | 'wheelTurnRad' | 'pathMm' 
 export type RobotLook = Pick<RobotType, 'id'> &
   Partial<Pick<RobotType, 'mountMm'>> & { readonly body: Pick<RobotType['body'], 'outlineMm'> };
 
+/** What is drawn of a shape: a rectangle, an ellipse or a polygon about its middle. mm. */
+export interface Form {
+  readonly sizeMm: Vec;
+  readonly round?: boolean | undefined;
+  readonly corners?: readonly Point[] | undefined;
+}
+
 /** A block as it lies now. */
-export interface PlacedBlock {
+export interface PlacedBlock extends Form {
   readonly id: string;
   readonly pose: Pose;
-  /** Extent along its own x and y. */
-  readonly sizeMm: Vec;
 }
 
 /** The overlays. */

@@ -72,6 +72,8 @@ export function liesStill(before: PlacedBlock, now: PlacedBlock): boolean {
     before.id === id &&
     before.sizeMm.x === sizeMm.x &&
     before.sizeMm.y === sizeMm.y &&
+    before.round === now.round &&
+    before.corners === now.corners &&
     before.pose.xMm === pose.xMm &&
     before.pose.yMm === pose.yMm &&
     before.pose.headingRad === pose.headingRad

@@ -1,7 +1,9 @@
 import { radOf } from '#core/angle';
 import type { Vec } from '#core/geometry';
-import type { RobotStart, SceneObject } from '#scene/scene';
+import type { Outline } from '#scene/outline';
+import type { RobotStart, SceneObject, Shaped } from '#scene/scene';
 import { kindOf } from './kinds/index';
+import { formOf, inset, linesPath, polygonPath } from './kinds/shape-path';
 import { toPx, type View } from '../view/view-transform';
 
 /**
@@ -29,9 +31,16 @@ export function outlinePath(context: CanvasRenderingContext2D, view: View, objec
   context.save();
   context.translate(centre.x, centre.y);
   context.rotate(-angleRad);
-  if ('round' in object && object.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
+  if ('corners' in object) linesPath(context, grown(object, view.pxPerMm, growPx));
+  else if ('round' in object && object.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
   else context.roundRect(-width / 2, -height / 2, width, height, Math.min(3 + growPx, width / 3, height / 3));
   context.restore(); // the path keeps its place
+}
+
+/** A polygon about its middle in CSS px, with its edges moved outwards. */
+function grown(object: Shaped, pxPerMm: number, growPx: number): Outline {
+  const px = polygonPath(formOf(object)).map(({ x, y }) => ({ x: x * pxPerMm, y: y * pxPerMm }));
+  return inset(px, -growPx);
 }
 
 /** The parts of the robot's outline where it starts, in CSS px. */

@@ -9,6 +9,7 @@ import type { AttachmentState } from '#attachments/attachment';
 import { attachmentDrawings } from '#attachments/drawings';
 import type { Vec } from '#core/geometry';
 import type { ArenaRobot, PlacedBlock } from '../model/arena-model';
+import { formPath } from '../picture/kinds/shape-path';
 import { partsOf, sonarOf, type AttachmentPart } from './attachment-parts';
 import { drawMovableBlock } from '../picture/kinds/block';
 import type { Palette } from '../model/palette';
@@ -209,8 +210,9 @@ function drawBlockShadow(
   { context, view }: Canvas,
   painted: PaintedRobot,
   { heightMm }: AttachmentState,
-  { pose, sizeMm }: PlacedBlock,
+  block: PlacedBlock,
 ): void {
+  const { pose, sizeMm } = block;
   const at = toPx(view, { x: pose.xMm, y: pose.yMm });
   const shift = shadowShift(pxPerMmOf(view, painted), heightMm);
   context.save();
@@ -218,8 +220,7 @@ function drawBlockShadow(
   context.rotate(-pose.headingRad);
   context.scale(view.pxPerMm, view.pxPerMm);
   context.fillStyle = 'rgba(0, 0, 0, 0.22)';
-  context.beginPath();
-  context.roundRect(-sizeMm.x / 2, -sizeMm.y / 2, sizeMm.x, sizeMm.y, Math.min(sizeMm.x, sizeMm.y) / 6);
+  formPath(context, block, 0, Math.min(sizeMm.x, sizeMm.y) / 6);
   context.fill();
   context.restore();
 }

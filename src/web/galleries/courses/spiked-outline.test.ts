@@ -11,7 +11,7 @@ describe('the outline of spikes on a small picture', () => {
       [50, 200],
       [30, 30],
     ] as const) {
-      const points = pointsOf(spikedOutline(size));
+      const points = pointsOf(spikedOutline({ size }));
       const [x, y] = [size[0] / 2, size[1] / 2];
       expect(Math.max(...points.map((point) => point[0]!))).toBe(x);
       expect(Math.min(...points.map((point) => point[0]!))).toBe(-x);
@@ -21,7 +21,7 @@ describe('the outline of spikes on a small picture', () => {
   });
 
   it('has more teeth on longer sides: 26 on each long side of a bar of 900 mm', () => {
-    const tips = pointsOf(spikedOutline([900, 40])).filter((point) => point[1] === 20);
+    const tips = pointsOf(spikedOutline({ size: [900, 40] })).filter((point) => point[1] === 20);
     expect(tips).toHaveLength(26);
   });
 });

@@ -1,11 +1,12 @@
 import { mdiArrowLeftRightBold } from '@mdi/js';
-import type { Mover, Point } from '#scene/scene';
+import type { Mover } from '#scene/scene';
 
 import { lightPalette as colors } from '../../arena/model/palette';
+import { formOf } from '../../arena/picture/kinds/shape-path';
 import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture } from './kind';
 import { toothed } from './spikes';
-import { boxFrame, degrees, icon, rect } from './svg-parts';
+import { boxFrame, degrees, formSvg, icon } from './svg-parts';
 
 /** Boxes that go to and fro, with their track. */
 export const mover: PrintKind<Mover> = { layer: 3, svg: moverSvg };
@@ -13,14 +14,18 @@ export const mover: PrintKind<Mover> = { layer: 3, svg: moverSvg };
 function moverSvg(mover: Mover, to: ToPicture): string {
   const { at, to: end, size, spiked } = mover;
   const [from, turning] = [to(at), to(end)];
-  const inner: Point = spiked ? [size[0] * 0.6, size[1] * 0.6] : size;
-  const short = Math.min(...inner);
+  const inner = formOf(spiked ? { ...mover, size: [size[0] * 0.6, size[1] * 0.6] } : mover);
+  const short = Math.min(inner.sizeMm.x, inner.sizeMm.y);
   const frame = Math.min(3, short * 0.09);
   const wayDeg = degrees(Math.atan2(end[1] - at[1], end[0] - at[0]));
   const line = { fill: 'none', stroke: colors.moverInk, 'stroke-width': 2.5 };
   return (
     element('path', { ...line, d: pathThrough([from, turning]), 'stroke-dasharray': '7.5 6' }) +
-    boxFrame({ at: end, angle: mover.angle }, to, rect(size, 4, { ...line, 'stroke-dasharray': '6 5' })) +
+    boxFrame(
+      { at: end, angle: mover.angle },
+      to,
+      formSvg(formOf(mover), 0, 4, { ...line, 'stroke-dasharray': '6 5' }),
+    ) +
     element('circle', {
       cx: turning[0],
       cy: turning[1],
@@ -32,8 +37,8 @@ function moverSvg(mover: Mover, to: ToPicture): string {
     boxFrame(
       mover,
       to,
-      (spiked ? toothed(size) : '') +
-        rect([inner[0] - frame, inner[1] - frame], Math.min(5, short / 6), {
+      (spiked ? toothed(formOf(mover)) : '') +
+        formSvg(inner, frame / 2, Math.min(5, short / 6), {
           fill: colors.moverLight,
           stroke: colors.moverInk,
           'stroke-width': frame,

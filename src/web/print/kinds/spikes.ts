@@ -1,27 +1,30 @@
+import type { Form } from '../../arena/model/arena-model';
 import { mdiAlert } from '@mdi/js';
-import type { Point, Spikes } from '#scene/scene';
+import type { Spikes } from '#scene/scene';
 
 import { teeth } from '../../arena/picture/kinds/spikes';
 import { lightPalette as colors } from '../../arena/model/palette';
+import { formOf, roomIn } from '../../arena/picture/kinds/shape-path';
 import { element, pathThrough } from './svg-write';
 import type { PrintKind } from './kind';
-import { boxFrame, icon } from './svg-parts';
+import { boxFrame, icon, inRoom } from './svg-parts';
 
 /** Spikes. */
 export const spikes: PrintKind<Spikes> = {
   layer: 3,
-  svg: (spikes, to) => boxFrame(spikes, to, spikesSvg(spikes.size)),
+  svg: (spikes, to) => boxFrame(spikes, to, spikesSvg(formOf(spikes))),
 };
 
-function spikesSvg([x, y]: Point): string {
-  return toothed([x, y]) + icon(mdiAlert, Math.min(x, y) * 0.42, colors.spikesInk);
+function spikesSvg(form: Form): string {
+  const room = roomIn(form);
+  return toothed(form) + inRoom(room, icon(mdiAlert, room.acrossMm * 0.42, colors.spikesInk));
 }
 
-/** A box with teeth around the origin. */
-export const toothed = ([x, y]: Point): string =>
+/** A form with teeth around the origin. */
+export const toothed = (form: Form): string =>
   element('path', {
     d: pathThrough(
-      teeth({ x, y }).map((place) => [place.x, place.y] as const),
+      teeth(form).map((place) => [place.x, place.y] as const),
       true,
     ),
     fill: colors.spikes,

@@ -1,5 +1,8 @@
-import type { Point } from '#scene/scene';
+import type { Form } from '../../arena/model/arena-model';
+import type { Point, Shaped } from '#scene/scene';
+import { ownOutline } from '#scene/shape/shape';
 
+import { polygonPath, type Room } from '../../arena/picture/kinds/shape-path';
 import { element, escapeXml, pathThrough } from './svg-write';
 import type { ToPicture } from './kind';
 
@@ -29,19 +32,48 @@ export const rect = (
   attributes: Record<string, string | number | undefined>,
 ): string => element('rect', { x: -width / 2, y: -height / 2, width, height, rx, ...attributes });
 
+/** A form around the origin, its edges moved inward; `rx`: of a rectangle's corners. */
+export function formSvg(
+  form: Form,
+  insetMm: number,
+  rx: number,
+  attributes: Record<string, string | number | undefined>,
+): string {
+  const [width, height] = [form.sizeMm.x - 2 * insetMm, form.sizeMm.y - 2 * insetMm];
+  if (form.corners) {
+    const places = polygonPath(form, insetMm).map(({ x, y }): Point => [x, y]);
+    return element('path', { d: pathThrough(places, true), ...attributes });
+  }
+  if (form.round === true) return element('ellipse', { rx: width / 2, ry: height / 2, ...attributes });
+  return rect([width, height], rx, attributes);
+}
+
+/** Something where a form has the most room. */
+export const inRoom = ({ at }: Room, inside: string): string =>
+  at.x === 0 && at.y === 0 ? inside : element('g', { transform: turned([at.x, at.y], 0) }, inside);
+
 /** An icon of 24 units in the middle, this many mm wide. */
 export const icon = (path: string, sizeMm: number, fill: string, rim: Record<string, string | number> = {}): string =>
   element('path', { d: path, fill, ...rim, transform: `scale(${(sizeMm / 24).toFixed(4)}) translate(-12 -12)` });
 
-/** Lines at 45° across a box around the origin, cut off at its edges. */
-export function diagonals([width, height]: Point, pitch: number): string {
-  const [w, h] = [width / 2, height / 2];
+/** Lines at 45° across a shape around the origin, cut off at its edges. */
+export function diagonals(shape: Pick<Shaped, 'size' | 'round' | 'corners'>, pitch: number): string {
+  const outline = ownOutline(shape).map(({ x, y }): Point => [x, -y]);
+  const sums = outline.map(([x, y]) => x + y);
+  const [w, h] = [shape.size[0] / 2, shape.size[1] / 2];
   const lines: string[] = [];
   // On a line x + y is the same everywhere.
   for (let sum = -w - h + pitch / 2; sum < w + h; sum += pitch * Math.SQRT2) {
-    const left = Math.max(-w, sum - h);
-    const right = Math.min(w, sum + h);
-    lines.push(pathThrough([[left, sum - left], [right, sum - right]])); // prettier-ignore
+    const places: Point[] = [];
+    for (const [index, one] of sums.entries()) {
+      const next = (index + 1) % sums.length;
+      const [other = one, from, to] = [sums[next], outline[index], outline[next]];
+      if (!from || !to || one > sum === other > sum) continue;
+      const share = (sum - one) / (other - one);
+      places.push([from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])]);
+    }
+    places.sort(([x], [other]) => x - other);
+    for (let pair = 0; pair + 1 < places.length; pair += 2) lines.push(pathThrough(places.slice(pair, pair + 2)));
   }
   return lines.join('');
 }

@@ -3,18 +3,21 @@ import type { jsPDF } from 'jspdf';
 import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet, boxOutline, type Bounds } from '#scene/outline';
 import type { Point, Zone } from '#scene/scene';
+import { shapeOutline } from '#scene/shape/shape';
 
 import { lightPalette as colors } from '../../arena/model/palette';
+import { formOf, roomIn } from '../../arena/picture/kinds/shape-path';
+import { signPlace } from '../../arena/picture/kinds/zone';
 import { ellipse, polygon, write } from './pdf-parts';
 import { element, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture, ToSheet } from './kind';
-import { boxFrame, diagonals, icon, rect, turned, written } from './svg-parts';
+import { boxFrame, diagonals, formSvg, icon, rect, turned, written } from './svg-parts';
 
 /** Zones of all kinds. */
 export const zone: PrintKind<Zone> = {
   layer: 0,
   svg: zoneSvg,
-  signSvg: (zone, to) => element('g', { transform: turned(to(zone.at), 0) }, signSvg(zone)),
+  signSvg: (zone, to) => element('g', { transform: turned(to(signAt(zone)), 0) }, signSvg(zone)),
   pdf: printZone,
 };
 
@@ -24,20 +27,31 @@ function zoneSvg(zone: Zone, to: ToPicture): string {
   const color = colors[zone.type];
   const dash = { target: '10 7', checkpoint: '4 5', forbidden: undefined }[zone.type];
   const shape = { fill: color, 'fill-opacity': 0.1, stroke: color, 'stroke-width': line, 'stroke-dasharray': dash };
-  const inset: Point = [width - line, height - line];
-  const outline = zone.round
-    ? element('ellipse', { rx: inset[0] / 2, ry: inset[1] / 2, ...shape })
-    : rect(inset, Math.min(4, width / 6), shape);
+  const form = formOf(zone);
+  const outline = formSvg(form, line / 2, Math.min(4, width / 6), shape);
   const hatch =
     zone.type === 'forbidden' && !zone.round
-      ? element('path', { d: diagonals(zone.size, 16), stroke: color, 'stroke-opacity': 0.42, 'stroke-width': 2.5, fill: 'none' }) // prettier-ignore
+      ? element('path', { d: diagonals(zone, 16), stroke: color, 'stroke-opacity': 0.42, 'stroke-width': 2.5, fill: 'none' }) // prettier-ignore
       : '';
-  const chequers = zone.type === 'target' && !zone.round ? chequersSvg(zone.size) : '';
+  const chequers = zone.type === 'target' && !zone.round ? chequersSvg(zone) : '';
   return boxFrame(zone, to, outline + hatch + chequers);
 }
 
-function chequersSvg([width, height]: Point): string {
+function chequersSvg(zone: Zone): string {
+  const [width, height] = zone.size;
   const square = Math.min(11, width / 8, height / 8);
+  if (zone.corners) {
+    const edge = { fill: 'none', stroke: colors.target, 'stroke-opacity': 0.8, 'stroke-width': square };
+    return [0, 1]
+      .map((row) =>
+        formSvg(formOf(zone), (row + 0.5) * square, 0, {
+          ...edge,
+          'stroke-dasharray': `${String(square)} ${String(square)}`,
+          'stroke-dashoffset': row * square,
+        }),
+      ) // prettier-ignore
+      .join('');
+  }
   const squares: string[] = [];
   for (let row = 0; row < 2; row += 1)
     for (let x = row * square; x < width - 0.01; x += 2 * square) {
@@ -48,8 +62,13 @@ function chequersSvg([width, height]: Point): string {
   return element('path', { d: squares.join(''), fill: colors.target, 'fill-opacity': 0.8 });
 }
 
-function signSvg({ type, size, number, blocks }: Zone): string {
-  const radius = Math.min(20, 0.3 * Math.min(...size));
+const signAt = (zone: Zone): Point => {
+  const { x, y } = signPlace(zone);
+  return [x, y];
+};
+
+function signSvg({ type, number, blocks, ...zone }: Zone): string {
+  const radius = Math.min(20, 0.3 * roomIn(formOf(zone)).acrossMm);
   const color = colors[type];
   if (type === 'target' && blocks === 0)
     return icon(mdiFlagCheckered, radius * 2.2, color, { stroke: colors.signGround, 'stroke-width': 4, 'stroke-linejoin': 'round' }) + icon(mdiFlagCheckered, radius * 2.2, color); // prettier-ignore
@@ -86,14 +105,14 @@ function printZone(pdf: jsPDF, zone: Zone, to: ToSheet, shown: Bounds): void {
   pdf.setLineDashPattern(zone.type === 'forbidden' ? [] : [5, 3], 0);
   const corners = boxOutline(zone);
   if (zone.round) ellipse(pdf, corners, to);
-  else polygon(pdf, corners, to);
-  if (zone.type === 'forbidden' && !zone.round) {
+  else polygon(pdf, shapeOutline(zone), to);
+  if (zone.type === 'forbidden' && !zone.round && !zone.corners) {
     const [a, b, c, d] = corners.map(({ x, y }) => to([x, y]));
     if (a && b && c && d) pdf.line(a[0], a[1], c[0], c[1]).line(b[0], b[1], d[0], d[1]);
   }
   pdf.setLineDashPattern([], 0);
   if (zone.type !== 'checkpoint') return;
-  const height = Math.min(15, 0.25 * Math.min(...zone.size));
+  const height = Math.min(15, 0.25 * roomIn(formOf(zone)).acrossMm);
   pdf.setTextColor(colors.checkpoint);
-  write(pdf, String(zone.number), to(zone.at), height, 0);
+  write(pdf, String(zone.number), to(signAt(zone)), height, 0);
 }

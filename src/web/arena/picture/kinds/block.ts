@@ -4,13 +4,14 @@ import type { Block } from '#scene/scene';
 import type { PlacedBlock } from '../../model/arena-model';
 import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
+import { formOf, formPath, roomIn } from './shape-path';
 
 /** A block of the scene as it lies at the start. */
 export function placedBlock(block: Block): PlacedBlock {
   return {
     id: block.id,
     pose: { xMm: block.at[0], yMm: block.at[1], headingRad: rotationRad(block.angle) },
-    sizeMm: { x: block.size[0], y: block.size[1] },
+    ...formOf(block),
   };
 }
 
@@ -22,21 +23,21 @@ export function drawMovableBlock(
   held: boolean,
   palette: Palette,
 ): void {
-  const { x: width, y: height } = block.sizeMm;
-  const short = Math.min(width, height);
+  const { at, acrossMm: short } = roomIn(block);
   const frame = Math.min(3, short * 0.09);
   const radius = Math.min(5, short / 6);
   inFrameOf(context, view, block, held, radius, () => {
     context.fillStyle = palette.movable;
-    roundRect(context, width - frame, height - frame, radius);
+    formPath(context, block, frame / 2, radius);
     context.fill();
     context.fillStyle = palette.movableLight;
-    roundRect(context, width - frame * 3.2, height - frame * 3.2, radius * 0.7);
+    formPath(context, block, frame * 1.6, radius * 0.7);
     context.fill();
     context.strokeStyle = palette.movableInk;
     context.lineWidth = frame;
-    roundRect(context, width - frame, height - frame, radius);
+    formPath(context, block, frame / 2, radius);
     context.stroke();
+    context.translate(at.x, at.y);
     drawIcon(context, icons().arrows, short * 0.66, palette.movableInk, view);
   });
 }
@@ -49,12 +50,12 @@ export function drawFixedBlock(
   palette: Palette,
 ): void {
   const { x: width, y: height } = block.sizeMm;
-  const short = Math.min(width, height);
+  const { at, acrossMm: short } = roomIn(block);
   const frame = Math.min(3, short * 0.08);
   const radius = Math.min(3, short / 8);
   inFrameOf(context, view, block, false, radius, () => {
     context.fillStyle = palette.fixed;
-    roundRect(context, width, height, radius);
+    formPath(context, block, 0, radius);
     context.fill();
     context.save();
     context.clip();
@@ -62,8 +63,9 @@ export function drawFixedBlock(
     context.restore();
     context.strokeStyle = palette.fixedEdge;
     context.lineWidth = frame;
-    roundRect(context, width - frame, height - frame, radius * 0.7);
+    formPath(context, block, frame / 2, radius * 0.7);
     context.stroke();
+    context.translate(at.x, at.y);
     if (short * view.pxPerMm < 11) return;
     context.fillStyle = palette.fixed;
     context.beginPath();
@@ -81,7 +83,7 @@ export function inFrameOf(
   held: boolean,
   radius: number,
   paint: () => void,
-  shade: () => void = () => roundRect(context, block.sizeMm.x, block.sizeMm.y, radius),
+  shade: () => void = () => formPath(context, block, 0, radius),
 ): void {
   const at = toPx(view, { x: block.pose.xMm, y: block.pose.yMm });
   const lift = (held ? 3 : 1) * Math.min(3, Math.max(1, 2.4 * view.pxPerMm));
@@ -99,12 +101,6 @@ export function inFrameOf(
     }
     context.restore();
   }
-}
-
-/** Begins a path around a rectangle about the origin. */
-export function roundRect(context: CanvasRenderingContext2D, width: number, height: number, radius: number): void {
-  context.beginPath();
-  context.roundRect(-width / 2, -height / 2, width, height, radius);
 }
 
 function drawStripes(context: CanvasRenderingContext2D, width: number, height: number, pitch: number): void {

@@ -4,7 +4,8 @@ import type { Pose } from '#core/geometry';
 import type { Mover } from '#scene/scene';
 import type { Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
-import { drawIcon, inFrameOf, roundRect } from './block';
+import { drawIcon, inFrameOf } from './block';
+import { formOf, formPath } from './shape-path';
 import { drawTeeth, placedBox, teethPath, toothMm } from './spikes';
 
 /** Draws a moving obstacle where it is now: yellow, with an arrow along its path; with teeth if it is spiked. */
@@ -17,28 +18,26 @@ export function drawMover(
 ): void {
   const start = placedBox(mover);
   const box = pose === null ? start : { ...start, pose };
-  const { x: width, y: height } = box.sizeMm;
-  const depth = mover.spiked ? toothMm(box.sizeMm) : 0;
-  const inner = { x: width - 2 * depth, y: height - 2 * depth };
-  const short = Math.min(inner.x, inner.y);
+  const depth = mover.spiked ? toothMm(box) : 0;
+  const short = Math.min(box.sizeMm.x, box.sizeMm.y) - 2 * depth;
   const frame = Math.min(3, short * 0.09);
   const radius = mover.spiked ? 1.5 : Math.min(5, short / 6);
   const paint = (): void => {
-    if (mover.spiked) drawTeeth(context, box.sizeMm, palette);
+    if (mover.spiked) drawTeeth(context, box, palette);
     context.fillStyle = palette.mover;
-    roundRect(context, inner.x - frame, inner.y - frame, radius);
+    formPath(context, box, depth + frame / 2, radius);
     context.fill();
     context.fillStyle = palette.moverLight;
-    roundRect(context, inner.x - frame * 3.2, inner.y - frame * 3.2, radius * 0.7);
+    formPath(context, box, depth + frame * 1.6, radius * 0.7);
     context.fill();
     context.strokeStyle = palette.moverInk;
     context.lineWidth = frame;
-    roundRect(context, inner.x - frame, inner.y - frame, radius);
+    formPath(context, box, depth + frame / 2, radius);
     context.stroke();
     context.rotate(box.pose.headingRad - wayRad(mover));
     drawIcon(context, arrowsIcon(), short * 0.72, palette.moverInk, view);
   };
-  inFrameOf(context, view, box, false, radius, paint, mover.spiked ? () => teethPath(context, box.sizeMm) : undefined);
+  inFrameOf(context, view, box, false, radius, paint, mover.spiked ? () => teethPath(context, box) : undefined);
 }
 
 /** Direction of a mover's path, counter-clockwise from +x. */
@@ -75,7 +74,7 @@ export function drawTrack(context: CanvasRenderingContext2D, view: View, mover: 
   context.scale(view.pxPerMm, view.pxPerMm);
   context.lineWidth = line / view.pxPerMm;
   context.setLineDash([2.4 * context.lineWidth, 2 * context.lineWidth]);
-  roundRect(context, mover.size[0], mover.size[1], 4);
+  formPath(context, formOf(mover), 0, 4);
   context.stroke();
   context.restore();
 }

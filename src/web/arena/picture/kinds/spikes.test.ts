@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { teeth } from './spikes';
 
 describe('the teeth of spikes', () => {
-  const points = teeth({ x: 60, y: 40 });
+  const points = teeth({ sizeMm: { x: 60, y: 40 } });
 
   it('reach to the edge of what a robot bumps into on all sides, and nowhere beyond', () => {
     const xs = points.map(({ x }) => x);

@@ -1,9 +1,11 @@
 import { mdiCheckBold, mdiFlagCheckered } from '@mdi/js';
 import { rotationRad } from '#core/angle';
+import type { Vec } from '#core/geometry';
 import type { SceneObject, Zone } from '#scene/scene';
 import type { Verdict } from '#simulation/task/verdict';
 import { canvasFont, type Palette } from '../../model/palette';
 import { toPx, type View } from '../../view/view-transform';
+import { formOf, formPath, roomIn } from './shape-path';
 
 /** How far a zone has been dealt with in this run. */
 export type ZoneState = 'open' | 'reached';
@@ -64,7 +66,7 @@ export function drawZoneSign(
 ): void {
   const radius = signRadius(zone, view);
   if (radius * view.pxPerMm < 3.5) return;
-  const at = toPx(view, { x: zone.at[0], y: zone.at[1] });
+  const at = toPx(view, signPlace(zone));
   context.save();
   context.translate(at.x, at.y);
   context.scale(view.pxPerMm, view.pxPerMm);
@@ -77,20 +79,26 @@ export function drawZoneSign(
 }
 
 function outline(context: CanvasRenderingContext2D, zone: Zone, insetMm: number): void {
-  const width = Math.max(1, zone.size[0] - 2 * insetMm);
-  const height = Math.max(1, zone.size[1] - 2 * insetMm);
-  context.beginPath();
-  if (zone.round) context.ellipse(0, 0, width / 2, height / 2, 0, 0, 2 * Math.PI);
-  else context.roundRect(-width / 2, -height / 2, width, height, Math.min(4, width / 6, height / 6));
+  const short = Math.min(...zone.size) - 2 * insetMm;
+  formPath(context, formOf(zone), insetMm, Math.min(4, Math.max(1, short) / 6));
 }
 
-/** Two rows of squares along the lower edge; around a round target, along all of it. */
+/** Two rows of squares along the lower edge; around a target that is no rectangle, along all of its edge. */
 function drawChequers(context: CanvasRenderingContext2D, zone: Zone, palette: Palette): void {
   const [width, height] = zone.size;
   const square = Math.min(SQUARE_MM, width / 8, height / 8);
   context.save();
   context.globalAlpha *= 0.8;
-  if (zone.round) {
+  if (zone.corners) {
+    context.strokeStyle = palette.target;
+    context.lineWidth = square;
+    context.setLineDash([square, square]);
+    for (let row = 0; row < ROWS; row += 1) {
+      context.lineDashOffset = row * square;
+      outline(context, zone, (row + 0.5) * square);
+      context.stroke();
+    }
+  } else if (zone.round) {
     context.strokeStyle = palette.target;
     context.lineWidth = square;
     for (let row = 0; row < ROWS; row += 1) {
@@ -132,9 +140,16 @@ function drawHatch(context: CanvasRenderingContext2D, zone: Zone, pitch: number,
   context.restore();
 }
 
+/** Where a zone has its sign: in its middle, or where a hollow one has the most room. World mm. */
+export function signPlace({ at, angle, ...zone }: Zone): Vec {
+  const { x, y } = roomIn(formOf(zone)).at;
+  const [cos, sin] = [Math.cos(rotationRad(angle)), Math.sin(rotationRad(angle))];
+  return { x: at[0] + x * cos + y * sin, y: at[1] + x * sin - y * cos };
+}
+
 /** Radius of a zone's sign in mm: no larger than fits, no smaller than can be read where there is room. */
 function signRadius(zone: Zone, view: View): number {
-  const room = 0.3 * Math.min(zone.size[0], zone.size[1]);
+  const room = 0.3 * roomIn(formOf(zone)).acrossMm;
   return Math.min(room, Math.max(20, 11 / view.pxPerMm));
 }
 
