@@ -2,6 +2,7 @@ import type { Board } from '#board/board';
 import type { LogEvent } from '#board/data-log';
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { Clock } from '#core/clock';
+import type { Snapshot } from './snapshot';
 import type { TrailPoint } from './trail';
 
 /** A packet that the program sent by radio. */
@@ -38,6 +39,8 @@ export interface RunOutlets {
   readonly radio?: (packet: RadioPacket, device: number) => void;
   readonly log?: (event: TimedLogEvent, device: number) => void;
   readonly trail?: (point: TrailPoint, device: number) => void;
+  /** What the run shows, every 20 ms of simulated time, after the world has moved. */
+  readonly moment?: (snapshot: Snapshot) => void;
 }
 
 /** Those of them that one device tells. */

@@ -19,7 +19,7 @@ import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { seedOfDevice } from './several/seed-of-device';
 import type { Snapshot } from './snapshot';
-import type { TraceRow } from './trace';
+import { TRACE_PERIOD_US, type TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
 import type { Verdict } from './task/verdict';
 
@@ -67,7 +67,7 @@ export class Simulation {
     private readonly setup: RunSetup,
     firmware: WebAssembly.Module,
     fitted: readonly FittedDevice[],
-    outlets: RunOutlets,
+    private readonly outlets: RunOutlets,
   ) {
     this.courseWorld = new CourseWorld(setup.scene);
     this.world = this.courseWorld.world;
@@ -285,6 +285,7 @@ export class Simulation {
     this.judge?.step(this.nowUs);
     for (const device of this.devices) device.sendTrail();
     this.recorder.step(this.nowUs);
+    if (this.outlets.moment && this.nowUs % TRACE_PERIOD_US === 0) this.outlets.moment(this.snapshot());
   }
 
   private takeInputs(): void {

@@ -1,4 +1,5 @@
 import { packed, unpacked } from '#core/deflate';
+import { isSame } from '#core/same';
 import { ByteReader, ByteWriter } from './bytes';
 import { ABSENT, leafOf } from './codes';
 import { putLeaf, type Column, type Key, type Leaf } from './leaves';
@@ -146,4 +147,10 @@ export function momentOf({ columns, values, codes }: Chunk, moment: number): unk
 export function timesOf({ columns, codes }: Chunk): readonly number[] | null {
   const at = columns.findIndex(({ path }) => path.length === 1 && path[0] === 'timeUs');
   return codes[at]?.map((code) => code / 2) ?? null;
+}
+
+/** What stands at one path at each of a piece's moments; `undefined` where nothing does. */
+export function leavesAt({ columns, values, codes }: Chunk, path: readonly Key[]): readonly (Leaf | undefined)[] {
+  const at = columns.findIndex((column) => isSame(column.path, path));
+  return codes[at]?.map((code) => leafOf(code, columns[at]?.step ?? 1, values)) ?? [];
 }

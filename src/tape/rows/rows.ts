@@ -31,18 +31,18 @@ export class Rows<Moment extends { readonly timeUs: number }> {
   /**
    * Adds the next piece of a `RowWriter`.
    *
-   * @returns whether it was one; the rows stay as they were where it was not
+   * @returns what is in it, or `null` where it is none; the rows then stay as they were
    */
-  push(bytes: Uint8Array): boolean {
+  push(bytes: Uint8Array): Chunk | null {
     const chunk = readChunk(bytes, this.told);
     const times = chunk && timesOf(chunk);
-    if (!chunk || !times || (times[0] ?? 0) < this.endUs) return false;
+    if (!chunk || !times || (times[0] ?? 0) <= this.endUs) return null;
     const before = { columnsBefore: this.told.columns.length, valuesBefore: this.told.values.length };
     const span = { fromUs: times[0] ?? 0, toUs: times.at(-1) ?? 0 };
     this.pieces = [...this.pieces, { bytes, ...span, ...before, thinned: 1 }];
     this.told = { columns: chunk.columns, values: chunk.values };
     while (this.bytes > this.mostBytes && this.thinOldest());
-    return true;
+    return chunk;
   }
 
   /** The size of all pieces. */

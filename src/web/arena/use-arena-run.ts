@@ -37,6 +37,7 @@ export function useArenaRun(
   }
 
   function placeRobot(pose: PlacedPose): void {
+    if (run.past.value !== null) return; // nobody moves anything in the past
     if (run.isActive.value) {
       run.input({ type: 'place', pose });
       return;
@@ -46,6 +47,7 @@ export function useArenaRun(
   }
 
   function placeBlock({ id, ...pose }: PlacedPose & { readonly id: string }): void {
+    if (run.past.value !== null) return;
     if (run.isActive.value) {
       run.input({ type: 'place-block', id, pose });
       return;

@@ -35,7 +35,7 @@ function bench(answersStop = true) {
   const types = (index: number): string[] => workers[index]!.sent.map((message) => message.type);
   const start = (): Promise<void> => {
     client.expect();
-    return client.start(setup, 1, false);
+    return client.start(setup, { speed: 1, paused: false });
   };
   /** A run that has begun. */
   const begin = async (): Promise<void> => {

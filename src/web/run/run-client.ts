@@ -1,4 +1,3 @@
-import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 
 import type { FromWorker, ToWorker } from './worker/protocol';
@@ -25,6 +24,9 @@ export interface ClientOptions {
 
 /** The messages of a run between its start and its end. */
 export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
+
+/** How fast a run begins. */
+export type Pace = Pick<Extract<ToWorker, { type: 'run' }>, 'speed' | 'paused' | 'catchUpUs'>;
 
 /** Maximum number of messages that wait for their run's VM. Chosen: more than anyone causes by hand in that time. */
 const MOST_EARLY = 1000;
@@ -84,7 +86,7 @@ export class RunClient {
    *
    * @throws Error (as a rejection) when the VM or the worker cannot be loaded
    */
-  async start(setup: RunSetup, speed: Speed, paused: boolean): Promise<void> {
+  async start(setup: RunSetup, how: Pace): Promise<void> {
     const { turn } = this;
     await this.warmUp();
     await this.options.firmware(); // a worker that is still being prepared gets its VM first
@@ -98,7 +100,7 @@ export class RunClient {
     this.hasBegun = false;
     worker.onmessage = (event) => this.hear(worker, event.data);
     worker.onerror = ({ message }) => this.hear(worker, { type: 'failed', message: message || NO_WORKER });
-    worker.postMessage({ type: 'run', setup, speed, paused });
+    worker.postMessage({ type: 'run', setup, ...how });
     for (const message of this.early ?? []) worker.postMessage(message);
     this.early = null;
   }

@@ -2,7 +2,9 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
 
-import type { FromWorker, ToWorker } from './worker/protocol';
+import type { InputEvent } from '#simulation/input';
+import type { Snapshot } from '#simulation/snapshot';
+import type { FromWorker, RunEvents, ToWorker } from './worker/protocol';
 import type { WorkerPort } from './run-client';
 import { RunModel, type RunHost } from './run-model';
 import { soloRun } from '#simulation/run-setup';
@@ -179,5 +181,64 @@ describe('a run in which nothing happens any more', () => {
     run.input({ type: 'button', button: 'a', down: true });
     expect(ask).not.toBeNull();
     expect(QuickWorker.sent.at(-1)).toMatchObject({ type: 'input' });
+  });
+});
+
+describe('a run that is looked back at', () => {
+  beforeEach(() => {
+    vi.stubGlobal('requestAnimationFrame', () => 0);
+    vi.stubGlobal('cancelAnimationFrame', nothing);
+    QuickWorker.sent.length = 0;
+  });
+  afterEach(() => {
+    vi.unstubAllGlobals();
+  });
+  const workers: QuickWorker[] = [];
+  const createWorker = (): QuickWorker => {
+    const worker = new QuickWorker();
+    workers.push(worker);
+    return worker;
+  };
+  const shows = (timeUs: number): FromWorker => ({ type: 'snapshot', snapshot: { timeUs } as Snapshot, trails: [] });
+  const press = (timeUs: number): InputEvent => ({ timeUs, action: { type: 'interrupt' } });
+  /** A run at 3 s, at which somebody has pressed something after 1 and after 2 s. */
+  async function atThreeSeconds(
+    host: Partial<RunHost> = {},
+  ): Promise<{ run: RunModel; say(message: FromWorker): void }> {
+    workers.length = 0;
+    const run = newRun({ createWorker, ...host });
+    await run.start();
+    await aMoment();
+    const say = (message: FromWorker): void => workers.at(-2)?.say(message); // the last one waits for the next run
+    say(shows(3_000_000));
+    run.lookBack();
+    say({ type: 'inputs', inputs: [press(1_000_000), press(2_000_000)] });
+    return { run, say };
+  }
+
+  it('stands still, and shows the moment that is looked at until something is done', async () => {
+    const { run } = await atThreeSeconds();
+    expect(run.phase.value).toBe('paused');
+    run.past.value = { timeUs: 1_500_000 } as Snapshot;
+    expect(run.nowUs.value).toBe(1_500_000);
+    run.input({ type: 'interrupt' });
+    expect(run.nowUs.value).toBe(3_000_000);
+  });
+
+  it('goes on from one of its moments with what was done until then, silently until it is there', async () => {
+    const heard: number[] = [];
+    const { run, say } = await atThreeSeconds({ onEvents: ({ sound }) => heard.push(sound.length) });
+    run.past.value = { timeUs: 1_500_000 } as Snapshot;
+    await run.goOn(1_500_000);
+    await aMoment();
+    const last = QuickWorker.sent.findLast((message) => message.type === 'run');
+    expect(last).toMatchObject({ catchUpUs: 1_500_000, paused: false, setup: { inputs: [press(1_000_000)] } });
+    const events = { sound: [{}], log: [], radio: [], radioDropped: 0 } as unknown as RunEvents;
+    say(shows(200_000));
+    say({ type: 'events', events, device: 0 });
+    expect([run.nowUs.value, heard]).toEqual([1_500_000, [0]]);
+    say(shows(1_504_000));
+    say({ type: 'events', events, device: 0 });
+    expect([run.nowUs.value, heard]).toEqual([1_504_000, [0, 1]]);
   });
 });

@@ -6,6 +6,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
+import { Recording } from './recording';
 import { Trails } from './trails';
 import type { FromWorker, Output, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions, type ToRun } from './run-client';
@@ -35,12 +36,25 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onKilled(): void;
 }
 
+/** How a run begins. */
+interface Beginning {
+  readonly setup: () => RunSetup;
+  readonly paused: boolean;
+  /** Until this simulated time it runs as fast as it can. */
+  readonly catchUpUs?: number;
+}
+
 /**
  * The run as the page sees it. Reading costs nothing; every command goes to the worker and comes back as a change here.
  */
 export class RunModel {
   readonly phase: ShallowRef<RunPhase> = shallowRef<RunPhase>('ready');
-  readonly snapshot: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** The run now. */
+  readonly present: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** The moment that is looked at instead of now; `null`: nobody looks back. */
+  readonly past: ShallowRef<Snapshot | null> = shallowRef(null);
+  /** What is to be seen: the run now, or as it was. */
+  readonly snapshot: ComputedRef<Snapshot | null> = computed(() => this.past.value ?? this.present.value);
   /** The same as the device that is shown has it: its board, its program and its robot in the first one's place. */
   readonly shown: ComputedRef<Snapshot | null> = computed(() => {
     const snapshot = this.snapshot.value;
@@ -53,7 +67,9 @@ export class RunModel {
   readonly endings: ShallowRef<readonly (Ended | null)[]> = shallowRef([]);
   /** How the program of the device that is shown has ended. */
   readonly ended: ComputedRef<Ended | null> = computed(() => this.endings.value[this.device] ?? null);
-  readonly nowUs = shallowRef(0);
+  readonly nowUs = computed(() => this.snapshot.value?.timeUs ?? 0);
+  /** What is kept of the run to look back. */
+  readonly recording: ShallowRef<Recording> = shallowRef(new Recording(null));
   /** Simulated seconds per wall second reached lately; `null` while unknown. */
   readonly achieved: ShallowRef<number | null> = shallowRef(null);
   readonly isBusy = shallowRef(false);
@@ -101,7 +117,25 @@ export class RunModel {
   }
 
   /** Starts a new run, also during a run; with `paused` it starts paused. */
-  async start(paused = false): Promise<void> {
+  start(paused = false): Promise<void> {
+    return this.begin({ setup: () => this.host.setup(), paused });
+  }
+
+  /**
+   * The run goes on from one of its moments: it is run again up to there, with all that was done until then, as fast as
+   * it can.
+   */
+  goOn(fromUs: number): Promise<void> {
+    const { setup, inputs } = this.recording.value;
+    const moment = this.past.value;
+    if (setup === null || inputs.value === null) return Promise.resolve();
+    const again = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
+    const begun = this.begin({ setup: () => again, paused: false, catchUpUs: fromUs });
+    this.past.value = moment; // shown until the run is there
+    return begun;
+  }
+
+  private async begin({ setup: make, paused, catchUpUs = 0 }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
     this.client.expect();
@@ -110,14 +144,16 @@ export class RunModel {
     this.achieved.value = null;
     this.frameAsked = this.rests = false;
     this.startsPaused = paused;
+    this.catchUpUs = catchUpUs;
     this.host.onStart();
     const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
     if (!isWanted()) return; // a listener of the start has stopped it
     try {
-      const setup = this.host.setup();
+      const setup = make();
+      this.recording.value = new Recording(setup);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
-      await this.client.start(setup, this.speed, paused);
+      await this.client.start(setup, { speed: this.speed, paused, catchUpUs });
     } catch {
       if (!isWanted()) return;
       this.end('failed');
@@ -125,6 +161,7 @@ export class RunModel {
     }
   }
   private startsPaused = false;
+  private catchUpUs = 0;
   /** Counts starts, so that a stop or reset that had to wait notices that another run has begun. */
   private starts = 0;
 
@@ -156,9 +193,16 @@ export class RunModel {
 
   private clear(): void {
     this.trails.clear();
-    this.snapshot.value = null;
+    this.present.value = this.past.value = null;
+    this.recording.value = new Recording(null);
     this.endings.value = [];
-    this.nowUs.value = 0;
+  }
+
+  /** Somebody looks back: time stands still, the newest moments come to `recording`, and `past` may be set to any of them. */
+  lookBack(): void {
+    this.pause();
+    this.client.send({ type: 'tape' });
+    this.past.value ??= this.present.value;
   }
 
   pause(): void {
@@ -201,6 +245,7 @@ export class RunModel {
    * @param device its place; left out: the one that is shown, and for a packet by radio all of them
    */
   input(action: InputAction, device?: number): void {
+    this.past.value = null; // what is done, is done now
     this.host.onInput(action, device ?? this.device);
     const place = device ?? (action.type === 'radio' ? null : this.device);
     const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
@@ -235,9 +280,15 @@ export class RunModel {
         break;
       case 'snapshot':
         this.frameAsked = false;
-        this.trails.add(message.trails);
-        this.snapshot.value = message.snapshot;
-        this.nowUs.value = message.snapshot.timeUs;
+        this.trails.add(message.trails, message.snapshot.timeUs);
+        this.present.value = message.snapshot;
+        this.endCatchingUp(message.snapshot.timeUs);
+        break;
+      case 'tape':
+        this.recording.value.add(message.piece);
+        break;
+      case 'inputs':
+        this.recording.value.inputs.value = message.inputs;
         break;
       case 'alive':
         this.achieved.value = this.phase.value === 'running' ? message.achieved : null;
@@ -258,7 +309,7 @@ export class RunModel {
         this.host.onRestarted(message.device);
         break;
       case 'events':
-        this.host.onEvents(message.events, message.device);
+        this.host.onEvents(this.catchUpUs > 0 ? { ...message.events, sound: [] } : message.events, message.device);
         break;
       case 'stopped':
         this.end('stopped');
@@ -273,6 +324,13 @@ export class RunModel {
       default:
         message satisfies never;
     }
+  }
+
+  /** The run has come to the moment from which it was to go on: now it is shown, and heard. */
+  private endCatchingUp(nowUs: number): void {
+    if (this.catchUpUs === 0 || nowUs < this.catchUpUs) return;
+    this.catchUpUs = 0;
+    this.past.value = null;
   }
 
   private setEnded(device: number, ended: Ended | null): void {

@@ -41,11 +41,25 @@ describe('the trail of a run', () => {
   });
 });
 
+describe('a trail that is looked back at', () => {
+  it('goes as far as it went at that moment, and all of it once nobody looks back', () => {
+    const trail = new Trail();
+    trail.add([1, 1, 2, 2], 1000);
+    trail.add([3, 3], 2000);
+    trail.lookAt(1999);
+    expect([points(trail), trail.generation]).toEqual([[1, 1, 2, 2], 1]);
+    trail.lookAt(500);
+    expect(points(trail)).toEqual([]);
+    trail.lookAt(null);
+    expect(points(trail)).toEqual([1, 1, 2, 2, 3, 3]);
+  });
+});
+
 describe('the trails of several robots', () => {
   it('are kept apart, and all begin anew together, also if only the third has been looked at', () => {
     const trails = new Trails();
     trails.of(2).add([1, 2]);
-    trails.add([[3, 4], [], [5, 6]]);
+    trails.add([[3, 4], [], [5, 6]], 0);
     expect([points(trails.first), points(trails.of(2))]).toEqual([[3, 4], [1, 2, 5, 6]]); // prettier-ignore
     trails.clear();
     expect([0, 1, 2].map((device) => trails.of(device).count)).toEqual([0, 0, 0]);

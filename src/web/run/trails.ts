@@ -19,8 +19,13 @@ export class Trails {
   }
 
   /** Adds points as they come with a snapshot, for each device: x and y alternately. */
-  add(xyMm: readonly (readonly number[])[]): void {
-    xyMm.forEach((points, device) => this.of(device).add(points));
+  add(xyMm: readonly (readonly number[])[], timeUs: number): void {
+    xyMm.forEach((points, device) => this.of(device).add(points, timeUs));
+  }
+
+  /** Shows them as far as they went at a moment; `null`: all of them. */
+  lookAt(timeUs: number | null): void {
+    for (const trail of this.all.values()) trail.lookAt(timeUs);
   }
 
   clear(): void {

@@ -18,13 +18,16 @@ describe('the lines of several devices', () => {
     expect(textsIn(lines)).toEqual([[1, 'b', 1], [0, 'ad', 0], [1, 'c', 1]]); // prettier-ignore
   });
 
-  it('begin with the number of the run; of one device there are none', () => {
+  it('begin with the number of the run; of one device those of the last run are kept', () => {
     expect(linesOf().lines.value.map(({ device, text }) => [device, text])).toEqual([[-1, '1']]);
     const lines = linesOf([0, 'a\n']);
     lines.startRun(2, 1);
     lines.write('b\n', 0, 0);
     lines.show();
-    expect(lines.lines.value).toEqual([]);
+    expect(lines.lines.value.map(({ device, text }) => [device, text])).toEqual([
+      [-1, '2'],
+      [0, 'b'],
+    ]);
   });
 
   it('are the newest 300, whatever is printed, and none is longer than 500 characters', () => {

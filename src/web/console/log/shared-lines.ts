@@ -15,9 +15,12 @@ export const SHARED_LINES = 300;
 /** The longest line that is kept, in characters; a longer one goes on in the next. */
 const LINE_CHARACTERS = 500;
 
-/** What the programs of a run print, line by line in the order in which the lines end. */
+/**
+ * What the programs of a run print, line by line in the order in which the lines end: for the console of all devices, and
+ * for looking back.
+ */
 export class SharedLines {
-  /** Oldest first; empty in a run of one device. */
+  /** Oldest first. */
   readonly lines: ShallowRef<readonly SharedLine[]> = shallowRef([]);
   private readonly kept: SharedLine[] = [];
   private hasNew = false;
@@ -25,9 +28,9 @@ export class SharedLines {
   private nextId = 1;
 
   startRun(number: number, devices: number): void {
-    this.open = devices > 1 ? new Map() : null;
-    if (devices > 1) this.add({ device: -1, text: String(number), timeUs: 0 });
-    else this.clear();
+    this.open = new Map();
+    if (devices === 1) this.clear(); // nobody looks at the runs before: the console of the one device has them
+    this.add({ device: -1, text: String(number), timeUs: 0 });
   }
 
   write(text: string, device: number, timeUs: number): void {

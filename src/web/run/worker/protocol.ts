@@ -15,7 +15,7 @@
  *      │ stop ─────────────────────────────►  │
  *      │ ◄────────────────────────── stopped  │   or, after STOP_ANSWER_MS, the page ends the worker
  */
-import type { InputAction } from '#simulation/input';
+import type { InputAction, InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
@@ -34,8 +34,17 @@ export const STEP_PRESS_US = 20_000;
 export type ToWorker =
   /** First message: the compiled VM. A `WebAssembly.Module` is shared, not copied. */
   | { readonly type: 'prepare'; readonly firmware: WebAssembly.Module }
-  /** Starts the run. `paused` starts it standing still. */
-  | { readonly type: 'run'; readonly setup: RunSetup; readonly speed: Speed; readonly paused: boolean }
+  /**
+   * Starts the run. `paused` starts it standing still. `catchUpUs`: until this simulated time it runs as fast as it can,
+   * paused or not.
+   */
+  | {
+      readonly type: 'run';
+      readonly setup: RunSetup;
+      readonly speed: Speed;
+      readonly paused: boolean;
+      readonly catchUpUs?: number;
+    }
   /** Simulated time stands still until `resume` or `step`. */
   | { readonly type: 'pause' }
   | { readonly type: 'resume' }
@@ -51,6 +60,8 @@ export type ToWorker =
   | { readonly type: 'frame' }
   /** The last `console` batch has been processed. */
   | { readonly type: 'console-taken' }
+  /** Somebody looks back: the newest moments of the tape are wanted now, not when their piece is full. */
+  | { readonly type: 'tape' }
   /** KeyboardInterrupt in the program, a moment for its `finally`, then the end. */
   | { readonly type: 'stop' };
 
@@ -67,6 +78,10 @@ export type FromWorker =
   | { readonly type: 'resting' }
   /** What sounded, was sent by radio and was logged by a device since its last such message; about once a frame. */
   | { readonly type: 'events'; readonly events: RunEvents; readonly device: number }
+  /** What the run showed, 50 moments for a second of simulated time: a piece for `Rows`, in their order. */
+  | { readonly type: 'tape'; readonly piece: Uint8Array }
+  /** What was done to the run so far; answers `tape`, and comes before `stopped`. */
+  | { readonly type: 'inputs'; readonly inputs: readonly InputEvent[] }
   /** Output of the programs, oldest first; at most one batch in transit. */
   | { readonly type: 'console'; readonly output: readonly Output[] }
   /** A program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */

@@ -34,6 +34,7 @@ function bench(
       return run.ended !== null;
     },
     inputs: [] as unknown[],
+    inputLog: [],
     disposed: false,
     advanceTo(us: number) {
       wallMs += ((us - run.nowUs) / 1000) * (options.costMs ?? 0.01);
@@ -111,6 +112,24 @@ describe('the runner', () => {
     const { nowUs } = b.run;
     await b.pass(100);
     expect(b.run.nowUs).toBe(nowUs);
+  });
+
+  it('catches up with a moment as fast as it can, also paused, and then goes at its pace', async () => {
+    const b = bench();
+    b.send({ type: 'prepare', firmware: {} });
+    b.send({
+      type: 'run',
+      setup: { devices: [{}] } as unknown as RunSetup,
+      speed: 1,
+      paused: false,
+      catchUpUs: 5_000_000,
+    });
+    await b.pass(100);
+    expect(b.run.nowUs / 1e6).toBeCloseTo(5, 0);
+    await b.pass(1000);
+    expect(b.run.nowUs / 1e6).toBeCloseTo(6, 0);
+    b.send({ type: 'tape' });
+    expect(b.posted.at(-1)).toEqual({ type: 'inputs', inputs: [] });
   });
 
   it('stands still while paused and moves 20 ms per step', async () => {

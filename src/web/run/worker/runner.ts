@@ -1,4 +1,4 @@
-import type { InputAction } from '#simulation/input';
+import type { InputAction, InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { RunOutlets } from '#simulation/outlets';
@@ -11,6 +11,7 @@ import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } fro
 import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
 import { createStillness } from './stillness';
 import { FAREWELL_MS } from './stop-limits';
+import { TapeBox } from './tape-box';
 
 /** What the runner needs of a `Simulation`. */
 export interface Run {
@@ -21,6 +22,7 @@ export interface Run {
   readonly hasEnded: boolean;
   /** Nothing is set for later; while nothing moves either, nothing happens until the next input. */
   readonly isIdle: boolean;
+  readonly inputLog: readonly InputEvent[];
   advanceTo(us: number): void;
   /** Like `advanceTo`, but stops when the program ends, or the last of several. */
   advanceProgramTo(us: number): void;
@@ -58,6 +60,8 @@ export class Runner {
   private paused = false;
   private speed: Speed = 1;
   private stepUntilUs = 0;
+  /** Until this simulated time neither pause nor pace counts. */
+  private catchUpUs = 0;
   private pieceUs = 4000;
   private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
   private frameWanted = false;
@@ -70,6 +74,7 @@ export class Runner {
   /** What was done while the run was being created. */
   private readonly early: InputMessage[] = [];
   private events = createEventBoxes(1);
+  private readonly tape = new TapeBox();
   private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
   /** What was printed in the present piece of simulated time: it goes to the page as one. */
@@ -88,6 +93,7 @@ export class Runner {
       case 'run':
         this.paused = message.paused;
         this.speed = message.speed;
+        this.catchUpUs = message.catchUpUs ?? 0;
         this.start(message.setup);
         break;
       case 'stop':
@@ -103,6 +109,9 @@ export class Runner {
         break;
       case 'input':
         this.input(message);
+        break;
+      case 'tape':
+        if (this.run !== null) this.tellTape(this.run);
         break;
       default:
         this.changePace(message);
@@ -140,7 +149,7 @@ export class Runner {
     this.events = createEventBoxes(setup.devices.length);
     const print = (text: string, device: number): void =>
       append(this.printed, { device, text, timeUs: this.run?.nowUs ?? 0 });
-    this.at.create(setup, this.firmware, { ...this.events.outlets, print }).then(
+    this.at.create(setup, this.firmware, { ...this.events.outlets, print, moment: this.tape.moment }).then(
       (created) => {
         this.run = created;
         this.toldEnds = created.endings;
@@ -191,6 +200,7 @@ export class Runner {
       }
       this.outbox.flush();
       this.tellEvents();
+      this.tellTape(run);
       this.tellPicture(run);
       run.dispose();
       this.run = null;
@@ -205,6 +215,7 @@ export class Runner {
     this.guarded(() => {
       if (this.resting) this.wake();
       this.advance(run, this.at.nowMs() + SLICE_MS);
+      this.endCatchingUp(run);
       const nowMs = this.at.nowMs();
       this.meter.note(nowMs, run.nowUs);
       this.anchor = withoutBacklog(this.anchor, nowMs, run.nowUs);
@@ -253,6 +264,7 @@ export class Runner {
   /** Simulated time the run may reach now. */
   private limitUs(run: Run): number {
     if (this.outbox.isFull) return run.nowUs;
+    if (run.nowUs < this.catchUpUs) return this.catchUpUs;
     return this.paused ? this.stepUntilUs : dueUs(this.anchor, this.at.nowMs());
   }
 
@@ -274,7 +286,22 @@ export class Runner {
     this.at.post({ type: 'snapshot', snapshot: run.snapshot(), trails: this.events.takeTrails() });
   }
 
+  /** The run is where it was to come: from here on it goes at its pace. */
+  private endCatchingUp(run: Run): void {
+    if (this.catchUpUs === 0 || run.nowUs < this.catchUpUs) return;
+    this.catchUpUs = 0;
+    this.stepUntilUs = run.nowUs;
+    this.anchorHere();
+  }
+
+  /** All of the tape so far, and what was done. */
+  private tellTape(run: Run): void {
+    for (const piece of this.tape.takeAll()) this.at.post({ type: 'tape', piece });
+    this.at.post({ type: 'inputs', inputs: run.inputLog });
+  }
+
   private tellEvents(): void {
+    for (const piece of this.tape.take()) this.at.post({ type: 'tape', piece });
     for (const news of this.events.take()) this.at.post({ type: 'events', ...news });
   }
 

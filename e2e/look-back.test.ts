@@ -1,0 +1,44 @@
+import { expect, test, type App } from './app';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
+import { on, openApp, pasteProgram, robotIn } from './page';
+import { by, gone, until } from './parts';
+
+const PROGRAM = `from mbrobot import *
+setSpeed(50)
+forward()
+for n in range(1000):
+    print("number", n)
+    delay(100)
+`;
+const output = (app: App): Promise<string> =>
+  app.evaluate(() => document.querySelector('[data-testid="console"]')?.textContent ?? '');
+/** Simulated time on the time line, in ms. */
+const at = async (app: App): Promise<number> =>
+  Number(await app.evaluate(() => document.querySelector('[data-testid="time-rail"]')?.getAttribute('aria-valuenow')));
+
+test('a run is looked back at by keys, and goes on from an earlier moment', IN_ONE_ENGINE, async ({ app }) => {
+  await openApp(app);
+  await pasteProgram(app, PROGRAM);
+  const start = await robotIn(app);
+  await app.click(on('run'));
+  await expect.poll(() => output(app)).toContain('number 12');
+  await app.click(by('look-back-open'));
+  await until(app, by('time-rail'));
+  const far = await robotIn(app);
+  expect(await violationsOn(app)).toEqual([]);
+  await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
+  await app.press('Home');
+  await expect.poll(() => at(app)).toBe(0);
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeCloseTo(start.xMm, 0);
+  await app.press('PageUp');
+  await app.press('ArrowLeft');
+  await expect.poll(() => at(app)).toBe(980);
+  const then = await robotIn(app);
+  expect(then.xMm).toBeGreaterThan(start.xMm + 10);
+  expect(then.xMm).toBeLessThan(far.xMm);
+  await app.click(by('go-on'));
+  await gone(app, by('time-rail'));
+  // It has forgotten what came later, drives on from there, and prints it again.
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(far.xMm);
+});
