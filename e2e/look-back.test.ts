@@ -34,9 +34,8 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   await app.press('PageUp');
   await app.press('ArrowLeft');
   await expect.poll(() => at(app)).toBe(980);
-  const then = await robotIn(app);
-  expect(then.xMm).toBeGreaterThan(start.xMm + 10);
-  expect(then.xMm).toBeLessThan(far.xMm);
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start.xMm + 10);
+  expect((await robotIn(app)).xMm).toBeLessThan(far.xMm);
   await app.click(by('go-on'));
   await gone(app, by('time-rail'));
   // It has forgotten what came later, drives on from there, and prints it again.
