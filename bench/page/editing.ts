@@ -92,9 +92,7 @@ const movingAt = (throttle: number, budgetMs: number): Subject<Stage> => {
         await untilUsable(page);
         await openCourse(page, { ...fullCourse(defaultScene(), FEWER_POINTS), name: NAME });
         await tools.send('Performance.enable');
-        await page.click(PLACES.select);
-        await page.focus(PLACES.arena);
-        await page.keyboard.press('Control+a');
+        await selectAll(page);
         await nudge(page); // the first picture of all is painted
         const figures = [await smoothness(opened, nudge), await smoothness(opened, dragAll)].map(
           ({ thread, frames }) => ({
@@ -115,6 +113,15 @@ const UNDO_MS = 50;
 /** The same at normal speed, and on a weak tablet. */
 export const movingSubject = movingAt(1, 16);
 export const slowMovingSubject = movingAt(4, 33);
+
+/** Selects everything, as soon as the tools have come. */
+async function selectAll(page: Page): Promise<void> {
+  await page.click(PLACES.select);
+  await until(page, (arena) => document.querySelector<HTMLElement>(arena)?.style.cursor !== 'progress', PLACES.arena);
+  await page.focus(PLACES.arena);
+  await page.keyboard.press('Control+a');
+  await until(page, (bin) => document.querySelector(bin) !== null, PLACES.bin);
+}
 
 /** An arrow key that is held for a second, and another one back. */
 async function nudge(page: Page): Promise<void> {

@@ -35,6 +35,7 @@ export const PLACES = {
   arena: '[data-testid=arena]',
   pen: '[data-tool=pen]',
   select: '[data-tool=select]',
+  bin: '[data-testid=remove]',
 } as const;
 
 /** Further than this from the start, in mm, the robot counts as moving. */
