@@ -35,3 +35,11 @@ export const cornersOf = ({ minX, minY, maxX, maxY }: Bounds): Outline => [
 
 /** The arena as a rectangle. */
 export const arenaBounds = ([width, height]: Point): Bounds => ({ minX: 0, minY: 0, maxX: width, maxY: height });
+
+/** A rectangle that was moved. */
+export const shiftedBounds = ({ minX, minY, maxX, maxY }: Bounds, [dx, dy]: Point): Bounds => ({
+  minX: minX + dx,
+  minY: minY + dy,
+  maxX: maxX + dx,
+  maxY: maxY + dy,
+});

@@ -1,11 +1,16 @@
+import type { Vec } from '#core/geometry';
+import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
 import { boundsOf } from '#scene/kinds/index';
-import type { Scene, SceneObject } from '#scene/scene';
+import { boundsMeet, boundsOfOutline, type Bounds, type Outline } from '#scene/outline';
+import { robotOutlines } from '#scene/placement';
+import type { Point, Scene, SceneObject } from '#scene/scene';
 import { stepInside } from './arrange';
-import { boundsAll } from './bounds';
-import { freeIds } from './ids';
-import { movedBy } from './kinds/index';
+import { arenaBounds, boundsAll, shiftedBounds } from './bounds';
+import { freeGroups, freeIds } from './ids';
+import { kindOf, movedBy } from './kinds/index';
 import { nextCheckpoint } from './kinds/zone';
+import { minus } from './plane';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';
 
@@ -20,8 +25,14 @@ export interface Pasted {
   readonly selection: Selection;
 }
 
-/** Distance of a copy from its original, in mm. Chosen: two lines of the grid, so that both can be seen and grabbed. */
-const COPY_OFFSET_MM = 20;
+/** Gap between a copy and its original, in mm; what is left of a line of the grid is added. Chosen: both can be grabbed. */
+const GAP_MM = 10;
+
+/** Distance of a copy that has no room beside its original, in mm. Chosen: two lines of the grid. */
+const ASIDE_MM = 20;
+
+/** Farthest copy, in its own extent. Chosen: across the largest arena. */
+const MOST_STEPS = 100;
 
 /** The selected objects as a clip; `null` when none is. The robot's start is not copied: there is only one. */
 export function copied(scene: Scene, selection: Selection): Clip | null {
@@ -30,22 +41,149 @@ export function copied(scene: Scene, selection: Selection): Clip | null {
 }
 
 /**
- * Pastes copied objects into a course: to the right of and below their originals, with ids of its own and checkpoints
- * with the next numbers.
+ * Pastes copied objects into a course, with ids of its own and checkpoints with the next numbers: where they were copied
+ * from, or with their middle at a place. Where something of their sort is in the way, beside it, at the first free side.
  *
- * @param time how often the same has been pasted, this time included; each copy lies further away
  * @returns an edit that a full course refuses; `null` if there is nothing to paste, or no number left for a checkpoint
  */
-export function pasted(scene: Scene, clip: Clip, time = 1): Pasted | null {
-  const around = boundsAll(clip.objects.map(boundsOf));
+export function pasted(
+  scene: Scene,
+  { objects }: Clip,
+  at: Vec | null = null,
+  footprint: readonly Outline[] = [],
+): Pasted | null {
+  const around = boundsAll(objects.map(boundsOf));
   if (!around) return null;
-  const offsetMm = time * COPY_OFFSET_MM;
-  const [dx, dy] = stepInside(around, { x: offsetMm, y: -offsetMm }, scene.size);
+  const [dx, dy]: Point = at === null ? [0, 0] : stepInside(around, stepTo(around, at), scene.size);
+  const there = objects.map((object) => movedBy(object, dx, dy));
+  return put(scene, there, isFreeBy(scene, there, footprint)([0, 0]) ? [0, 0] : freeStep(scene, there, footprint));
+}
+
+/** Copies that were made, and the lower left corner of the rectangle around their originals: what is copied next goes on so. */
+export interface Copies {
+  readonly ids: readonly string[];
+  readonly from: Vec;
+}
+
+/**
+ * Copies what is selected to its first free side; what is itself the last copy, in the direction and distance in which it
+ * lies from its original by now.
+ */
+export function duplicated(
+  scene: Scene,
+  selection: Selection,
+  last: Copies | null = null,
+  footprint: readonly Outline[] = [],
+): (Pasted & { readonly copies: Copies }) | null {
+  const objects = selectedObjects(scene, selection);
+  const around = boundsAll(objects.map(boundsOf));
+  if (!around) return null;
+  const from = { x: around.minX, y: around.minY };
+  const isLast = last !== null && isSame([...last.ids].sort(), [...selection.ids].sort());
+  const [dx, dy]: Point = isLast ? stepInside(around, minus(from, last.from), scene.size) : [0, 0];
+  const made = put(scene, objects, dx === 0 && dy === 0 ? freeStep(scene, objects, footprint) : [dx, dy]);
+  return made && { ...made, copies: { ids: made.selection.ids, from } };
+}
+
+/** Copies what is selected, moved by a step. Copies that would lie exactly on their originals are none. */
+export function copiedBy(scene: Scene, selection: Selection, by: Vec): Pasted | null {
+  const objects = selectedObjects(scene, selection);
+  const around = boundsAll(objects.map(boundsOf));
+  if (!around) return null;
+  const step = stepInside(around, by, scene.size);
+  return step[0] === 0 && step[1] === 0 ? null : put(scene, objects, step);
+}
+
+/** The middle goes to a place by whole cm, so that what lies on the grid stays on it. */
+const stepTo = ({ minX, minY, maxX, maxY }: Bounds, { x, y }: Vec): Vec => ({
+  x: tens(x - (minX + maxX) / 2),
+  y: tens(y - (minY + maxY) / 2),
+});
+
+const tens = (mm: number): number => Math.round(mm / 10) * 10;
+
+/** The step to the nearest free place on the first side that has one; a little aside if none has. */
+function freeStep(scene: Scene, objects: readonly SceneObject[], footprint: readonly Outline[]): Point {
+  const around = boundsAll(objects.map(boundsOf));
+  if (!around) return [0, 0];
+  const arena = arenaBounds(scene.size);
+  const isFree = isFreeBy(scene, objects, footprint);
+  for (const [x, y] of sidesOf(around)) {
+    for (let count = 1; count <= MOST_STEPS; count += 1) {
+      const step: Point = [x * count, y * count];
+      if (!holds(arena, shiftedBounds(around, step))) break;
+      if (isFree(step)) return step;
+    }
+  }
+  return stepInside(around, { x: ASIDE_MM, y: -ASIDE_MM }, scene.size);
+}
+
+/** The steps beside something; a copy of a level line goes below it before it goes behind its end. */
+function sidesOf({ minX, minY, maxX, maxY }: Bounds): readonly Point[] {
+  const [width, height] = [maxX - minX, maxY - minY];
+  const across = Math.ceil((width + GAP_MM) / 10) * 10;
+  const along = Math.ceil((height + GAP_MM) / 10) * 10;
+  const level: readonly Point[] = [
+    [across, 0],
+    [-across, 0],
+  ];
+  const upright: readonly Point[] = [
+    [0, -along],
+    [0, along],
+  ];
+  return width > 2 * height ? [...upright, ...level] : [...level, ...upright];
+}
+
+const holds = (arena: Bounds, { minX, minY, maxX, maxY }: Bounds): boolean =>
+  minX >= arena.minX && minY >= arena.minY && maxX <= arena.maxX && maxY <= arena.maxY;
+
+/** The layer of what stands on the floor, as the robot does. */
+const STANDING = 3;
+
+/** Asks whether objects that are moved by a step meet nothing of their own layer there. */
+function isFreeBy(
+  scene: Scene,
+  objects: readonly SceneObject[],
+  footprint: readonly Outline[],
+): (step: Point) => boolean {
+  const sizes = objects.map((object) => ({ layer: kindOf(object).layer, around: boundsOf(object) }));
+  const all = boundsAll(sizes.map(({ around }) => around));
+  const taken = [
+    ...scene.objects.map((object) => ({ layer: kindOf(object).layer, around: boundsOf(object) })),
+    ...robotOutlines(scene.robot, footprint).map((part) => ({ layer: STANDING, around: boundsOfOutline(part) })),
+  ];
+  return (step) => {
+    // Few things come near, however many are copied.
+    const near = all ? taken.filter(({ around }) => boundsMeet(around, shiftedBounds(all, step))) : [];
+    return !sizes.some(({ layer, around }) => {
+      const there = shiftedBounds(around, step);
+      return near.some((other) => other.layer === layer && boundsMeet(other.around, there));
+    });
+  };
+}
+
+/** Copies of a group are a group of their own. */
+function groupsOfCopies(scene: Scene): (group: string) => string {
+  const names = new Map<string, string>();
+  const freeGroup = freeGroups(scene);
+  return (group) => {
+    const name = names.get(group) ?? freeGroup();
+    names.set(group, name);
+    return name;
+  };
+}
+
+function put(scene: Scene, originals: readonly SceneObject[], [dx, dy]: Point): Pasted | null {
   const freeId = freeIds(scene);
+  const groupOf = groupsOfCopies(scene);
   const numbers: number[] = [];
   const objects: SceneObject[] = [];
-  for (const object of clip.objects) {
-    const copy: SceneObject = { ...movedBy(object, dx, dy), id: freeId(object.type) };
+  for (const original of originals) {
+    const copy: SceneObject = {
+      ...movedBy(original, dx, dy),
+      id: freeId(original.type),
+      ...(original.group === undefined ? {} : { group: groupOf(original.group) }),
+    };
     if (copy.type !== 'checkpoint') {
       objects.push(copy);
       continue;
@@ -56,10 +194,4 @@ export function pasted(scene: Scene, clip: Clip, time = 1): Pasted | null {
     objects.push({ ...copy, number });
   }
   return { edit: { type: 'add', objects }, selection: { ids: objects.map(({ id }) => id), robot: false } };
-}
-
-/** Copies what is selected and pastes it in one step. */
-export function duplicated(scene: Scene, selection: Selection): Pasted | null {
-  const clip = copied(scene, selection);
-  return clip && pasted(scene, clip);
 }

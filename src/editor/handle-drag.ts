@@ -1,12 +1,15 @@
 import { wrappedDeg } from '#core/angle';
+import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
+import type { Point, Scene } from '#scene/scene';
 import { middleOfSelection, turnedBy } from './arrange';
+import { sizedTogether } from './arranging/scale';
 import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { kindOf } from './kinds/index';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import { lured } from './snap/attract';
+import { countOf, selectedObjects } from './selection';
 import type { Drag, Handle, Selection, ToolContext, Turn } from './tools/tool';
 
 /** The result of a drag of a handle. */
@@ -16,18 +19,26 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
     const angleDeg = draggedAngle(drag, scene, selection);
     return angleDeg === null ? null : turnedBy(scene, selection, angleDeg, footprint);
   }
-  const object = scene.objects.find(({ id }) => id === handle.id);
-  if (!object) return null;
   // A thing that is grabbed beside its middle keeps that distance.
   const place = plus(handle.at, minus(endOf(drag), startOf(drag)));
   const snapping = lured(drag, context, selection);
-  const kind = kindOf(object);
-  const changed =
-    handle.kind === 'size'
-      ? kind.sized?.(object, place, snapping)
-      : kind.endMoved?.(object, handle.kind, place, snapping, scene);
+  if (handle.kind === 'size') return sized(handle, place, snapping, context);
+  const object = scene.objects.find(({ id }) => id === handle.id);
+  const changed = object && kindOf(object).endMoved?.(object, handle.kind, place, snapping, scene);
   return changed ? changing([changed]) : null;
 }
+
+/** One thing in its own manner if it has one; several together. */
+function sized({ side = UPPER_RIGHT }: Handle, place: Vec, drag: Drag, context: ToolContext): SceneEdit | null {
+  const { scene, selection } = context;
+  const [only] = countOf(selection) === 1 ? selectedObjects(scene, selection) : [];
+  const kind = only && kindOf(only);
+  if (!only || !kind?.sized) return sizedTogether(side, place, drag, context);
+  const changed = kind.sized(only, side, place, drag);
+  return changed && changing([changed]);
+}
+
+const UPPER_RIGHT: Point = [1, 1];
 
 /** Steps of a drag that turns, in degrees. Chosen: both halves of a right angle and its thirds; a degree when free. */
 const STEP_DEG = 15;

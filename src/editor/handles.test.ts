@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { handleAt, handlesOf } from './handles';
+import type { SceneObject } from '#scene/scene';
 import { block, course, footprint, mover, stroke, wall } from './testing/desk';
 import type { Selection } from './tools/tool';
 
@@ -24,17 +25,30 @@ describe('handles', () => {
     ]);
   });
 
-  it('turn with a block: its own upper right corner, and a knob above it', () => {
-    expect(handlesOf(scene, of(['b']), footprint, 10)).toEqual([
-      { kind: 'size', at: { x: 275, y: 325 }, id: 'b' },
-      { kind: 'rotate', at: { x: 255, y: 300 }, id: 'b' },
+  it('turn with a block: its own corners, its sides, and a knob above it', () => {
+    const handles = handlesOf(scene, of(['b']), footprint, 5);
+    expect(handles).toHaveLength(9);
+    expect(handles).toContainEqual({ kind: 'size', at: { x: 275, y: 325 }, id: 'b', side: [1, 1] });
+    expect(handles).toContainEqual({ kind: 'size', at: { x: 275, y: 300 }, id: 'b', side: [0, 1] });
+    expect(handles.at(-1)).toEqual({ kind: 'rotate', at: { x: 265, y: 300 }, id: 'b' });
+  });
+
+  it('are fewer on what is small under the pointer: four corners, then one', () => {
+    const sizes = (reachMm: number) =>
+      handlesOf(scene, of(['b']), footprint, reachMm).filter(({ kind }) => kind === 'size').length;
+    expect([8, 9, 16, 17, 22].map(sizes)).toEqual([8, 4, 4, 1, 1]);
+    const wide = course(block('b', [300, 300]), { ...block('c', [500, 500]), size: [300, 20] } as SceneObject);
+    expect(handlesOf(wide, of(['c']), footprint, 10).flatMap(({ side }) => (side ? [side] : []))).toEqual([
+      [-1, 1],
+      [0, 1],
+      [1, 1],
     ]);
   });
 
   it('are also the turning point of a mover and the ends of a straight line', () => {
-    expect(kinds(of(['m']))).toEqual(['size m', 'rotate m', 'to m']);
+    expect(kinds(of(['m'])).slice(-3)).toEqual(['size m', 'rotate m', 'to m']);
     expect(kinds(of(['line']))).toEqual(['from line', 'to line', 'rotate line']);
-    expect(kinds(of(['drawn']))).toEqual(['rotate drawn']);
+    expect(new Set(kinds(of(['drawn'])))).toEqual(new Set(['size drawn', 'rotate drawn']));
     expect(kinds(of(['dot']))).toEqual([]);
   });
 
@@ -45,11 +59,12 @@ describe('handles', () => {
     expect(handlesOf(scene, of([], true), [], 10)).toEqual([]);
   });
 
-  it('are one knob above several', () => {
-    expect(handlesOf(scene, of(['w', 'b']), footprint, 10)).toEqual([
-      { kind: 'rotate', at: { x: 250, y: 345 }, id: 'w' },
-    ]);
-    expect(kinds(of(['b'], true))).toEqual(['rotate b']);
+  it('are eight around several, and one knob above them', () => {
+    const handles = handlesOf(scene, of(['w', 'b']), footprint, 10);
+    expect(handles).toHaveLength(9);
+    expect(handles).toContainEqual({ kind: 'size', at: { x: 100, y: 95 }, id: 'w', side: [-1, -1] });
+    expect(handles.at(-1)).toEqual({ kind: 'rotate', at: { x: 250, y: 345 }, id: 'w' });
+    expect(kinds(of(['b'], true)).at(-1)).toBe('rotate b');
     expect(kinds(of([]))).toEqual([]);
   });
 

@@ -4,14 +4,16 @@ import type { Scene } from '#scene/scene';
 import { distanceTo, kindOf } from './kinds/index';
 import { distanceMm, toVec, turned } from './plane';
 import { boundsOfSelection, selectedObjects } from './selection';
+import { boundsHandles } from './size-handles';
 import type { Handle, Selection } from './tools/tool';
 
 /** Default reach for handles, in mm. */
 const USUAL_REACH_MM = 12;
 
 /**
- * The handles of what is selected. One thing: its ends, a corner that sizes it, a knob that turns it; several: one knob
- * that turns all. A knob's `id` is the one thing's, or the first one's of several.
+ * The handles of what is selected. One thing: its ends, corners and sides that size it, a knob that turns it; several:
+ * those of the rectangle around them, and one knob that turns all. Their `id` is the one thing's, or the first one's of
+ * several.
  *
  * @param footprint convex parts of the robot at scale 1 in its own frame
  * @param reachMm the same as that of the drag, so that knobs stand clear of what they turn at every zoom
@@ -28,8 +30,9 @@ export function handlesOf(
   if (objects.length + (hasRobot ? 1 : 0) > 1) {
     const around = boundsOfSelection(scene, selection, footprint);
     if (!around) return [];
+    const id = first?.id ?? null;
     const at = { x: (around.minX + around.maxX) / 2, y: around.maxY + 2 * reachMm };
-    return [{ kind: 'rotate', at, id: first?.id ?? null }];
+    return [...boundsHandles(around, id, reachMm), { kind: 'rotate', at, id }];
   }
   if (first) return kindOf(first).handles(first, reachMm);
   return hasRobot ? [{ kind: 'rotate', at: aheadOfRobot(scene, footprint, reachMm), id: null }] : [];

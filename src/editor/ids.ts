@@ -17,3 +17,14 @@ export function freeIds(scene: Scene): IdSource {
     }
   };
 }
+
+/** Gives names that no group of a course has and that were not given before: `group-1`, `group-2`, … */
+export function freeGroups({ objects }: Scene): () => string {
+  const taken = new Set(objects.map(({ group }) => group));
+  let number = 0;
+  return () => {
+    do number += 1;
+    while (taken.has(`group-${number}`));
+    return `group-${number}`;
+  };
+}

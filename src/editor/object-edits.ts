@@ -45,7 +45,7 @@ export function withRobotField(
 }
 
 /** The value as the field takes it, or `null`. */
-function fitting(field: Field, value: FieldValue): FieldValue | null {
+export function fitting(field: Field, value: FieldValue): FieldValue | null {
   switch (field.kind) {
     case 'number': {
       if (typeof value !== 'number' || Number.isNaN(value)) return null;

@@ -1,15 +1,17 @@
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import type { AnyObject } from '#scene/kinds/kind';
-import { directionOf } from '#scene/outline';
+import { boundsOfOutline, directionOf } from '#scene/outline';
 import { sceneLimits, type Point, type SceneObject, type Shaped } from '#scene/scene';
+import { areaOf } from '#scene/shape/polygon';
 import { toOwnFrame } from '#scene/shape/shape';
 import { endOf, startOf } from '../drag';
 import { lengthField, placeFields, turnField, type Field } from '../object-fields';
-import { plus, rotationDeg, toPoint, toVec, turned, turnedAbout, within } from '../plane';
+import { distanceMm, plus, rotationDeg, toPoint, toVec, turned, turnedAbout, within } from '../plane';
+import { sizeSides } from '../size-handles';
 import { gridMm, intoArena, snappedPlace } from '../snap';
 import type { Drag, Handle } from '../tools/tool';
-import { hitShape, shifted } from './kind';
+import { hitShape, mirroredPoint, scaledPoint, shifted, type Axis } from './kind';
 
 /** An object with a middle and a rotation. */
 type Placed = AnyObject & Pick<Shaped, 'at' | 'angle'>;
@@ -30,14 +32,32 @@ export const placed = {
   middle: ({ at }: Placed) => toVec(at),
   moved: <O extends Placed>(object: O, dx: number, dy: number): O => ({ ...object, at: shifted(object.at, dx, dy) }),
   turned: turnedPlaced,
+  // A rectangle looks the same upside down, and words must stay readable: the mirrored angle is the opposite one.
+  mirrored: <O extends Placed & Pick<Shaped, 'corners'>>(object: O, axis: Axis, atMm: number): O => ({
+    ...object,
+    at: mirroredPoint(object.at, axis, atMm),
+    angle: rotationDeg(-object.angle),
+    ...(object.corners ? { corners: mirroredCorners(object.corners, axis) } : {}),
+  }),
 };
 
-/** Shared by all shapes: a corner of their rectangle sizes them and a knob turns them. */
+/** The corners of a polygon in its own frame, mirrored at the middle of its rectangle. */
+function mirroredCorners(corners: readonly Point[], axis: Axis): readonly Point[] {
+  const along = corners.map((corner) => corner[axis === 'x' ? 0 : 1]);
+  const atMm = (Math.min(...along) + Math.max(...along)) / 2;
+  return corners.map((corner) => mirroredPoint(corner, axis, atMm));
+}
+
+/** Shared by all shapes: corners and sides of their rectangle size them and a knob turns them. */
 export const boxed = {
   ...placed,
   ...hitShape,
   extentMm: ({ size }: BoxObject) => Math.min(...size),
-  handles: boxHandles,
+  handles: (box: BoxObject, reachMm: number): readonly Handle[] => [
+    ...boxSizeHandles(box, reachMm),
+    knobAbove(box, box.size[1], reachMm),
+  ],
+  scaled: scaledBox,
   sized: sizedBox,
   dragged: draggedBox,
 };
@@ -53,12 +73,21 @@ export const boxFields = <O extends BoxObject & SceneObject>(
   turnField(box),
 ];
 
-/** A corner that sizes a box and a knob that turns it. */
-function boxHandles(box: BoxObject, reachMm: number): readonly Handle[] {
+/** The handles at corners and sides that size a box. */
+export function boxSizeHandles(
+  box: Pick<BoxObject, 'id' | 'at' | 'size' | 'angle'>,
+  reachMm: number,
+): readonly Handle[] {
   const { x: cos, y: sin } = directionOf(box.angle);
-  const [halfX, halfY] = [box.size[0] / 2, box.size[1] / 2];
-  const corner = { x: box.at[0] + halfX * cos - halfY * sin, y: box.at[1] + halfX * sin + halfY * cos };
-  return [{ kind: 'size', at: corner, id: box.id }, knobAbove(box, box.size[1], reachMm)];
+  return sizeSides(box.size, reachMm).map((side) => {
+    const [x, y] = [(side[0] * box.size[0]) / 2, (side[1] * box.size[1]) / 2];
+    return {
+      kind: 'size',
+      id: box.id,
+      side,
+      at: { x: box.at[0] + x * cos - y * sin, y: box.at[1] + x * sin + y * cos },
+    };
+  });
 }
 
 /** The knob that turns a box, above the middle of its own upper side. */
@@ -85,14 +114,53 @@ function draggedBox<O extends BoxObject>(box: O, drag: Drag, arena: Point): O {
 const boxSide = (mm: number, leastMm: number = sceneLimits.blockMm.min): number =>
   Math.round(within(mm, { min: leastMm, max: sceneLimits.blockMm.max }));
 
-/** A box with its upper right corner (in its own frame) at a place; the corner opposite stays where it is. */
-function sizedBox<O extends BoxObject>(box: O, place: Vec, { free, reachMm }: Drag): O | null {
+/** A box with a corner or side (in its own frame) at a place; the opposite one stays where it is, or the middle. */
+function sizedBox<O extends BoxObject>(box: O, side: Point, place: Vec, drag: Drag): O | null {
   const own = toOwnFrame(box, place);
-  const opposite = { x: -box.size[0] / 2, y: -box.size[1] / 2 };
-  const side = (mm: number): number => boxSide(free ? mm : gridMm(mm, reachMm));
-  const size: Point = [side(own.x - opposite.x), side(own.y - opposite.y)];
-  if (isSame(size, box.size)) return null;
-  const middle = { x: opposite.x + size[0] / 2, y: opposite.y + size[1] / 2 };
-  const at = toPoint(plus(toVec(box.at), turned(middle, box.angle)));
-  return { ...box, at, size };
+  const size = kept(box.size, side, drag, [
+    draggedSide(box.size[0], side[0], own.x, drag),
+    draggedSide(box.size[1], side[1], own.y, drag),
+  ]);
+  if (isSame(size, box.size) || !isLargeEnough({ ...box, size })) return null;
+  const stays = drag.alt === true ? 0 : 1;
+  const middle = {
+    x: (stays * side[0] * (size[0] - box.size[0])) / 2,
+    y: (stays * side[1] * (size[1] - box.size[1])) / 2,
+  };
+  return { ...box, at: toPoint(plus(toVec(box.at), turned(middle, box.angle))), size };
+}
+
+/** The length of a box along one of its axes when the side at that end is dragged to a place. */
+function draggedSide(lengthMm: number, end: number, placeMm: number, { free, reachMm, alt }: Drag): number {
+  if (end === 0) return lengthMm;
+  const mm = alt === true ? 2 * placeMm * end : placeMm * end + lengthMm / 2;
+  return boxSide(free ? mm : gridMm(mm, reachMm));
+}
+
+/** With Shift both sides grow by the same factor: the larger one at a corner, that of the dragged one at a side. */
+function kept(before: Point, side: Point, { keeps }: Drag, wanted: Point): Point {
+  if (keeps !== true) return wanted;
+  const factors = [wanted[0] / before[0], wanted[1] / before[1]] as const;
+  const factor = side[0] === 0 ? factors[1] : side[1] === 0 ? factors[0] : Math.max(...factors);
+  return [boxSide(before[0] * factor), boxSide(before[1] * factor)];
+}
+
+/** A turned box grows along each of its own axes as far as the arena's axes do there. */
+function scaledBox<O extends BoxObject>(box: O, about: Vec, factor: Vec): O | null {
+  const { x: cos, y: sin } = directionOf(box.angle);
+  const size: Point = [
+    boxSide(box.size[0] * distanceMm(ORIGIN, { x: cos * factor.x, y: sin * factor.y })),
+    boxSide(box.size[1] * distanceMm(ORIGIN, { x: sin * factor.x, y: cos * factor.y })),
+  ];
+  const scaled = { ...box, at: scaledPoint(box.at, about, factor), size };
+  return isLargeEnough(scaled) ? scaled : null;
+}
+
+const ORIGIN: Vec = { x: 0, y: 0 };
+
+/** Whether a polygon still encloses as much as a course wants of it; other shapes always do. */
+export function isLargeEnough({ corners, size }: Pick<Shaped, 'corners' | 'size'>): boolean {
+  if (!corners) return true;
+  const { minX, minY, maxX, maxY } = boundsOfOutline(corners.map(toVec));
+  return (areaOf(corners) / (maxX - minX) / (maxY - minY)) * size[0] * size[1] >= sceneLimits.leastAreaMm2;
 }

@@ -1,9 +1,11 @@
+import { wrappedDeg } from '#core/angle';
 import type { Vec } from '#core/geometry';
 import type { AnyObject } from '#scene/kinds/kind';
 import { distanceToEdge, distanceToOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
 import type { Point, Scene, SceneObject, Shaped } from '#scene/scene';
 import { outlineHolds, shapeOutline, shapeParts } from '#scene/shape/shape';
 import type { Field } from '../object-fields';
+import { toPoint } from '../plane';
 import type { Drag, Handle, ToolOptions } from '../tools/tool';
 
 /** A kind of object as the tools and the list of objects know it. World mm. */
@@ -26,10 +28,17 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   moved(object: O, dx: number, dy: number): O;
   /** Turned counter-clockwise about a place. */
   turned(object: O, pivot: Vec, angleDeg: number): O;
+  /** Mirrored at the upright (`x`) or the level line (`y`) through this place, in whole mm; words stay readable. */
+  mirrored(object: O, axis: Axis, atMm: number): O;
+  /** Made larger or smaller about a place, along the arena's x and y. Lines keep their width. `null`: it cannot be so. */
+  scaled(object: O, about: Vec, factor: Vec): O | null;
   /** The points where it can be grabbed. `reachMm`: of the pointer; knobs keep this distance from it. */
   handles(object: O, reachMm: number): readonly Handle[];
-  /** With the corner that its handle holds at a place; left out: it has no such handle. `null`: nothing changes. */
-  sized?(object: O, place: Vec, drag: Drag): O | null;
+  /**
+   * With the corner or side that its handle holds at a place; left out: it is scaled like several things. `side`: see
+   * `Handle`. `null`: nothing changes.
+   */
+  sized?(object: O, side: Point, place: Vec, drag: Drag): O | null;
   /** With the end that a handle holds at a place; left out: it has no such handle. `null`: nothing changes. */
   endMoved?(object: O, end: 'from' | 'to', place: Vec, drag: Drag, scene: Scene): O | null;
   /** Its fields, in the order of a list. */
@@ -39,6 +48,21 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   /** A new one made by a drag instead of a tap; left out: a drag draws it in another manner. */
   dragged?(object: O, drag: Drag, arena: Point): O;
 }
+
+/** What a thing is mirrored along: `x` swaps left and right, `y` up and down. */
+export type Axis = 'x' | 'y';
+
+/** A place mirrored at a line. */
+export const mirroredPoint = ([x, y]: Point, axis: Axis, atMm: number): Point =>
+  axis === 'x' ? [Math.round(2 * atMm - x) + 0, y] : [x, Math.round(2 * atMm - y) + 0];
+
+/** A direction mirrored, in degrees. */
+export const mirroredDeg = (angleDeg: number, axis: Axis): number =>
+  wrappedDeg(axis === 'x' ? 180 - angleDeg : -angleDeg);
+
+/** A place moved away from another, or towards it, by factors. */
+export const scaledPoint = ([x, y]: Point, about: Vec, factor: Vec): Point =>
+  toPoint({ x: about.x + (x - about.x) * factor.x, y: about.y + (y - about.y) * factor.y });
 
 /** Hit where a convex outline is. */
 export const hitWithin = <O extends AnyObject>(

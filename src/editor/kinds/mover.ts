@@ -6,7 +6,7 @@ import { distanceMm, toPoint, toVec } from '../plane';
 import { alongEighths, shortenedInto, wholeCentimetres } from '../snap';
 import type { Drag } from '../tools/tool';
 import { boxed, boxFields } from './box';
-import { shifted, type EditorKind } from './kind';
+import { mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { turnedExtent } from './line';
 
 /** Length of the path of a mover that was put by a tap, in mm. Chosen: two cells of the arena's grid. */
@@ -22,10 +22,18 @@ export const mover: EditorKind<Mover> = {
     const [x, y] = turnedExtent(mover.at, mover.to, angleDeg);
     return { ...turned, to: toPoint({ x: turned.at[0] + x, y: turned.at[1] + y }) };
   },
+  mirrored: (mover, axis, atMm) => ({
+    ...boxed.mirrored(mover, axis, atMm),
+    to: mirroredPoint(mover.to, axis, atMm),
+  }),
+  scaled(mover, about, factor) {
+    const scaled = boxed.scaled(mover, about, factor);
+    return scaled && { ...scaled, to: scaledPoint(mover.to, about, factor) };
+  },
   handles: (mover, reachMm) => [...boxed.handles(mover, reachMm), { kind: 'to', at: toVec(mover.to), id: mover.id }],
-  sized(mover, place, drag) {
+  sized(mover, side, place, drag) {
     const { at, to } = mover;
-    const sized = boxed.sized(mover, place, drag);
+    const sized = boxed.sized(mover, side, place, drag);
     return sized && { ...sized, to: toPoint({ x: to[0] + sized.at[0] - at[0], y: to[1] + sized.at[1] - at[1] }) };
   },
   endMoved: (mover, _end, place, drag, scene) => ({ ...mover, to: turningPoint(place, mover.at, scene.size, drag) }),

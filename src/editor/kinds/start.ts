@@ -3,7 +3,7 @@ import { START_SIDE_MM, startOutline } from '#scene/kinds/start';
 import { robotColors, sceneLimits, type RobotColor, type Start } from '#scene/scene';
 import { placeFields } from '../object-fields';
 import { plus, toPoint, toVec, turned, turnedAbout } from '../plane';
-import { hitWithin, shifted, type EditorKind } from './kind';
+import { hitWithin, mirroredDeg, mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 
 const moved = (start: Start, dx: number, dy: number): Start => ({ ...start, at: shifted(start.at, dx, dy) });
 
@@ -21,6 +21,12 @@ export const start: EditorKind<Start> = {
     at: toPoint(turnedAbout(toVec(start.at), pivot, angleDeg)),
     heading: wrappedDeg(start.heading + angleDeg),
   }),
+  mirrored: (start, axis, atMm) => ({
+    ...start,
+    at: mirroredPoint(start.at, axis, atMm),
+    heading: mirroredDeg(start.heading, axis),
+  }),
+  scaled: (start, about, factor) => ({ ...start, at: scaledPoint(start.at, about, factor) }),
   handles: ({ id, at, heading }, reachMm) => [
     { kind: 'rotate', at: plus(toVec(at), turned({ x: START_SIDE_MM / 2 + 2 * reachMm, y: 0 }, heading)), id },
   ],

@@ -6,7 +6,8 @@ import { sceneLimits, strokeColors, type Point, type Stroke } from '#scene/scene
 import { endFields, lengthField, placeFields } from '../object-fields';
 import { distanceMm, minus, toPoint, toVec, turnedAbout } from '../plane';
 import { snappedTo, strokeEnds } from '../snap';
-import { longerSide, shifted, type EditorKind } from './kind';
+import { boundsHandles } from '../size-handles';
+import { longerSide, mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { lineHandles, turnedEnds } from './line';
 
 /** Length of a line that is added without a pointer, in mm. Chosen: two cells of a maze. */
@@ -27,12 +28,22 @@ export const stroke: EditorKind<Stroke> = {
     somePiece(stroke, around, (from, to) => overlapMm([toVec(from), toVec(to)], outline) >= -stroke.width / 2),
   moved,
   turned: (stroke, pivot, angleDeg) => ({ ...stroke, points: turnedPoints(stroke.points, pivot, angleDeg) }),
+  mirrored: (stroke, axis, atMm) => ({
+    ...stroke,
+    points: stroke.points.map((point) => mirroredPoint(point, axis, atMm)),
+  }),
+  scaled(stroke, about, factor) {
+    const points = stroke.points.map((point) => scaledPoint(point, about, factor));
+    return isPressedTogether(points) && !isPressedTogether(stroke.points) ? null : { ...stroke, points };
+  },
   handles(stroke, reachMm) {
     const { id, points, width } = stroke;
     const ends = endsOf(stroke);
     if (ends) return lineHandles(id, ends, width, reachMm);
-    const at = { x: middleOfInk(stroke).x, y: boundsOf(stroke).maxY + 2 * reachMm };
-    return points.length < 2 ? [] : [{ kind: 'rotate', at, id }];
+    if (points.length < 2) return [];
+    const around = boundsOf(stroke);
+    const at = { x: middleOfInk(stroke).x, y: around.maxY + 2 * reachMm };
+    return [...boundsHandles(around, id, reachMm), { kind: 'rotate', at, id }];
   },
   endMoved(stroke, end, place, { reachMm, free, lure }, scene) {
     const [first, last] = endsOf(stroke) ?? [];
@@ -77,6 +88,8 @@ function endsOf({ points }: Stroke): readonly [Point, Point] | null {
 function moved(stroke: Stroke, dx: number, dy: number): Stroke {
   return { ...stroke, points: stroke.points.map((point) => shifted(point, dx, dy)) };
 }
+
+const isPressedTogether = ([first, ...rest]: readonly Point[]): boolean => rest.every((point) => isSame(point, first));
 
 /** The length of a stroke's middle line, in mm. */
 export const strokeLengthMm = ({ points }: Stroke): number =>

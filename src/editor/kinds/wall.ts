@@ -4,7 +4,7 @@ import { sceneLimits, type Wall } from '#scene/scene';
 import { endFields, lengthField } from '../object-fields';
 import { distanceMm, middleBetween, minus, toVec } from '../plane';
 import { otherWalls, snappedTo } from '../snap';
-import { hitWithin, shifted, type EditorKind } from './kind';
+import { hitWithin, mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { lineHandles, turnedEnds } from './line';
 
 /** Length of a wall that is added without a pointer, in mm. Chosen: a cell of a maze and a bit. */
@@ -21,6 +21,13 @@ export const wall: EditorKind<Wall> = {
   moved: (wall, dx, dy) => ({ ...wall, from: shifted(wall.from, dx, dy), to: shifted(wall.to, dx, dy) }),
   // At the very end of what a course may hold a turn could press the ends together.
   turned: (wall, pivot, angleDeg) => withEnds(wall, ...turnedEnds(wall.from, wall.to, pivot, angleDeg)) ?? wall,
+  mirrored: (wall, axis, atMm) => ({
+    ...wall,
+    from: mirroredPoint(wall.from, axis, atMm),
+    to: mirroredPoint(wall.to, axis, atMm),
+  }),
+  scaled: (wall, about, factor) =>
+    withEnds(wall, scaledPoint(wall.from, about, factor), scaledPoint(wall.to, about, factor)),
   handles: ({ id, from, to, thickness }, reachMm) => lineHandles(id, [from, to], thickness, reachMm),
   endMoved(wall, end, place, { reachMm, free, lure }, scene) {
     const stays = end === 'from' ? wall.to : wall.from;

@@ -39,6 +39,8 @@ export const randomOptions = (rng: Rng): ToolOptions => ({
   zoneBlocks: wholeFrom(rng, 0, 50),
   labelText: oneOf(rng, ['', ' Start ', 'a\nb', 'x'.repeat(300), '😀'.repeat(80)]),
   labelHeight: wholeFrom(rng, 5, 500),
+  several: rng.unit() < 0.2,
+  catches: oneOf(rng, ['frame', 'lasso']),
 });
 
 /** A selection of some of a course. */
@@ -50,7 +52,8 @@ export const randomSelection = (rng: Rng, scene: Scene): Selection => ({
 /** Any drag: taps, jumps, walks, scribbles, also far outside the arena. */
 export function randomDrag(rng: Rng): Drag {
   const reachMm = oneOf(rng, [1, 6, 15, 60]);
-  return { path: randomPath(rng), free: rng.unit() < 0.3, adds: rng.unit() < 0.2, reachMm };
+  const keys = { free: rng.unit() < 0.3, adds: rng.unit() < 0.2, keeps: rng.unit() < 0.2, alt: rng.unit() < 0.2 };
+  return { path: randomPath(rng), ...keys, reachMm };
 }
 
 function randomPath(rng: Rng): readonly Vec[] {

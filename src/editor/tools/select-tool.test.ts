@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
+import type { Scene, SceneObject } from '#scene/scene';
 import { selectTool } from './select-tool';
 import { block, contextOf, course, drag, freely, mover, stroke, target, used, wall } from '../testing/desk';
 import { nothingSelected, type Drag, type Selection } from './tool';
@@ -59,6 +59,25 @@ describe('selecting', () => {
     expect(selectTool.edit(frame, contextOf(pile))).toBeNull();
   });
 
+  it('adds and takes away with each tap where several are chosen by finger, and a tap on nothing keeps them', () => {
+    const several = (one: Drag, before: Selection): Selection | undefined =>
+      selectTool.select?.(one, contextOf(pile, { several: true }, before), pile);
+    expect(several(drag([300, 300]), selectionOf(['t']))).toEqual(selectionOf(['t', 'b']));
+    expect(several(drag([300, 300]), selectionOf(['t', 'b']))).toEqual(selectionOf(['t']));
+    expect(several(drag([800, 800]), selectionOf(['t']))).toEqual(selectionOf(['t']));
+    expect(several(drag([150, 150], [190, 310]), selectionOf(['b']))).toEqual(selectionOf(['b', 's']));
+  });
+
+  it('catches with a lasso what it touches or has inside, not what lies in its bay, and shows it', () => {
+    const scene = course(block('in', [200, 200]), block('bay', [300, 300]), block('out', [500, 500]), wall('w', [150, 350], [150, 500])); // prettier-ignore
+    const lasso = drag([100, 100], [400, 100], [400, 250], [250, 250], [250, 400], [100, 400]);
+    const context = contextOf(scene, { catches: 'lasso' });
+    expect(selectTool.select?.(lasso, context, scene)).toEqual(selectionOf(['in', 'w']));
+    expect(selectTool.marks?.(lasso, context, true)).toEqual([{ type: 'lasso', path: lasso.path }]);
+    const around = drag([530, 350], [700, 350], [700, 550], [530, 550]);
+    expect(selectTool.select?.(around, context, scene)).toEqual(selectionOf([], true));
+  });
+
   it('moves nothing when a finger trembles', () => {
     expect(after(pile, drag([300, 300], [303, 301]))).toBe(pile);
   });
@@ -93,6 +112,15 @@ describe('moving', () => {
       ],
     };
     expect(after(course(block('b', [300, 300])), one).objects).toEqual([block('b', [351, 300])]);
+  });
+
+  it('copies with Alt: the originals stay, the copies are selected where they are dropped', () => {
+    const scene = course(block('b', [300, 300]), wall('w', [100, 100], [200, 100]));
+    const copies: Drag = { ...drag([300, 300], [400, 350]), alt: true };
+    expect(after(scene, copies).objects).toEqual([...scene.objects, block('block-1', [400, 350])]);
+    expect(chosen(scene, copies)).toEqual(selectionOf(['block-1']));
+    expect(chosen(scene, copies, selectionOf(['b', 'w']))).toEqual(selectionOf(['block-1', 'wall-1']));
+    expect(chosen(scene, { ...drag([300, 300]), alt: true })).toEqual(selectionOf(['b']));
   });
 
   it('leaves 10 mm of a thing in the arena, however far it is dragged', () => {
@@ -137,6 +165,44 @@ describe('handles', () => {
     const scene = course(block('b', [300, 300], 2));
     const [sized] = after(scene, freely(drag([275, 325], [275, 425])), selectionOf(['b'])).objects;
     expect(sized).toMatchObject({ at: [300, 350], size: [150, 50] });
+  });
+
+  it('size a block at a side, with Alt about its middle, with Shift in its proportions', () => {
+    const scene = course({ ...block('b', [300, 300]), size: [100, 50] } as SceneObject);
+    const sized = (one: Drag): SceneObject | undefined => after(scene, one, selectionOf(['b'])).objects[0];
+    expect(sized(drag([350, 300], [400, 310]))).toMatchObject({ at: [325, 300], size: [150, 50] });
+    expect(sized(drag([250, 275], [240, 255]))).toMatchObject({ at: [295, 290], size: [110, 70] });
+    expect(sized({ ...drag([350, 300], [370, 300]), alt: true })).toMatchObject({ at: [300, 300], size: [140, 50] });
+    expect(sized({ ...drag([350, 325], [400, 330]), keeps: true })).toMatchObject({ at: [325, 313], size: [150, 75] });
+    expect(sized({ ...drag([350, 300], [400, 300]), keeps: true })).toMatchObject({ at: [325, 300], size: [150, 75] });
+  });
+
+  it('size words in their proportions', () => {
+    const words: SceneObject = { type: 'label', id: 'l', at: [300, 300], text: 'Start', height: 30, angle: 0 };
+    const [sized] = after(course(words), drag([360, 321], [480, 321]), selectionOf(['l'])).objects;
+    expect(sized).toMatchObject({ at: [360, 321], height: 60, text: 'Start' });
+  });
+
+  it('size a drawn line, and several things together, about the opposite corner; walls keep their thickness', () => {
+    const scene = course(stroke('s', [100, 100], [150, 200], [200, 100]), wall('w', [300, 100], [300, 200]));
+    const drawn = after(scene, freely(drag([210, 210], [330, 330])), selectionOf(['s'])).objects[0];
+    expect(drawn).toEqual(stroke('s', [110, 110], [210, 310], [310, 110]));
+    const both = after(scene, freely(drag([305, 210], [520, 210])), selectionOf(['s', 'w'])).objects;
+    expect(both).toEqual([stroke('s', [110, 100], [210, 200], [310, 100]), wall('w', [510, 100], [510, 200])]);
+  });
+
+  it('size things and the start of the robot with them, which keeps its size', () => {
+    const scene = course(block('b', [200, 300]));
+    const held = selectionOf(['b'], true);
+    const wider = after(scene, freely(drag([660, 378], [903, 378])), held);
+    expect(wider.robot).toMatchObject({ at: [813, 450], scale: 1 });
+    expect(wider.objects[0]).toMatchObject({ at: [213, 300], size: [75, 50] });
+  });
+
+  it('turn several together about their middle', () => {
+    const scene = course(block('b', [300, 300]), block('c', [500, 300]));
+    const turned = after(scene, drag([400, 341], [359, 300]), selectionOf(['b', 'c'])).objects;
+    expect(turned).toEqual([block('b', [400, 200], 2), block('c', [400, 400], 2)]);
   });
 
   it('turn a block in steps of 15°, of 1° when it is free', () => {

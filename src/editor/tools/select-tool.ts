@@ -1,9 +1,11 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import { moved } from '../arrange';
+import { copiedBy } from '../clipboard';
 import { endOf, isTap, startOf } from '../drag';
 import { draggedTurn, handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
+import { thingsInLasso } from '../lasso';
 import { minus } from '../plane';
 import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
 import { movingOf, snappedStep } from '../snap/attract';
@@ -13,6 +15,7 @@ import {
   type Drag,
   type Handle,
   type Mark,
+  type Opened,
   type Selection,
   type Tool,
   type ToolContext,
@@ -21,7 +24,8 @@ import {
 
 /**
  * Selects, moves, sizes and turns. A tap selects the topmost thing, again on the same place the next below; a drag moves
- * what it began on, or what is selected if that is part of it; a drag from nothing catches what its frame touches.
+ * what it began on, or what is selected if that is part of it, or with Alt copies of it; a drag from nothing catches what
+ * its frame or lasso touches.
  */
 export const selectTool: Tool = {
   id: 'select',
@@ -32,8 +36,11 @@ export const selectTool: Tool = {
     switch (grip.type) {
       case 'handle':
         return handleDragged(grip.handle, drag, context);
-      case 'things':
-        return moved(context.scene, grip.selection, stepOf(drag, grip, context), context.footprint);
+      case 'things': {
+        const step = stepOf(drag, grip, context);
+        if (drag.alt === true) return copiedBy(context.scene, grip.selection, step)?.edit ?? null;
+        return moved(context.scene, grip.selection, step, context.footprint);
+      }
       case 'floor':
         return null;
       default:
@@ -47,18 +54,39 @@ export const selectTool: Tool = {
   },
   marks(drag, context, isDown): readonly Mark[] {
     if (!isDown || isTap(drag) || gripOf(drag, context).type !== 'floor') return [];
+    if (context.options.catches === 'lasso') return [{ type: 'lasso', path: drag.path }];
     return [{ type: 'frame', from: startOf(drag), to: endOf(drag) }];
   },
   select(drag, context): Selection {
-    const { scene, selection, footprint } = context;
+    const { scene, selection } = context;
     const grip = gripOf(drag, context);
     if (isTap(drag)) return tapped(drag, context, grip.type === 'handle');
     if (grip.type === 'handle') return selection;
-    if (grip.type === 'things') return grip.selection;
-    const framed = thingsIn(scene, startOf(drag), endOf(drag), footprint);
-    return drag.adds ? joined(selection, framed) : framed;
+    if (grip.type === 'floor')
+      return adds(drag, context) ? joined(selection, caught(drag, context)) : caught(drag, context);
+    if (drag.alt !== true) return grip.selection;
+    return copiedBy(scene, grip.selection, stepOf(drag, grip, context))?.selection ?? selection;
   },
+  opens: opened,
 };
+
+/** Labels open their words, lines their points. */
+function opened(drag: Drag, { scene, footprint }: ToolContext): Opened | null {
+  const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
+  const object = scene.objects.find(({ id }) => id === topmost);
+  if (object?.type === 'label') return { part: 'words', id: object.id };
+  return object?.type === 'stroke' ? { part: 'points', id: object.id } : null;
+}
+
+/** What a drag from the floor catches. */
+function caught(drag: Drag, { scene, options, footprint }: ToolContext): Selection {
+  return options.catches === 'lasso'
+    ? thingsInLasso(scene, drag.path, footprint)
+    : thingsIn(scene, startOf(drag), endOf(drag), footprint);
+}
+
+/** Whether a tap or drag adds to what is selected. */
+const adds = (drag: Drag, { options }: ToolContext): boolean => drag.adds || options.several;
 
 /** The things that a drag has grabbed. */
 type Grip =
@@ -82,15 +110,17 @@ function gripOf(drag: Drag, context: ToolContext): Grip {
 const isSameGrip = (
   known: { readonly context: ToolContext; readonly drag: Drag },
   { reachMm, adds }: Drag,
-  { scene, selection, footprint }: ToolContext,
+  { scene, selection, footprint, options }: ToolContext,
 ): boolean =>
   known.context.scene === scene &&
+  known.context.options.several === options.several &&
   known.context.selection === selection &&
   known.context.footprint === footprint &&
   known.drag.reachMm === reachMm &&
   known.drag.adds === adds;
 
-function findGrip(drag: Drag, { scene, selection, footprint }: ToolContext): Grip {
+function findGrip(drag: Drag, context: ToolContext): Grip {
+  const { scene, selection, footprint } = context;
   const start = startOf(drag);
   const handle = handleAt(scene, selection, footprint, start, drag.reachMm);
   if (handle) return { type: 'handle', handle };
@@ -99,7 +129,11 @@ function findGrip(drag: Drag, { scene, selection, footprint }: ToolContext): Gri
   if (topmost === undefined) return { type: 'floor' };
   const held = things.find((thing) => includes(selection, thing));
   if (held !== undefined) return { type: 'things', held, selection };
-  return { type: 'things', held: topmost, selection: drag.adds ? joined(selection, only(topmost)) : only(topmost) };
+  return {
+    type: 'things',
+    held: topmost,
+    selection: adds(drag, context) ? joined(selection, only(topmost)) : only(topmost),
+  };
 }
 
 /** The displacement of a drag, with what it snaps to. */
@@ -110,11 +144,12 @@ function stepOf(drag: Drag, { held, selection }: Extract<Grip, { type: 'things' 
   return moving === null ? step : snappedStep(moving, step, luresOf(scene, selection, footprint), drag);
 }
 
-function tapped(drag: Drag, { scene, selection, footprint }: ToolContext, isOnHandle: boolean): Selection {
+function tapped(drag: Drag, context: ToolContext, isOnHandle: boolean): Selection {
+  const { scene, selection, footprint } = context;
   const things = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
   const [topmost] = things;
-  if (topmost === undefined) return drag.adds || isOnHandle ? selection : nothingSelected;
-  if (drag.adds) return toggled(selection, topmost);
+  if (topmost === undefined) return adds(drag, context) || isOnHandle ? selection : nothingSelected;
+  if (adds(drag, context)) return toggled(selection, topmost);
   const now = countOf(selection) === 1 ? things.findIndex((thing) => includes(selection, thing)) : -1;
   return only(things[(now + 1) % things.length] ?? topmost);
 }

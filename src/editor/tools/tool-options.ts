@@ -20,6 +20,8 @@ export const usualToolOptions: ToolOptions = {
   zoneBlocks: sceneDefaults.blocks,
   labelText: '',
   labelHeight: sceneDefaults.labelHeight,
+  several: false,
+  catches: 'frame',
 };
 
 /** Bounds of a number beside a tool, and the step of its − and + buttons. */

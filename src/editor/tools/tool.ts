@@ -14,6 +14,10 @@ export interface Drag {
   readonly free: boolean;
   /** Adds to the selection instead of making a new one (Shift, Ctrl or ⌘ at the press). */
   readonly adds: boolean;
+  /** Keeps the proportions of what is sized (Shift while it is dragged); left out: no. */
+  readonly keeps?: boolean;
+  /** Copies what is moved, sizes about the middle (Alt or Option while it is dragged); left out: no. */
+  readonly alt?: boolean;
   /** How near counts as on a thing, in mm: larger for a finger than for a mouse, and when zoomed out. */
   readonly reachMm: number;
   /** Things that attract what is drawn or sized; left out: only the grid does. */
@@ -27,6 +31,8 @@ export type Lure = (mm: number, axis: 'x' | 'y') => number | null;
 export interface Selection {
   readonly ids: readonly string[];
   readonly robot: boolean;
+  /** The points of the only selected thing are taken hold of, one by one, not the thing; left out: no. */
+  readonly points?: boolean;
 }
 
 export const nothingSelected: Selection = { ids: [], robot: false };
@@ -55,6 +61,10 @@ export interface ToolOptions {
   readonly zoneBlocks: number;
   readonly labelText: string;
   readonly labelHeight: number;
+  /** Each tap adds a thing to the selection or takes it away: for fingers, which have no Shift key. */
+  readonly several: boolean;
+  /** What catches things when a drag begins on the floor. */
+  readonly catches: 'frame' | 'lasso';
 }
 
 /** The surroundings of a tool. */
@@ -71,6 +81,8 @@ export interface ToolContext {
 export type Mark =
   /** The frame that catches objects. */
   | { readonly type: 'frame'; readonly from: Vec; readonly to: Vec }
+  /** The line around what it catches; its end is joined to its beginning. */
+  | { readonly type: 'lasso'; readonly path: readonly Vec[] }
   /** The ruler's line; the page writes length, angle, x and y beside it. */
   | { readonly type: 'measure'; readonly from: Vec; readonly to: Vec }
   /** The point to which an end has snapped. */
@@ -91,6 +103,8 @@ export interface Handle {
   readonly kind: 'rotate' | 'from' | 'to' | 'size';
   /** World mm. */
   readonly at: Vec;
+  /** Where a `size` handle is in the thing's own frame: −1, 0 or 1 along its x and its y. Both 0 for all other handles. */
+  readonly side?: Point;
   /** The object, or `null` for the robot. */
   readonly id: string | null;
 }
@@ -128,4 +142,12 @@ export interface Tool {
   turns?(drag: Drag, context: ToolContext): Turn | null;
   /** The selection after the drag; left out: as before. `after` is the course with the edit applied. */
   select?(drag: Drag, context: ToolContext, after: Scene): Selection;
+  /** What a double tap or click opens there; left out, or `null`: it is a second tap like any other. */
+  opens?(drag: Drag, context: ToolContext): Opened | null;
+}
+
+/** What can be opened to change what is inside: the words of a label, the points of a line. */
+export interface Opened {
+  readonly part: 'words' | 'points';
+  readonly id: string;
 }

@@ -9,7 +9,12 @@ import { asKept } from '#scene/groups';
 import { serializeScene } from '#scene/serialize';
 import { forManySeeds, fuzzRuns, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { nudged, turned } from '../arrange';
-import { duplicated } from '../clipboard';
+import { aligned, distributed } from '../arranging/align';
+import { mirrored } from '../arranging/mirror';
+import { reordered } from '../arranging/order';
+import { sizedAlike } from '../arranging/same-size';
+import { copied, copiedBy, duplicated, pasted } from '../clipboard';
+import { commonFields, withCommonField } from '../common-fields';
 import { withSize } from '../course-edits';
 import { describeEdit } from '../describe-edit';
 import { resized } from '../robot-size';
@@ -28,20 +33,63 @@ function withTool(rng: Rng, scene: Scene, selection: Selection): SceneEdit | nul
 }
 
 function withKeys(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
-  switch (wholeFrom(rng, 0, 5)) {
+  switch (wholeFrom(rng, 0, 7)) {
     case 0:
       return nudged(scene, selection, wholeFrom(rng, -500, 500), wholeFrom(rng, -500, 500), footprint);
     case 1:
       return turned(scene, selection, wholeFrom(rng, -9, 9), footprint);
     case 2:
-      return duplicated(scene, selection)?.edit ?? null;
+      return copies(rng, scene, selection);
     case 3:
       return removed(scene, selection);
     case 4:
+      return arranged(rng, scene, selection);
+    case 5:
+      return changedTogether(rng, scene, selection);
+    case 6:
       return resized(scene, oneOf(rng, [1, -1] as const), footprint);
     default:
       return withSize(scene, [wholeFrom(rng, 100, 3000), wholeFrom(rng, 100, 3000)], footprint);
   }
+}
+
+function copies(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
+  const place = { x: wholeFrom(rng, -300, 1500), y: wholeFrom(rng, -300, 1200) };
+  const clip = copied(scene, selection);
+  const last = { ids: selection.ids, from: place };
+  switch (wholeFrom(rng, 0, 2)) {
+    case 0:
+      return clip && (pasted(scene, clip, inPercent(rng, 50) ? place : null, footprint)?.edit ?? null);
+    case 1:
+      return duplicated(scene, selection, inPercent(rng, 50) ? last : null, footprint)?.edit ?? null;
+    default:
+      return copiedBy(scene, selection, place)?.edit ?? null;
+  }
+}
+
+function arranged(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
+  const axis = oneOf(rng, ['x', 'y'] as const);
+  switch (wholeFrom(rng, 0, 4)) {
+    case 0:
+      return reordered(scene, selection, oneOf(rng, ['front', 'forward', 'backward', 'back'] as const));
+    case 1:
+      return aligned(scene, selection, oneOf(rng, ['left', 'upright', 'right', 'top', 'level', 'bottom'] as const), footprint); // prettier-ignore
+    case 2:
+      return distributed(scene, selection, axis, footprint);
+    case 3:
+      return mirrored(scene, selection, axis, footprint);
+    default:
+      return sizedAlike(scene, selection);
+  }
+}
+
+/** Any value that a field which all have in common may have, and some that it may not. */
+function changedTogether(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
+  const fields = commonFields(scene, selection);
+  if (fields.length === 0) return null;
+  const { field } = oneOf(rng, fields);
+  const value = field.kind === 'choice' ? oneOf<string>(rng, field.choices) : wholeFrom(rng, -100, 900);
+  return withCommonField(scene, selection, field.name, field.kind === 'switch' ? inPercent(rng, 50) : value);
 }
 
 /** One course after the other, each edited for a while in any way. */

@@ -51,7 +51,7 @@ describe('tools', () => {
         const after = checked(tool, drag, context, `${id}, run ${run}`);
         if (after !== scene) done += 1;
         const selection = tool.select?.(drag, context, after);
-        for (const one of selection?.ids ?? []) expect(scene.objects.some((object) => object.id === one)).toBe(true);
+        for (const one of selection?.ids ?? []) expect(after.objects.some((object) => object.id === one)).toBe(true);
         const marks = [...(tool.marks?.(drag, context, true) ?? []), ...(tool.marks?.(drag, context, false) ?? [])];
         expect(JSON.stringify(marks)).not.toMatch(/"[xy]":null/);
       }

@@ -65,6 +65,8 @@ const inEditor: EditorKind<Puddle> = {
   meets: () => true,
   moved: (puddle, dx, dy) => ({ ...puddle, at: [puddle.at[0] + dx, puddle.at[1] + dy] }),
   turned: (puddle) => puddle,
+  mirrored: (puddle) => puddle,
+  scaled: (puddle) => puddle,
   handles: () => [],
   fields: (puddle) => [
     {

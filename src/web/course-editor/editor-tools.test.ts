@@ -9,6 +9,9 @@ import EditorActions from './EditorActions.vue';
 import EditorMenu from './EditorMenu.vue';
 import ToolOptions from './ToolOptions.vue';
 import ToolPalette from './palette/ToolPalette.vue';
+import { createSelectionKeys } from '../arena/tools/tool-keys';
+import type { SelectionActs } from './state/selection-acts';
+import { clipText } from '#editor/clip-text';
 
 /** A page with this tool chosen and its options visible. */
 async function optionsOf(tool: ArenaTool, objects: Parameters<typeof editingPage>[0] = [], roomPx = 900) {
@@ -505,6 +508,70 @@ describe('the keys for what is selected, after a press beside the arena', () => 
       expect(ids()).toHaveLength(4);
     },
   );
+
+  it('move it with the arrows, as one step, and the arena has the keyboard then', async () => {
+    const { key, object, steps, editor, scene } = await selecting('<button>Save</button>');
+    const context = () => ({ scene: scene(), selection: editor.selection.value, options: editor.options.value, footprint: [] }); // prettier-ignore
+    const keys = createSelectionKeys({
+      context,
+      commit: editor.commit,
+      acts: {} as SelectionActs,
+      changed: () => undefined,
+    });
+    document.querySelector('.pane-arena')!.innerHTML = '<div role="application" tabindex="0"></div>';
+    const arena = document.querySelector<HTMLElement>('[role="application"]')!;
+    arena.addEventListener('keydown', (event) => keys.keyDown(event.key, event.shiftKey, false) && event.preventDefault()); // prettier-ignore
+    expect((await key('ArrowRight')).defaultPrevented).toBe(true);
+    expect(document.activeElement).toBe(arena);
+    keys.keyDown('ArrowRight', false, false);
+    keys.keyUp('ArrowRight');
+    expect([object('block', 'block').at[0], steps()]).toEqual([samples.block.at[0] + 20, 1]);
+  });
+
+  it('leave the arrows to what moves by them', async () => {
+    const { key } = await selecting('<div role="radiogroup"><button>5 mm</button></div>');
+    expect((await key('ArrowRight')).defaultPrevented).toBe(false);
+  });
+
+  it('give the system’s clipboard a text, and paste that of another tab at the pointer', async () => {
+    const { key, ids, editor, object } = await selecting('<button>Save</button>');
+    await vi.dynamicImportSettled();
+    await key('c', control);
+    const given = new Map<string, string>();
+    const clipboard = (name: string, text: string) => {
+      const clipboardData = {
+        files: [],
+        getData: () => text,
+        setData: (kind: string, is: string) => given.set(kind, is),
+      };
+      const event = Object.assign(new Event(name, { bubbles: true, cancelable: true }), { clipboardData });
+      document.body.dispatchEvent(event);
+      return event.defaultPrevented;
+    };
+    expect(clipboard('copy', '')).toBe(true);
+    expect(given.get('text/plain')).toContain('parcours-objects');
+    const other = clipText({ objects: [{ ...samples.block, size: [80, 80] }] });
+    editor.pointer.value = { x: 900, y: 700 };
+    await key('v', control);
+    expect(clipboard('paste', other)).toBe(true);
+    await vi.waitFor(() => expect(ids()).toHaveLength(3));
+    expect(object('block', ids()[2]!)).toMatchObject({ at: [900, 700], size: [80, 80] });
+  });
+
+  it('paste nothing of a text from elsewhere, and say so; a picture is offered as the floor', async () => {
+    const { ids, notices, panels, key } = await selecting('<button>Save</button>');
+    const offered = vi.spyOn(panels, 'offer').mockReturnValue(true);
+    const paste = async (text: string, files: readonly File[]) => {
+      await key('v', control);
+      const clipboardData = { files, getData: () => text };
+      document.body.dispatchEvent(Object.assign(new Event('paste', { bubbles: true, cancelable: true }), { clipboardData })); // prettier-ignore
+    };
+    await paste('from microbit import *', []);
+    await vi.waitFor(() => expect(notices.current.value?.values?.['text']).toContain('Zwischenablage'));
+    const picture = new File(['x'], 'plan.png', { type: 'image/png' });
+    await paste('', [picture]);
+    expect([offered.mock.calls, ids()]).toEqual([[[picture]], ['wall', 'block']]);
+  });
 
   it('cut it, and paste it although nothing is selected then', async () => {
     const { key, ids } = await selecting('<button>Save</button>');

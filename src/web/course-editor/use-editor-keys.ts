@@ -1,10 +1,11 @@
-import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+import { onScopeDispose, shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { RunParts } from '../run/parts';
-import type { WorkParts } from '../work/model/parts';
+import type { PasteParts } from './paste-given';
 import type { CourseEditorParts } from './state/parts';
 import { toolOfLetter } from './palette/tool-list';
-import type { useSelectionActs } from './state/use-selection-acts';
+import type { SelectionActs } from './state/selection-acts';
+import { useClipboard } from './use-clipboard';
 
 /** Letters that press buttons of the board while a program runs. */
 const BOARD_LETTERS = ['a', 'b', 'l'];
@@ -13,15 +14,13 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
  * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
  * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
  * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
- * elsewhere on the page Delete and Ctrl with C, X, V, D and A are handled here, as long as the selection is visible.
+ * elsewhere on the page Delete, the arrows and Ctrl with D and A are handled here, as long as the selection is visible,
+ * and those of the clipboard for the whole page.
  */
-export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<CourseEditorParts, 'editor'>): void {
+export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
   const { editor, run } = app;
   const last = useLastPlace();
-  /** The actions for a selection, loaded with the first one. */
-  function withActs(act: (acts: ReturnType<typeof useSelectionActs>) => void): void {
-    import('./state/use-selection-acts').then(({ useSelectionActs: make }) => act(make(app))).catch(() => undefined); // offline, nothing happens
-  }
+  const withActs = useLateActs(app);
 
   function letter(key: string): boolean {
     if (run.isActive.value && editor.tool.value === 'hand' && BOARD_LETTERS.includes(key)) return false;
@@ -31,15 +30,20 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
     return true;
   }
 
-  function withControl(key: string, shift: boolean): boolean {
-    if (key === 'z' && shift) editor.redo();
-    else if (key === 'z') editor.undo();
-    else if (key === 'y' && !shift) editor.redo();
-    else return false;
-    return true;
+  const pastes = (target: EventTarget | null): boolean =>
+    editor.isOpen.value &&
+    !takesKeys(target) &&
+    (last.value === 'arena' || (hasSelection(editor) && last.value !== 'console'));
+  const clipboard = useClipboard({ app, withActs, pastes });
+
+  /** The browser's own events for the clipboard follow the key: it is not kept from them. */
+  function clipboardKey(key: string, target: EventTarget | null): void {
+    if (key === 'v' && pastes(target)) clipboard.paste();
+    else if ((key === 'c' || key === 'x') && copies(editor)) clipboard.copy(key === 'x');
   }
 
-  function besideArena(key: string, control: boolean): boolean {
+  function besideArena(event: KeyboardEvent, key: string, control: boolean): boolean {
+    if (!control && isArrow(key)) return toArena(event, editor);
     const act = control ? commandOf(key, editor, last.value) : removes(key, editor) ? 'remove' : null;
     if (act === null) return false;
     withActs((acts) => acts[act]());
@@ -52,9 +56,11 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
     const key = event.key.toLowerCase();
     const control = event.ctrlKey || event.metaKey;
     const isInArena = event.target instanceof Element && event.target.closest('[role="application"]') !== null;
+    const isForSelection = editor.isOpen.value && last.value !== 'console';
+    if (isForSelection && control && !event.shiftKey) clipboardKey(key, event.target);
     const done =
-      (control && withControl(key, event.shiftKey)) ||
-      (editor.isOpen.value && !isInArena && last.value !== 'console' && !event.shiftKey && besideArena(key, control)) ||
+      (control && undoes(key, event.shiftKey, editor)) ||
+      (isForSelection && !isInArena && (!event.shiftKey || isArrow(key)) && besideArena(event, key, control)) ||
       (editor.isOpen.value && place !== null && !control && !event.shiftKey && !event.repeat && letter(key));
     if (!done) return;
     event.preventDefault();
@@ -65,23 +71,63 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & WorkParts & Pick<Cour
   onScopeDispose(() => removeEventListener('keydown', down, true));
 }
 
+/** Ctrl with Z and Y. @returns whether the key was one of them */
+function undoes(key: string, shift: boolean, editor: Editor): boolean {
+  if (key === 'z' && shift) editor.redo();
+  else if (key === 'z') editor.undo();
+  else if (key === 'y' && !shift) editor.redo();
+  else return false;
+  return true;
+}
+
+/** The actions for a selection, loaded with the first one, so that the browser's clipboard waits for nothing. */
+function useLateActs(app: PasteParts): (act: (acts: SelectionActs) => void) => void {
+  let loaded: SelectionActs | null = null;
+  function withActs(act: (acts: SelectionActs) => void): void {
+    if (loaded !== null) return act(loaded);
+    import('./state/use-selection-acts')
+      .then(({ useSelectionActs: make }) => act((loaded ??= make(app))))
+      .catch(() => undefined); // offline, nothing happens
+  }
+  watch(
+    () => hasSelection(app.editor),
+    (isSelected) => isSelected && withActs(() => undefined),
+  );
+  return withActs;
+}
+
 type Editor = CourseEditorParts['editor'];
 const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.length > 0;
 const removes = (key: string, editor: Editor): boolean =>
   (key === 'delete' || key === 'backspace') && hasSelection(editor);
 
-/** What a key does together with Ctrl; `null` leaves it to the browser. */
-function commandOf(
-  key: string,
-  editor: Editor,
-  last: Place,
-): 'selectAll' | 'copy' | 'cut' | 'paste' | 'duplicate' | null {
+/** Whether what is selected in the arena is what gets copied: not where text is selected on the page. */
+const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
+
+/** What a key does together with Ctrl, besides the clipboard; `null` leaves it to the browser. */
+function commandOf(key: string, editor: Editor, last: Place): 'selectAll' | 'duplicate' | null {
   if (key === 'a' && last === 'arena') return 'selectAll';
-  if (key === 'v' && !editor.clipboard.isEmpty && (hasSelection(editor) || last === 'arena')) return 'paste';
-  if (!hasSelection(editor)) return null;
-  if (key === 'd') return 'duplicate';
-  if (getSelection()?.isCollapsed === false) return null; // text selected on the page is what gets copied
-  return key === 'c' ? 'copy' : key === 'x' ? 'cut' : null;
+  return key === 'd' && hasSelection(editor) ? 'duplicate' : null;
+}
+
+const isArrow = (key: string): boolean => key.startsWith('arrow');
+
+/** Elements that the arrow keys move in, or scroll. */
+const ARROW_USERS =
+  '[role="radiogroup"], [role="slider"], [role="tablist"], [role="toolbar"], [role="separator"], [role="dialog"], [aria-haspopup]';
+
+/**
+ * Leads an arrow key to what is visibly selected in the arena, which gets the keyboard: all arrows until they are let go are
+ * one step there.
+ */
+function toArena(event: KeyboardEvent, { selection }: Editor): boolean {
+  const isSelected = selection.value.ids.length > 0 || selection.value.robot;
+  const arena = document.querySelector<HTMLElement>('.pane-arena [role="application"]');
+  if (!isSelected || arena === null) return false;
+  if (event.target instanceof Element && event.target.closest(ARROW_USERS) !== null) return false;
+  arena.focus({ preventScroll: true });
+  const { key, shiftKey } = event;
+  return !arena.dispatchEvent(new KeyboardEvent('keydown', { key, shiftKey, bubbles: true, cancelable: true }));
 }
 
 type Place = 'arena' | 'console' | null;

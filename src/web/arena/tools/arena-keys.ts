@@ -40,7 +40,7 @@ export function arenaKeys(
   sources: KeySources,
   surface: ToolSurface,
   keys: SelectionKeys,
-  pointers: ToolPointers,
+  { pointers, openMenu }: { readonly pointers: ToolPointers; readonly openMenu: () => void },
 ): ArenaKeys {
   const { editor, picture } = sources;
   const tellPlace = sayer(sources, surface);
@@ -65,7 +65,12 @@ export function arenaKeys(
     keyDown(event) {
       const { key, shiftKey, repeat } = event;
       const command = event.ctrlKey || event.metaKey;
+      if (key === 'Alt') return surface.isBusy; // it copies, and opens no menu of the browser
       if (event.altKey) return false;
+      if (key === 'ContextMenu' || (key === 'F10' && shiftKey)) {
+        openMenu();
+        return true;
+      }
       if (!command && surface.type(key)) {
         sayTyped(sources, surface);
         return true;

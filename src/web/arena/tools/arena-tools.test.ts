@@ -492,14 +492,104 @@ describe('the keyboard in the arena', () => {
   });
 });
 
+describe('the menu for what is in the arena', () => {
+  it('opens by the right button on a thing, which is selected then, whatever the tool is', async () => {
+    const { editor, tap } = await toolsOver('pen', [samples.wall, samples.block]);
+    tap(200, 100, { button: 2 });
+    expect([editor.tool.value, editor.selection.value.ids]).toEqual(['select', ['wall']]);
+    expect(editor.menu.value).toMatchObject({ on: 'things', xPx: 200, yPx: 800, atMm: { x: 200, y: 100 } });
+  });
+
+  it('keeps what is selected where it opens on a part of it, and on the floor', async () => {
+    const { editor, tap } = await toolsOver('select', [samples.wall, samples.block]);
+    editor.select({ ids: ['wall', 'block'], robot: false });
+    tap(200, 100, { button: 2 });
+    tap(900, 800, { button: 2 });
+    expect([editor.selection.value.ids, editor.menu.value?.on]).toEqual([['wall', 'block'], 'floor']);
+  });
+
+  it('does not open where the right button moves the picture', async () => {
+    const { editor, down, move, up, moved } = await toolsOver('select', [samples.wall]);
+    down(200, 100, { button: 2 });
+    move(260, 100);
+    up(260, 100);
+    expect([editor.menu.value, moved.length > 0]).toEqual([null, true]);
+  });
+
+  it('opens by a finger that rests for half a second, and the finger does nothing else then', async () => {
+    vi.useFakeTimers();
+    const { editor, down, move, up, steps } = await toolsOver('select', [samples.wall]);
+    const finger = { pointerType: 'touch' };
+    down(200, 100, finger);
+    move(203, 101, finger);
+    vi.advanceTimersByTime(499);
+    expect(editor.menu.value).toBeNull();
+    vi.advanceTimersByTime(1);
+    expect([editor.menu.value?.on, editor.selection.value.ids]).toEqual(['things', ['wall']]);
+    move(300, 300, finger);
+    up(300, 300);
+    expect([steps(), editor.selection.value.ids]).toEqual([0, ['wall']]);
+  });
+
+  it('does not open by a finger that moves, or draws', async () => {
+    vi.useFakeTimers();
+    const { editor, down, move, up } = await toolsOver('select', [samples.wall]);
+    down(200, 100, { pointerType: 'touch' });
+    move(240, 140, { pointerType: 'touch' });
+    vi.advanceTimersByTime(1000);
+    up(240, 140);
+    editor.choose('pen');
+    down(200, 100, { pointerType: 'touch' });
+    vi.advanceTimersByTime(1000);
+    expect(editor.menu.value).toBeNull();
+  });
+
+  it('opens by Shift+F10 and by its key on what is selected, or under the crosshair', async () => {
+    const { editor, key } = await toolsOver('select', [samples.wall]);
+    expect(key('ContextMenu')).toBe(true);
+    expect(editor.menu.value).toMatchObject({ on: 'floor', atMm: { x: 600, y: 450 } });
+    editor.select({ ids: ['wall'], robot: false });
+    key('F10', { shiftKey: true });
+    expect(editor.menu.value?.on).toBe('things');
+  });
+});
+
+describe('a double click', () => {
+  const label: SceneObject = { type: 'label', id: 'label', at: [300, 300], text: 'Start', height: 30, angle: 0 };
+
+  it('on a label changes its words in their place; on a line takes hold of its points', async () => {
+    const { editor, tap } = await toolsOver('select', [label, samples.stroke]);
+    tap(300, 300, { timeStamp: 1 });
+    tap(300, 300, { timeStamp: 2 });
+    expect(editor.words.value).toMatchObject({ id: 'label', xPx: 300, yPx: 600 });
+    const [x, y] = samples.stroke.points[0];
+    tap(x, y, { timeStamp: 5000 });
+    tap(x, y, { timeStamp: 5001 });
+    expect(editor.selection.value).toEqual({ ids: ['line'], robot: false, points: true });
+  });
+});
+
+describe('a drag with Alt', () => {
+  it('leaves copies where it ends, selected, as one step', async () => {
+    const { editor, down, move, up, ids, object, steps } = await toolsOver('select', [samples.block]);
+    const [x, y] = samples.block.at;
+    down(x, y);
+    move(x + 100, y, { altKey: true });
+    up(x + 100, y);
+    expect([ids(), steps(), editor.selection.value.ids]).toEqual([['block', 'block-1'], 1, ['block-1']]);
+    expect(object('block', 'block-1').at).toEqual([x + 100, y]);
+    editor.undo();
+    expect(ids()).toEqual(['block']);
+  });
+});
+
 describe('a full course', () => {
   const full = Array.from({ length: 2000 }, (_, i) => ({ ...samples.wall, id: `w${String(i)}` }));
 
-  it.each(['d', 'v'])('takes no copy with Ctrl+%s, and the editor says why', async (letter) => {
+  it('takes no copy with Ctrl+D, and the editor says why', async () => {
     const { editor, key, scene } = await toolsOver('select', full);
     editor.select({ ids: ['w0'], robot: false });
-    key('c', { ctrlKey: true });
-    expect(key(letter, { ctrlKey: true })).toBe(true);
+    expect(key('d', { ctrlKey: true })).toBe(true);
     expect([scene().objects.length, editor.problem.value?.code]).toEqual([2000, 'too-many']);
   });
 });

@@ -12,8 +12,10 @@ import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { ArenaTool, CourseEditorModel } from '../../course-editor/state/course-editor-model';
+import { createSelectionActs } from '../../course-editor/state/selection-acts';
 import { say } from '../../page/i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
+import { arenaOpenings, type ArenaOpenings } from './arena-openings';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
 import { floorPx } from '../picture/draw-floor';
 import { ghostObjects, ghostOf, noGhost, type Ghost } from './ghost';
@@ -78,9 +80,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   });
   const ports = portsOf(sources, context);
   const keys = createSelectionKeys(ports);
-  const surface = surfaceOf(sources, ports);
+  const openings = arenaOpenings(sources);
+  const surface = surfaceOf(sources, ports, openings);
   const unfinished = unfinishedOf(sources, surface);
-  const pointers = toolPointers(surface);
+  const pointers = toolPointers(surface, (wish, rests) => openings.menu(wish, surface.reachMm, rests));
   let shown: { picture: EditPicture; frame: EditFrame } | null = null;
   let window: PxBox | null = null;
 
@@ -101,7 +104,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   const showSelected = showingSelected(sources);
   return {
     ...pointers,
-    ...arenaKeys({ ...sources, showSelected }, surface, keys, pointers),
+    ...arenaKeys({ ...sources, showSelected }, surface, keys, {
+      pointers,
+      openMenu: () => openings.menuByKeys(surface.crosshair),
+    }),
     showSelected,
     toolChanged: () => surface.reset(),
     courseChanged: () => void surface.cancel(),
@@ -143,11 +149,10 @@ const unfinishedOf =
 /** What the keys and the pointers do to the course. */
 function portsOf(sources: ToolSources, context: () => ToolContext): SelectionKeyPorts & Pick<SurfacePorts, 'done'> {
   const { editor } = sources;
-  const { select, clipboard } = editor;
   return {
-    ...{ context, select, clipboard },
+    context,
+    acts: createSelectionActs(editor, context),
     commit: (edit, chosen) => void editor.commit(edit, chosen),
-    copied: () => sources.say(say(arenaWords.tools.copied)),
     done: (reading) => sources.say(readingWords(reading)),
     changed: sources.redraw,
   };
@@ -156,10 +161,13 @@ function portsOf(sources: ToolSources, context: () => ToolContext): SelectionKey
 function surfaceOf(
   { editor, picture, course }: ToolSources,
   ports: SelectionKeyPorts & Pick<SurfacePorts, 'done'>,
+  { open }: ArenaOpenings,
 ): ToolSurface {
   return new ToolSurface(
     {
       ...ports,
+      open,
+      select: editor.select,
       view: () => picture.view.value,
       arena: () => course().size,
       tool: () => (editor.tool.value === 'hand' ? null : tools[editor.tool.value]),
@@ -186,8 +194,9 @@ function frameOf(sources: ToolSources): Omit<EditFrame, 'carried'> {
   };
 }
 
-/** What the gesture amounts to, and what the ruler measures, for the head of the pane. */
-function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks }: SurfacePicture): void {
+/** Where the pointer is, what the gesture amounts to and what the ruler measures, for the rest of the page. */
+function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks, hover }: SurfacePicture): void {
+  editor.pointer.value = hover;
   if (editor.drag.value !== edit) editor.drag.value = edit;
   const measured = marks.find((mark) => mark.type === 'measure') ?? null;
   const before = editor.measure.value;

@@ -5,7 +5,7 @@ import { mdiRotateRight } from '@mdi/js';
 import { drawDistance, drawGuide } from './draw-guides';
 import { outlinePath } from '../picture/draw-outline';
 import type { Palette } from '../model/palette';
-import { toPx } from '../view/view-transform';
+import { toPx, type View } from '../view/view-transform';
 import type { MarkFrame } from './mark-frame';
 
 /** Draws what is to be seen while a tool is used. */
@@ -15,6 +15,9 @@ export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, ma
   switch (mark.type) {
     case 'frame':
       drawFrame(context, toPx(view, mark.from), toPx(view, mark.to), palette);
+      break;
+    case 'lasso':
+      drawLasso(context, view, mark.path, palette);
       break;
     case 'measure':
       drawMeasure(context, frame, mark.from, mark.to);
@@ -52,6 +55,20 @@ function drawFrame(context: CanvasRenderingContext2D, from: Vec, to: Vec, palett
   context.fillStyle = palette.targetFill;
   context.beginPath();
   context.rect(Math.min(from.x, to.x), Math.min(from.y, to.y), Math.abs(to.x - from.x), Math.abs(to.y - from.y));
+  context.fill();
+  context.setLineDash([5, 4]);
+  cased(context, palette.target, 1.5, () => undefined);
+}
+
+function drawLasso(context: CanvasRenderingContext2D, view: View, path: readonly Vec[], palette: Palette): void {
+  context.fillStyle = palette.targetFill;
+  context.lineJoin = 'round';
+  context.beginPath();
+  for (const place of path) {
+    const at = toPx(view, place);
+    context.lineTo(at.x, at.y);
+  }
+  context.closePath();
   context.fill();
   context.setLineDash([5, 4]);
   cased(context, palette.target, 1.5, () => undefined);

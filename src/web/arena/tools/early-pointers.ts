@@ -35,9 +35,9 @@ export function createEarlyPointers(): EarlyPointers {
 
 /** An event's own figures change when it is over: the place in its target is not kept everywhere. */
 function copyOf(event: PointerEvent): PointerNews {
-  const { pointerId, pointerType, button, shiftKey, ctrlKey, metaKey, timeStamp } = event;
+  const { pointerId, pointerType, button, altKey, shiftKey, ctrlKey, metaKey, timeStamp } = event;
   const { offsetX, offsetY, clientX, clientY } = event;
-  const keys = { shiftKey, ctrlKey, metaKey };
+  const keys = { altKey, shiftKey, ctrlKey, metaKey };
   const places = { offsetX, offsetY, clientX, clientY };
   return { pointerId, pointerType, button, timeStamp, ...keys, ...places, currentTarget: null };
 }

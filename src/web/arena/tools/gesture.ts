@@ -9,6 +9,23 @@ import type { Scene, StrokeColor } from '#scene/scene';
 /** What points: fingers need more room around a thing than a mouse. */
 export type PointerKind = 'mouse' | 'pen' | 'touch';
 
+/** A pointer that goes down. */
+export interface SurfacePress {
+  readonly id: number;
+  /** CSS px on the canvas. */
+  readonly at: Vec;
+  readonly kind: PointerKind;
+  /** Moves the picture whatever the tool is: another button than the first, or the space bar is down. */
+  readonly pans: boolean;
+  readonly free: boolean;
+  readonly adds: boolean;
+  readonly keeps?: boolean;
+  readonly alt?: boolean;
+}
+
+/** The keys that a drag asks for again with each movement. */
+export type HeldKeys = Pick<SurfacePress, 'free' | 'keeps' | 'alt'>;
+
 /** A line that is being drawn freely. */
 export interface Ink {
   /** World mm; grows while the drag goes on. */
@@ -29,6 +46,10 @@ export interface Gesture {
   readonly ink: Omit<Ink, 'path'> | null;
   free: boolean;
   readonly adds: boolean;
+  keeps: boolean;
+  alt: boolean;
+  /** It began where and shortly after a tap ended. */
+  readonly isSecond: boolean;
   edit: SceneEdit | null;
   after: Scene | null;
   figures: Figures;
@@ -50,8 +71,8 @@ export interface Told {
 }
 
 /** What a tool sees of a gesture: the pointer's drag, or the one that leads to the typed numbers. */
-export function dragOf({ path, free, adds, reachMm, typed, tool, context }: Gesture): Drag {
-  const drag = { path, free, adds, reachMm };
+export function dragOf({ path, free, adds, keeps, alt, reachMm, typed, tool, context }: Gesture): Drag {
+  const drag = { path, free, adds, keeps, alt, reachMm };
   return typed === '' ? drag : typedDrag(tool, drag, context, typedNumbers(typed));
 }
 

@@ -1,29 +1,40 @@
 import { describe, expect, it } from 'vitest';
+import { shallowRef, type ShallowRef } from 'vue';
+import { clipText } from '#editor/clip-text';
 import { usualToolOptions } from '#editor/tools/tool-options';
 import { nothingSelected, type Selection } from '#editor/tools/tool';
-import { applyEdit } from '#scene/edit';
+import { applyEdit, type SceneEdit } from '#scene/edit';
 import { defaultScene, type Block, type Scene } from '#scene/scene';
 import { Clipboard } from '../../course-editor/state/clipboard';
+import { createSelectionActs } from '../../course-editor/state/selection-acts';
 import { createSelectionKeys } from './tool-keys';
 
 const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], angle: 0 };
 
-function keysOverArena(selection: Selection = { ids: ['b'], robot: false }, clipboard = new Clipboard()) {
-  const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, copies: 0 };
-  const keys = createSelectionKeys({
-    context: () => ({ scene: now.scene, selection: now.selection, options: usualToolOptions, footprint: [] }),
-    commit(edit, select) {
-      now.scene = applyEdit(now.scene, edit);
-      now.selection = select ?? now.selection;
-      now.steps += 1;
+function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
+  const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, told: 0 };
+  const commit = (edit: SceneEdit, select?: Selection): boolean => {
+    now.scene = applyEdit(now.scene, edit);
+    now.selection = select ?? now.selection;
+    now.steps += 1;
+    return true;
+  };
+  const context = () => ({ scene: now.scene, selection: now.selection, options: usualToolOptions, footprint: [] });
+  const acts = createSelectionActs(
+    {
+      selection: { get value() { return now.selection; } } as ShallowRef<Selection>, // prettier-ignore
+      select: (chosen) => (now.selection = chosen),
+      commit,
+      choose: () => undefined,
+      clipboard: new Clipboard(),
+      pointer: shallowRef(null),
+      tell: () => (now.told += 1),
     },
-    select: (chosen) => (now.selection = chosen),
-    clipboard,
-    copied: () => (now.copies += 1),
-    changed: () => undefined,
-  });
+    context,
+  );
+  const keys = createSelectionKeys({ context, commit, acts, changed: () => undefined });
   const blocks = (): unknown => now.scene.objects.map((object) => (object.type === 'block' ? object.at : null));
-  return { keys, now, blocks };
+  return { keys, acts, now, blocks };
 }
 
 describe('keys on what is selected', () => {
@@ -50,31 +61,36 @@ describe('keys on what is selected', () => {
     expect([now.scene.objects, now.selection]).toEqual([[], nothingSelected]);
   });
 
-  it('copy it, and paste it further away each time', () => {
+  it('duplicate it beside itself; again and again it goes on in the same direction', () => {
     const { keys, now, blocks } = keysOverArena();
-    keys.keyDown('c', false, true);
-    expect(now.copies).toBe(1); // is said: nothing is to be seen of it
-    keys.keyDown('v', false, true);
-    keys.keyDown('v', false, true);
+    for (let i = 0; i < 3; i += 1) keys.keyDown('d', false, true);
     expect(blocks()).toEqual([
       [300, 300],
-      [320, 280],
-      [340, 260],
+      [360, 300],
+      [420, 300],
+      [480, 300],
     ]);
-    expect(new Set(now.scene.objects.map(({ id }) => id)).size).toBe(3);
-    expect(now.selection.ids).toEqual([now.scene.objects[2]?.id]);
+    expect([now.selection.ids, now.steps]).toEqual([[now.scene.objects[3]?.id], 3]);
   });
 
-  it('paste into another course what was copied in this one, and have nothing to paste before', () => {
-    const clipboard = new Clipboard();
-    expect(keysOverArena(nothingSelected).keys.keyDown('v', false, true)).toBe(false);
-    keysOverArena(undefined, clipboard).keys.keyDown('c', false, true);
-    const other = keysOverArena(nothingSelected, clipboard);
-    expect(other.keys.keyDown('v', false, true)).toBe(true);
-    expect(other.blocks()).toEqual([
+  it('copy it, which is told as nothing is to be seen of it, and paste it beside', () => {
+    const { acts, now, blocks } = keysOverArena();
+    acts.copy();
+    expect([now.told, now.steps]).toEqual([1, 0]);
+    acts.paste();
+    acts.paste();
+    expect(blocks()).toEqual([
       [300, 300],
-      [320, 280],
+      [360, 300],
+      [420, 300],
     ]);
+  });
+
+  it('paste what a text of another window holds, and nothing of any other text', () => {
+    const { acts, now } = keysOverArena(nothingSelected);
+    expect(acts.pasteText('import microbit')).toBe(false);
+    expect(acts.pasteText(clipText({ objects: [{ ...block, at: [700, 600] }] }))).toBe(true);
+    expect(now.scene.objects[1]).toEqual({ ...block, id: 'block-1', at: [700, 600] });
   });
 
   it('are left to the page where nothing is selected', () => {

@@ -1,12 +1,10 @@
 import type { Vec } from '#core/geometry';
-import { nudged, turned } from '#editor/arrange';
-import { copied, duplicated, pasted, type Pasted } from '#editor/clipboard';
-import { countOf, removed, selectAll } from '#editor/selection';
-import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
+import { nudged } from '#editor/arrange';
+import { countOf } from '#editor/selection';
+import type { Selection, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
 
-import type { Clipboard } from '../../course-editor/state/clipboard';
+import type { SelectionActs } from '../../course-editor/state/selection-acts';
 
 /** Movement per press of an arrow key, and with Shift; mm. Chosen: a line of the grid, the smallest whole step. */
 export const STEP_MM = { coarse: 10, fine: 1 };
@@ -30,10 +28,7 @@ export interface SelectionKeys {
 export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
-  readonly select: (selection: Selection) => void;
-  readonly clipboard: Clipboard;
-  /** What is selected was copied: nothing looks different. */
-  readonly copied: () => void;
+  readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'remove' | 'turn'>;
   /** Something looks different now. */
   readonly changed: () => void;
 }
@@ -47,27 +42,36 @@ export function arrowOf(key: string): Vec | null {
   return null;
 }
 
-/** Makes the keys: arrows, Q and E, Delete, and Ctrl with A, C, X, V, D. */
+/** Makes the keys: arrows, Q and E, Delete, and Ctrl with A and D. The clipboard has keys on the whole page. */
 export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
+  const { acts } = ports;
   const nudges = createNudges(ports);
   return {
     get edit() {
       return nudges.edit;
     },
     keyDown(key, fine, command) {
-      const context = ports.context();
-      if (command) return commandKey(key.toLowerCase(), context, ports);
-      if (countOf(context.selection) === 0) return false;
-      const arrow = arrowOf(key);
-      if (arrow !== null) nudges.by(arrow, fine);
-      else if (key === 'Delete' || key === 'Backspace') remove(context, ports);
-      else return turnKey(key.toLowerCase(), context, ports);
+      const { selection } = ports.context();
+      const letter = key.toLowerCase();
+      if (command && letter === 'a') acts.selectAll();
+      else if (command && letter === 'd' && selection.ids.length > 0) acts.duplicate();
+      else if (command || countOf(selection) === 0) return false;
+      else return onSelected(key, letter, fine);
       return true;
     },
     keyUp(key) {
       if (arrowOf(key) !== null) nudges.letGo();
     },
   };
+
+  function onSelected(key: string, letter: string, fine: boolean): boolean {
+    const arrow = arrowOf(key);
+    if (arrow !== null) nudges.by(arrow, fine);
+    else if (key === 'Delete' || key === 'Backspace') acts.remove();
+    else if (letter === 'q' || letter === 'e') acts.turn(letter === 'q' ? 1 : -1);
+    else return false;
+    return true;
+  }
 }
 
 /** What arrow keys move from the first press to letting go is one step. */
@@ -96,57 +100,4 @@ function createNudges({ context, commit, changed }: SelectionKeyPorts) {
       changed();
     },
   };
-}
-
-function commandKey(key: string, context: ToolContext, ports: SelectionKeyPorts): boolean {
-  const { scene, selection, footprint } = context;
-  switch (key) {
-    case 'a':
-      ports.select(selectAll(scene, footprint.length > 0));
-      return true;
-    case 'c':
-    case 'x':
-      return copy(context, ports, key === 'x');
-    case 'v':
-      return paste(scene, ports);
-    case 'd':
-      if (selection.ids.length === 0) return false;
-      insert(duplicated(scene, selection), ports);
-      return true;
-    default:
-      return false;
-  }
-}
-
-function copy(context: ToolContext, ports: SelectionKeyPorts, cuts: boolean): boolean {
-  const taken = copied(context.scene, context.selection);
-  if (taken === null) return false;
-  ports.clipboard.take(taken);
-  if (cuts) remove(context, ports);
-  else ports.copied();
-  return true;
-}
-
-function paste(scene: Scene, ports: SelectionKeyPorts): boolean {
-  const next = ports.clipboard.next();
-  if (next === null) return false;
-  insert(pasted(scene, next.clip, next.time), ports);
-  return true;
-}
-
-function insert(made: Pasted | null, { commit }: SelectionKeyPorts): void {
-  if (made !== null) commit(made.edit, made.selection);
-}
-
-function remove({ scene, selection }: ToolContext, { commit }: SelectionKeyPorts): void {
-  const gone = removed(scene, selection);
-  if (gone !== null) commit(gone, nothingSelected);
-}
-
-/** Q turns to the left by an eighth, E to the right. */
-function turnKey(key: string, { scene, selection, footprint }: ToolContext, { commit }: SelectionKeyPorts): boolean {
-  if (key !== 'q' && key !== 'e') return false;
-  const done = turned(scene, selection, key === 'q' ? 1 : -1, footprint);
-  if (done !== null) commit(done);
-  return true;
 }

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
-import type { SurfacePress, ToolSurface } from './tool-surface';
+import type { SurfacePress } from './gesture';
+import type { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { toPx } from '../view/view-transform';
 
@@ -9,6 +10,7 @@ export type PointerNews = Pick<
   | 'pointerId'
   | 'pointerType'
   | 'button'
+  | 'altKey'
   | 'shiftKey'
   | 'ctrlKey'
   | 'metaKey'
@@ -39,11 +41,28 @@ export interface ToolPointers {
 /** How near to the edge of the picture the crosshair comes, in px. */
 const RIM_PX = 40;
 
-/** Makes the handlers of pointers. */
-export function toolPointers(surface: ToolSurface): ToolPointers {
+/** Where a menu is asked for: on the canvas and in the window, CSS px. */
+export interface MenuWish {
+  readonly at: Vec;
+  readonly inWindow: Vec;
+}
+
+/**
+ * Makes the handlers of pointers.
+ *
+ * @param menu is asked for by the right button, or by a finger that rests (`rests`), which then does nothing else; returns
+ *   whether it opens
+ */
+export function toolPointers(surface: ToolSurface, menu: (wish: MenuWish, rests: boolean) => boolean): ToolPointers {
   let space: 'up' | 'held' | 'used' = 'up';
+  const rest = new MenuPress((wish, id) => {
+    if (!menu(wish, true)) return false;
+    surface.pointerLost(id);
+    return true;
+  });
   return {
     pointerdown(event) {
+      rest.down(event);
       const host = event.currentTarget;
       if (host instanceof Element) host.setPointerCapture(event.pointerId);
       const isPanning = event.button > 0 || space !== 'up';
@@ -53,10 +72,18 @@ export function toolPointers(surface: ToolSurface): ToolPointers {
       surface.pointerDown({ id, at: placeOf(event), kind, pans: isPanning, ...keysOf(event) }, event.timeStamp);
     },
     pointermove(event) {
+      if (!rest.move(event)) return;
       surface.pointerMove(event.pointerId, placesOf(event), keysOf(event));
     },
-    pointerup: (event) => surface.pointerUp(event.pointerId, event.timeStamp),
-    pointercancel: (event) => surface.pointerLost(event.pointerId),
+    pointerup(event) {
+      const wish = rest.up(event);
+      surface.pointerUp(event.pointerId, event.timeStamp);
+      if (wish !== null) menu(wish, false);
+    },
+    pointercancel(event) {
+      rest.cancel();
+      surface.pointerLost(event.pointerId);
+    },
     pointerleave: () => surface.pointerLeave(),
     holdSpace() {
       if (space === 'up') space = 'held';
@@ -75,6 +102,51 @@ export function toolPointers(surface: ToolSurface): ToolPointers {
   };
 }
 
+/** How long a finger must rest for the menu, in ms, and how far it or the right button may slip, in px. As for hints. */
+const REST_MS = 500;
+const SLIP_PX = 10;
+
+/** Tells the press that asks for the menu: one finger that rests, or the right button that goes up where it went down. */
+class MenuPress {
+  private press: { readonly id: number; readonly wish: MenuWish; readonly isRight: boolean } | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  /** The finger that has opened the menu: what it does until it is lifted means nothing more. */
+  private spent: number | null = null;
+
+  constructor(private readonly rests: (wish: MenuWish, id: number) => boolean) {}
+
+  down(event: PointerNews): void {
+    const isSecond = this.press !== null;
+    this.cancel();
+    const isTouch = event.pointerType === 'touch';
+    if (isSecond || (!isTouch && event.button !== 2)) return;
+    const { pointerId: id, clientX: x, clientY: y } = event;
+    const press = { id, wish: { at: placeOf(event), inWindow: { x, y } }, isRight: !isTouch };
+    this.press = press;
+    if (isTouch) this.timer = setTimeout(() => (this.spent = this.rests(press.wish, id) ? id : null), REST_MS);
+  }
+
+  /** Returns whether the movement means anything. */
+  move({ pointerId, clientX, clientY }: PointerNews): boolean {
+    const from = this.press?.id === pointerId ? this.press.wish.inWindow : null;
+    if (from !== null && Math.hypot(clientX - from.x, clientY - from.y) > SLIP_PX) this.cancel();
+    return this.spent !== pointerId;
+  }
+
+  /** Where the right button asks for the menu, or `null`. */
+  up({ pointerId }: PointerNews): MenuWish | null {
+    const press = this.press;
+    this.cancel();
+    return press?.isRight === true && press.id === pointerId ? press.wish : null;
+  }
+
+  cancel(): void {
+    clearTimeout(this.timer);
+    this.press = null;
+    this.spent = null;
+  }
+}
+
 /** Movement of the picture that keeps a place at least this far from both of its edges. */
 export function pushed(at: number, side: number): number {
   if (at < RIM_PX) return Math.round(RIM_PX - at);
@@ -83,8 +155,10 @@ export function pushed(at: number, side: number): number {
 }
 
 /** As in tldraw: Shift and Ctrl add at the press; Ctrl held while something is dragged keeps it from snapping. */
-const keysOf = (event: PointerNews): Pick<SurfacePress, 'free' | 'adds'> => ({
+const keysOf = (event: PointerNews): Pick<SurfacePress, 'free' | 'adds' | 'keeps' | 'alt'> => ({
   free: event.ctrlKey || event.metaKey,
+  keeps: event.shiftKey,
+  alt: event.altKey,
   adds: event.shiftKey || event.ctrlKey || event.metaKey,
 });
 

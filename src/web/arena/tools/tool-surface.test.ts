@@ -5,7 +5,8 @@ import { nothingSelected, type Selection, type Tool, type ToolContext } from '#e
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { defaultScene, type Wall } from '#scene/scene';
 import { ghostObjects } from './ghost';
-import { ToolSurface, type SurfacePress } from './tool-surface';
+import type { SurfacePress } from './gesture';
+import { ToolSurface } from './tool-surface';
 
 /** A view of 1 px per mm: the arena of 1200 × 900 mm fills the canvas, y goes down on it. */
 const px = (x: number, y: number): Vec => ({ x, y: 900 - y });
@@ -39,6 +40,7 @@ function surfaceOf(tool: Tool, scene = defaultScene()) {
     isFree: () => false,
     commit: (edit) => done.push(edit),
     select: (selection) => done.push(selection),
+    open: ({ part, id }) => void picture.push(`open ${part} ${id}`),
     pan: (by) => picture.push(`pan ${String(by.x)} ${String(by.y)}`),
     zoom: (factor) => picture.push(`zoom ${factor.toFixed(2)}`),
     done: () => undefined,
@@ -276,6 +278,35 @@ describe('the crosshair of the keyboard', () => {
     surface.moveCrosshair({ x: 10, y: 0 }, middle, false);
     expect(surface.pressKey(middle)).toBe(false);
     expect(done.at(-1)).toEqual(wall([600, 450], [610, 450]));
+  });
+});
+
+describe('a double tap', () => {
+  const openTool: Tool = { ...lineTool, opens: ({ path }) => ({ part: 'words', id: `at ${String(path[0]!.x)}` }) };
+  const tapAt = ({ down, up }: ReturnType<typeof surfaceOf>, x: number, atMs: number) => {
+    down(px(x, 100), {}, atMs);
+    up(1, atMs + 80);
+  };
+
+  it('opens what is inside a thing, on the same place and within half a second', () => {
+    const over = surfaceOf(openTool);
+    tapAt(over, 100, 1000);
+    expect(over.done).toHaveLength(1);
+    tapAt(over, 103, 1300);
+    expect([over.picture, over.done]).toEqual([['open words at 103'], [over.done[0]]]);
+    tapAt(over, 103, 1500); // a third one begins anew
+    expect(over.picture).toHaveLength(1);
+  });
+
+  it('is two taps where the second comes late, or elsewhere, or is a drag', () => {
+    const over = surfaceOf(openTool);
+    tapAt(over, 100, 1000);
+    tapAt(over, 100, 1700);
+    tapAt(over, 200, 1900);
+    over.down(px(200, 100), {}, 2100);
+    over.move(px(300, 100));
+    over.up(1, 2200);
+    expect([over.picture, over.done.length]).toEqual([[], 4]);
   });
 });
 

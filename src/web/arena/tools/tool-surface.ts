@@ -1,10 +1,24 @@
 import type { Vec } from '#core/geometry';
+import { isTap, startOf } from '#editor/drag';
 import { noFigures } from '#editor/snap/figures';
 import type { Reading } from '#editor/snap/reading';
-import type { Drag, Mark, Selection, Tool, ToolContext } from '#editor/tools/tool';
+import type { Drag, Mark, Opened, Selection, Tool, ToolContext } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
-import { dragOf, figuresNow, toldBy, typeKey, type Gesture, type Ink, type PointerKind, type Told } from './gesture';
+import {
+  dragOf,
+  figuresNow,
+  toldBy,
+  typeKey,
+  type Gesture,
+  type HeldKeys,
+  type Ink,
+  type PointerKind,
+  type SurfacePress,
+  type Told,
+} from './gesture';
+import { veilOf } from './eraser-veil';
+import { TapMemory } from './tap-memory';
 import { movePicture, type PicturePorts } from '../view/pinch';
 import { toMm, type ArenaSize, type View } from '../view/view-transform';
 
@@ -21,20 +35,10 @@ export interface SurfacePorts extends PicturePorts {
   readonly select: (selection: Selection) => void;
   /** A gesture has changed the course, to these figures. */
   readonly done: (reading: Reading) => void;
+  /** A double tap opens what is inside a thing. */
+  readonly open: (opened: Opened) => void;
   /** Something looks different now. */
   readonly changed: () => void;
-}
-
-/** A pointer that goes down. */
-export interface SurfacePress {
-  readonly id: number;
-  /** CSS px on the canvas. */
-  readonly at: Vec;
-  readonly kind: PointerKind;
-  /** Moves the picture whatever the tool is: another button than the first, or the space bar is down. */
-  readonly pans: boolean;
-  readonly free: boolean;
-  readonly adds: boolean;
 }
 
 /** What is to be seen of a tool at one moment. */
@@ -80,6 +84,7 @@ export class ToolSurface {
   private hover: Vec | null = null;
   private keyAt: Vec | null = null;
   private kept: readonly Mark[] = [];
+  private readonly taps = new TapMemory();
 
   /** @param kind what will point, most likely */
   constructor(
@@ -135,12 +140,12 @@ export class ToolSurface {
       this.cancel();
       this.pinched = kind === 'touch';
     } else if (press.pans) this.panner = id;
-    else this.begin(id, toMm(this.ports.view(), at), press);
+    else this.begin(id, toMm(this.ports.view(), at), press, nowMs);
     this.ports.changed();
   }
 
   /** A pointer moves, pressed or not, over these places (CSS px, oldest first). */
-  pointerMove(id: number, places: readonly Vec[], keys: Pick<SurfacePress, 'free'>): void {
+  pointerMove(id: number, places: readonly Vec[], keys: HeldKeys): void {
     const last = places[places.length - 1];
     const pointer = this.pointers.get(id);
     if (last === undefined) return;
@@ -165,7 +170,7 @@ export class ToolSurface {
     if (this.pointers.size === 0) this.pinched = false;
     if (this.gesture?.pointer === id) {
       this.hover = pointer.kind === 'touch' ? null : toMm(this.ports.view(), pointer.at);
-      this.finish(this.gesture);
+      this.finish(this.gesture, nowMs);
     }
     this.ports.changed();
   }
@@ -280,7 +285,12 @@ export class ToolSurface {
     };
   }
 
-  private begin(pointer: number | null, at: Vec, press: Pick<SurfacePress, 'kind' | 'free' | 'adds'>): void {
+  private begin(
+    pointer: number | null,
+    at: Vec,
+    press: Pick<SurfacePress, 'kind' | 'free' | 'adds' | 'keeps' | 'alt'>,
+    nowMs = Infinity,
+  ): void {
     const tool = this.ports.tool();
     if (tool === null) return;
     const context = this.ports.context();
@@ -296,6 +306,9 @@ export class ToolSurface {
       ink: tool.ink?.(context) ?? veilOf(tool, context),
       free: press.free || this.ports.isFree(),
       adds: press.adds,
+      keeps: press.keeps === true,
+      alt: press.alt === true,
+      isSecond: this.taps.isSecond(at, nowMs, reachMm),
       edit: null,
       after: null,
       figures: noFigures,
@@ -304,13 +317,15 @@ export class ToolSurface {
     };
   }
 
-  private extend(gesture: Gesture, places: readonly Vec[], keys: Pick<SurfacePress, 'free'>): void {
+  private extend(gesture: Gesture, places: readonly Vec[], keys: HeldKeys): void {
     const view = this.ports.view();
     for (const place of places) {
       const at = toMm(view, place);
       const before = gesture.path[gesture.path.length - 1];
       if (before === undefined || before.x !== at.x || before.y !== at.y) gesture.path.push(at);
     }
+    gesture.keeps = keys.keeps === true;
+    gesture.alt = keys.alt === true;
     gesture.free = keys.free || this.ports.isFree(); // what it adds to was settled at the press
     gesture.isStale = true;
   }
@@ -320,11 +335,18 @@ export class ToolSurface {
     gesture.after = gesture.edit && applyEdit(gesture.context.scene, gesture.edit);
   }
 
-  private finish(gesture: Gesture): void {
+  private finish(gesture: Gesture, nowMs = -Infinity): void {
     const { tool, context } = gesture;
     this.ask(gesture);
     this.gesture = null;
     const drag = dragOf(gesture);
+    const isOneTap = isTap(drag) && !gesture.adds;
+    const opened = gesture.isSecond && isOneTap ? tool.opens?.(drag, context) : null;
+    this.taps.note(isOneTap && !opened ? startOf(drag) : null, nowMs);
+    if (opened) {
+      this.ports.open(opened);
+      return;
+    }
     // What was measured stays in sight until the next gesture.
     this.kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
     const selection = tool.select?.(drag, context, gesture.after ?? context.scene);
@@ -378,17 +400,6 @@ const NOTHING: SurfacePicture = {
   finger: null,
   hover: null,
 };
-
-/** Beyond this many points of lines, the eraser shows its path, and the remaining lines at the end. Chosen: 5 ms. */
-const MANY_POINTS = 4000;
-
-/** The path of an eraser over many lines, in the colour of paper: cutting them for each picture takes too long. */
-function veilOf({ id }: Tool, { scene, options }: ToolContext): Omit<Ink, 'path'> | null {
-  if (id !== 'eraser') return null;
-  let points = 0;
-  for (const object of scene.objects) if (object.type === 'stroke') points += object.points.length;
-  return points < MANY_POINTS ? null : { width: options.eraserWidth, color: 'white' };
-}
 
 /** The nearest whole cm. */
 const tens = (mm: number): number => Math.round(mm / 10) * 10;

@@ -428,6 +428,25 @@ describe('the list of objects', () => {
   });
 });
 
+describe('several things in the list', () => {
+  it('have their common fields above, told where they differ, and changed in all by one step', async () => {
+    const thick = { ...samples.wall, id: 'thick', thickness: 30 };
+    const { editor, object, steps } = await list([samples.wall, thick, samples.block]);
+    expect(document.querySelector('[data-testid="together"]')).toBeNull();
+    editor.select({ ids: ['wall', 'thick'], robot: false });
+    await nextTick();
+    const together = document.querySelector<HTMLElement>('[data-testid="together"]')!;
+    expect(textOf(together.querySelector('h3'))).toBe('Alle 2 zusammen');
+    const thickness = together.querySelector('input')!;
+    expect([thickness.value, thickness.placeholder]).toEqual(['', 'verschieden']);
+    thickness.value = '2';
+    thickness.dispatchEvent(new Event('input', { bubbles: true }));
+    thickness.dispatchEvent(new Event('change', { bubbles: true }));
+    await nextTick();
+    expect([object('wall', 'wall').thickness, object('wall', 'thick').thickness, steps()]).toEqual([20, 20, 1]);
+  });
+});
+
 describe('the picture on the floor', () => {
   const background = { at: [100, 100], size: [400, 200], cells: [1, 1], levels: 'AA==', picture: '' } as const;
   const settings = async (has = true) => {

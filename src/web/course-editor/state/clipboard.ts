@@ -1,23 +1,28 @@
-import type { Clip } from '#editor/clipboard';
+import type { Clip, Copies } from '#editor/clipboard';
 
 /** What was last copied. It stays until something else is copied, even if another course is opened. */
 export class Clipboard {
-  private clip: Clip | null = null;
-  private pastes = 0;
+  private held: { readonly clip: Clip; readonly text: string } | null = null;
+  /** The copies that were made last by duplicating: the next ones go on from there. */
+  copies: Copies | null = null;
+  /** The system's clipboard has been given the text: another one there is newer. */
+  isWithSystem = false;
 
   get isEmpty(): boolean {
-    return this.clip === null;
+    return this.held === null;
   }
 
-  take(clip: Clip): void {
-    this.clip = clip;
-    this.pastes = 0;
+  get clip(): Clip | null {
+    return this.held?.clip ?? null;
   }
 
-  /** What to paste, and for how many times by now, this one included. `null`: nothing was copied. */
-  next(): { readonly clip: Clip; readonly time: number } | null {
-    if (this.clip === null) return null;
-    this.pastes += 1;
-    return { clip: this.clip, time: this.pastes };
+  /** What was copied, as text for the system's clipboard. */
+  get text(): string | null {
+    return this.held?.text ?? null;
+  }
+
+  take(clip: Clip, text: string): void {
+    this.held = { clip, text };
+    this.isWithSystem = false;
   }
 }

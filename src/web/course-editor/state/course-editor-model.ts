@@ -30,7 +30,32 @@ export type Happened =
   | { readonly type: 'edit' | 'undo' | 'redo'; readonly scene: Scene; readonly edit: SceneEdit }
   | { readonly type: 'problem'; readonly problem: SceneProblem }
   | { readonly type: 'selected'; readonly selection: Selection; readonly scene: Scene }
-  | { readonly type: 'tool'; readonly tool: ArenaTool };
+  | { readonly type: 'tool'; readonly tool: ArenaTool }
+  /** What is selected was copied: nothing looks different. */
+  | { readonly type: 'copied' };
+
+/** Where the menu for things in the arena opens. */
+export interface MenuPlace {
+  /** In the window, px. */
+  readonly xPx: number;
+  readonly yPx: number;
+  readonly atMm: Vec;
+  /** For what is selected, or for the arena. */
+  readonly on: 'things' | 'floor';
+  /** Gets the keyboard back. */
+  readonly host: HTMLElement | null;
+  /** Shows the whole arena. */
+  readonly fit: () => void;
+}
+
+/** A label whose words are being changed in its place: its middle in the window, px. */
+export interface WordsPlace {
+  readonly id: string;
+  readonly xPx: number;
+  readonly yPx: number;
+  /** Gets the keyboard back. */
+  readonly host: HTMLElement | null;
+}
 
 /** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
@@ -56,6 +81,14 @@ export interface CourseEditorModel {
   /** Why the last edit was refused, or `null`. */
   readonly problem: ShallowRef<SceneProblem | null>;
   readonly clipboard: Clipboard;
+  /** Where the pointer is over the arena, world mm; `null`: elsewhere, or a finger. */
+  readonly pointer: ShallowRef<Vec | null>;
+  /** The menu for things in the arena; `null`: closed. */
+  readonly menu: ShallowRef<MenuPlace | null>;
+  /** The label that is being changed in its place; `null`: none. */
+  readonly words: ShallowRef<WordsPlace | null>;
+  /** Says to screen readers what happened. */
+  readonly tell: (happened: Happened) => void;
   readonly choose: (tool: ArenaTool) => void;
   readonly setOptions: (part: Partial<ToolOptions>) => void;
   readonly select: (selection: Selection) => void;
@@ -105,6 +138,9 @@ class CourseEditor implements CourseEditorModel {
   readonly said = shallowRef('');
   readonly problem = shallowRef<SceneProblem | null>(null);
   readonly clipboard = new Clipboard();
+  readonly pointer: CourseEditorModel['pointer'] = shallowRef(null);
+  readonly menu: CourseEditorModel['menu'] = shallowRef(null);
+  readonly words: CourseEditorModel['words'] = shallowRef(null);
   readonly runStart: CourseEditorModel['runStart'];
   readonly unfinished: WorkModel['unfinished'];
   readonly isOpen: ComputedRef<boolean>;
@@ -191,13 +227,16 @@ class CourseEditor implements CourseEditorModel {
   }
 
   /** Announces what happened. */
-  tell(happened: Happened): void {
+  readonly tell = (happened: Happened): void => {
     const words = this.parts?.wordsFor(happened) ?? '';
     // Screen readers repeat a text only if something in it differs.
     this.said.value = words === this.said.value && words !== '' ? `${words}\u00a0` : words;
-  }
+  };
 }
 
 /** Whether two selections are equal. */
 export const isSameSelection = (one: Selection, other: Selection): boolean =>
-  one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);
+  one.robot === other.robot &&
+  (one.points === true) === (other.points === true) &&
+  one.ids.length === other.ids.length &&
+  one.ids.every((id, at) => other.ids[at] === id);

@@ -26,6 +26,8 @@ export function wordsFor(happened: Happened): string {
       return say(editingWords.panels.tooMuch);
     case 'selected':
       return selectionWords(happened.scene, happened.selection);
+    case 'copied':
+      return say(texts.copied);
     case 'tool':
       return say(editorWords.tools[happened.tool].about);
     default:

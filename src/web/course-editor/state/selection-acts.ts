@@ -1,0 +1,83 @@
+import type { Vec } from '#core/geometry';
+import { turned } from '#editor/arrange';
+import { aligned, distributed, type Alignment } from '#editor/arranging/align';
+import { mirrored } from '#editor/arranging/mirror';
+import { reordered, type Order } from '#editor/arranging/order';
+import { sizedAlike } from '#editor/arranging/same-size';
+import { clipOf, clipText } from '#editor/clip-text';
+import { copied, duplicated, pasted, type Clip, type Pasted } from '#editor/clipboard';
+import { removed, selectAll } from '#editor/selection';
+import { nothingSelected, type ToolContext } from '#editor/tools/tool';
+import type { SceneEdit } from '#scene/edit';
+
+import type { CourseEditorModel } from './course-editor-model';
+
+/** The course that the acts work on. */
+export type ActsCourse = Pick<ToolContext, 'scene' | 'footprint'>;
+
+/** Everything that can be done to what is selected. Each is one edit; it does nothing where there is nothing to do. */
+export type SelectionActs = ReturnType<typeof createSelectionActs>;
+
+/** The part of the editor that the acts use. */
+export type ActsEditor = Pick<
+  CourseEditorModel,
+  'selection' | 'select' | 'commit' | 'choose' | 'clipboard' | 'pointer' | 'tell'
+>;
+
+export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse) {
+  const { clipboard } = editor;
+  const scene = () => course().scene;
+  const selection = () => editor.selection.value;
+  const commit = (edit: SceneEdit | null): void => {
+    if (edit !== null) editor.commit(edit);
+  };
+  const insert = (made: Pasted | null): void => {
+    if (made === null) return;
+    editor.choose('select');
+    editor.commit(made.edit, made.selection);
+  };
+  const remove = (): void => {
+    const edit = removed(scene(), selection());
+    if (edit !== null) editor.commit(edit, nothingSelected);
+  };
+  const take = (): boolean => {
+    const clip = copied(scene(), selection());
+    if (clip !== null) clipboard.take(clip, clipText(clip));
+    return clip !== null;
+  };
+  const insertClip = (clip: Clip | null, at: Vec | null): void =>
+    insert(clip && pasted(scene(), clip, at, course().footprint));
+  return {
+    copy: (): void => {
+      if (take()) editor.tell({ type: 'copied' });
+    },
+    cut: (): void => {
+      if (take()) remove();
+    },
+    /** Pastes what was copied here: at a place, or where the pointer is, or where it came from. */
+    paste: (at = editor.pointer.value): void => insertClip(clipboard.clip, at),
+    /** The same with a text of the system's clipboard. @returns whether it holds objects */
+    pasteText: (text: string, at = editor.pointer.value): boolean => {
+      const clip = clipOf(text);
+      insertClip(clip, at);
+      return clip !== null;
+    },
+    duplicate: (): void => {
+      const made = duplicated(scene(), selection(), clipboard.copies, course().footprint);
+      insert(made);
+      clipboard.copies = made?.copies ?? clipboard.copies;
+    },
+    remove,
+    /** Eighths of a turn, counter-clockwise. */
+    turn: (eighths: number): void => commit(turned(scene(), selection(), eighths, course().footprint)),
+    selectAll: (): void => {
+      editor.choose('select');
+      editor.select(selectAll(scene(), course().footprint.length > 0));
+    },
+    reorder: (order: Order): void => commit(reordered(scene(), selection(), order)),
+    align: (to: Alignment): void => commit(aligned(scene(), selection(), to, course().footprint)),
+    distribute: (axis: 'x' | 'y'): void => commit(distributed(scene(), selection(), axis, course().footprint)),
+    mirror: (axis: 'x' | 'y'): void => commit(mirrored(scene(), selection(), axis, course().footprint)),
+    sizeAlike: (): void => commit(sizedAlike(scene(), selection())),
+  };
+}
