@@ -116,10 +116,10 @@ const boxSide = (mm: number, leastMm: number = sceneLimits.blockMm.min): number 
 
 /** A box with a corner or side (in its own frame) at a place; the opposite one stays where it is, or the middle. */
 function sizedBox<O extends BoxObject>(box: O, side: Point, place: Vec, drag: Drag): O | null {
-  const own = toOwnFrame(box, place);
+  const { x, y } = lured(box, place, drag);
   const size = kept(box.size, side, drag, [
-    draggedSide(box.size[0], side[0], own.x, drag),
-    draggedSide(box.size[1], side[1], own.y, drag),
+    draggedSide(box.size[0], side[0], x.mm, { ...drag, free: drag.free || x.isLured }),
+    draggedSide(box.size[1], side[1], y.mm, { ...drag, free: drag.free || y.isLured }),
   ]);
   if (isSame(size, box.size) || !isLargeEnough({ ...box, size })) return null;
   const stays = drag.alt === true ? 0 : 1;
@@ -128,6 +128,24 @@ function sizedBox<O extends BoxObject>(box: O, side: Point, place: Vec, drag: Dr
     y: (stays * side[1] * (size[1] - box.size[1])) / 2,
   };
   return { ...box, at: toPoint(plus(toVec(box.at), turned(middle, box.angle))), size };
+}
+
+/** A coordinate along an axis of a box, and whether a thing has attracted it. */
+interface Along {
+  readonly mm: number;
+  readonly isLured: boolean;
+}
+
+/** A place in a box's own frame, drawn onto things where its sides are upright and level. */
+function lured(box: BoxObject, place: Vec, { free, lure }: Drag): { readonly x: Along; readonly y: Along } {
+  const isStraight = box.angle % 90 === 0 && !free;
+  const [x, y] = isStraight ? [lure?.(place.x, 'x') ?? null, lure?.(place.y, 'y') ?? null] : [null, null];
+  const own = toOwnFrame(box, { x: x ?? place.x, y: y ?? place.y });
+  const isAcross = box.angle % 180 !== 0;
+  return {
+    x: { mm: own.x, isLured: (isAcross ? y : x) !== null },
+    y: { mm: own.y, isLured: (isAcross ? x : y) !== null },
+  };
 }
 
 /** The length of a box along one of its axes when the side at that end is dragged to a place. */

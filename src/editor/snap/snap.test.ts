@@ -77,3 +77,26 @@ describe('what is drawn', () => {
     expect(drawn(labelTool, drag([600, 306]), { labelText: 'Garage' })).toMatchObject({ at: [600, 307] });
   });
 });
+
+describe('what is sized', () => {
+  /** The size of a block after its upper right corner was dragged. */
+  const sized = (to: Point, angle: number, free = false): Point => {
+    const scene = course(block('sized', [100, 100], angle), block('other', [303, 307]));
+    const corner: Point = angle === 90 ? [75, 125] : [125, 125];
+    const one = drag(corner, [corner[0] + 30, corner[1] + 30], to);
+    const context = contextOf(scene, {}, { ids: ['sized'], robot: false });
+    const [box] = used(selectTool, free ? freely(one) : one, context).objects;
+    return (box as { size: Point }).size;
+  };
+
+  it('goes with its corner to the edges of a neighbour, else to whole centimetres', () => {
+    expect(sized([276, 284], 0)).toEqual([203, 207]); // from 75 to 278 and to 282
+    expect(sized([204, 233], 0)).toEqual([130, 160]);
+    expect(sized([276, 284], 0, true)).toEqual([201, 209]);
+  });
+
+  it('does so lying on its side, too', () => {
+    // Turned by 90°, what was right is up: its corner at the upper left is dragged upward.
+    expect(sized([75, 284], 90)).toEqual([207, 50]);
+  });
+});

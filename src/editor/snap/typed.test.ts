@@ -80,6 +80,14 @@ describe('a drag with typed numbers', () => {
     expect(first(sized)).toMatchObject({ size: [123, 60] });
   });
 
+  it('sizes a thing by one of its sides with the first number', () => {
+    const things = [block('a', [300, 300])];
+    const wider = after(selectTool, drag([325, 300], [360, 310], [380, 310]), [12.3, 6], things, { ids: ['a'], robot: false }); // prettier-ignore
+    expect(first(wider)).toMatchObject({ size: [123, 50] });
+    const higher = after(selectTool, drag([300, 325], [310, 360], [310, 390]), [9], things, { ids: ['a'], robot: false }); // prettier-ignore
+    expect(first(higher)).toMatchObject({ size: [50, 90] });
+  });
+
   it('lengthens a wall at one of its ends', () => {
     const walls = [wall('a', [300, 300], [500, 300])];
     const longer = after(selectTool, drag([502, 301], [550, 300], [560, 300]), [37.7], walls, { ids: ['a'], robot: false }); // prettier-ignore
