@@ -12,14 +12,16 @@ export const layers = {
   project: ['core', 'scene', 'my-robot'],
   editor: ['core', 'scene'],
   simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
-  tape: ['core', 'simulation'],
+  tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
   embed: ['core', 'board', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
   'device-check': ['core', 'python', 'reference'],
   'device-log': [],
-  cli: ['core', 'board', 'robots', 'scene', 'project', 'my-robot', 'simulation', 'python', 'device-check'],
+  cli: [
+    'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
+  ], // prettier-ignore
   web: [
     'core',
     'board',

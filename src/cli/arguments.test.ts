@@ -30,6 +30,7 @@ describe('the command line', () => {
       myRobot: null,
       input: null,
       trace: null,
+      record: null,
       log: null,
       strict: false,
       lang: 'en',
@@ -40,7 +41,7 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --log l.csv --strict --lang de --quiet';
+      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
@@ -59,6 +60,7 @@ describe('the command line', () => {
       myRobot: 'p.json',
       input: 'i.json',
       trace: 't.csv',
+      record: 'r.json',
       log: 'l.csv',
       strict: true,
       lang: 'de',
@@ -106,5 +108,35 @@ describe('a time', () => {
     expect(parseDuration('2min')).toEqual({ us: 120_000_000 });
     expect(parseDuration('24h')).toEqual({ us: 86_400_000_000 });
     expect(parseDuration('0.25s')).toEqual({ us: 250_000 });
+  });
+
+  it('reads where a recorded run shall stop', () => {
+    const replay = (...words: string[]) => parseCommand(['replay', 'run.json', ...words]);
+    const options = { tape: 'run.json', stop: null, device: null, json: false, quiet: false };
+    expect(replay()).toEqual({ type: 'replay', options });
+    expect(replay('--at', '3.2s', '--json')).toEqual({
+      type: 'replay',
+      options: { ...options, stop: { timeUs: 3_200_000 }, json: true },
+    });
+    expect(replay('--line', 'my:car.py:14', '--hit', '3', '--device', 'remote')).toEqual({
+      type: 'replay',
+      options: { ...options, stop: { file: 'my:car.py', line: 14, hit: 3 }, device: 'remote' },
+    });
+  });
+
+  it.each([
+    [['replay'], 'Which recording?'],
+    [['replay', 'a.json', 'b.json'], 'One recording at a time: what is "b.json"?'],
+    [['replay', 'a.json', '--scene', 'x'], '--scene is not for replay'],
+    [['replay', 'a.json', '--at', '3'], '--at: "3" has no unit.'],
+    [['replay', 'a.json', '--line', '14'], '--line: "14" is not like main.py:14.'],
+    [['replay', 'a.json', '--line', 'main.py:0'], '--line: "main.py:0" is not like main.py:14.'],
+    [['replay', 'a.json', '--hit', '2'], '--hit needs a line'],
+    [['replay', 'a.json', '--line', 'main.py:1', '--hit', '0'], '--hit: "0" is not a whole number from 1.'],
+    [['replay', 'a.json', '--at', '1s', '--line', 'main.py:1'], '--at and --line: choose one of them.'],
+    [['run', 'main.py', '--at', '1s'], '--at is for a recorded run'],
+  ])('says what is wrong with %j', (words, problem) => {
+    const command = parseCommand(words);
+    expect(command.type === 'bad' ? command.problem : '').toContain(problem);
   });
 });

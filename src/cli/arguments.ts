@@ -27,6 +27,8 @@ export interface RunOptions {
   readonly myRobot: string | null;
   readonly input: string | null;
   readonly trace: string | null;
+  /** Where the run is recorded, to be run again by `parcours replay`. */
+  readonly record: string | null;
   /** Where the board's data log goes as CSV. */
   readonly log: string | null;
   /** Refuses what the real board would not understand. */
@@ -45,9 +47,26 @@ export interface ProbeOptions {
   readonly other: string | null;
 }
 
+/** Where a repeated run shall stop. */
+export type StopAsked =
+  { readonly timeUs: number } | { readonly file: string; readonly line: number; readonly hit: number };
+
+/** The request to `parcours replay`. */
+export interface ReplayOptions {
+  /** The recording. */
+  readonly tape: string;
+  /** `null`: nowhere; the whole run is compared with the recording. */
+  readonly stop: StopAsked | null;
+  /** Name of the device that is looked at; `null`: the first. */
+  readonly device: string | null;
+  readonly json: boolean;
+  readonly quiet: boolean;
+}
+
 /** The request on the command line. */
 export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
+  | { readonly type: 'replay'; readonly options: ReplayOptions }
   | { readonly type: 'probe'; readonly options: ProbeOptions }
   | { readonly type: 'help' }
   | { readonly type: 'version' }
@@ -68,9 +87,13 @@ const texts = [
     'my-robot',
     'input',
     'trace',
+    'record',
     'log',
   ] as const),
   'lang',
+  'at',
+  'line',
+  'hit',
 ] as const;
 const flags = ['strict', 'json', 'quiet', 'help', 'version'] as const;
 
@@ -121,6 +144,10 @@ function commandOf(
   const [command, program, ...more] = positionals;
   if (command === undefined) return bad('What shall it do? For example: parcours run main.py');
   if (command === 'probe') return probeCommand(program, more);
+  if (command === 'replay') return replayCommand(program, more, given, set);
+  const [ofReplay] = ['at', 'line', 'hit'].filter((name) => isText(name) && given.has(name));
+  if (ofReplay !== undefined)
+    return bad(`--${ofReplay} is for a recorded run: parcours replay run.json --${ofReplay} …`);
   if (command !== 'run') return bad(`Unknown command "${command}". For example: parcours run main.py`);
   if (program === undefined) return bad('Which program? For example: parcours run main.py');
   if (more.length > 0) return bad(`One program at a time: what is "${more[0] ?? ''}"? Further files come with --file.`);
@@ -133,6 +160,45 @@ function probeCommand(action: string | undefined, [board, other, ...more]: reado
   if (board === undefined) return bad(`Which output of a board? ${example}`);
   if (more.length > 0) return bad(`Two tables at most: what is "${more[0] ?? ''}"?`);
   return { type: 'probe', options: { board, other: other ?? null } };
+}
+
+function replayCommand(
+  tape: string | undefined,
+  more: readonly string[],
+  given: ReadonlyMap<Text, string[]>,
+  set: ReadonlySet<Flag>,
+): Command {
+  if (tape === undefined) return bad('Which recording? For example: parcours replay run.json');
+  if (more.length > 0) return bad(`One recording at a time: what is "${more[0] ?? ''}"?`);
+  const strange = [...given.keys(), ...set].find((name) => !REPLAY_OPTIONS.includes(name));
+  if (strange !== undefined)
+    return bad(
+      `--${strange} is not for replay: everything else is in the recording. Known: ${REPLAY_OPTIONS.map((name) => `--${name}`).join(', ')}.`,
+    );
+  const stop = readStop(given);
+  if (typeof stop === 'string') return bad(stop);
+  const device = given.get('device')?.at(-1) ?? null;
+  return { type: 'replay', options: { tape, stop, device, json: set.has('json'), quiet: set.has('quiet') } };
+}
+
+const REPLAY_OPTIONS: readonly string[] = ['at', 'line', 'hit', 'device', 'json', 'quiet'];
+
+/** Where a replay stops, or what is wrong with it. */
+function readStop(given: ReadonlyMap<Text, string[]>): StopAsked | string | null {
+  const last = (name: Text): string | undefined => given.get(name)?.at(-1);
+  const [at, place, hit] = [last('at'), last('line'), last('hit')];
+  if (at !== undefined && place !== undefined) return '--at and --line: choose one of them.';
+  if (hit !== undefined && place === undefined) return '--hit needs a line: --line main.py:14 --hit 3';
+  if (at !== undefined) {
+    const time = parseDuration(at);
+    return 'problem' in time ? `--at: ${time.problem}` : { timeUs: time.us };
+  }
+  if (place === undefined) return null;
+  const [, file = '', line = ''] = /^(.+):(\d+)$/.exec(place) ?? [];
+  if (file === '' || Number(line) === 0) return `--line: "${place}" is not like main.py:14.`;
+  const times = numberOf(hit ?? '1');
+  if (!(Number.isInteger(times) && times > 0)) return `--hit: "${hit ?? ''}" is not a whole number from 1.`;
+  return { file, line: Number(line), hit: times };
 }
 
 function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: ReadonlySet<Flag>): Command {
@@ -172,6 +238,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       myRobot: last('my-robot') ?? null,
       input: last('input') ?? null,
       trace: last('trace') ?? null,
+      record: last('record') ?? null,
       log: last('log') ?? null,
       strict: set.has('strict'),
       lang,

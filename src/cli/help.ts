@@ -12,6 +12,7 @@ export const help = `Parcours runs a micro:bit program with a simulated robot, w
 
   npx parcours run MAIN.py [options]
   npx parcours run PROJECT.json|LINK [options]
+  npx parcours replay RUN.json [--at TIME | --line FILE:LINE [--hit N]] [--device NAME] [--json]
   npx parcours probe compare BOARD.csv [OTHER.csv]
 
 A project or a link brings its program, course, robot and settings; options win over them.
@@ -67,9 +68,16 @@ What you get
   --log FILE.csv      the board's data log, for a spreadsheet
   --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet; with several devices
                       the last column names the device
+  --record RUN.json   the whole run, to be run again, checked and looked into with replay
   --quiet             neither the program's output nor progress
 
   --help, --version
+
+replay: runs a recorded run again and compares way, output, memory and time with the recording.
+With --at 3.2s, or with --line main.py:14 --hit 3, it stops there instead and shows line, call
+stack, variables and robot, with --json as one line; --device names one of several devices.
+Exit code: 0 the same run, or the moment; 1 another run, or the line does not come so often;
+2 no recording.
 
 probe compare: what a real board printed under the programs of docs/hardware/probe, beside
 what the simulated one prints, or beside another board's; exit code 1 when rows differ.
@@ -80,4 +88,6 @@ Exit code: 0 the program finished, or its time was over; 1 it ended with an erro
 Examples
   npx parcours run line.py --scene courses/closed-line/scene.json --for 60s
   npx parcours run main.py --file my_driver.py --for 20s --trace way.csv
+  npx parcours run main.py --record run.json
+  npx parcours replay run.json --line main.py:14 --hit 3
 `;

@@ -3,6 +3,7 @@ import { version } from '../../package.json';
 import { parseCommand } from './arguments';
 import { help } from './help';
 import { compareProbes } from './probe/compare-command';
+import { replay } from './replay/replay';
 import { createTerminal } from './terminal';
 import { run } from './run';
 
@@ -28,6 +29,13 @@ switch (command.type) {
     process.exitCode = await run(
       command.options,
       createTerminal(process.stdout, process.stderr, command.options.quiet),
+    );
+    break;
+  case 'replay':
+    process.exitCode = await replay(
+      command.options,
+      // A moment is shown alone, without what the program has printed until then.
+      createTerminal(process.stdout, process.stderr, command.options.quiet || command.options.stop !== null),
     );
     break;
   case 'probe':

@@ -49,24 +49,23 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   }
   const setup = setupOf(options, read, chosen);
   if ('problem' in setup) return refuse(setup.problem, terminal);
-  if (areOneFile(options.trace, options.log))
-    return refuse(`--trace and --log: ${options.log ?? ''} can be only one of them. Choose another name.`, terminal);
-  const trace = openResult('--trace', options.trace, options);
-  if (trace && 'problem' in trace) return refuse(trace.problem, terminal);
-  const log = openResult('--log', options.log, options);
-  if (log && 'problem' in log) return refuse(log.problem, terminal);
+  const results = openResults(options);
+  if ('problem' in results) return refuse(results.problem, terminal);
+  const { trace, log, record } = results;
   tellUnfit(chosen, read, terminal);
   const outcome = await supervise(
     {
       setup: { ...setup, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
       untilProgramEnds: options.forUs === null,
-      traceFile: trace && trace.file,
-      logFile: log && log.file,
+      traceFile: trace,
+      logFile: log,
+      tapeFile: record,
+      replay: null,
     },
     terminal,
   );
-  for (const result of [trace, log]) if (result) closeSync(result.file);
+  for (const result of [trace, log, record]) if (result !== null) closeSync(result);
   switch (outcome.type) {
     case 'refused':
       return refuse(placed(outcome.problem, options), terminal);
@@ -238,6 +237,24 @@ const areOneFile = (one: string | null, other: string | null): boolean =>
   one !== null && other !== null && realPath(one) === realPath(other) && (!existsSync(one) || statSync(one).isFile());
 
 type Opened = { readonly file: number } | { readonly problem: string };
+
+/** What a run may write, each into a file of its own. */
+const RESULTS = ['trace', 'log', 'record'] as const;
+type Results = Readonly<Record<(typeof RESULTS)[number], number | null>>;
+
+function openResults(options: RunOptions): Results | { readonly problem: string } {
+  const opened: Record<string, number | null> = {};
+  for (const [place, name] of RESULTS.entries()) {
+    const path = options[name];
+    const twin = RESULTS.slice(0, place).find((other) => areOneFile(options[other], path));
+    if (twin !== undefined)
+      return { problem: `--${twin} and --${name}: ${path ?? ''} can be only one of them. Choose another name.` };
+    const result = openResult(`--${name}`, path, options);
+    if (result && 'problem' in result) return result;
+    opened[name] = result && result.file;
+  }
+  return opened as Results;
+}
 
 /** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
 function openResult(option: string, path: string | null, options: RunOptions): Opened | null {

@@ -4,12 +4,18 @@ import type { Report } from './report';
 import { createDeviceLines } from './device-lines';
 import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
 import type { Terminal } from './terminal';
-import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-messages';
+import { BEAT, INTERRUPT, type ReplayOutcome, type WorkerMessage, type WorkerTask } from './worker-messages';
 
 /** The result of a run. */
 export type Outcome =
   /** With the output of each device. */
-  | { readonly type: 'ran'; readonly report: Report; readonly consoles: readonly string[] }
+  | {
+      readonly type: 'ran';
+      readonly report: Report;
+      readonly consoles: readonly string[];
+      /** Of a repetition that has come to its end. */
+      readonly replay: ReplayOutcome | null;
+    }
   | { readonly type: 'refused'; readonly problem: string }
   | { readonly type: 'broken'; readonly problem: string };
 
@@ -62,7 +68,8 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
   });
   let latest = nothingYet;
   return new Promise((resolve) => {
-    const ran = (report: Report): void => finish(() => ({ type: 'ran', report, consoles: output.all() }));
+    const ran = (report: Report, replay: ReplayOutcome | null = null): void =>
+      finish(() => ({ type: 'ran', report, consoles: output.all(), replay }));
     const watch = watchBeat(shared, () => ran({ ...latest, ended: 'stuck' }));
     const interruption = onInterrupt(shared, () => ran({ ...latest, ended: 'stopped' }));
     function finish(outcome: () => Outcome): void {
@@ -79,7 +86,10 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
           latest = message.report;
           return terminal.progress(latest.simulatedMs, latest.realTimeFactor);
         case 'done':
-          return ran(interruption.happened() ? { ...message.report, ended: 'stopped' } : message.report);
+          return ran(
+            interruption.happened() ? { ...message.report, ended: 'stopped' } : message.report,
+            message.replay,
+          );
         case 'refused':
         case 'broken':
           return finish(() => message);

@@ -1,4 +1,7 @@
 import type { RunSetup } from '#simulation/run-setup';
+import type { Moment } from '#tape/moment';
+import type { TapeResult } from '#tape/result';
+import type { StopAsked } from './arguments';
 import type { Report } from './report';
 import type { SharedConsole } from './shared-console';
 
@@ -12,10 +15,29 @@ export interface WorkerTask {
   readonly traceFile: number | null;
   /** An open file for the data log, or `null`. */
   readonly logFile: number | null;
+  /** An open file for the recording, or `null`. */
+  readonly tapeFile: number | null;
+  /** The run is a repetition: its result and, where it shall stop, the moment are told. */
+  readonly replay: ReplayTask | null;
   /** Shared words, see `BEAT` and `INTERRUPT`. */
   readonly shared: Int32Array;
   /** Receives the program's output. */
   readonly console: SharedConsole;
+}
+
+/** What a repetition of a recorded run tells. */
+export interface ReplayTask {
+  /** Where it stops; `null`: at its end. */
+  readonly stop: StopAsked | null;
+  /** Place of the device that is looked at. */
+  readonly device: number;
+}
+
+/** What a repetition has told. */
+export interface ReplayOutcome {
+  readonly result: TapeResult;
+  /** Where it was asked to stop; `null`: it was not, or the line did not come. */
+  readonly moment: Moment | null;
 }
 
 /** Index of the shared word that the worker counts up while time passes. */
@@ -27,7 +49,7 @@ export const INTERRUPT = 1;
 /** From the worker, in this order: any number of `progress`, then one of the others. */
 export type WorkerMessage =
   | { readonly type: 'progress'; readonly report: Report }
-  | { readonly type: 'done'; readonly report: Report }
+  | { readonly type: 'done'; readonly report: Report; readonly replay: ReplayOutcome | null }
   /** The set-up cannot run: the user's mistake. */
   | { readonly type: 'refused'; readonly problem: string }
   /** An internal error: our mistake. */

@@ -8,6 +8,12 @@ import type { RunOutlets } from '#simulation/outlets';
 import { packetReport, type PacketReport } from '#simulation/report';
 import { checkRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
+import { tapeToText } from '#tape/file';
+import { momentOf, type Moment } from '#tape/moment';
+import { OutputHashes, resultOf } from '#tape/result';
+import { atLine } from '#vm/debug/stops';
+import { version } from '../../package.json';
+import type { StopAsked } from './arguments';
 import { reportOf, type Report } from './report';
 import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
@@ -61,11 +67,18 @@ function createNews(task: WorkerTask): {
   /** By device. */
   readonly radio: readonly PacketReport[][];
   readonly log: LogEvent[];
+  readonly output: OutputHashes;
 } {
+  const output = new OutputHashes(task.setup.devices.length);
+  const isHashed = task.tapeFile !== null || task.replay !== null;
+  const show = createConsoleWriter(task.console);
   const radio = task.setup.devices.map((): PacketReport[] => []);
   const log: LogEvent[] = [];
   const outlets: RunOutlets = {
-    print: createConsoleWriter(task.console),
+    print: (text, device) => {
+      if (isHashed) output.add(text, device);
+      show(text, device);
+    },
     radio: (packet, device) => {
       const sent = radio[device] ?? [];
       if (sent.length < MAX_PACKETS) sent.push(packetReport(packet));
@@ -78,12 +91,48 @@ function createNews(task: WorkerTask): {
           },
         }),
   };
-  return { outlets, radio, log };
+  return { outlets, radio, log, output };
 }
 
 function writeLog(file: number, events: readonly LogEvent[]): void {
   empty(file);
   writeSync(file, csvOf(withLogEvents(emptyLog, events)));
+}
+
+function writeTape(
+  file: number,
+  { setup, untilUs, untilProgramEnds }: WorkerTask,
+  run: Simulation,
+  output: OutputHashes,
+): void {
+  empty(file);
+  const inputs = run.inputLog;
+  // A run that was interrupted has come less far than it was asked to.
+  const until = {
+    untilUs: run.hasEnded && untilProgramEnds ? untilUs : Math.min(untilUs, run.nowUs),
+    untilProgramEnds,
+  };
+  writeSync(
+    file,
+    tapeToText({ madeBy: version, setup: { ...setup, inputs }, ...until, result: resultOf(run, output) }),
+  );
+}
+
+/** Lets a repetition go on to where it shall stop. @returns null: the line does not come so often */
+function runToStop(
+  simulation: Simulation,
+  { shared, untilUs }: WorkerTask,
+  asked: StopAsked,
+  device: number,
+): Moment | null {
+  const isLine = 'line' in asked;
+  if (isLine) simulation.watch(atLine(asked, asked.hit), device);
+  const endUs = isLine ? untilUs : asked.timeUs;
+  while (simulation.nowUs < endUs && simulation.heldBy === null && !(isLine && simulation.hasEnded)) {
+    simulation.advanceTo(Math.min(endUs, simulation.nowUs + SLICE_US));
+    Atomics.add(shared, BEAT, 1);
+  }
+  return isLine && simulation.heldBy === null ? null : momentOf(simulation, device);
 }
 
 function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (readonly PacketReport[])[]): Report {
@@ -127,9 +176,13 @@ async function work(task: WorkerTask): Promise<void> {
   const news = createNews(task);
   const simulation = await Simulation.create(task.setup, firmware, news.outlets);
   Atomics.add(task.shared, BEAT, 1);
-  const report = runToEnd(simulation, task, news.radio);
+  const { replay } = task;
+  const stop = replay?.stop ?? null;
+  const moment = stop && runToStop(simulation, task, stop, replay?.device ?? 0);
+  const report = stop ? reportOf(simulation, news.radio, 0) : runToEnd(simulation, task, news.radio);
   if (task.logFile !== null) writeLog(task.logFile, news.log);
-  post({ type: 'done', report });
+  if (task.tapeFile !== null) writeTape(task.tapeFile, task, simulation, news.output);
+  post({ type: 'done', report, replay: replay && { result: resultOf(simulation, news.output), moment } });
 }
 
 /** A full disk and the like: not our mistake. */

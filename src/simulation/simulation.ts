@@ -163,6 +163,11 @@ export class Simulation {
     return this.devices[device]?.inspected ?? null;
   }
 
+  /** The clock of a device: while somebody steps, it may be some ms before or behind that of the first. */
+  timeOf(device: number): number {
+    return this.devices[device]?.clock.nowUs ?? this.nowUs;
+  }
+
   /**
    * Stops the run at the lines of a device's program that the rule names; `null`: not any more. `heldBy` tells where it
    * stands, and the next `advanceTo` goes on. Time, output, memory and trajectory stay what they are without.

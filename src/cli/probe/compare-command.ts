@@ -61,7 +61,15 @@ async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
     const files = { 'main.py': probe.source };
     const setup = soloRun({ scene: defaultScene(), files, robot: probe.robot, board, seed: 1, reality: 0 });
     const silent = createTerminal({ write: () => undefined }, { write: () => undefined }, true);
-    const task = { setup, untilUs: MOST_US, untilProgramEnds: true, traceFile: null, logFile: null };
+    const task = {
+      setup,
+      untilUs: MOST_US,
+      untilProgramEnds: true,
+      traceFile: null,
+      logFile: null,
+      tapeFile: null,
+      replay: null,
+    };
     const outcome = await supervise(task, silent);
     if (outcome.type !== 'ran') return { problem: `${program} could not run here: ${outcome.problem}` };
     const parsed = parseProbe(outcome.consoles[0] ?? '');

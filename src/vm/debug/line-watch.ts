@@ -95,7 +95,7 @@ class Lines {
     for (let place = 0, at = framesStart; at < end; place++, at += 4) {
       const state = memory.word(at);
       const functionAt = memory.word(state + STATE.function);
-      if (seen[place]?.state === state && seen[place].functionAt === functionAt && at < end - 4) continue;
+      if (seen[place]?.state === state && seen[place]?.functionAt === functionAt && at < end - 4) continue;
       seen.length = place;
       seen.push(this.read(state, functionAt));
     }

@@ -22,11 +22,15 @@ export function readModules(vm: Inspected, objects: Objects): Modules {
     return readCode(memory, objects.names, functionAt).globals;
   };
   const program = globalsOfFrame(0);
-  const library = new Map<number, Set<number>>();
-  for (const [, module] of objects.entries(globalsOfFrame(1), Infinity)) {
-    if (objects.layoutOf(module) !== 'module' || objects.dictOf(module) === program) continue;
+  const imported = new Map<number, Set<number>>();
+  const addNamesOf = (module: number): void => {
     for (const [key, value] of objects.members(module, Infinity))
-      library.set(key, (library.get(key) ?? new Set()).add(value));
+      imported.set(key, (imported.get(key) ?? new Set()).add(value));
+  };
+  const ours = objects.entries(globalsOfFrame(1), Infinity).map(([, value]) => value);
+  for (const module of [...ours, ...loadedModules(objects, ours)]) {
+    if (objects.layoutOf(module) !== 'module' || objects.dictOf(module) === program) continue;
+    if (!vm.isOwnFile(`${objects.moduleName(module)}.py`)) addNamesOf(module);
   }
   const isDriver = (value: number): boolean => {
     const layout = objects.layoutOf(value);
@@ -36,6 +40,14 @@ export function readModules(vm: Inspected, objects: Objects): Modules {
   };
   return {
     program,
-    isImported: ([key, value]) => library.get(key)?.has(value) === true || isDriver(value),
+    isImported: ([key, value]) => imported.get(key)?.has(value) === true || isDriver(value),
   };
+}
+
+/** All modules that are loaded: `sys.modules`. */
+function loadedModules(objects: Objects, ours: readonly number[]): readonly number[] {
+  const isSys = (value: number): boolean => objects.layoutOf(value) === 'module' && objects.moduleName(value) === 'sys';
+  const members = ours.filter(isSys).flatMap((sys) => objects.members(sys, Infinity));
+  const [table] = members.filter(([key]) => objects.nameText(key) === 'modules');
+  return table === undefined ? [] : objects.entries(table[1], Infinity).map(([, module]) => module);
 }

@@ -105,6 +105,14 @@ counter(3)(2)`).stack.map(({ locals }) => texts(locals)),
     });
   });
 
+  it('leave out what a driver of a robot has brought, whether it is imported as a whole or by its names', () => {
+    const { vm } = deviceWith('from motors import *\nimport motors\nspeed = 3\nmine = Motor()\nwhile True: pass', {
+      libraries: { 'motors.py': 'class Motor: pass\nleft = Motor()\nLIMIT = 255\ndef go(): pass' },
+    });
+    vm.resume(500_000);
+    expect(texts(readVariables(vm.inspected).globals)).toEqual({ speed: '3', mine: '<Motor object>' });
+  });
+
   it('can be unfolded: items, entries, attributes', () => {
     const robot = valueOf(
       'class Robot:\n    kind = "mouse"\n    def __init__(self):\n        self.speed = 3\n        self.path = [(1, 2), (3, 4)]\nrobot = Robot()',

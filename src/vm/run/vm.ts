@@ -52,8 +52,7 @@ export function createVm(setup: VmSetup): Vm {
   const repl = new Repl(port, board.firmware.banner, setup.repl === 'at-once');
   const hold: Hold = { watch: null, isHeld: false };
   const start = (startUs: number): Session => new Session(setup, { files, port, report, repl, hold, startUs });
-  let session = start(clock.nowUs);
-  let isOver = false;
+  let [session, isOver] = [start(clock.nowUs), false];
   const restart = (kind: 'reset' | 'reboot'): void => {
     // Like the device: files stay, everything else starts again. Only a reset also restarts its clock.
     if (kind === 'reboot') report.write(REBOOT);
@@ -78,8 +77,8 @@ export function createVm(setup: VmSetup): Vm {
       const before = report.ended;
       while (!isOver && clock.nowUs < limitUs) {
         const state = session.run(limitUs);
+        isOver = state === 'ended';
         if (state === 'reset' || state === 'reboot') restart(state);
-        else if (state === 'ended') isOver = true;
         if (state === 'suspended' || (report.ended !== null && report.ended !== before)) return;
       }
     },
