@@ -81,5 +81,5 @@ export function readInputs(value: unknown): readonly InputEvent[] {
     check(action, ACTIONS[String(action.type)] ?? {}, `${place}.action`);
     if (action.type === 'radio' && !isPacket(action)) throw new TypeError(`${place}.action: has no packet.`);
   }
-  return value;
+  return value as InputEvent[];
 }
