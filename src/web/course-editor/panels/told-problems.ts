@@ -1,4 +1,4 @@
-import { mendAll, mendOf } from '#editor/mends';
+import { mendAll, mendOf } from '#editor/mends/mends';
 import type { SceneEdit } from '#scene/edit';
 import type { Outline } from '#scene/outline';
 import type { RuleProblem } from '#scene/rules';

@@ -1,7 +1,7 @@
 import { solidParts } from '#scene/kinds/index';
 import { boundsMeet, boundsOfOutline, overlapMm, type Bounds, type Outline } from '#scene/outline';
 import type { Point, Scene } from '#scene/scene';
-import { arenaBounds, boundsAll } from './bounds';
+import { arenaBounds, boundsAll } from '../bounds';
 
 /** Distance of the places that are tried, in mm. */
 const STEP_MM = 10;

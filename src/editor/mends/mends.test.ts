@@ -4,7 +4,7 @@ import { applyEdit } from '#scene/edit';
 import { findProblems, type RuleCode } from '#scene/rules';
 import type { Scene, SceneObject } from '#scene/scene';
 import { mendAll, mendOf } from './mends';
-import { block, checkpoint, course, footprint, stroke, target, wall } from './testing/desk';
+import { block, checkpoint, course, footprint, stroke, target, wall } from '../testing/desk';
 
 /** The course after everything that can be mended was, and the problems that are left. */
 function mended(scene: Scene): { readonly scene: Scene; readonly left: readonly RuleCode[] } {

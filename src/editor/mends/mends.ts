@@ -12,10 +12,10 @@ import {
   type Start,
   type Zone,
 } from '#scene/scene';
-import { cornersOf } from './bounds';
-import { changing, combined, removing, startingAt } from './edits';
+import { cornersOf } from '../bounds';
+import { changing, combined, removing, startingAt } from '../edits';
 import { solidsBut, wayInside, wayToRoom } from './free-place';
-import { movedBy } from './kinds/index';
+import { movedBy } from '../kinds/index';
 
 /** What a tap does about a problem of a course. */
 export type MendKind =
