@@ -40,7 +40,7 @@ export function arenaKeys(
   sources: KeySources,
   surface: ToolSurface,
   keys: SelectionKeys,
-  { pointers, openMenu }: { readonly pointers: ToolPointers; readonly openMenu: () => void },
+  { pointers, openMenu }: { readonly pointers: ToolPointers; readonly openMenu: () => boolean },
 ): ArenaKeys {
   const { editor, picture } = sources;
   const tellPlace = sayer(sources, surface);
@@ -67,10 +67,7 @@ export function arenaKeys(
       const command = event.ctrlKey || event.metaKey;
       if (key === 'Alt') return surface.isBusy; // it copies, and opens no menu of the browser
       if (event.altKey) return false;
-      if (key === 'ContextMenu' || (key === 'F10' && shiftKey)) {
-        openMenu();
-        return true;
-      }
+      if (key === 'ContextMenu' || (key === 'F10' && shiftKey)) return openMenu();
       if (!command && surface.type(key)) {
         sayTyped(sources, surface);
         return true;

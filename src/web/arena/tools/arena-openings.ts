@@ -15,7 +15,7 @@ export interface ArenaOpenings {
   /** Opens the menu for what is there; `rests`: a finger asks for it, which only the tool that selects allows. */
   menu(wish: MenuWish, reachMm: number, rests: boolean): boolean;
   /** Opens the menu for what is selected, or for what is under the crosshair. */
-  menuByKeys(crosshair: Vec | null): void;
+  menuByKeys(crosshair: Vec | null): true;
 }
 
 /** How near to the crosshair of the keyboard counts as on a thing, in mm. */
@@ -82,6 +82,7 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
       const { widthPx, heightPx } = picture.canvas.value;
       const atMm = crosshair ?? middleOfSelected() ?? toMm(picture.view.value, { x: widthPx / 2, y: heightPx / 2 });
       show(atMm, inWindow(atMm), on);
+      return true;
     },
   };
 }

@@ -1,5 +1,8 @@
 import type { Vec } from '#core/geometry';
+import { isTap, startOf } from '#editor/drag';
 import { distanceMm } from '#editor/plane';
+import type { Drag, Opened } from '#editor/tools/tool';
+import type { Gesture } from './gesture';
 
 /** Two taps in this time, in ms, are a double tap. Chosen: what browsers take for a double click. */
 const SECOND_MS = 500;
@@ -14,8 +17,11 @@ export class TapMemory {
     return distanceMm(this.last.at, at) <= reachMm;
   }
 
-  /** A gesture is over; `null`: it was no single tap. */
-  note(at: Vec | null, nowMs: number): void {
-    this.last = at && { at, atMs: nowMs };
+  /** A gesture is over: what it opens if it was the second tap, or `null`. */
+  opened({ tool, context, isSecond }: Gesture, drag: Drag, nowMs: number): Opened | null {
+    const isOneTap = isTap(drag) && !drag.adds;
+    const opened = isSecond && isOneTap ? (tool.opens?.(drag, context) ?? null) : null;
+    this.last = isOneTap && opened === null ? { at: startOf(drag), atMs: nowMs } : null;
+    return opened;
   }
 }

@@ -1,5 +1,4 @@
 import type { Vec } from '#core/geometry';
-import { isTap, startOf } from '#editor/drag';
 import { noFigures } from '#editor/snap/figures';
 import type { Reading } from '#editor/snap/reading';
 import type { Drag, Mark, Opened, Selection, Tool, ToolContext } from '#editor/tools/tool';
@@ -340,13 +339,8 @@ export class ToolSurface {
     this.ask(gesture);
     this.gesture = null;
     const drag = dragOf(gesture);
-    const isOneTap = isTap(drag) && !gesture.adds;
-    const opened = gesture.isSecond && isOneTap ? tool.opens?.(drag, context) : null;
-    this.taps.note(isOneTap && !opened ? startOf(drag) : null, nowMs);
-    if (opened) {
-      this.ports.open(opened);
-      return;
-    }
+    const opened = this.taps.opened(gesture, drag, nowMs);
+    if (opened !== null) return this.ports.open(opened);
     // What was measured stays in sight until the next gesture.
     this.kept = (tool.marks?.(drag, context, true) ?? []).filter(({ type }) => type === 'measure');
     const selection = tool.select?.(drag, context, gesture.after ?? context.scene);

@@ -207,6 +207,7 @@ export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-turn': ['Q', 'E'],
   'key-delete': ['Delete'],
   'key-copy': ['Ctrl', 'C', 'X', 'V', 'D'],
+  'key-menu': ['Shift', 'F10'],
   'key-all': ['Ctrl', 'A'],
   'key-explore': ['N'],
   'key-around': ['O'],

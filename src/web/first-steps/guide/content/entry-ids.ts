@@ -109,6 +109,7 @@ export const KEY_IDS = [
   'key-turn',
   'key-delete',
   'key-copy',
+  'key-menu',
   'key-all',
   'key-explore',
   'key-around',
