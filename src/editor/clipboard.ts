@@ -10,6 +10,7 @@ import { arenaBounds, boundsAll, shiftedBounds } from './bounds';
 import { freeGroups, freeIds } from './ids';
 import { kindOf, movedBy } from './kinds/index';
 import { nextCheckpoint } from './kinds/zone';
+import { noteMove } from './moves';
 import { minus } from './plane';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';
@@ -185,7 +186,7 @@ function put(scene: Scene, originals: readonly SceneObject[], [dx, dy]: Point): 
       ...(original.group === undefined ? {} : { group: groupOf(original.group) }),
     };
     if (copy.type !== 'checkpoint') {
-      objects.push(copy);
+      objects.push(noteMove(original, copy, dx, dy)); // figures tell how far it is from its original
       continue;
     }
     const number = nextCheckpoint(scene, numbers);

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { SceneObject } from '#scene/scene';
 
-/** An object, and how far another one is from it that is the same but for its place. */
+/** An object, and how far another one is from it that looks the same in another place: moved, or a copy. */
 export interface Moved {
   readonly root: SceneObject;
   readonly by: Vec;
@@ -9,10 +9,10 @@ export interface Moved {
 
 const roots = new WeakMap<SceneObject, Moved>();
 
-/** The object that this one was made of by moving, as far as is known; itself if it was not moved. */
+/** The object that this one was made of by moving or copying, as far as is known; itself if it was not. */
 export const rootOf = (object: SceneObject): Moved => roots.get(object) ?? { root: object, by: { x: 0, y: 0 } };
 
-/** Remembers that an object is another one that was moved. Returns it. */
+/** Remembers that an object is another one that was moved, or copied to another place. Returns it. */
 export function noteMove(from: SceneObject, to: SceneObject, dx: number, dy: number): SceneObject {
   const { root, by } = rootOf(from);
   roots.set(to, { root, by: { x: by.x + dx, y: by.y + dy } });
@@ -33,4 +33,13 @@ export function commonStep(before: readonly SceneObject[], now: readonly SceneOb
     step = by;
   }
   return step;
+}
+
+/** How far a copy is from its original among some objects; `null`: it is no copy of any. */
+export function stepOfCopy(copy: SceneObject, objects: readonly SceneObject[]): Vec | null {
+  const { root, by } = rootOf(copy);
+  const original = root === copy ? undefined : objects.find((object) => rootOf(object).root === root);
+  if (original === undefined) return null;
+  const before = rootOf(original).by;
+  return { x: by.x - before.x, y: by.y - before.y };
 }

@@ -4,6 +4,7 @@ import { boundsOf } from '#scene/kinds/index';
 import type { Bounds } from '#scene/outline';
 import type { Scene, SceneObject } from '#scene/scene';
 import { placeOf } from '../kinds/index';
+import { stepOfCopy } from '../moves';
 import { directionDeg, distanceMm, minus, toVec } from '../plane';
 import { endsOf } from './frames';
 
@@ -30,6 +31,8 @@ export function readingOf(scene: Scene, edit: SceneEdit, start: Vec | null = nul
   const [first] = singleEdits(edit);
   if (first?.type === 'add') {
     const [object, second] = first.objects;
+    const by = object ? stepOfCopy(object, scene.objects) : null;
+    if (by) return { type: 'moved', by };
     return object && !second ? newReading(object, start) : null;
   }
   if (first?.type === 'robot') return robotReading(scene, first.robot);

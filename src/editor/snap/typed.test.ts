@@ -74,6 +74,12 @@ describe('a drag with typed numbers', () => {
     expect(first(after(selectTool, drag([300, 300], [250, 300], [250, 250]), [12, 3], things))).toMatchObject({ at: [180, 270] }); // prettier-ignore
   });
 
+  it('copies a thing exactly so far beside it', () => {
+    const one = { ...drag([300, 300], [350, 300], [402, 301]), alt: true };
+    const copied = after(selectTool, one, [20], [block('a', [300, 300])]);
+    expect(copied.objects).toMatchObject([{ at: [300, 300] }, { at: [500, 300] }]);
+  });
+
   it('sizes a thing by its corner', () => {
     const things = [block('a', [300, 300])];
     const sized = after(selectTool, drag([325, 325], [360, 360], [380, 390]), [12.3, 6], things, { ids: ['a'], robot: false }); // prettier-ignore
