@@ -9,7 +9,7 @@ import { endsOf, frameAround, frameOf, frameOfRobot, shiftedFrame, type Axis, ty
 import { luresNear, luresOf, type AxisLures, type Lures } from './lures';
 import { equalSteps } from './row';
 
-/** Things attract from this far: half as far as the grid, which is everywhere. What is nearest to what is seen comes first. */
+/** Things attract from this far, in mm: half as far as the grid, so that its lines can be met beside them, too. */
 const thingsReachMm = (reachMm: number): number => Math.min(reachMm, ATTRACTS_MM) / 2;
 
 /** What is moved, as it was before. */
