@@ -6,6 +6,7 @@ import { middleOfSelection, turnedBy } from './arrange';
 import { sizedTogether } from './arranging/scale';
 import { endOf, startOf } from './drag';
 import { changing } from './edits';
+import { handleAt } from './handles';
 import { kindOf } from './kinds/index';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import { lured } from './snap/attract';
@@ -24,7 +25,12 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
   const snapping = lured(drag, context, selection);
   if (handle.kind === 'size') return sized(handle, place, snapping, context);
   const object = scene.objects.find(({ id }) => id === handle.id);
-  const changed = object && kindOf(object).endMoved?.(object, handle.kind, place, snapping, scene);
+  if (!object) return null;
+  const kind = kindOf(object);
+  const changed =
+    handle.kind === 'point' || handle.kind === 'add'
+      ? kind.pointMoved?.(object, handle, place, snapping, scene)
+      : kind.endMoved?.(object, handle.kind, place, snapping, scene);
   return changed ? changing([changed]) : null;
 }
 
@@ -39,6 +45,15 @@ function sized({ side = UPPER_RIGHT }: Handle, place: Vec, drag: Drag, context: 
 }
 
 const UPPER_RIGHT: Point = [1, 1];
+
+/** Takes out the point of a selected thing whose handle is at a place; `null`: there is none, or it has to stay. */
+export function pointRemoved({ scene, selection, footprint }: ToolContext, at: Vec, reachMm: number): SceneEdit | null {
+  const handle = handleAt(scene, selection, footprint, at, reachMm);
+  const object = scene.objects.find(({ id }) => id === handle?.id);
+  if (!object || handle?.kind !== 'point' || handle.index === undefined) return null;
+  const rest = kindOf(object).withoutPoint?.(object, handle.index);
+  return rest ? changing([rest]) : null;
+}
 
 /** Steps of a drag that turns, in degrees. Chosen: both halves of a right angle and its thirds; a degree when free. */
 const STEP_DEG = 15;

@@ -45,8 +45,8 @@ describe('handles', () => {
     ]);
   });
 
-  it('are also the turning point of a mover and the ends of a straight line', () => {
-    expect(kinds(of(['m'])).slice(-3)).toEqual(['size m', 'rotate m', 'to m']);
+  it('are also the stops of a mover, where it can have more, and the ends of a straight line', () => {
+    expect(kinds(of(['m'])).slice(-4)).toEqual(['rotate m', 'point m', 'add m', 'add m']);
     expect(kinds(of(['line']))).toEqual(['from line', 'to line', 'rotate line']);
     expect(new Set(kinds(of(['drawn'])))).toEqual(new Set(['size drawn', 'rotate drawn']));
     expect(kinds(of(['dot']))).toEqual([]);

@@ -44,9 +44,9 @@ describe('changing an object by numbers', () => {
     expect(first(stroke('s', [0, 0], [10, 0]), 'color', 'green')).toMatchObject({ color: 'green' });
   });
 
-  it('moves a mover with its track, and its turning point alone', () => {
+  it('moves a mover with its track, and changes what it does', () => {
     expect(first(mover('m', [100, 100], [300, 100]), 'y', 200)).toEqual(mover('m', [100, 200], [300, 200]));
-    expect(first(mover('m', [100, 100], [300, 100]), 'endY', 200)).toEqual(mover('m', [100, 100], [300, 200]));
+    expect(first(mover('m', [100, 100], [300, 100]), 'way', 'chases')).toMatchObject({ to: [100, 100], chases: {} });
     expect(first(mover('m', [100, 100], [300, 100]), 'spiked', true)).toMatchObject({ spiked: true });
   });
 

@@ -51,6 +51,7 @@ export function fitting(field: Field, value: FieldValue): FieldValue | null {
       if (typeof value !== 'number' || Number.isNaN(value)) return null;
       const inRange = within(value, field);
       if (field.name === 'turn') return rotationDeg(inRange);
+      if (field.unit === 's') return Math.round(inRange * 10) / 10;
       return field.unit === 'times' ? Math.round(inRange * 100) / 100 : Math.round(inRange) + 0;
     }
     case 'switch':

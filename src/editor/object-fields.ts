@@ -9,6 +9,7 @@ import {
   type SceneObject,
   type StrokeColor,
 } from '#scene/scene';
+import type { MoverWay } from '#scene/kinds/mover-way';
 import { within } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
@@ -25,12 +26,15 @@ export type NumberName =
   | 'number'
   | 'blocks'
   | 'speed'
+  | 'spin'
+  | 'phase'
+  | 'reach'
   | 'letterHeight'
   | 'heading'
   | 'scale';
 
 /** Name of something about an object that can be changed. */
-export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type';
+export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type' | 'way';
 
 /** The value of a field. */
 export type FieldValue = number | boolean | string;
@@ -47,7 +51,7 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly min: number;
       readonly max: number;
       readonly step: number;
-      readonly unit: 'mm' | 'deg' | 'mm/s' | 'times' | 'count';
+      readonly unit: 'mm' | 'deg' | 'mm/s' | 'deg/s' | 's' | 'times' | 'count';
     }
   | { readonly kind: 'switch'; readonly name: 'round' | 'spiked'; readonly value: boolean }
   | {
@@ -68,6 +72,12 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly name: 'type';
       readonly value: SceneObject['type'];
       readonly choices: readonly SceneObject['type'][];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'way';
+      readonly value: MoverWay;
+      readonly choices: readonly MoverWay[];
     }
   | { readonly kind: 'text'; readonly name: 'text' | 'name'; readonly value: string; readonly maxCharacters: number }
 );

@@ -162,6 +162,32 @@ const version5: Scene = {
       ...{ id: 'm1', type: 'mover', at: [500, 500], size: [60, 50], angle: 75, to: [800, 500], round: true },
       ...{ speed: 100, spiked: false },
     },
+    {
+      ...{
+        id: 'm2',
+        type: 'mover',
+        at: [500, 700],
+        size: [60, 60],
+        angle: 0,
+        to: [600, 700],
+        spiked: false,
+        speed: 150,
+      },
+      ...{ stops: [[600, 900], [500, 900]], waits: [0, 1.5, 2], loops: true, phase: 0.5, spin: -45 }, // prettier-ignore
+    },
+    {
+      ...{
+        id: 'm3',
+        type: 'mover',
+        at: [900, 900],
+        size: [60, 60],
+        angle: 0,
+        to: [900, 900],
+        spiked: true,
+        speed: 100,
+      },
+      chases: { zone: 't1', reach: 700 },
+    },
     { ...shapes, id: 't1', size: [200, 150], angle: 30, round: true },
     { ...shapes, id: 't2', at: [1000, 200], size: [200, 200], angle: 90, round: false, corners: square, blocks: 1 },
     {

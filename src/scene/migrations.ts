@@ -12,8 +12,8 @@ const steps: readonly ((file: Fields) => Fields)[] = [
   (file) => file,
   // 3 → 4: starts of further robots, and how robots share a task, are new; what there was means the same.
   (file) => file,
-  // 4 → 5: any angle, round bodies, polygons, locks and groups are new. `turn` stays as it is: the reader takes it, so that
-  // what is wrong with it is told in the words of the file.
+  // 4 → 5: any angle, round bodies, polygons, locks, groups and more of what movers do are new. `turn` stays as it is: the
+  // reader takes it, so that what is wrong with it is told in the words of the file.
   (file) => file,
 ];
 

@@ -2,7 +2,7 @@ import { createRng } from '#core/rng';
 import type { Vec } from '#core/geometry';
 import { describe, expect, it } from 'vitest';
 import { boundsOf, reachesInto, solidParts } from './kinds/index';
-import { trackOutline } from './kinds/mover';
+import { legOutlines } from './kinds/mover';
 import { zoneHolds, zoneOverlaps } from './kinds/zone';
 import { boxOutline, convexHull, overlapMm, type Outline } from './outline';
 import type { Mover, Point, SceneObject, Stroke, Zone } from './scene';
@@ -57,8 +57,8 @@ describe('the solid outline', () => {
 
   it('of the way of a mover reaches from end to end', () => {
     expect(boundsOf(mover)).toEqual({ minX: 90, maxX: 310, minY: 80, maxY: 120 });
-    expect(trackOutline(mover)).toHaveLength(4);
-    expect(trackOutline({ ...mover, to: [300, 200] })).toHaveLength(6);
+    expect(legOutlines(mover)[0]).toHaveLength(4);
+    expect(legOutlines({ ...mover, to: [300, 200] })[0]).toHaveLength(6);
   });
 });
 

@@ -1,6 +1,7 @@
 import type { Vec } from '#core/geometry';
 import { boundsOf, reachesInto } from './kinds/index';
-import { zoneHolds, zoneOverlaps } from './kinds/zone';
+import { isZone, zoneHolds, zoneOverlaps } from './kinds/zone';
+import { isIdle } from './kinds/mover-way';
 import type { Outline } from './outline';
 import { copies, stuckBlocks, type Stuck } from './overlaps';
 import { placementProblems, robotOutlines } from './placement';
@@ -21,6 +22,7 @@ export type RuleCode =
   | 'target-wants-too-many-blocks'
   | 'target-too-small'
   | 'mover-still'
+  | 'guard-without-zone'
   | 'block-inside'
   | 'covered';
 
@@ -58,7 +60,8 @@ export function findProblems(scene: Scene, footprint: readonly Outline[]): reado
     numberGap(things),
     tooManyBlocks(things),
     tooSmallTargets(things),
-    things.movers.filter(({ at, to }) => at[0] === to[0] && at[1] === to[1]).map(stillMover),
+    things.movers.filter(isIdle).map(stillMover),
+    guardsWithoutZone(scene.objects, things),
     stuckBlocks(scene.objects).map(blockInside),
     copies(scene.objects).map(covered),
   ];
@@ -240,6 +243,21 @@ const stillMover = ({ id, at }: Mover): RuleProblem => ({
   at,
   ids: [id],
 });
+
+function guardsWithoutZone(objects: readonly SceneObject[], { movers }: Things): readonly RuleProblem[] {
+  const guards = movers.filter(({ chases }) => chases?.zone !== undefined);
+  if (guards.length === 0) return [];
+  const zones = new Set(objects.filter(isZone).map(({ id }) => id));
+  return guards
+    .filter(({ chases }) => !zones.has(chases?.zone ?? ''))
+    .map(({ id, at, chases }) => ({
+      code: 'guard-without-zone',
+      params: { id, zone: chases?.zone ?? '' },
+      message: `The moving block "${id}" guards the zone "${chases?.zone ?? ''}", which is not there: it never moves. Choose another zone, or let it chase robots everywhere.`,
+      at,
+      ids: [id],
+    }));
+}
 
 const blockInside = ({ block, other }: Stuck): RuleProblem => ({
   code: 'block-inside',

@@ -83,15 +83,41 @@ export interface Spikes extends Common, Shaped {
   readonly type: 'spikes';
 }
 
-/** A solid body that moves to and fro between `at`, where it is at the start of a run, and `to`, whatever is in its path. */
+/**
+ * A solid body that moves by itself: along a way from stop to stop, whatever is in its path, or after robots as far as
+ * solid things let it (`chases`). The simplest goes to and fro between `at`, where its way begins, and `to`.
+ */
 export interface Mover extends Common, Omit<Shaped, 'corners'> {
   readonly type: 'mover';
-  /** Its centre where it turns round. */
+  /** Its centre at the second stop. `at` itself: it has no way. */
   readonly to: Point;
   /** In mm/s. */
   readonly speed: number;
   /** Whoever touches it has failed. */
   readonly spiked: boolean;
+  /** Further stops in their order; left out: none. */
+  readonly stops?: readonly Point[];
+  /** Seconds that it waits at `at`, at `to` and at each further stop; left out, and where the list ends: 0. */
+  readonly waits?: readonly number[];
+  /** From the last stop straight to the first; left out: back the way that it came. */
+  readonly loops?: true;
+  /** It starts where it would be after so many seconds; left out: 0. */
+  readonly phase?: number;
+  /** Degrees per second that it turns about its centre, counter-clockwise positive; left out: 0. */
+  readonly spin?: number;
+  /** Whom it runs after; left out: nobody. Then it has no way: only `at` counts. */
+  readonly chases?: Chase;
+}
+
+/** Which robots a mover runs after: the nearest of them. */
+export interface Chase {
+  /**
+   * Id of the zone that it guards: it runs after robots that touch it, and back to its place when none does any more.
+   * Left out: after robots wherever they are.
+   */
+  readonly zone?: string;
+  /** Robots farther away than this do not matter, in mm; left out: it notices them at any distance. */
+  readonly reach?: number;
 }
 
 /** Words on the floor, for people: no sensor sees them. */
@@ -294,6 +320,13 @@ export const sceneLimits = {
   checkpoint: { min: 1, max: 99 },
   blocks: { min: 0, max: 50 },
   speedMmS: { min: 5, max: 500 },
+  /** Stops of a mover, the first two included. */
+  stops: 20,
+  waitSeconds: { min: 0, max: 60 },
+  phaseSeconds: { min: 0, max: 3600 },
+  /** In either direction. */
+  spinDegS: { min: -360, max: 360 },
+  reachMm: { min: 10, max: 20_000 },
   labelCharacters: 100,
   labelMm: { min: 5, max: 500 },
   startNameCharacters: 40,

@@ -1,7 +1,8 @@
 import type { Pose, Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { BRIGHTEST_LEVEL, unpackLevels } from '#scene/background';
-import type { Background, Point, Scene, SceneObject } from '#scene/scene';
+import { isZone } from '#scene/kinds/zone';
+import type { Background, Point, Scene, SceneObject, Zone } from '#scene/scene';
 import type { BlockHandle, FloorGrid, MoverHandle } from '#world/shapes';
 import { createWorld, type World } from '#world/world';
 import { movableIds } from './at-once';
@@ -18,11 +19,13 @@ export class CourseWorld {
   /** What follows the course, by id: the body, and the object that it shows. */
   private readonly following = new Map<string, { readonly object: SceneObject; readonly body: Body }>();
   private background: Background | null = null;
+  private zones: ReadonlyMap<string, Zone>;
 
   /** Builds everything in the course, object by object in its order. */
   constructor(course: Scene) {
     this.began = course;
     this.now = course;
+    this.zones = zonesIn(course);
     this.world = createWorld({ widthMm: course.size[0], heightMm: course.size[1] });
     for (const object of course.objects) this.add(object);
     this.showBackground(course.background);
@@ -59,6 +62,7 @@ export class CourseWorld {
    */
   take(course: Scene): void {
     this.now = course;
+    this.zones = zonesIn(course);
     const movable = movableIds(this.movableIds(), this.began, course);
     const kept = new Set(movable);
     for (const [layer, object] of course.objects.entries()) {
@@ -90,7 +94,7 @@ export class CourseWorld {
   }
 
   private add(object: SceneObject): void {
-    const body = runKinds[object.type].build?.(object, this.world);
+    const body = runKinds[object.type].build?.(object, this.world, { zone: (id) => this.zones.get(id) });
     if (body && !isLasting(object)) this.following.set(object.id, { object, body });
     if (body?.block) this.blocks.set(object.id, body.block);
     else this.blocks.delete(object.id);
@@ -103,6 +107,9 @@ export class CourseWorld {
     this.world.setFloor(background && gridOf(background));
   }
 }
+
+const zonesIn = ({ objects }: Scene): ReadonlyMap<string, Zone> =>
+  new Map(objects.filter(isZone).map((zone) => [zone.id, zone]));
 
 const posesOf = (handles: ReadonlyMap<string, { pose(): Pose }>): Record<string, Pose> =>
   Object.fromEntries(Array.from(handles, ([id, handle]) => [id, handle.pose()]));

@@ -3,9 +3,12 @@ import { isSame } from '#core/same';
 import { rotationRad } from '#core/angle';
 import type { AnyObject } from '#scene/kinds/kind';
 import { reflectanceOf } from '#scene/reflectance';
-import type { Block, Mover, Point, SceneObject, Spikes, Stroke, Wall } from '#scene/scene';
+import { zoneOverlaps } from '#scene/kinds/zone';
+import { stopsOf } from '#scene/kinds/mover-way';
+import type { Outline } from '#scene/outline';
+import type { Block, Chase, Mover, Point, SceneObject, Spikes, Stroke, Wall, Zone } from '#scene/scene';
 import { ownParts } from '#scene/shape/shape';
-import type { BlockHandle, BodyForm, MoverHandle } from '#world/shapes';
+import type { BlockHandle, BodyForm, Chase as WorldChase, MoverHandle, Way } from '#world/shapes';
 import type { World } from '#world/world';
 
 /** What a run has in its world for an object. */
@@ -32,7 +35,13 @@ export interface RunKind<O extends AnyObject = SceneObject> {
   /** Whether whoever touches it has failed. Left out: never. */
   isSpiked?(object: O): boolean;
   /** Puts it into the world. Left out: only the verdict and people see it. */
-  build?(object: O, world: World): Body;
+  build?(object: O, world: World, around: Around): Body;
+}
+
+/** What an object asks of its course during a run. */
+export interface Around {
+  /** The zone of this id as the course has it now. */
+  readonly zone: (id: string) => Zone | undefined;
 }
 
 type BoxObject = Block | Spikes | Mover;
@@ -86,9 +95,27 @@ function blockBody(object: Block, world: World): Body {
   };
 }
 
-function moverBody(object: Mover, world: World): Body {
-  const { id, to, speed } = object;
-  return { mover: world.addMover({ id, ...shapeOf(object), toMm: vec(to), speedMmPerS: speed }) };
+function moverBody(object: Mover, world: World, { zone }: Around): Body {
+  const { id, speed, spin = 0 } = object;
+  const { atMm: _, ...shape } = shapeOf(object);
+  const goes = object.chases ? chaseOf(object.at, object.chases, zone) : wayIn(object);
+  const spinRadPerS = (spin * Math.PI) / 180;
+  return { mover: world.addMover({ id, ...shape, speedMmPerS: speed, spinRadPerS, goes }) };
+}
+
+function wayIn(mover: Mover): Way {
+  const stops = stopsOf(mover).map(({ at, wait }) => ({ atMm: vec(at), waitS: wait }));
+  return { stops, loops: mover.loops ?? false, phaseS: mover.phase ?? 0 };
+}
+
+/** A guard looks where its zone is now; without it there is nobody for it. */
+function chaseOf(at: Point, { zone: id, reach = Infinity }: Chase, zone: Around['zone']): WorldChase {
+  const isIn = (name: string, body: readonly Outline[]): boolean => {
+    const guarded = zone(name);
+    return guarded !== undefined && body.some((part) => zoneOverlaps(guarded, part));
+  };
+  const wants = id === undefined ? null : (body: readonly Outline[]) => isIn(id, body);
+  return { homeMm: vec(at), reachMm: reach, returns: id !== undefined, wants };
 }
 
 function strokeBody({ points, width, color }: Stroke, world: World): Body {

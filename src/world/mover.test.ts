@@ -1,18 +1,23 @@
 import { describe, expect, it } from 'vitest';
-import type { MoverHandle } from './shapes';
+import type { MoverHandle, MoverShape, Way } from './shapes';
 import { createRig, hashOf, testChassis } from './testing/rig';
 import { STEP_S } from './step';
 import { createWorld } from './world';
 import type { World } from './world';
 
-const box = (from: readonly [number, number], to: readonly [number, number], speedMmPerS: number, id = 'mover') => ({
-  id,
-  atMm: { x: from[0], y: from[1] },
-  toMm: { x: to[0], y: to[1] },
-  sizeMm: { x: 60, y: 60 },
-  angleRad: 0,
-  speedMmPerS,
+type Place = readonly [x: number, y: number];
+type Stop = readonly [x: number, y: number, waitS?: number];
+
+const along = (stops: readonly Stop[], speedMmPerS: number, more: Partial<MoverShape & Way> = {}): MoverShape => ({
+  ...{ id: 'mover', sizeMm: { x: 60, y: 60 }, angleRad: 0, speedMmPerS, spinRadPerS: 0, ...more },
+  goes: {
+    stops: stops.map(([x, y, waitS = 0]) => ({ atMm: { x, y }, waitS })),
+    loops: more.loops ?? false,
+    phaseS: more.phaseS ?? 0,
+  },
 });
+
+const box = (from: Place, to: Place, speedMmPerS: number): MoverShape => along([from, to], speedMmPerS);
 
 const wait = (world: World, seconds: number): void => {
   for (let step = 0; step < Math.round(seconds / STEP_S); step++) world.step();
@@ -87,6 +92,71 @@ describe('a moving obstacle', () => {
     expect(distance()).toBeCloseTo(1470 - 1060, 9);
     wait(world, 2);
     expect(distance()).toBeCloseTo(1670 - 1060, 9);
+  });
+
+  it('waits at each of its stops: 2 s at the first, 1 s at the second, none at the third, and back the same way', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(along([[200, 100, 2], [300, 100, 1], [300, 200]], 100)); // prettier-ignore
+    const places = Array.from({ length: 11 }, () => {
+      const { xMm, yMm } = mover.pose();
+      wait(world, 1);
+      return [xMm, yMm];
+    });
+    expect(places).toEqual([
+      ...[[200, 100], [200, 100], [200, 100], [300, 100], [300, 100]], // 2 s waiting, 1 s way, 1 s waiting
+      ...[[300, 200], [300, 100], [300, 100]], // 1 s on, 1 s back, 1 s waiting
+      ...[[200, 100], [200, 100], [200, 100]],
+    ]); // prettier-ignore
+  });
+
+  it('goes round and round: 100 mm along each side of a square', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(along([[200, 100], [300, 100], [300, 200], [200, 200]], 100, { loops: true })); // prettier-ignore
+    wait(world, 3.5);
+    expect(mover.pose()).toMatchObject({ xMm: 200, yMm: 150 });
+    wait(world, 1);
+    expect(mover.pose()).toMatchObject({ xMm: 250, yMm: 100 });
+  });
+
+  it('starts with its phase: where it would be after 4.5 s', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const mover = world.addMover(along([[200, 200, 1], [500, 200]], 100, { phaseS: 4.5 })); // prettier-ignore
+    expect(xOf(mover)).toBe(450);
+    wait(world, 1);
+    expect(xOf(mover)).toBe(350);
+  });
+
+  it('has its 20 stops to the mm after 10 minutes', () => {
+    const world = createWorld({ widthMm: 3000, heightMm: 500 });
+    const stops = Array.from({ length: 20 }, (_, i): Stop => [100 + 100 * i, 200, 0.5]);
+    const mover = world.addMover(along(stops, 100));
+    wait(world, 57); // a round: 38 legs of 1 s, 38 waits of 0.5 s
+    wait(world, 57 * 9 + 30);
+    // 30 s into a round: 0.5 s at the first stop, then 19 legs with their waits end after 29 s.
+    expect(xOf(mover)).toBeCloseTo(1900, 6);
+  });
+
+  it('turns on the spot, either way, and while it travels: 90° a second', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    const spinRadPerS = Math.PI / 2;
+    const left = world.addMover(along([[200, 200]], 100, { spinRadPerS }));
+    const right = world.addMover(along([[500, 200], [700, 200]], 100, { spinRadPerS: -spinRadPerS })); // prettier-ignore
+    wait(world, 1.5);
+    expect(left.pose()).toMatchObject({ xMm: 200, yMm: 200 });
+    expect(left.pose().headingRad).toBeCloseTo(0.75 * Math.PI, 12);
+    expect(right.pose()).toMatchObject({ xMm: 650, yMm: 200 });
+    expect(right.pose().headingRad).toBeCloseTo(-0.75 * Math.PI, 12);
+  });
+
+  it('strikes a block with its turning arm, and is seen where the arm points', () => {
+    const world = createWorld({ widthMm: 1000, heightMm: 500 });
+    world.addMover(along([[500, 250]], 100, { spinRadPerS: 1, sizeMm: { x: 300, y: 20 } }));
+    const block = world.addBlock({ atMm: { x: 600, y: 350 }, sizeMm: { x: 40, y: 40 }, angleRad: 0, fixed: false });
+    const ahead = { openingRad: 0.01, rangeMm: 3000 };
+    expect(world.distanceCone({ x: 100, y: 250 }, 0, ahead).distanceMm).toBeCloseTo(250, 6);
+    wait(world, 1.5);
+    expect(block.pose().yMm).toBeGreaterThan(380);
+    expect(world.distanceCone({ x: 100, y: 250 }, 0, ahead).distanceMm).toBeGreaterThan(380);
   });
 
   it('refuses sides and speeds that are not above 0', () => {

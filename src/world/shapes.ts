@@ -53,19 +53,41 @@ export interface BlockHandle {
   liftMm(): number;
 }
 
-/** A body that moves to and fro at a steady speed, whatever is in its path. */
+/** A body that moves by itself: along a way whatever is in its path, or after robots. */
 export interface MoverShape extends Named, BodyForm {
-  /** Its middle at the start. */
-  readonly atMm: Vec;
-  /** Its middle at the turning point. */
-  readonly toMm: Vec;
+  /** At the start. */
   readonly angleRad: number;
   readonly speedMmPerS: number;
+  /** How fast it turns about its middle, counter-clockwise positive. */
+  readonly spinRadPerS: number;
+  readonly goes: Way | Chase;
+}
+
+/** A way from stop to stop, without end: its place follows from the time alone. */
+export interface Way {
+  /** At least one; it is at the first at the start, and waits there first. */
+  readonly stops: readonly { readonly atMm: Vec; readonly waitS: number }[];
+  /** From the last stop straight to the first; otherwise back over all the others. */
+  readonly loops: boolean;
+  /** It starts where it would be after this time, from 0. */
+  readonly phaseS: number;
+}
+
+/** After robots, as far as anything solid lets it. */
+export interface Chase {
+  /** Its middle at the start. */
+  readonly homeMm: Vec;
+  /** Robots farther away than this do not matter, from the middle of the box to the middle of the axle; may be `Infinity`. */
+  readonly reachMm: number;
+  /** Whether it goes home while there is no robot for it; otherwise it stays where it is. */
+  readonly returns: boolean;
+  /** Whether it runs after a robot whose body covers these convex outlines (world mm); `null`: after every one. */
+  readonly wants: ((bodyMm: readonly (readonly Vec[])[]) => boolean) | null;
 }
 
 /** A moving obstacle in the world. */
 export interface MoverHandle {
-  /** Its middle and its angle: a function of the time alone. */
+  /** Its middle and its angle (not wrapped). */
   pose(): Pose;
 }
 

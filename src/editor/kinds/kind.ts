@@ -41,6 +41,10 @@ export interface EditorKind<O extends AnyObject = SceneObject> {
   sized?(object: O, side: Point, place: Vec, drag: Drag): O | null;
   /** With the end that a handle holds at a place; left out: it has no such handle. `null`: nothing changes. */
   endMoved?(object: O, end: 'from' | 'to', place: Vec, drag: Drag, scene: Scene): O | null;
+  /** With a point of it dragged to a place, or a new one there; left out: it has no such handle. `null`: nothing changes. */
+  pointMoved?(object: O, handle: Handle, place: Vec, drag: Drag, scene: Scene): O | null;
+  /** Without one of its points; left out: none can go. `null`: this one has to stay. */
+  withoutPoint?(object: O, index: number): O | null;
   /** Its fields, in the order of a list. */
   fields(object: O): readonly Field<O>[];
   /** A new one in the size and look that the tools are set to; `null`: the course has no room for it. */

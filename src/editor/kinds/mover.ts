@@ -1,78 +1,121 @@
-import type { Vec } from '#core/geometry';
+import { isSame } from '#core/same';
+import { moverWays, stopsOf, wayOf, withPlaces, withStops, type MoverWay } from '#scene/kinds/mover-way';
 import { sceneLimits, type Mover, type Point } from '#scene/scene';
 import { endOf } from '../drag';
-import { pointFields } from '../object-fields';
-import { distanceMm, toPoint, toVec } from '../plane';
-import { alongEighths, shortenedInto, wholeCentimetres } from '../snap';
-import type { Drag } from '../tools/tool';
+import type { Field } from '../object-fields';
+import { distanceMm, toPoint } from '../plane';
+import type { Handle } from '../tools/tool';
 import { boxed, boxFields } from './box';
 import { mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { turnedExtent } from './line';
+import { travels, withWay } from './mover-does';
+import { stopDragged, stopHandles, stopPlace, withoutStop } from './mover-stops';
 
-/** Length of the path of a mover that was put by a tap, in mm. Chosen: two cells of the arena's grid. */
-const USUAL_TRACK_MM = 200;
-
-/** Boxes that go to and fro: moved, sized and turned together with their track. */
+/** Boxes that move by themselves: moved, sized and turned together with their way. */
 export const mover: EditorKind<Mover> = {
   layer: 3,
   ...boxed,
   moved,
   turned(mover, pivot, angleDeg) {
     const turned = boxed.turned(mover, pivot, angleDeg);
-    const [x, y] = turnedExtent(mover.at, mover.to, angleDeg);
-    return { ...turned, to: toPoint({ x: turned.at[0] + x, y: turned.at[1] + y }) };
+    return withPlaces({ ...turned, at: mover.at }, (at) => {
+      const [x, y] = turnedExtent(mover.at, at, angleDeg);
+      return toPoint({ x: turned.at[0] + x, y: turned.at[1] + y });
+    });
+  },
+  handles(mover, reachMm) {
+    const handles = [...boxed.handles(mover, reachMm), ...stopHandles(mover, reachMm)];
+    const isCovered = ({ at }: Handle): boolean =>
+      handles.some((other) => other.kind !== 'add' && distanceMm(at, other.at) < 1.6 * reachMm);
+    return handles.filter((handle) => handle.kind !== 'add' || !isCovered(handle));
   },
   mirrored: (mover, axis, atMm) => ({
     ...boxed.mirrored(mover, axis, atMm),
-    to: mirroredPoint(mover.to, axis, atMm),
+    ...placesOf(mover, (at) => mirroredPoint(at, axis, atMm)),
   }),
   scaled(mover, about, factor) {
     const scaled = boxed.scaled(mover, about, factor);
-    return scaled && { ...scaled, to: scaledPoint(mover.to, about, factor) };
+    return scaled && { ...scaled, ...placesOf(mover, (at) => scaledPoint(at, about, factor)) };
   },
-  handles: (mover, reachMm) => [...boxed.handles(mover, reachMm), { kind: 'to', at: toVec(mover.to), id: mover.id }],
   sized(mover, side, place, drag) {
-    const { at, to } = mover;
     const sized = boxed.sized(mover, side, place, drag);
-    return sized && { ...sized, to: toPoint({ x: to[0] + sized.at[0] - at[0], y: to[1] + sized.at[1] - at[1] }) };
+    return sized && { ...moved(mover, sized.at[0] - mover.at[0], sized.at[1] - mover.at[1]), size: sized.size };
   },
-  endMoved: (mover, _end, place, drag, scene) => ({ ...mover, to: turningPoint(place, mover.at, scene.size, drag) }),
+  pointMoved(mover, handle, place, drag, scene) {
+    const changed = stopDragged(mover, handle, place, drag, scene.size);
+    return isSame(changed, mover) ? null : changed;
+  },
+  withoutPoint: withoutStop,
   fields: (mover) => [
     ...boxFields(mover, moved),
-    ...pointFields(mover.to, (to) => ({ ...mover, to }), ['endX', 'endY']),
+    {
+      ...{ kind: 'choice', name: 'way', value: wayOf(mover), choices: moverWays },
+      with: (way: MoverWay, scene) => withWay(mover, way, scene),
+    },
     {
       ...{ kind: 'number', name: 'speed', value: mover.speed, ...sceneLimits.speedMmS, step: 5, unit: 'mm/s' },
       with: (speed: number) => ({ ...mover, speed }),
     },
+    ...wayFields(mover),
+    {
+      ...{ kind: 'number', name: 'spin', value: mover.spin ?? 0, ...sceneLimits.spinDegS, step: 15, unit: 'deg/s' },
+      with: (spin: number) => withSpin(mover, spin),
+    },
     { kind: 'switch', name: 'spiked', value: mover.spiked, with: (spiked: boolean) => ({ ...mover, spiked }) },
   ],
-  made: (id, at, { size }, { blockSize, moverSpeed, moverSpiked }) => ({
-    type: 'mover',
-    id,
-    at,
-    to: usualTurningPoint(at, size),
-    size: blockSize,
-    angle: 0,
-    speed: moverSpeed,
-    spiked: moverSpiked,
-  }),
-  dragged: (mover, drag, arena) => ({ ...mover, to: turningPoint(endOf(drag), mover.at, arena, drag) }),
+  made(id, at, scene, { blockSize, moverSpeed, moverSpiked, moverWay, moverWait, moverSpin }) {
+    const plain: Mover = {
+      ...{ type: 'mover', id, at, to: at, size: blockSize, angle: 0, speed: moverSpeed, spiked: moverSpiked },
+    };
+    const mover = withWay(withSpin(plain, moverSpin), moverWay, scene);
+    return travels(mover) ? withStops(mover, stopsOf(mover).map((stop) => ({ ...stop, wait: moverWait }))) : mover; // prettier-ignore
+  },
+  dragged(mover, drag, arena) {
+    if (!travels(mover)) return boxed.dragged(mover, drag, arena);
+    const to = stopPlace(endOf(drag), mover.at, arena, drag);
+    const [dx, dy] = [to[0] - mover.to[0], to[1] - mover.to[1]];
+    return { ...mover, to, ...(mover.stops ? { stops: mover.stops.map((stop) => shifted(stop, dx, dy)) } : {}) };
+  },
 };
 
+/** All places of a mover, each at another. */
+function placesOf(mover: Mover, place: (at: Point) => Point): Pick<Mover, 'at' | 'to' | 'stops'> {
+  const { at, to, stops } = withPlaces(mover, place);
+  return { at, to, ...(stops ? { stops } : {}) };
+}
+
 function moved(mover: Mover, dx: number, dy: number): Mover {
-  return { ...mover, at: shifted(mover.at, dx, dy), to: shifted(mover.to, dx, dy) };
+  return withPlaces(mover, (at) => shifted(at, dx, dy));
 }
 
-/** The turning point of a mover during its drag: in one of the eight directions, unless free; never at its start. */
-function turningPoint(place: Vec, at: Point, arena: Point, { free, reachMm, lure }: Drag): Point {
-  const start = toVec(at);
-  const way = shortenedInto(start, free ? place : alongEighths(start, place), arena);
-  const to = toPoint(free ? way : wholeCentimetres(start, way, reachMm, lure));
-  return distanceMm(start, toVec(to)) < sceneLimits.blockMm.min ? usualTurningPoint(at, arena) : to;
+/** What can be said of a way, and of a chase. */
+function wayFields(mover: Mover): readonly Field<Mover>[] {
+  const { chases, phase: _phase, ...rest } = mover;
+  if (chases)
+    return [
+      {
+        ...{ kind: 'number', name: 'reach', value: chases.reach ?? 0, min: 0, max: sceneLimits.reachMm.max },
+        ...{ step: 50, unit: 'mm' },
+        with: (mm: number) => withReach(mover, mm),
+      },
+    ];
+  if (!travels(mover)) return [];
+  return [
+    {
+      ...{ kind: 'number', name: 'phase', value: mover.phase ?? 0, ...sceneLimits.phaseSeconds, step: 0.5, unit: 's' },
+      with: (phase: number) => (phase === 0 ? rest : { ...rest, phase }),
+    },
+  ];
 }
 
-/** To the right, or to the left where there is more room. */
-function usualTurningPoint([x, y]: Point, [width]: Point): Point {
-  const way = Math.min(USUAL_TRACK_MM, Math.max(width - x, x));
-  return x + way <= width ? [x + way, y] : [x - way, y];
+/** 0: it notices robots at any distance. */
+function withReach(mover: Mover, mm: number): Mover {
+  const { reach: _reach, ...chases } = mover.chases ?? {};
+  return { ...mover, chases: mm < sceneLimits.reachMm.min ? chases : { ...chases, reach: mm } };
+}
+
+/** What stays on its place turns, or it would do nothing. */
+function withSpin(mover: Mover, spin: number): Mover {
+  const { spin: _spin, ...rest } = mover;
+  return spin === 0 ? rest : { ...rest, spin };
 }

@@ -26,6 +26,25 @@ describe('a tap that mends a course', () => {
     expect(after.robot.at[0]).toBeLessThanOrEqual(540);
   });
 
+  it('has a guard without its field guard the nearest one, if there is any', () => {
+    const guard: SceneObject = {
+      ...{
+        type: 'mover',
+        id: 'g',
+        at: [300, 300],
+        to: [300, 300],
+        size: [50, 50],
+        angle: 0,
+        speed: 100,
+        spiked: false,
+      },
+      chases: { zone: 'gone', reach: 400 },
+    };
+    const { scene, left } = mended(course(guard, target('far', [1000, 700]), target('near', [300, 600])));
+    expect([object(scene, 'g'), left]).toEqual([{ ...guard, chases: { zone: 'near', reach: 400 } }, []]);
+    expect(mended(course(guard)).left).toEqual(['guard-without-zone']);
+  });
+
   it('leaves outside what is larger than the arena', () => {
     const scene: Scene = { ...course(stroke('long', [0, 2000], [5000, 2000])), size: [600, 400] };
     expect(mendAll(scene, findProblems(scene, []), [])).toBeNull();

@@ -1,11 +1,13 @@
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { boundsOf, solidParts } from '#scene/kinds/index';
+import { isZone } from '#scene/kinds/zone';
 import type { Outline } from '#scene/outline';
 import { robotOutlines } from '#scene/placement';
 import type { RuleProblem } from '#scene/rules';
 import {
   sceneLimits,
   type Block,
+  type Mover,
   type RobotStart,
   type Scene,
   type SceneObject,
@@ -16,6 +18,7 @@ import { cornersOf } from '../bounds';
 import { changing, combined, removing, startingAt } from '../edits';
 import { solidsBut, wayInside, wayToRoom } from './free-place';
 import { movedBy } from '../kinds/index';
+import { withWay } from '../kinds/mover-does';
 
 /** What a tap does about a problem of a course. */
 export type MendKind =
@@ -26,7 +29,8 @@ export type MendKind =
   | 'fewer-blocks'
   | 'larger-target'
   | 'remove-copies'
-  | 'limit-time';
+  | 'limit-time'
+  | 'guard-nearest';
 
 /** A way out of a problem, as one edit. */
 export interface Mend {
@@ -68,6 +72,8 @@ export function mendOf(scene: Scene, problem: RuleProblem, footprint: readonly O
       return mend('remove-copies', removing(objects.slice(0, -1).map(({ id }) => id)));
     case 'task-without-end':
       return mend('limit-time', { type: 'course', changes: { task: { ...scene.task, seconds: TIME_LIMIT_S } } });
+    case 'guard-without-zone':
+      return mend('guard-nearest', guardingNearest(scene, objects));
     case 'done-at-start':
     case 'no-ring':
     case 'start-outside-ring':
@@ -119,6 +125,12 @@ function robotAside(scene: Scene, about: readonly SceneObject[], footprint: read
   return further === undefined
     ? startingAt(scene, { at: [at[0] + way[0], at[1] + way[1]] })
     : changing([movedBy(further, way[0], way[1])]);
+}
+
+/** The guards among these guard the nearest zone; `null`: there is none. */
+function guardingNearest(scene: Scene, about: readonly SceneObject[]): SceneEdit | null {
+  const guards = about.filter((object): object is Mover => object.type === 'mover');
+  return scene.objects.some(isZone) ? changing(guards.map((guard) => withWay(guard, 'guards', scene))) : null;
 }
 
 /** A movable block makes room for the robot; from anything else the robot moves away. */

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { Rng } from '#core/rng';
+import { moverWays } from '#scene/kinds/mover-way';
 import { defaultScene, strokeColors, type Point, type Scene } from '#scene/scene';
 import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
@@ -30,6 +31,9 @@ export const randomOptions = (rng: Rng): ToolOptions => ({
   eraser: oneOf(rng, ['all', 'lines']),
   eraserWidth: wholeFrom(rng, 5, 300),
   block: oneOf(rng, ['block', 'fixed-block', 'spikes', 'mover']),
+  moverWay: oneOf(rng, moverWays),
+  moverWait: wholeFrom(rng, 0, 60),
+  moverSpin: wholeFrom(rng, -360, 360),
   blockSize: extent(rng),
   wallThickness: wholeFrom(rng, 2, 500),
   wallSnaps: rng.unit() < 0.7,

@@ -10,7 +10,10 @@ export const usualToolOptions: ToolOptions = {
   eraserWidth: 30, // chosen: takes a line of 20 mm in one go
   block: 'block',
   blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it
+  moverWay: 'to-and-fro',
   moverSpeed: sceneDefaults.speed,
+  moverWait: 0,
+  moverSpin: 0,
   moverSpiked: sceneDefaults.spiked,
   wallThickness: sceneDefaults.thickness,
   wallSnaps: true,
@@ -37,6 +40,8 @@ export const toolOptionRanges = {
   eraserWidth: { min: 5, max: 300, step: 5 },
   blockSide: { ...sceneLimits.blockMm, step: 5 },
   moverSpeed: { ...sceneLimits.speedMmS, step: 5 },
+  moverWait: { ...sceneLimits.waitSeconds, step: 0.5 },
+  moverSpin: { ...sceneLimits.spinDegS, step: 15 },
   wallThickness: { ...sceneLimits.thicknessMm, step: 1 },
   mazeCell: { min: 50, max: 1000, step: 10 },
   zoneBlocks: { ...sceneLimits.blocks, step: 1 },

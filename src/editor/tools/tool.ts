@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
+import type { MoverWay } from '#scene/kinds/mover-way';
 import type { Point, Scene, SceneObject, StrokeColor, Zone } from '#scene/scene';
 
 /** The tools of the palette. The hand is not among them: it reaches into the run, never into the course. */
@@ -48,7 +49,13 @@ export interface ToolOptions {
   readonly eraserWidth: number;
   readonly block: 'block' | 'fixed-block' | 'spikes' | 'mover';
   readonly blockSize: Point;
+  /** What a new mover does. */
+  readonly moverWay: MoverWay;
   readonly moverSpeed: number;
+  /** Seconds that it waits at each of its stops. */
+  readonly moverWait: number;
+  /** Degrees per second that it turns; 0: what stays on its place turns all the same. */
+  readonly moverSpin: number;
   readonly moverSpiked: boolean;
   readonly wallThickness: number;
   /** Walls snap to 45° and to ends of other walls. */
@@ -100,13 +107,15 @@ export type Mark =
 
 /** A point of the selection that can be grabbed. */
 export interface Handle {
-  readonly kind: 'rotate' | 'from' | 'to' | 'size';
+  readonly kind: 'rotate' | 'from' | 'to' | 'size' | 'point' | 'add';
   /** World mm. */
   readonly at: Vec;
   /** Where a `size` handle is in the thing's own frame: −1, 0 or 1 along its x and its y. Both 0 for all other handles. */
   readonly side?: Point;
   /** The object, or `null` for the robot. */
   readonly id: string | null;
+  /** Of a `point` its place among the points of its object; of an `add` the place that the new point will have. */
+  readonly index?: number;
 }
 
 /** A turn about a place, counter-clockwise. */

@@ -420,14 +420,14 @@ describe('a link of version 6', () => {
 describe('a link of version 7', () => {
   const kept = keptLink(7);
 
-  it('opens with every shape, lock and group', () => {
+  it('opens with every shape, lock, group and foe', () => {
     expect(projectIn(kept)).toEqual(shapesProject());
   });
 
   it('is still made so, and only for a course that has what is new', () => {
     expect(link(shapesProject())).toBe(kept);
     const { scene, ...project } = shapesProject();
-    const plain = scene.objects.filter(({ lock, group }) => lock === undefined && group === undefined);
+    const plain = scene.objects.filter(({ lock, group, type }) => !lock && group === undefined && type !== 'mover');
     expect(link({ ...project, scene: { ...scene, objects: plain } })).toMatch(/^p=6\./);
     const alone = scene.objects.filter(({ id }) => id === 'rund-2').map((object) => ({ ...object, angle: 90 }));
     const read = projectIn(link({ ...project, scene: { ...scene, objects: alone } }));

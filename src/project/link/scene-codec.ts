@@ -10,6 +10,7 @@ import {
   sceneLimits,
   strokeColors,
   type Background,
+  type Chase,
   type Label,
   type Mover,
   type Point,
@@ -282,18 +283,30 @@ export type PlacedAdditions = Additions & { readonly place: number };
 /** The codec of what version 7 of links adds to the objects of a course. */
 export function additionsCodec({ columns, word }: SharedCodecs): Codec<readonly PlacedAdditions[]> {
   const corner = pairOf(columns.int(), columns.int());
+  const stop = pairOf(columns.coordinate(), columns.coordinate());
+  const chase = mapped(
+    record<ChaseOrNull>({ zone: columns.optional(word), reach: columns.optional(columns.uint()) }),
+    ({ zone, reach }: Chase) => ({ zone: zone ?? null, reach: reach ?? null }),
+    (said): Chase => withoutNulls<Chase>(said),
+  );
   const said = record<Required<SaidOrNull>>({
     angle: columns.optional(columns.number()),
     round: columns.optional(constant(true)),
     corners: columns.optional(columns.list(corner, sceneLimits.corners.max)),
     lock: columns.optional(constant(true)),
     group: columns.optional(word),
+    stops: columns.optional(columns.list(stop, sceneLimits.stops)),
+    waits: columns.optional(columns.list(columns.number(), sceneLimits.stops)),
+    loops: columns.optional(constant(true)),
+    phase: columns.optional(columns.number()),
+    spin: columns.optional(columns.int()),
+    chases: columns.optional(chase),
   });
   const place = columns.uint();
   const placed: Codec<PlacedAdditions> = {
-    write(out, { angle = null, round = null, corners = null, lock = null, group = null, ...rest }) {
-      place.write(out, rest.place);
-      said.write(out, { angle, round, corners, lock, group });
+    write(out, { place: at, ...given }) {
+      place.write(out, at);
+      said.write(out, { ...NOTHING_SAID, ...given });
     },
     read: (from) => ({ place: place.read(from), ...withoutNulls(said.read(from)) }),
   };
@@ -303,8 +316,17 @@ export function additionsCodec({ columns, word }: SharedCodecs): Codec<readonly 
 /** Additions with `null` for what is not said. */
 type SaidOrNull = { readonly [K in keyof Additions]: Additions[K] | null };
 
-const withoutNulls = (said: SaidOrNull): Additions =>
-  Object.fromEntries(Object.entries(said).filter(([, value]) => value !== null));
+/** A chase in the same manner. */
+type ChaseOrNull = { readonly [K in keyof Required<Chase>]: NonNullable<Chase[K]> | null };
+
+const NOTHING_SAID: Required<SaidOrNull> = {
+  ...{ angle: null, round: null, corners: null, lock: null, group: null },
+  ...{ stops: null, waits: null, loops: null, phase: null, spin: null, chases: null },
+};
+
+function withoutNulls<T>(said: { readonly [K in keyof T]: T[K] | null }): T {
+  return Object.fromEntries(Object.entries(said).filter(([, value]) => value !== null)) as T;
+}
 
 /** The codec of how robots share a task, which version 6 of links adds, too. */
 export function sharingCodec({ columns }: SharedCodecs): Codec<TaskRule | null> {

@@ -230,7 +230,21 @@ export function shapesProject(): Project {
     return { ...box, size: [80, 60], angle: 0, ...one };
   });
   const locked = project.scene.objects.map((object) => (object.type === 'start' ? { ...object, lock: true as const } : object)); // prettier-ignore
-  return { ...project, scene: { ...project.scene, objects: [...locked, ...blocks] } };
+  const plain = {
+    type: 'mover',
+    at: [500, 300],
+    to: [500, 300],
+    size: [60, 60],
+    angle: 0,
+    speed: 100,
+    spiked: false,
+  } as const;
+  const foes: readonly SceneObject[] = [
+    { ...plain, id: 'streife', stops: [[600, -20]], waits: [0, 0.5], loops: true, phase: 1.5, spin: -45 },
+    { ...plain, id: 'wache', chases: { zone: 'a5', reach: 700 } },
+    { ...plain, id: 'jagd', spin: 30, chases: {} },
+  ];
+  return { ...project, scene: { ...project.scene, objects: [...locked, ...blocks, ...foes] } };
 }
 
 /** A project with three devices: a robot, a board to hold in the hand, and one that runs the same program. */

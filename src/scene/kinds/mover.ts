@@ -1,35 +1,112 @@
-import { pair, property, shapeProperties } from '../json-text';
-import { convexHull, type Outline } from '../outline';
-import { sceneDefaults, sceneLimits, type Mover } from '../scene';
+import { braces, pair, property, shapeProperties } from '../json-text';
+import { stopsOf, waitsProperty } from './mover-way';
+import { boundsOfOutline, convexHull, overlapMm, type Outline } from '../outline';
+import { sceneDefaults, sceneLimits, type Chase, type Mover, type Point } from '../scene';
 import { shapeOutline } from '../shape/shape';
-import { filling, type SceneKind } from './kind';
-import { readBody, readPlace } from './unread';
+import type { SceneKind } from './kind';
+import { readBody, readObjectId, readPlace, unread, type Unread } from './unread';
 
-/** Bodies that go to and fro. */
+/** What is said of a way; who runs after robots has none. */
+const wayProperties = ['stops', 'waits', 'loops', 'phase'] as const;
+
+/** Bodies that move by themselves. */
 export const mover: SceneKind<Mover> = {
   name: 'moving block',
-  properties: ['at', 'to', 'size', 'angle', 'round', 'speed', 'spiked'],
-  read: (given) => ({
-    type: 'mover',
-    ...readBody(given),
-    to: readPlace(given, 'to'),
-    speed: given.reader.whole(...given.at('speed'), sceneLimits.speedMmS, sceneDefaults.speed),
-    spiked: given.reader.flag(...given.at('spiked'), sceneDefaults.spiked),
-  }),
+  properties: ['at', 'to', 'size', 'angle', 'round', 'speed', 'spiked', ...wayProperties, 'spin', 'chases'],
+  read(given) {
+    const { reader, at } = given;
+    const box = readBody(given);
+    const chases = at('chases')[0] !== undefined;
+    const spin = reader.whole(...at('spin'), sceneLimits.spinDegS, 0);
+    const hasPlaceOnly = at('to')[0] === undefined && (chases || spin !== 0);
+    return {
+      type: 'mover',
+      ...box,
+      to: hasPlaceOnly ? box.at : readPlace(given, 'to'),
+      speed: reader.whole(...at('speed'), sceneLimits.speedMmS, sceneDefaults.speed),
+      spiked: reader.flag(...at('spiked'), sceneDefaults.spiked),
+      ...(chases ? readChaser(given) : readWay(given)),
+      ...(spin === 0 ? {} : { spin }),
+    };
+  },
   write: (mover, rotation) => [
     ...shapeProperties(mover, rotation),
     ...property('round', mover.round ?? sceneDefaults.round, sceneDefaults.round),
-    `"to": ${pair(mover.to)}`,
+    ...(isAtPlace(mover) && (mover.chases || mover.spin !== undefined) ? [] : [`"to": ${pair(mover.to)}`]),
+    ...(mover.stops ? [`"stops": [${mover.stops.map(pair).join(', ')}]`] : []),
+    ...(mover.waits ? [`"waits": [${mover.waits.join(', ')}]`] : []),
+    ...property('loops', mover.loops ?? false, false),
+    ...property('phase', mover.phase ?? 0, 0),
     ...property('speed', mover.speed, sceneDefaults.speed),
+    ...property('spin', mover.spin ?? 0, 0),
+    ...(mover.chases ? [`"chases": ${chaseText(mover.chases)}`] : []),
     ...property('spiked', mover.spiked, sceneDefaults.spiked),
   ],
   solid: (mover) => [shapeOutline(mover)],
-  ...filling(trackOutline),
+  bounds: (mover) => boundsOfOutline(legOutlines(mover).flat()),
+  reachesInto: (mover, arena) => legOutlines(mover).some((leg) => overlapMm(leg, arena) > 0),
 };
 
-/** The ground that a mover passes over: the outlines at its start and at its turning point, and what lies between. */
-export function trackOutline(mover: Mover): Outline {
-  const start = shapeOutline(mover);
-  const end = shapeOutline({ ...mover, at: mover.to });
-  return convexHull([...start, ...end]);
+const chaseText = ({ zone, reach }: Chase): string => {
+  const said = [...property('zone', zone ?? null, null), ...property('reach', reach ?? null, null)];
+  return said.length === 0 ? '{}' : braces(said);
+};
+
+const isAtPlace = ({ at, to }: Mover): boolean => at[0] === to[0] && at[1] === to[1];
+
+function readWay({ reader, at }: Unread): Pick<Mover, (typeof wayProperties)[number]> {
+  const [given, path] = at('stops');
+  const stops =
+    given === undefined
+      ? []
+      : reader
+          .list(given, path, { min: 0, max: sceneLimits.stops - 2 })
+          .map((stop, index) => reader.point(stop, `${path}[${String(index)}]`, sceneLimits.placeMm));
+  const [waits, waitsPath] = at('waits');
+  const phase = reader.number(...at('phase'), sceneLimits.phaseSeconds, 0);
+  return {
+    ...(stops.length === 0 ? {} : { stops }),
+    ...(waits === undefined ? {} : waitsProperty(readWaits(waits, waitsPath, stops, reader))),
+    ...(reader.flag(...at('loops'), false) ? { loops: true } : {}),
+    ...(phase === 0 ? {} : { phase }),
+  };
+}
+
+const readWaits = (
+  value: unknown,
+  path: string,
+  stops: readonly Point[],
+  reader: Unread['reader'],
+): readonly number[] =>
+  reader
+    .list(value, path, { min: 0, max: 2 + stops.length })
+    .map((wait, index) => reader.number(wait, `${path}[${String(index)}]`, sceneLimits.waitSeconds));
+
+function readChaser({ reader, at }: Unread): Pick<Mover, 'chases'> {
+  for (const name of wayProperties) {
+    const [value, path] = at(name);
+    if (value === undefined) continue;
+    const known = mover.properties.filter((property) => !wayProperties.some((own) => own === property)).join(', ');
+    reader.report('unknown-property', path, value, 'what chases robots has no way. Leave this out.', { known });
+  }
+  const [value, path] = at('chases');
+  const fields = unread(reader.fields(value, path, ['zone', 'reach']), path, 0, reader);
+  const [zone, reach] = [fields.at('zone'), fields.at('reach')];
+  const chases: Chase = {
+    ...(zone[0] === undefined ? {} : { zone: readObjectId(...zone, reader) }),
+    ...(reach[0] === undefined ? {} : { reach: reader.whole(...reach, sceneLimits.reachMm) }),
+  };
+  return { chases };
+}
+
+/**
+ * The ground that a mover passes over, leg by leg: the outlines at both ends and what lies between. Of one without a way
+ * the outline at its start.
+ */
+export function legOutlines(mover: Mover): readonly Outline[] {
+  const outlines = stopsOf(mover).map(({ at }) => shapeOutline({ ...mover, at }));
+  const [first = [], ...others] = outlines;
+  if (others.length === 0) return [first];
+  const legs = others.map((outline, index) => convexHull([...(outlines[index] ?? []), ...outline]));
+  return mover.loops && others.length > 1 ? [...legs, convexHull([...(others.at(-1) ?? []), ...first])] : legs;
 }

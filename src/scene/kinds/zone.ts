@@ -2,7 +2,7 @@ import type { Vec } from '#core/geometry';
 import { property, shapeProperties } from '../json-text';
 import { overlapMm, squaredDistance, type Outline } from '../outline';
 import type { Range } from '../reader';
-import { sceneDefaults, sceneLimits, type Zone } from '../scene';
+import { sceneDefaults, sceneLimits, type SceneObject, type Zone } from '../scene';
 import { outlineHolds, shapeBounds, shapeOutline, shapeParts, toOwnFrame } from '../shape/shape';
 import type { SceneKind } from './kind';
 import { readShape } from './unread';
@@ -34,6 +34,11 @@ function zoneKind(type: Zone['type']): SceneKind<Zone> {
     reachesInto: zoneOverlaps,
   };
 }
+
+/** Whether an object is a zone of any kind. */
+export const isZone = (object: SceneObject): object is Zone => zoneTypes.some((type) => type === object.type);
+
+const zoneTypes: readonly SceneObject['type'][] = ['target', 'checkpoint', 'forbidden'] satisfies Zone['type'][];
 
 /** A place that the robot, or blocks, must reach. */
 export const target = zoneKind('target');

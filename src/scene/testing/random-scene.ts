@@ -5,6 +5,7 @@ import {
   robotColors,
   strokeColors,
   taskRules,
+  type Mover,
   type Point,
   type Scene,
   type SceneObject,
@@ -60,6 +61,7 @@ export function randomObject(rng: Rng, id: string): SceneObject {
       to: point(rng),
       speed: wholeFrom(rng, 5, 500),
       spiked: inPercent(rng, 50),
+      ...(inPercent(rng, 60) ? foe(rng, box.at) : {}),
     }),
     () => ({
       ...{ type: 'label', id, at: point(rng), height: wholeFrom(rng, 5, 500), angle: angle(rng) },
@@ -72,6 +74,28 @@ export function randomObject(rng: Rng, id: string): SceneObject {
     }),
   ];
   return { ...oneOf(rng, makers)(), ...common(rng) };
+}
+
+/** What a mover may do besides going to and fro. */
+function foe(rng: Rng, at: Point): Partial<Mover> {
+  const spin = wholeFrom(rng, -360, 360);
+  const turning = spin === 0 ? {} : { spin };
+  if (inPercent(rng, 40)) {
+    const zone = inPercent(rng, 50) ? { zone: oneOf(rng, ['z', 'wall-1', 'gone']) } : {};
+    return {
+      ...turning,
+      to: at,
+      chases: { ...zone, ...(inPercent(rng, 50) ? { reach: wholeFrom(rng, 10, 20_000) } : {}) },
+    };
+  }
+  const stops = Array.from({ length: wholeFrom(rng, 1, 5) }, () => point(rng));
+  return {
+    ...turning,
+    ...(inPercent(rng, 70) ? { stops } : {}),
+    ...(inPercent(rng, 50) ? { waits: [0, wholeFrom(rng, 1, 600) / 10] } : {}),
+    ...(inPercent(rng, 50) ? { loops: true } : {}),
+    ...(inPercent(rng, 50) ? { phase: wholeFrom(rng, 1, 36_000) / 10 } : {}),
+  };
 }
 
 /** An edit that suits a course: what the tools, the lists and the dialogs may do to it. */

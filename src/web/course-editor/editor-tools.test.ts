@@ -127,14 +127,18 @@ describe('the options of a tool', () => {
     expect(set()).toMatchObject({ eraser: 'lines', eraserWidth: 60 });
   });
 
-  it('choose among four blocks and set the tempo of one that drives', async () => {
+  it('choose among four blocks and set what one does that moves, how fast, and how long it waits', async () => {
     const { set, texts } = await optionsOf('block');
-    expect(texts().some((text) => text.startsWith('Tempo'))).toBe(false);
+    expect(texts().some((text) => text.startsWith('Hin und her'))).toBe(false);
     await pick('Fährt selbst');
-    await openCard('Tempo: 10 cm/s');
+    await openCard('Was er macht: Hin und her');
     await press('Tempo: mehr');
-    expect(set().moverSpeed).toBe(110);
+    await press('Wartezeit: mehr');
+    await press('Drehung: mehr');
+    expect(set()).toMatchObject({ moverSpeed: 110, moverWait: 0.5, moverSpin: 15 });
     await press('Mit Stacheln');
+    await pick('Bewacht');
+    expect(set().moverWay).toBe('guards');
     expect(set()).toMatchObject({ block: 'mover', moverSpiked: true });
   });
 

@@ -6,6 +6,7 @@ import { STEP_S } from '../step';
 import { BlockBody } from './block-body';
 import { PlanckWorld, PolygonShape, Vec2 } from './planck';
 import type { Body, Contact, Fixture } from './planck';
+import { ChaserBody } from './chaser-body';
 import { gapBetween } from './convex';
 import { OVERLAP } from './lodged';
 import { MoverBody } from './mover-body';
@@ -28,7 +29,7 @@ export interface Physics {
   addBlock(block: BlockShape): BlockBody;
   /** Takes a block out of the world. */
   removeBlock(block: BlockBody): void;
-  addMover(mover: MoverShape): MoverBody;
+  addMover(mover: MoverShape): MoverBody | ChaserBody;
   addRobot(type: ChassisType, pose: Pose): RobotBody;
   /** Moves all bodies on by one step of the world. */
   step(): void;
@@ -43,6 +44,7 @@ export function createPhysics(size: WorldSize): Physics {
   const robots: RobotBody[] = [];
   const blocks = new Map<Body, BlockBody>();
   const movers: MoverBody[] = [];
+  const chasers: ChaserBody[] = [];
   const around = createSurroundings(world, blocks);
 
   listen(world, robots, movers);
@@ -66,7 +68,13 @@ export function createPhysics(size: WorldSize): Physics {
       for (const robot of robots) for (const fixture of block.fixtures) robot.forgetThing(fixture);
     },
     addMover(shape) {
-      const mover = new MoverBody(world, shape);
+      const { goes } = shape;
+      if ('homeMm' in goes) {
+        const chaser = new ChaserBody(world, shape, goes);
+        chasers.push(chaser);
+        return chaser;
+      }
+      const mover = new MoverBody(world, shape, goes);
       movers.push(mover);
       return mover;
     },
@@ -77,6 +85,7 @@ export function createPhysics(size: WorldSize): Physics {
     },
     step() {
       for (const mover of movers) mover.beforeStep();
+      for (const chaser of chasers) chaser.beforeStep(robots);
       for (const robot of robots) robot.beforeStep();
       world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
       for (const mover of movers) mover.afterStep();

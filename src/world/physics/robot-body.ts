@@ -69,6 +69,11 @@ export class RobotBody implements Chassis {
     return this.body === body;
   }
 
+  /** Convex parts of the body of its type, world mm. */
+  bodyMm(): readonly (readonly Vec[])[] {
+    return this.type.outlineMm.map((part) => part.map((corner) => this.toWorld(corner)));
+  }
+
   pose(): Pose {
     const { x, y } = this.body.getPosition();
     return { xMm: x * MM_PER_UNIT, yMm: y * MM_PER_UNIT, headingRad: this.body.getAngle() };

@@ -4,7 +4,7 @@ import { drawMovableBlock } from '../picture/kinds/block';
 import { sightPx } from '../picture/draw-floor';
 import { clipTo } from './draw-moving';
 import { moverSprite } from './mover-sprite';
-import { boxAround, type PxBox } from '../view/moving-window';
+import { boxAround, roomyWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
 
@@ -28,9 +28,6 @@ export interface BlockSprites {
   /** Takes all others away: they are painted elsewhere. */
   keepOnly(blocks: readonly PlacedBlock[]): void;
 }
-
-/** A block moves this far on its canvas until the canvas follows, in px. */
-const ROOM_PX = 32;
 
 interface Shown {
   readonly element: HTMLCanvasElement;
@@ -81,14 +78,8 @@ function blockWindow({ pose, sizeMm }: PlacedBlock, frame: SpriteFrame, before: 
   const { view, ratio } = frame;
   const size = [sizeMm.x, sizeMm.y] as const;
   const half = moverSprite({ at: [0, 0], size }, view.pxPerMm).sidePx / 2;
-  const { left, top, width } = boxAround(toPx(view, { x: pose.xMm, y: pose.yMm }), half);
-  const last = before?.window;
-  const side = width + 2 * ROOM_PX;
-  const hasRoom = (from: number, lastFrom: number): boolean => lastFrom <= from && from + width <= lastFrom + side;
-  if (last?.width === side && before?.frame.ratio === ratio && hasRoom(left, last.left) && hasRoom(top, last.top))
-    return last;
-  const whole = (px: number): number => Math.round((px - ROOM_PX) * ratio) / ratio;
-  return { left: whole(left), top: whole(top), width: side, height: side };
+  const content = boxAround(toPx(view, { x: pose.xMm, y: pose.yMm }), half);
+  return roomyWindow(content, ratio, before?.frame.ratio === ratio ? before.window : undefined);
 }
 
 function putOn(element: HTMLCanvasElement, { left, top, width }: PxBox, ratio: number): void {

@@ -1,5 +1,7 @@
 import type { Pose, Vec } from '#core/geometry';
+import { stopsOf } from '#scene/kinds/mover-way';
 import type { Mover } from '#scene/scene';
+import { placedBox } from '../picture/kinds/spikes';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
 import { toPx, type View } from '../view/view-transform';
 
@@ -23,10 +25,16 @@ export function moverSprite({ at, size }: Pick<Mover, 'at' | 'size'>, pxPerMm: n
   };
 }
 
-/** Where the upper left corner of the canvas is when the obstacle is at a pose, in px; without one it is at its start. */
-export function spriteCorner({ sidePx }: MoverSprite, view: View, { at }: Pick<Mover, 'at'>, pose: Pose | null): Vec {
-  const middle = toPx(view, pose === null ? { x: at[0], y: at[1] } : { x: pose.xMm, y: pose.yMm });
-  return { x: middle.x - sidePx / 2, y: middle.y - sidePx / 2 };
+/** Where a picture lies: its middle in px, and how far it is turned from its start, counter-clockwise. */
+export interface SpritePlace extends Vec {
+  readonly turnedRad: number;
+}
+
+/** Where the picture of an obstacle lies when it is at a pose; without one it is at its start. */
+export function spritePlace(view: View, mover: Mover, pose: Pose | null): SpritePlace {
+  const start = placedBox(mover).pose;
+  const { xMm, yMm, headingRad } = pose ?? start;
+  return { ...toPx(view, { x: xMm, y: yMm }), turnedRad: headingRad - start.headingRad };
 }
 
 /**
@@ -35,9 +43,9 @@ export function spriteCorner({ sidePx }: MoverSprite, view: View, { at }: Pick<M
  *
  * @param ratio canvas pixels per CSS px
  */
-export function wayWindow(mover: Pick<Mover, 'at' | 'to' | 'size'>, view: View, sight: PxBox, ratio: number): PxBox {
+export function wayWindow(mover: Mover, view: View, sight: PxBox, ratio: number): PxBox {
   const half = moverSprite(mover, view.pxPerMm).sidePx / 2;
-  const ends = [mover.at, mover.to].map(([x, y]) => boxAround(toPx(view, { x, y }), half));
+  const ends = stopsOf(mover).map(({ at: [x, y] }) => boxAround(toPx(view, { x, y }), half));
   const { left, top, width, height } = unionOf(ends);
   const whole = (px: number): number => Math.floor(px * ratio) / ratio;
   const from = { x: whole(Math.max(sight.left, left)), y: whole(Math.max(sight.top, top)) };

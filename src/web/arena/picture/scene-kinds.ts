@@ -50,7 +50,7 @@ export function createSceneKinds(ready: () => void): SceneKinds {
       for (const object of objects) kindOf(object).sign?.(context, view, object, palette, { objects, verdict });
     },
     signs(context, view, objects, palette) {
-      for (const object of objects) kindOf(object).mark?.(context, view, object, palette);
+      for (const object of objects) kindOf(object).mark?.(context, view, object, palette, objects);
     },
     spikes(context, view, objects, palette) {
       for (const object of objects) kindOf(object).standing?.(context, view, object, palette);

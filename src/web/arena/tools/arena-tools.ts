@@ -78,10 +78,10 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     options: editor.options.value,
     footprint: sources.footprint(),
   });
-  const ports = portsOf(sources, context);
+  const ports = portsOf(sources, context, () => surface);
   const keys = createSelectionKeys(ports);
   const openings = arenaOpenings(sources);
-  const surface = surfaceOf(sources, ports, openings);
+  const surface: ToolSurface = surfaceOf(sources, ports, openings);
   const unfinished = unfinishedOf(sources, surface);
   const pointers = toolPointers(surface, (wish, rests) => openings.menu(wish, surface.reachMm, rests));
   let shown: { picture: EditPicture; frame: EditFrame } | null = null;
@@ -147,13 +147,21 @@ const unfinishedOf =
   };
 
 /** What the keys and the pointers do to the course. */
-function portsOf(sources: ToolSources, context: () => ToolContext): SelectionKeyPorts & Pick<SurfacePorts, 'done'> {
+function portsOf(
+  sources: ToolSources,
+  context: () => ToolContext,
+  surface: () => ToolSurface,
+): SelectionKeyPorts & Pick<SurfacePorts, 'done'> {
   const { editor } = sources;
   return {
     context,
     acts: createSelectionActs(editor, context),
     commit: (edit, chosen) => void editor.commit(edit, chosen),
     done: (reading) => sources.say(readingWords(reading)),
+    pointed() {
+      const { pointedAt: at, reachMm } = surface();
+      return at && { at, reachMm };
+    },
     changed: sources.redraw,
   };
 }

@@ -170,6 +170,7 @@ export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, 
   context.fillStyle = palette.handGround;
   context.beginPath();
   if (handle.kind === 'rotate') context.arc(at.x, at.y, 11, 0, 2 * Math.PI);
+  else if (handle.kind === 'add') context.arc(at.x, at.y, 8, 0, 2 * Math.PI);
   else if (handle.kind === 'size')
     context.roundRect(at.x - HANDLE_PX, at.y - HANDLE_PX, 2 * HANDLE_PX, 2 * HANDLE_PX, 3);
   else context.arc(at.x, at.y, HANDLE_PX, 0, 2 * Math.PI);
@@ -178,6 +179,14 @@ export function drawHandle(context: CanvasRenderingContext2D, frame: MarkFrame, 
   context.strokeStyle = palette.hand;
   context.lineWidth = 2;
   context.stroke();
+  if (handle.kind === 'add') {
+    context.beginPath();
+    context.moveTo(at.x - 4, at.y);
+    context.lineTo(at.x + 4, at.y);
+    context.moveTo(at.x, at.y - 4);
+    context.lineTo(at.x, at.y + 4);
+    context.stroke();
+  }
   if (handle.kind === 'rotate') {
     rotateIcon ??= new Path2D(mdiRotateRight);
     context.translate(at.x, at.y);

@@ -1,10 +1,11 @@
+import type { Vec } from '#core/geometry';
 import { describe, expect, it } from 'vitest';
 import { shallowRef, type ShallowRef } from 'vue';
 import { clipText } from '#editor/clip-text';
 import { usualToolOptions } from '#editor/tools/tool-options';
 import { nothingSelected, type Selection } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import { defaultScene, type Block, type Scene } from '#scene/scene';
+import { defaultScene, type Block, type Mover, type Scene } from '#scene/scene';
 import { Clipboard } from '../../course-editor/state/clipboard';
 import { createSelectionActs } from '../../course-editor/state/selection-acts';
 import { createSelectionKeys } from './tool-keys';
@@ -12,7 +13,13 @@ import { createSelectionKeys } from './tool-keys';
 const block: Block = { type: 'block', id: 'b', at: [300, 300], size: [50, 50], angle: 0 };
 
 function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
-  const now = { scene: { ...defaultScene(), objects: [block] } as Scene, selection, steps: 0, told: 0 };
+  const now = {
+    scene: { ...defaultScene(), objects: [block] } as Scene,
+    selection,
+    steps: 0,
+    told: 0,
+    pointed: null as { at: Vec; reachMm: number } | null,
+  };
   const commit = (edit: SceneEdit, select?: Selection): boolean => {
     now.scene = applyEdit(now.scene, edit);
     now.selection = select ?? now.selection;
@@ -32,7 +39,7 @@ function keysOverArena(selection: Selection = { ids: ['b'], robot: false }) {
     },
     context,
   );
-  const keys = createSelectionKeys({ context, commit, acts, changed: () => undefined });
+  const keys = createSelectionKeys({ context, commit, acts, pointed: () => now.pointed, changed: () => undefined });
   const blocks = (): unknown => now.scene.objects.map((object) => (object.type === 'block' ? object.at : null));
   return { keys, acts, now, blocks };
 }
@@ -59,6 +66,22 @@ describe('keys on what is selected', () => {
     const { keys, now } = keysOverArena();
     expect(keys.keyDown('Delete', false, false)).toBe(true);
     expect([now.scene.objects, now.selection]).toEqual([[], nothingSelected]);
+  });
+
+  it('delete a stop alone while it is pointed at, as long as two are left', () => {
+    const way: Mover = {
+      ...{ ...block, type: 'mover', to: [600, 300], speed: 100, spiked: false },
+      stops: [[600, 600]],
+    };
+    const { keys, now } = keysOverArena();
+    now.scene = { ...now.scene, objects: [way] };
+    now.pointed = { at: { x: 602, y: 301 }, reachMm: 12 };
+    keys.keyDown('Delete', false, false);
+    const { stops: _, ...straight } = way;
+    expect([now.scene.objects, now.selection.ids]).toEqual([[{ ...straight, to: [600, 600] }], ['b']]);
+    now.pointed = { at: { x: 600, y: 600 }, reachMm: 12 };
+    keys.keyDown('Delete', false, false);
+    expect(now.scene.objects).toEqual([]);
   });
 
   it('duplicate it beside itself; again and again it goes on in the same direction', () => {

@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { nudged } from '#editor/arrange';
+import { pointRemoved } from '#editor/handle-drag';
 import { countOf } from '#editor/selection';
 import type { Selection, ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
@@ -29,6 +30,8 @@ export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
   readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'remove' | 'turn'>;
+  /** Where the mouse or the crosshair of the keyboard is, and how near counts as on a handle; `null`: nowhere. */
+  readonly pointed: () => { readonly at: Vec; readonly reachMm: number } | null;
   /** Something looks different now. */
   readonly changed: () => void;
 }
@@ -67,11 +70,20 @@ export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
   function onSelected(key: string, letter: string, fine: boolean): boolean {
     const arrow = arrowOf(key);
     if (arrow !== null) nudges.by(arrow, fine);
-    else if (key === 'Delete' || key === 'Backspace') acts.remove();
-    else if (letter === 'q' || letter === 'e') acts.turn(letter === 'q' ? 1 : -1);
+    else if (key === 'Delete' || key === 'Backspace') {
+      if (!removePoint(ports)) acts.remove();
+    } else if (letter === 'q' || letter === 'e') acts.turn(letter === 'q' ? 1 : -1);
     else return false;
     return true;
   }
+}
+
+/** The point of a selected thing that is pointed at goes alone. */
+function removePoint({ context, commit, pointed }: SelectionKeyPorts): boolean {
+  const place = pointed();
+  const done = place && pointRemoved(context(), place.at, place.reachMm);
+  if (done) commit(done);
+  return done !== null;
 }
 
 /** What arrow keys move from the first press to letting go is one step. */

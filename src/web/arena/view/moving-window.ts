@@ -65,3 +65,19 @@ function windowSide(needed: number, canvasSide: number, before: number): number 
   const keeps = before >= snug && before <= Math.max(2 * snug, 4 * STEP_PX) && before <= canvasSide;
   return keeps ? before : snug;
 }
+
+/** A thing moves this far on its own canvas until the canvas follows, in px. */
+const ROOM_PX = 32;
+
+/**
+ * Where the canvas of one moving thing lies: a square with room to move in, on whole pixels.
+ *
+ * @param last where it lay with this ratio; the same object comes back while the thing has room there
+ */
+export function roomyWindow({ left, top, width }: PxBox, ratio: number, last: PxBox | undefined): PxBox {
+  const side = width + 2 * ROOM_PX;
+  const hasRoom = (from: number, lastFrom: number): boolean => lastFrom <= from && from + width <= lastFrom + side;
+  if (last?.width === side && hasRoom(left, last.left) && hasRoom(top, last.top)) return last;
+  const whole = (px: number): number => Math.round((px - ROOM_PX) * ratio) / ratio;
+  return { left: whole(left), top: whole(top), width: side, height: side };
+}

@@ -335,6 +335,32 @@ describe('the list of objects', () => {
     expect(object('block', 'block').angle).toBe(100);
   });
 
+  it('has the stops of a mover as numbers, adds one and takes one out', async () => {
+    const { open, object, row } = await list([samples.mover]);
+    await open('mover');
+    await press('Halt hinzufügen');
+    expect(object('mover', 'mover').stops).toEqual([[1100, 600]]);
+    await fill('Halt 3: y', '70');
+    await fill('Halt 2: Wartezeit', '1.5');
+    expect(object('mover', 'mover')).toMatchObject({ stops: [[1100, 700]], waits: [0, 1.5] });
+    expect(row('mover').get('.num').text()).toContain('90 | 40 ↔ 110 | 70 cm, 3 Halte');
+    await press('Halt 1 entfernen');
+    expect(object('mover', 'mover')).toMatchObject({ at: [1100, 400], to: [1100, 700], waits: [1.5] });
+    expect((named('Halt 1 entfernen') as HTMLButtonElement).disabled).toBe(true);
+  });
+
+  it('chooses the field that a guard watches', async () => {
+    const { open, object, row, mounted } = await list([samples.mover, samples.target, samples.checkpoint]);
+    await open('mover');
+    await mounted.get('select').setValue('guards');
+    expect(object('mover', 'mover').chases).toEqual({ zone: 'target' });
+    await mounted.get('[data-testid="guarded-zone"]').setValue(samples.checkpoint.id);
+    expect(object('mover', 'mover').chases).toEqual({ zone: samples.checkpoint.id });
+    expect(row('mover').get('.num').text()).toContain('bei 90 | 40 cm, bewacht ein Feld');
+    await fill('Bemerkt bis (0: überall)', '50');
+    expect(object('mover', 'mover').chases).toEqual({ zone: samples.checkpoint.id, reach: 500 });
+  });
+
   it('sets the tempo of a mover in cm/s, and gives it spikes', async () => {
     const { open, object, mounted } = await list([samples.mover]);
     await open('mover');

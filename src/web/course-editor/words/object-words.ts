@@ -1,5 +1,6 @@
 import type { Kind } from '#editor/describe-edit';
 import type { AnyObject } from '#scene/kinds/kind';
+import { stopsOf, wayOf } from '#scene/kinds/mover-way';
 import type { Label, Mover, Point, Scene, SceneObject, Start, Stroke, Wall, Zone } from '#scene/scene';
 
 import { shownLanguage } from '../../page/i18n';
@@ -7,6 +8,7 @@ import { numberText } from '../../page/i18n/number-text';
 import { say } from '../../page/i18n/say';
 import { editorWords as words } from './editor-words';
 import { kindNames } from './kind-names';
+import { moverWords } from './mover-words';
 
 const texts = words.where;
 
@@ -62,7 +64,7 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
       return say(texts.points, { at: placeText(first), count: points.length });
     },
   },
-  mover: { where: ({ at, to }: Mover) => say(texts.goes, { from: placeText(at), to: placeText(to) }) },
+  mover: { where: whereMoves },
   label: {
     name: ({ text }: Label, kind) => say(texts.label, { kind, text }),
     where: ({ at }: Label) => say(texts.at, { at: placeText(at) }),
@@ -78,6 +80,16 @@ export const kindWords: Readonly<Record<SceneObject['type'], KindWords>> = {
   checkpoint: { ...box, name: ({ number }: Zone, kind) => `${kind} ${String(number)}` },
   forbidden: box,
 };
+
+function whereMoves(mover: Mover): string {
+  const way = wayOf(mover);
+  const stops = stopsOf(mover);
+  const [first = mover, last = first] = [stops[0], stops.at(-1)];
+  const [from, to] = [placeText(first.at), placeText(last.at)];
+  if (way === 'to-and-fro' && stops.length === 2) return say(texts.goes, { from, to });
+  if (way === 'to-and-fro') return say(moverWords.where.stops, { from, to, count: stops.length });
+  return say(moverWords.where[way], { at: from, count: stops.length });
+}
 
 const fromTo = (from: Point, to: Point): string => say(texts.fromTo, { from: placeText(from), to: placeText(to) });
 

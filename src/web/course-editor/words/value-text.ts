@@ -1,9 +1,14 @@
+import { moverWays, type MoverWay } from '#scene/kinds/mover-way';
 import type { RobotColor, SceneObject, StrokeColor } from '#scene/scene';
 
 import { say } from '../../page/i18n/say';
 import { editingWords as words } from './editing-words';
+import { moverWords } from './mover-words';
 
-/** A colour or a kind in words. */
-export function valueText(value: StrokeColor | RobotColor | 'auto' | SceneObject['type']): string {
+/** A colour, a kind or what a mover does, in words. */
+export function valueText(value: StrokeColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay): string {
+  if (isWay(value)) return say(moverWords.ways[value]);
   return value in words.options ? say(words.options[value as keyof typeof words.options]) : value;
 }
+
+const isWay = (value: string): value is MoverWay => moverWays.some((way) => way === value);

@@ -31,8 +31,14 @@ export interface PictureKind<O extends AnyObject = SceneObject> {
   ground?(...given: Parameters<Draw<O>>): void;
   /** Over the strokes. */
   sign?(context: CanvasRenderingContext2D, view: View, object: O, palette: Palette, around: SignContext): void;
-  /** On the floor, over strokes and signs: words, the ways of what moves. */
-  mark?(...given: Parameters<Draw<O>>): void;
+  /** On the floor, over strokes and signs: words, the ways of what moves. `around`: the objects of its course, if known. */
+  mark?(
+    context: CanvasRenderingContext2D,
+    view: View,
+    object: O,
+    palette: Palette,
+    around?: readonly SceneObject[],
+  ): void;
   /** What stands and stays, like walls. */
   standing?(...given: Parameters<Draw<O>>): void;
   /** What has a layer of its own. */
