@@ -21,11 +21,18 @@ export function main(print: Print): void {
     `on the line ${world.reflectanceAt({ x: 400, y: 250 }, 2)}, beside it ${world.reflectanceAt({ x: 400, y: 300 }, 2)}`,
   );
   world.addMover({
-    atMm: { x: 400, y: 50 },
-    toMm: { x: 400, y: 450 },
     sizeMm: { x: 60, y: 60 },
     angleRad: 0,
     speedMmPerS: 200,
+    spinRadPerS: 0,
+    goes: {
+      stops: [
+        { atMm: { x: 400, y: 50 }, waitS: 0 },
+        { atMm: { x: 400, y: 450 }, waitS: 0 },
+      ],
+      loops: false,
+      phaseS: 0,
+    },
   });
   print(`the wall is ${ahead()} mm ahead`);
   for (let timeUs = 0; timeUs < 1_000_000; timeUs += STEP_US) world.step();

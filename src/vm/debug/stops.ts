@@ -35,9 +35,3 @@ export function afterStep(step: Step, from: Position | null): StopRule {
     return step === 'into' || event.depth === depth;
   };
 }
-
-/** Stops where one of the rules says so. Each is asked every time, since it may count. */
-export const atAnyOf =
-  (rules: readonly StopRule[]): StopRule =>
-  (event) =>
-    rules.filter((rule) => rule(event)).length > 0;

@@ -54,6 +54,7 @@ export const BOARD_IDS = ['buttons', 'sensors', 'radio', 'log'] as const;
 export const ARENA_IDS = [
   'arena-hand',
   'tools',
+  'look-back',
   'show',
   'tell',
   'readings',
