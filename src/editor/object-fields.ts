@@ -10,6 +10,7 @@ import {
   type StrokeColor,
 } from '#scene/scene';
 import type { MoverWay } from '#scene/kinds/mover-way';
+import type { ShapeName } from '#scene/shape/shape';
 import { within } from './plane';
 
 /** A number of an object that can be typed in. `x` and `y` are its place (a line: its start), `endX` and `endY` its end. */
@@ -34,7 +35,7 @@ export type NumberName =
   | 'scale';
 
 /** Name of something about an object that can be changed. */
-export type FieldName = NumberName | 'round' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type' | 'way';
+export type FieldName = NumberName | 'shape' | 'spiked' | 'color' | 'robotColor' | 'text' | 'name' | 'type' | 'way';
 
 /** The value of a field. */
 export type FieldValue = number | boolean | string;
@@ -53,7 +54,7 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       readonly step: number;
       readonly unit: 'mm' | 'deg' | 'mm/s' | 'deg/s' | 's' | 'times' | 'count';
     }
-  | { readonly kind: 'switch'; readonly name: 'round' | 'spiked'; readonly value: boolean }
+  | { readonly kind: 'switch'; readonly name: 'spiked'; readonly value: boolean }
   | {
       readonly kind: 'choice';
       readonly name: 'color';
@@ -66,6 +67,12 @@ export type Field<T = unknown> = { with(value: FieldValue, scene: Scene): T | nu
       /** `auto`: by the place of its device. */
       readonly value: RobotColor | 'auto';
       readonly choices: readonly (RobotColor | 'auto')[];
+    }
+  | {
+      readonly kind: 'choice';
+      readonly name: 'shape';
+      readonly value: ShapeName;
+      readonly choices: readonly ShapeName[];
     }
   | {
       readonly kind: 'choice';

@@ -2,6 +2,8 @@ import type { Block, Spikes } from '#scene/scene';
 import { typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
 import type { EditorKind } from './kind';
+import { shapeNames } from '#scene/shape/shape';
+import { bodyShape, shapeField } from './shapes';
 
 /** Kinds of blocks that can become each other. */
 const boxKinds = ['block', 'fixed-block', 'spikes'] as const;
@@ -9,8 +11,15 @@ const boxKinds = ['block', 'fixed-block', 'spikes'] as const;
 const boxKind = (type: (Block | Spikes)['type']): EditorKind<Block | Spikes> => ({
   layer: 3,
   ...boxed,
-  fields: (box) => [typeField(box.type, boxKinds, (type) => ({ ...box, type })), ...boxFields(box)],
-  made: (id, at, _scene, { blockSize }) => ({ type, id, at, size: blockSize, angle: 0 }),
+  fields: (box) => [
+    typeField(box.type, boxKinds, (type) => ({ ...box, type })),
+    shapeField(box, shapeNames, (bare, shape) => ({ ...bare, ...bodyShape(shape) })),
+    ...boxFields(box),
+  ],
+  made: (id, at, _scene, { blockSize, blockShape }) => ({
+    ...{ type, id, at, size: blockSize, angle: 0 },
+    ...bodyShape(blockShape),
+  }),
 });
 
 /** Movable blocks. */

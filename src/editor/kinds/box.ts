@@ -12,6 +12,7 @@ import { sizeSides } from '../size-handles';
 import { gridMm, intoArena, snappedPlace } from '../snap';
 import type { Drag, Handle } from '../tools/tool';
 import { hitShape, mirroredPoint, scaledPoint, shifted, type Axis } from './kind';
+import { drawnPolygon } from './shapes';
 
 /** An object with a middle and a rotation. */
 type Placed = AnyObject & Pick<Shaped, 'at' | 'angle'>;
@@ -100,8 +101,10 @@ export function knobAbove({ id, at, angle }: Placed, heightMm: number, reachMm: 
 /** Shortest sides of a dragged box, in mm. Chosen: it can still be seen and grabbed. */
 const SMALLEST_MM = 10;
 
-/** The upright box between where a drag began and where it is, inside the arena. */
+/** The upright box between where a drag began and where it is, inside the arena; of a polygon the outline that was drawn. */
 function draggedBox<O extends BoxObject>(box: O, drag: Drag, arena: Point): O {
+  const drawn = box.corners ? drawnPolygon(drag.path, arena) : null;
+  if (drawn) return { ...box, ...drawn };
   const [a, b] = [startOf(drag), endOf(drag)].map((place) => intoArena(snappedPlace(place, drag), arena)) as [Vec, Vec];
   return {
     ...box,

@@ -10,6 +10,8 @@ import { mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 import { turnedExtent } from './line';
 import { travels, withWay } from './mover-does';
 import { stopDragged, stopHandles, stopPlace, withoutStop } from './mover-stops';
+import type { ShapeName } from '#scene/shape/shape';
+import { shapeField } from './shapes';
 
 /** Boxes that move by themselves: moved, sized and turned together with their way. */
 export const mover: EditorKind<Mover> = {
@@ -52,6 +54,7 @@ export const mover: EditorKind<Mover> = {
       ...{ kind: 'choice', name: 'way', value: wayOf(mover), choices: moverWays },
       with: (way: MoverWay, scene) => withWay(mover, way, scene),
     },
+    shapeField<Mover>(mover, ['rectangle', 'round'], (bare, shape) => ({ ...bare, ...roundOf(shape) })),
     {
       ...{ kind: 'number', name: 'speed', value: mover.speed, ...sceneLimits.speedMmS, step: 5, unit: 'mm/s' },
       with: (speed: number) => ({ ...mover, speed }),
@@ -63,9 +66,10 @@ export const mover: EditorKind<Mover> = {
     },
     { kind: 'switch', name: 'spiked', value: mover.spiked, with: (spiked: boolean) => ({ ...mover, spiked }) },
   ],
-  made(id, at, scene, { blockSize, moverSpeed, moverSpiked, moverWay, moverWait, moverSpin }) {
+  made(id, at, scene, { blockSize, moverSpeed, moverSpiked, moverWay, moverWait, moverSpin, blockShape }) {
     const plain: Mover = {
       ...{ type: 'mover', id, at, to: at, size: blockSize, angle: 0, speed: moverSpeed, spiked: moverSpiked },
+      ...roundOf(blockShape),
     };
     const mover = withWay(withSpin(plain, moverSpin), moverWay, scene);
     return travels(mover) ? withStops(mover, stopsOf(mover).map((stop) => ({ ...stop, wait: moverWait }))) : mover; // prettier-ignore
@@ -83,6 +87,9 @@ function placesOf(mover: Mover, place: (at: Point) => Point): Pick<Mover, 'at' |
   const { at, to, stops } = withPlaces(mover, place);
   return { at, to, ...(stops ? { stops } : {}) };
 }
+
+/** Movers are rectangles or round. */
+const roundOf = (shape: ShapeName): { readonly round?: true } => (shape === 'round' ? { round: true } : {});
 
 function moved(mover: Mover, dx: number, dy: number): Mover {
   return withPlaces(mover, (at) => shifted(at, dx, dy));

@@ -2,6 +2,8 @@ import { sceneLimits, type Point, type Scene, type Zone } from '#scene/scene';
 import { countField, typeField } from '../object-fields';
 import { boxed, boxFields } from './box';
 import type { EditorKind } from './kind';
+import { shapeNames, type ShapeName } from '#scene/shape/shape';
+import { cornersOf, shapeField } from './shapes';
 
 /** Kinds of zones, which can become each other. */
 const zoneKinds = ['target', 'checkpoint', 'forbidden'] as const;
@@ -21,13 +23,22 @@ const zoneKind = (type: Zone['type'], size: Point): EditorKind<Zone> => ({
     ...(type === 'target'
       ? [countField('blocks', zone.blocks, sceneLimits.blocks, (blocks) => ({ ...zone, blocks }))]
       : []),
+    shapeField(zone, shapeNames, (bare, shape) => ({ ...bare, ...zoneShapeOf(shape) })),
     ...boxFields(zone),
-    { kind: 'switch', name: 'round', value: zone.round, with: (round: boolean) => withoutCorners({ ...zone, round }) },
   ],
-  made(id, at, scene, { zoneRound, zoneBlocks }) {
+  made(id, at, scene, { zoneShape, zoneBlocks }) {
     const number = numberOf(type, scene);
     if (number === null) return null;
-    return { type, id, at, size, angle: 0, round: zoneRound, number, blocks: type === 'target' ? zoneBlocks : 0 };
+    return {
+      type,
+      id,
+      at,
+      size,
+      angle: 0,
+      ...zoneShapeOf(zoneShape),
+      number,
+      blocks: type === 'target' ? zoneBlocks : 0,
+    };
   },
 });
 
@@ -42,7 +53,11 @@ export const checkpoint = zoneKind('checkpoint', [150, 150]);
 /** A place that must not be entered. */
 export const forbidden = zoneKind('forbidden', [200, 200]);
 
-const withoutCorners = ({ corners: _, ...zone }: Zone): Zone => zone;
+/** What a zone says of its shape: always whether it is round. */
+const zoneShapeOf = (shape: ShapeName): Pick<Zone, 'round' | 'corners'> => ({
+  round: shape === 'round',
+  ...cornersOf(shape),
+});
 
 const numberOf = (type: Zone['type'], scene: Scene): number | null =>
   type === 'checkpoint' ? nextCheckpoint(scene) : 0;

@@ -4,6 +4,7 @@ import { moverWays } from '#scene/kinds/mover-way';
 import { defaultScene, strokeColors, type Point, type Scene } from '#scene/scene';
 import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
+import { shapeNames } from '#scene/shape/shape';
 import { usualToolOptions } from '../tools/tool-options';
 import type { Drag, Selection, ToolOptions } from '../tools/tool';
 
@@ -34,12 +35,13 @@ export const randomOptions = (rng: Rng): ToolOptions => ({
   moverWay: oneOf(rng, moverWays),
   moverWait: wholeFrom(rng, 0, 60),
   moverSpin: wholeFrom(rng, -360, 360),
+  blockShape: oneOf(rng, shapeNames),
   blockSize: extent(rng),
   wallThickness: wholeFrom(rng, 2, 500),
   wallSnaps: rng.unit() < 0.7,
   mazeCell: wholeFrom(rng, 50, 400),
   zone: oneOf(rng, ['target', 'checkpoint', 'forbidden']),
-  zoneRound: rng.unit() < 0.5,
+  zoneShape: oneOf(rng, shapeNames),
   zoneBlocks: wholeFrom(rng, 0, 50),
   labelText: oneOf(rng, ['', ' Start ', 'a\nb', 'x'.repeat(300), '😀'.repeat(80)]),
   labelHeight: wholeFrom(rng, 5, 500),

@@ -83,4 +83,30 @@ describe('mover', () => {
   it('never stands still', () => {
     expect(put(freely(drag([300, 300], [320, 300], [301, 300])), mover)).toMatchObject([{ to: [500, 300] }]);
   });
+
+  it('is round or a triangle by a tap, where it is set so; a mover is never a triangle', () => {
+    expect(put(drag([300, 300]), { blockShape: 'round' })).toMatchObject([{ size: [50, 50], round: true }]);
+    expect(put(drag([300, 300]), { blockShape: 'polygon' })[0]).toHaveProperty('corners.length', 3);
+    expect(put(drag([300, 300]), { block: 'mover', blockShape: 'round' })).toMatchObject([{ round: true }]);
+    expect(put(drag([300, 300]), { block: 'mover', blockShape: 'polygon' })[0]).not.toHaveProperty('corners');
+  });
+
+  it('is the polygon whose outline is drawn, closed by a straight line', () => {
+    const ell = drag([100, 100], [200, 100], [300, 100], [300, 200], [200, 200], [200, 300], [100, 300]);
+    expect(put(ell, { blockShape: 'polygon' })).toMatchObject([
+      {
+        ...{ at: [200, 200], size: [200, 200], angle: 0 },
+        corners: [[0, 0], [200, 0], [200, 100], [100, 100], [100, 200], [0, 200]], // prettier-ignore
+      },
+    ]);
+  });
+
+  it('is the polygon around an outline that crosses itself, and a triangle in the box of a straight drag', () => {
+    const eight = drag([100, 100], [200, 200], [200, 100], [100, 200]);
+    expect(put(eight, { blockShape: 'polygon' })).toMatchObject([{ at: [150, 150], size: [100, 100] }]);
+    expect(put(eight, { blockShape: 'polygon' })[0]).toHaveProperty('corners.length', 4);
+    expect(put(drag([100, 100], [200, 160]), { blockShape: 'polygon' })).toMatchObject([
+      { at: [150, 130], size: [100, 60], corners: [[0, 0], [2, 0], [1, 2]] }, // prettier-ignore
+    ]);
+  });
 });

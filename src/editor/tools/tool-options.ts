@@ -9,6 +9,7 @@ export const usualToolOptions: ToolOptions = {
   eraser: 'all',
   eraserWidth: 30, // chosen: takes a line of 20 mm in one go
   block: 'block',
+  blockShape: 'rectangle',
   blockSize: [50, 50], // chosen: as wide as a hand of the robots can push without losing it
   moverWay: 'to-and-fro',
   moverSpeed: sceneDefaults.speed,
@@ -19,7 +20,7 @@ export const usualToolOptions: ToolOptions = {
   wallSnaps: true,
   mazeCell: 150, // chosen: all robots turn round in it, and the usual arena is 8 × 6 such cells
   zone: 'target',
-  zoneRound: sceneDefaults.round,
+  zoneShape: 'rectangle',
   zoneBlocks: sceneDefaults.blocks,
   labelText: '',
   labelHeight: sceneDefaults.labelHeight,

@@ -2,6 +2,7 @@ import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import type { MoverWay } from '#scene/kinds/mover-way';
 import type { Point, Scene, SceneObject, StrokeColor, Zone } from '#scene/scene';
+import type { ShapeName } from '#scene/shape/shape';
 
 /** The tools of the palette. The hand is not among them: it reaches into the run, never into the course. */
 export type ToolId =
@@ -48,6 +49,8 @@ export interface ToolOptions {
   readonly eraser: 'all' | 'lines';
   readonly eraserWidth: number;
   readonly block: 'block' | 'fixed-block' | 'spikes' | 'mover';
+  /** Movers are no polygons: they are rectangles then. */
+  readonly blockShape: ShapeName;
   readonly blockSize: Point;
   /** What a new mover does. */
   readonly moverWay: MoverWay;
@@ -63,7 +66,7 @@ export interface ToolOptions {
   /** Side of a cell of the maze's grid in mm. */
   readonly mazeCell: number;
   readonly zone: Zone['type'];
-  readonly zoneRound: boolean;
+  readonly zoneShape: ShapeName;
   /** Blocks that a new target wants; 0: the robot. */
   readonly zoneBlocks: number;
   readonly labelText: string;

@@ -25,7 +25,7 @@ describe('zone', () => {
   });
 
   it('is the rectangle of a drag, also a round one', () => {
-    expect(put(drag([100, 100], [400, 300]), { zone: 'forbidden', zoneRound: true })).toMatchObject([
+    expect(put(drag([100, 100], [400, 300]), { zone: 'forbidden', zoneShape: 'round' })).toMatchObject([
       { type: 'forbidden', at: [250, 200], size: [300, 200], round: true },
     ]);
   });

@@ -174,10 +174,11 @@ describe('the options of a tool', () => {
 
   it('ask for blocks in a target only', async () => {
     const { set, texts } = await optionsOf('zone');
-    await press('Rund');
+    await openCard('Form: Rechteck');
+    await pick('Rund');
     await openCard('Blöcke: 0. Der Roboter muss hin');
     await press('Blöcke: mehr');
-    expect(set()).toMatchObject({ zoneRound: true, zoneBlocks: 1 });
+    expect(set()).toMatchObject({ zoneShape: 'round', zoneBlocks: 1 });
     expect(texts()).toContain('Blöcke: 1. So viele Blöcke müssen hinein: 1');
     await pick('Verboten');
     expect(texts().some((text) => text.startsWith('Blöcke'))).toBe(false);

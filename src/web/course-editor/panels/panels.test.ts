@@ -302,7 +302,8 @@ describe('the list of objects', () => {
   it('makes a target round, and a zone that is not to be entered', async () => {
     const { open, object, mounted } = await list([samples.target]);
     await open('target');
-    await mounted.get('.detail input[type="checkbox"]').trigger('change');
+    const [, shape] = mounted.findAll('.detail select');
+    await shape?.setValue('round');
     expect(object('target', 'target').round).toBe(true);
     await mounted.get('select').setValue('forbidden');
     expect(object('forbidden', 'target').round).toBe(true);
@@ -328,11 +329,16 @@ describe('the list of objects', () => {
     expect([object('label', 'label').text, steps()]).toEqual(['Garage', 1]);
   });
 
-  it('turns to any angle', async () => {
-    const { open, object } = await list([samples.block]);
+  it('makes a block a polygon, and turns it to a tenth of a degree', async () => {
+    const { open, object, mounted } = await list([samples.block]);
     await open('block');
-    await fill('Gedreht', '100');
-    expect(object('block', 'block').angle).toBe(100);
+    await fill('Gedreht', '12,5');
+    expect(object('block', 'block').angle).toBe(12.5);
+    const [, shape] = mounted.findAll('.detail select');
+    await shape?.setValue('polygon');
+    expect(object('block', 'block').corners).toHaveLength(3);
+    await shape?.setValue('rectangle');
+    expect(object('block', 'block')).not.toHaveProperty('corners');
   });
 
   it('has the stops of a mover as numbers, adds one and takes one out', async () => {

@@ -1,12 +1,16 @@
 import { moverWays, type MoverWay } from '#scene/kinds/mover-way';
 import type { RobotColor, SceneObject, StrokeColor } from '#scene/scene';
 
+import type { ShapeName } from '#scene/shape/shape';
+
 import { say } from '../../page/i18n/say';
 import { editingWords as words } from './editing-words';
 import { moverWords } from './mover-words';
 
-/** A colour, a kind or what a mover does, in words. */
-export function valueText(value: StrokeColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay): string {
+/** A colour, a kind a shape or what a mover does, in words. */
+export function valueText(
+  value: StrokeColor | RobotColor | 'auto' | SceneObject['type'] | MoverWay | ShapeName,
+): string {
   if (isWay(value)) return say(moverWords.ways[value]);
   return value in words.options ? say(words.options[value as keyof typeof words.options]) : value;
 }
