@@ -143,7 +143,16 @@ describe('a polygon', () => {
 describe('a round mover', () => {
   it('pushes a can before it like one of the hand', () => {
     const { world } = createRig({ xMm: 100, yMm: 100, headingRad: 0 });
-    world.addMover({ atMm: { x: 1000, y: 1000 }, toMm: { x: 1400, y: 1000 }, sizeMm: { x: 60, y: 60 }, angleRad: 0, isRound: true, speedMmPerS: 100 }); // prettier-ignore
+    world.addMover({
+      ...{ sizeMm: { x: 60, y: 60 }, angleRad: 0, isRound: true, speedMmPerS: 100, spinRadPerS: 0 },
+      goes: {
+        stops: [
+          { atMm: { x: 1000, y: 1000 }, waitS: 0 },
+          { atMm: { x: 1400, y: 1000 }, waitS: 0 },
+        ],
+        ...{ loops: false, phaseS: 0 },
+      },
+    });
     const block = world.addBlock(can({ x: 1100, y: 1000 }));
     for (let step = 0; step < 2 / STEP_S; step++) world.step();
     expect(block.pose().xMm).toBeGreaterThan(1255);
