@@ -21,8 +21,8 @@ const names = (...ids: readonly string[]): readonly string[] =>
 describe('fields of several things', () => {
   it('are those that all have, without their places; it is told where the values differ', () => {
     expect(names('w', 'v')).toEqual(['thickness differs']);
-    expect(names('b', 'm')).toEqual(['width', 'height', 'turn']);
-    expect(names('t', 'c')).toEqual(['width differs', 'height differs', 'turn', 'round']);
+    expect(names('b', 'm')).toEqual(['shape', 'width', 'height', 'turn']);
+    expect(names('t', 'c')).toEqual(['shape', 'width differs', 'height differs', 'turn']);
     expect(names('w', 'b')).toEqual([]);
     expect(names('w')).toEqual([]);
   });
