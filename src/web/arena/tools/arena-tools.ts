@@ -159,7 +159,8 @@ function portsOf(
     commit: (edit, chosen) => void editor.commit(edit, chosen),
     done: (reading) => sources.say(readingWords(reading)),
     pointed() {
-      const { pointedAt: at, reachMm } = surface();
+      const { crosshair, reachMm } = surface();
+      const at = crosshair ?? surface().picture().hover;
       return at && { at, reachMm };
     },
     changed: sources.redraw,

@@ -117,11 +117,6 @@ export class ToolSurface {
     return this.gesture && toldBy(this.gesture);
   }
 
-  /** Where the crosshair of the keyboard is, otherwise the mouse, world mm. */
-  get pointedAt(): Vec | null {
-    return this.keyAt ?? this.hover;
-  }
-
   /** Where the crosshair of the keyboard is, world mm, or `null` while it is hidden. */
   get crosshair(): Vec | null {
     return this.keyAt;
@@ -356,7 +351,7 @@ export class ToolSurface {
   }
 
   private hoverMarks(): readonly Mark[] {
-    const at = this.pointedAt;
+    const at = this.keyAt ?? this.hover;
     const tool = this.ports.tool();
     if (at === null) return [...this.kept, ...(tool?.marksAtRest?.(this.ports.context()) ?? [])];
     if (tool?.marks === undefined || this.pinched) return this.kept;
