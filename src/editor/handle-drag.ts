@@ -8,6 +8,7 @@ import { endOf, startOf } from './drag';
 import { changing } from './edits';
 import { handleAt } from './handles';
 import { kindOf } from './kinds/index';
+import { puttingJoined } from './lines/join-lines';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import { lured } from './snap/attract';
 import { countOf, selectedObjects } from './selection';
@@ -31,6 +32,7 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
     handle.kind === 'point' || handle.kind === 'add'
       ? kind.pointMoved?.(object, handle, place, snapping, scene)
       : kind.endMoved?.(object, handle.kind, place, snapping, scene);
+  if (changed?.type === 'stroke' && !drag.free) return puttingJoined(scene, changed);
   return changed ? changing([changed]) : null;
 }
 

@@ -15,22 +15,29 @@ const thingsReachMm = (reachMm: number): number => Math.min(reachMm, ATTRACTS_MM
 /** What is moved, as it was before. */
 export interface Moving {
   readonly frame: Frame;
-  /** The ends of a line, if it is one; they go onto ends of other lines. */
+  /** The ends of the lines among few things, as of a part of a track; they go onto ends of other lines. */
   readonly ends: readonly Vec[];
   /** The place that the grid attracts. */
   readonly anchor: Vec | null;
 }
+
+/** So many things at most are one part of a track. Chosen: a crossing with a field and some walls. */
+const FEW = 12;
 
 /** What moves when a thing is dragged with all that is selected; `null`: nothing does. */
 export function movingOf(held: Thing, selection: Selection, { scene, footprint }: ToolContext): Moving | null {
   const objects = selectedObjects(scene, selection);
   const robot = selection.robot ? frameOfRobot(scene, footprint) : null;
   const frame = frameAround([...objects.map(frameOf), ...(robot === null ? [] : [robot])]);
-  const [only, ...others] = objects;
-  const isOne = only !== undefined && others.length === 0 && robot === null;
   const heldObject = objects.find(({ id }) => id === held);
   const anchor = held === null ? toVec(scene.robot.at) : heldObject ? toVec(placeOf(heldObject)) : null;
-  return frame && { frame, ends: isOne ? (endsOf(only) ?? []) : [], anchor };
+  return (
+    frame && {
+      frame,
+      ends: objects.length > FEW || robot !== null ? [] : objects.flatMap((object) => endsOf(object) ?? []),
+      anchor,
+    }
+  );
 }
 
 /**

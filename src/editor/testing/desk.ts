@@ -102,6 +102,9 @@ export const drag = (...path: readonly Point[]): Drag => ({
   reachMm: 8,
 });
 
+/** Taps from corner to corner; the last one is that under the pointer. */
+export const taps = (...places: readonly Point[]): Drag => ({ ...drag(...places), corners: places.length - 1 });
+
 /** The same without snapping. */
 export const freely = (one: Drag): Drag => ({ ...one, free: true });
 

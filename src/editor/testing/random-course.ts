@@ -6,7 +6,7 @@ import { oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
 import { shapeNames } from '#scene/shape/shape';
 import { usualToolOptions } from '../tools/tool-options';
-import type { Drag, Selection, ToolOptions } from '../tools/tool';
+import { penShapes, type Drag, type Selection, type ToolOptions } from '../tools/tool';
 
 const extent = (rng: Rng): Point => [wholeFrom(rng, 5, 300), wholeFrom(rng, 5, 300)];
 
@@ -28,7 +28,7 @@ export const randomOptions = (rng: Rng): ToolOptions => ({
   ...usualToolOptions,
   penWidth: wholeFrom(rng, 1, 500),
   penColor: oneOf(rng, strokeColors),
-  penShape: oneOf(rng, ['free', 'straight', 'curve']),
+  penShape: oneOf(rng, penShapes),
   eraser: oneOf(rng, ['all', 'lines']),
   eraserWidth: wholeFrom(rng, 5, 300),
   block: oneOf(rng, ['block', 'fixed-block', 'spikes', 'mover']),
@@ -55,11 +55,12 @@ export const randomSelection = (rng: Rng, scene: Scene): Selection => ({
   robot: rng.unit() < 0.3,
 });
 
-/** Any drag: taps, jumps, walks, scribbles, also far outside the arena. */
+/** Any drag: taps, jumps, walks, scribbles, from corner to corner, also far outside the arena. */
 export function randomDrag(rng: Rng): Drag {
+  const path = randomPath(rng);
   const reachMm = oneOf(rng, [1, 6, 15, 60]);
   const keys = { free: rng.unit() < 0.3, adds: rng.unit() < 0.2, keeps: rng.unit() < 0.2, alt: rng.unit() < 0.2 };
-  return { path: randomPath(rng), ...keys, reachMm };
+  return { path, ...keys, reachMm, ...(rng.unit() < 0.3 ? { corners: path.length - 1 } : {}) };
 }
 
 function randomPath(rng: Rng): readonly Vec[] {

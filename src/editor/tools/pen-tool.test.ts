@@ -126,8 +126,8 @@ describe('pen with a ruler', () => {
   });
 
   it('goes on exactly from the ends of other lines', () => {
-    const scene = course(stroke('a', [103, 107], [300, 300]), stroke('b', [507, 311]));
-    expect(drawn(drag([298, 303], [503, 308]), straight, scene).points).toEqual([
+    const scene = course(stroke('a', [103, 107], [300, 300]), stroke('b', [507, 311], [700, 311]));
+    expect(drawn(drag([298, 303], [503, 308]), { ...straight, penColor: 'red' }, scene).points).toEqual([
       [300, 300],
       [507, 311],
     ]);

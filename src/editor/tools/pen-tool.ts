@@ -1,19 +1,25 @@
 import type { Vec } from '#core/geometry';
 import type { SceneEdit } from '#scene/edit';
 import { boundsMeet, boundsOfOutline } from '#scene/outline';
-import { sceneLimits, type Point, type Scene } from '#scene/scene';
+import { sceneLimits, type Point, type Scene, type Stroke } from '#scene/scene';
 import { FINGER_TOLERANCE_MM, simplified, TOLERANCE_MM } from '#scene/simplify';
 import { endOf, isTap, startOf } from '../drag';
 import { adding, roomIn } from '../edits';
 import { freeIds } from '../ids';
-import { distanceMm, toPoint, within } from '../plane';
+import { chainMarks } from '../lines/corners';
+import { endNear, puttingJoined, type Look } from '../lines/join-lines';
+import { arcOf, isArcDone, penChain, polyline, roundShape } from '../lines/pen-shapes';
+import { distanceMm, toPoint, toVec, within } from '../plane';
 import { arenaBounds, grown } from '../bounds';
 import { smooth } from './smooth';
 import { isInArena, onGrid, snapMarks, snappedLine, strokeEnds, type SnappedLine } from '../snap';
 import { lured } from '../snap/attract';
-import type { Drag, Mark, Tool, ToolContext } from './tool';
+import type { Drag, Mark, PenShape, Tool, ToolContext, ToolOptions } from './tool';
 
-/** Paints a line on the floor: as drawn, straight, or smoothed; a tap makes a dot. */
+/**
+ * Paints a line on the floor: as drawn, smoothed, straight, from click to click, an arc, or round a rectangle; a tap makes
+ * a dot. Where it begins or ends on the end of a line that looks the same, the two become one.
+ */
 export const penTool: Tool = {
   id: 'pen',
   cursor: 'crosshair',
@@ -22,23 +28,53 @@ export const penTool: Tool = {
     const points = pointsOf(drag, context);
     if (points.length === 0 || !isSeen(points, options.penWidth, scene)) return null;
     const id = freeIds(scene)('stroke');
-    return adding(scene, [{ type: 'stroke', id, points, width: options.penWidth, color: options.penColor }]);
+    const stroke: Stroke = { type: 'stroke', id, points, width: options.penWidth, color: options.penColor };
+    return drag.free ? adding(scene, [stroke]) : puttingJoined(scene, stroke);
   },
-  ink: ({ options }) => (options.penShape === 'straight' ? null : { width: options.penWidth, color: options.penColor }),
-  marks(drag, context): readonly Mark[] {
-    if (context.options.penShape !== 'straight' || drag.free) return [];
-    return snapMarks(straightLine(drag, context), !isTap(drag));
+  ink: ({ options }) => (isDrawn(options) ? { width: options.penWidth, color: options.penColor } : null),
+  goesOn(drag, context) {
+    const { penShape } = context.options;
+    if (penShape === 'arc') return !isArcDone(drag);
+    return penShape === 'corners' && !penChain(drag, context).isDone;
+  },
+  marks(drag, context, isDown): readonly Mark[] {
+    const { penShape } = context.options;
+    if (penShape === 'corners' && drag.corners !== undefined) return chainMarks(drag, penChain(drag, context));
+    if (drag.free || spansRectangle(penShape)) return [];
+    if (penShape === 'straight') return snapMarks(straightLine(drag, context), !isTap(drag));
+    const at = endNear(context.scene, lookOf(context.options), isDown ? endOf(drag) : startOf(drag), reachOf(drag));
+    return at ? [{ type: 'snap', at: toVec(at) }] : [];
   },
 };
+
+const isDrawn = ({ penShape }: ToolOptions): boolean => penShape === 'free' || penShape === 'curve';
+const spansRectangle = (shape: PenShape): boolean => shape === 'circle' || shape === 'oval' || shape === 'rounded';
+const lookOf = ({ penWidth: width, penColor: color }: ToolOptions): Look => ({ width, color });
 
 function pointsOf(drag: Drag, context: ToolContext): readonly Point[] {
   const { penShape, penWidth } = context.options;
   if (penShape === 'straight') return straightPoints(drag, context);
+  if (penShape === 'corners') return polyline(drag, context);
+  if (penShape === 'arc') return arcOf(drag, context);
+  if (spansRectangle(penShape)) return isTap(drag) ? [toPoint(startOf(drag))] : roundShape(drag, context);
   // A short mark is what was drawn; only what is hidden under the pen's own width is a dot.
   if (isTap({ ...drag, reachMm: Math.min(drag.reachMm, penWidth / 2) })) return [toPoint(startOf(drag))];
-  const line = closedLine(drag.path.map(kept), drag, penWidth);
+  const line = attracted(closedLine(drag.path.map(kept), drag, penWidth), drag, context);
   return thinned(penShape === 'curve' ? smooth(line) : line, toleranceOf(drag), roomIn(context.scene).points);
 }
+
+/** A drawn line whose ends go to those of lines that look the same, so that they become one. */
+function attracted(path: readonly Vec[], drag: Drag, { scene, options }: ToolContext): readonly Vec[] {
+  if (drag.free) return path;
+  const toEnd = (place: Vec): Vec => {
+    const end = endNear(scene, lookOf(options), place, reachOf(drag));
+    return end ? toVec(end) : place;
+  };
+  return path.map((place, index) => (index === 0 || index === path.length - 1 ? toEnd(place) : place));
+}
+
+/** Ends attract no farther than a line that comes back to its start is closed. */
+const reachOf = ({ reachMm }: Drag): number => Math.min(reachMm, CLOSES_MM);
 
 function straightPoints(drag: Drag, context: ToolContext): readonly Point[] {
   if (isTap(drag)) return [toPoint(drag.free ? startOf(drag) : onGrid(startOf(drag), drag.reachMm))];

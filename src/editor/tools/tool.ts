@@ -4,9 +4,12 @@ import type { MoverWay } from '#scene/kinds/mover-way';
 import type { Point, Scene, SceneObject, StrokeColor, Zone } from '#scene/scene';
 import type { ShapeName } from '#scene/shape/shape';
 
-/** The tools of the palette. The hand is not among them: it reaches into the run, never into the course. */
+/**
+ * The tools of the palette, and the one that bends a selected line. The hand is not among them: it reaches into the run,
+ * never into the course.
+ */
 export type ToolId =
-  'select' | 'rotate' | 'pen' | 'eraser' | 'block' | 'wall' | 'maze' | 'zone' | 'label' | 'start' | 'ruler';
+  'select' | 'points' | 'rotate' | 'pen' | 'eraser' | 'block' | 'wall' | 'maze' | 'zone' | 'label' | 'start' | 'ruler';
 
 /** A gesture so far: a pointer that went down, or the crosshair of the keyboard. */
 export interface Drag {
@@ -16,14 +19,19 @@ export interface Drag {
   readonly free: boolean;
   /** Adds to the selection instead of making a new one (Shift, Ctrl or ⌘ at the press). */
   readonly adds: boolean;
-  /** Keeps the proportions of what is sized (Shift while it is dragged); left out: no. */
+  /** Keeps the proportions of what is sized, makes sides equally long (Shift while it is dragged); left out: no. */
   readonly keeps?: boolean;
-  /** Copies what is moved, sizes about the middle (Alt or Option while it is dragged); left out: no. */
+  /** Copies what is moved, sizes or draws about the middle (Alt or Option while it is dragged); left out: no. */
   readonly alt?: boolean;
   /** How near counts as on a thing, in mm: larger for a finger than for a mouse, and when zoomed out. */
   readonly reachMm: number;
   /** Things that attract what is drawn or sized; left out: only the grid does. */
   readonly lure?: Lure | undefined;
+  /**
+   * Drawn corner by corner: so many places of `path` are corners that are set, one more is where the pointer is. Left
+   * out: not begun by a tap.
+   */
+  readonly corners?: number;
 }
 
 /** Draws a coordinate onto a thing in reach; `null`: none is. */
@@ -39,12 +47,18 @@ export interface Selection {
 
 export const nothingSelected: Selection = { ids: [], robot: false };
 
+/**
+ * How the pen draws. `free`: as drawn; `curve`: smoothed; `straight`: from start to end, snapped to 45°; `corners`: from
+ * click to click; `arc`: from one place to another through a third; the others: round the rectangle that a drag spans.
+ */
+export const penShapes = ['free', 'curve', 'straight', 'corners', 'arc', 'circle', 'oval', 'rounded'] as const;
+export type PenShape = (typeof penShapes)[number];
+
 /** The options beside the tools. One record for all tools: each reads its own. */
 export interface ToolOptions {
   readonly penWidth: number;
   readonly penColor: StrokeColor;
-  /** `free`: as drawn; `straight`: from start to end, snapped to 45°; `curve`: smoothed. */
-  readonly penShape: 'free' | 'straight' | 'curve';
+  readonly penShape: PenShape;
   /** `all`: cuts strokes where it passes and takes everything else away; `lines`: strokes alone. */
   readonly eraser: 'all' | 'lines';
   readonly eraserWidth: number;
@@ -97,6 +111,8 @@ export type Mark =
   | { readonly type: 'measure'; readonly from: Vec; readonly to: Vec }
   /** The point to which an end has snapped. */
   | { readonly type: 'snap'; readonly at: Vec }
+  /** A point of the line that is being bent; `isNew`: there one can be drawn out of it. */
+  | { readonly type: 'point'; readonly at: Vec; readonly isNew: boolean }
   /** The area of the eraser. */
   | { readonly type: 'eraser'; readonly at: Vec; readonly radiusMm: number }
   /** An object that is about to be taken away. */
@@ -146,6 +162,11 @@ export interface Tool {
    * is then called only at the end. `null`: `edit` shows it.
    */
   ink?(context: ToolContext): { readonly width: number; readonly color: StrokeColor } | null;
+  /**
+   * For tools that draw corner by corner: whether a drag goes on when the pointer is let go, with its place as the next
+   * corner. Left out or `false`: then it is done.
+   */
+  goesOn?(drag: Drag, context: ToolContext): boolean;
   /** Additional marks; `drag` is a single place while the pointer only hovers. */
   marks?(drag: Drag, context: ToolContext, isDown: boolean): readonly Mark[];
   /** What to show while the tool is chosen and nothing points: fingers never hover. */

@@ -14,6 +14,9 @@ import { tools } from './tools';
 
 const all = Object.values(tools);
 
+/** The ruler changes nothing, and hardly any selection is just a line: see `points-tool.test.ts`. */
+const SELDOM: readonly string[] = ['ruler', 'points'];
+
 function frozen<T>(value: T): T {
   if (typeof value === 'object' && value !== null && !Object.isFrozen(value)) {
     Object.freeze(value);
@@ -55,7 +58,7 @@ describe('tools', () => {
         const marks = [...(tool.marks?.(drag, context, true) ?? []), ...(tool.marks?.(drag, context, false) ?? [])];
         expect(JSON.stringify(marks)).not.toMatch(/"[xy]":null/);
       }
-      expect(done).toBeGreaterThan(id === 'ruler' ? -1 : 40);
+      expect(done).toBeGreaterThan(SELDOM.includes(id) ? -1 : 40);
     },
   );
 

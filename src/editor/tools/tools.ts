@@ -2,6 +2,7 @@ import { blockTool } from './block-tool';
 import { eraserTool } from './eraser-tool';
 import { labelTool } from './label-tool';
 import { mazeTool } from './maze-tool';
+import { pointsTool } from '../lines/points-tool';
 import { penTool } from './pen-tool';
 import { rotateTool } from './rotate-tool';
 import { rulerTool } from './ruler-tool';
@@ -15,6 +16,7 @@ import { zoneTool } from './zone-tool';
 export const tools: Readonly<Record<ToolId, Tool>> = {
   select: selectTool,
   rotate: rotateTool,
+  points: pointsTool,
   pen: penTool,
   eraser: eraserTool,
   block: blockTool,

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Point } from '#scene/scene';
-import { contextOf, course, drag, freely, newObjects, used, wall } from '../testing/desk';
+import { contextOf, course, drag, freely, newObjects, taps, used, wall } from '../testing/desk';
 import { wallTool } from './wall-tool';
 
 const drawn = (path: readonly [Point, Point], scene = course(), options = {}) =>
@@ -126,5 +126,39 @@ describe('wall', () => {
     expect(wallTool.marks?.(drag([702, 309]), contextOf(scene), false)).toEqual([
       { type: 'snap', at: { x: 700, y: 305 } },
     ]);
+  });
+});
+
+describe('walls by clicks', () => {
+  const corners = (...places: readonly Point[]) =>
+    newObjects(course(), used(wallTool, taps(...places), contextOf(course()))).map((object) =>
+      object.type === 'wall' ? [object.from, object.to] : [],
+    );
+
+  it('stand from corner to corner', () => {
+    expect(corners([100, 100], [400, 100], [402, 298])).toEqual([
+      [
+        [100, 100],
+        [400, 100],
+      ],
+      [
+        [400, 100],
+        [400, 300],
+      ],
+    ]);
+  });
+
+  it('close to a polygon on the first corner, and end there', () => {
+    const closing = taps([100, 100], [400, 100], [400, 300], [102, 101]);
+    expect(wallTool.goesOn?.(closing, contextOf(course()))).toBe(false);
+    expect(corners([100, 100], [400, 100], [400, 300], [102, 101])[2]).toEqual([
+      [400, 300],
+      [100, 100],
+    ]);
+  });
+
+  it('begin with a tap, never with a drag', () => {
+    expect(wallTool.goesOn?.(drag([100, 100]), contextOf(course()))).toBe(true);
+    expect(wallTool.goesOn?.(drag([100, 100], [400, 100]), contextOf(course()))).toBe(false);
   });
 });

@@ -2,6 +2,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { penShapes } from '#editor/tools/tool';
+
 import type { ArenaTool } from './state/course-editor-model';
 import { editingPage, fill, keyOn, press, samples, type EditingPage } from '../app/testing/editing';
 import { mountOn, named, setWindow, textOf } from '../app/testing/mount-on';
@@ -58,6 +60,7 @@ describe('the options of a tool', () => {
   it('set a line’s width, shape and colour: they are of the next line, no step of the course', async () => {
     const { set, steps } = await optionsOf('pen');
     await pick('30 mm breit');
+    await openCard('Form: Freihand');
     await pick('Gerade');
     await openCard('Farbe: Schwarz');
     await pick('Grün');
@@ -81,14 +84,24 @@ describe('the options of a tool', () => {
     expect(rows.filter((text) => text.includes('hell') || text.includes('unsichtbar')).length).toBeGreaterThan(0);
   });
 
-  it('offer the magnet for straight lines only', async () => {
+  it('offer the magnet for every shape of a line: the ends of lines attract each other', async () => {
     const { editor, texts } = await optionsOf('pen');
-    expect(texts()).not.toContain('Magnet: rastet ein');
-    await pick('Gerade');
-    expect(texts()).toContain('Magnet: rastet ein');
+    for (const penShape of penShapes) {
+      editor.setOptions({ penShape });
+      await nextTick();
+      expect(texts()).toContain('Magnet: rastet ein');
+    }
     expect(editor.free.value).toBe(false);
     await press('Magnet: rastet ein');
     expect([editor.free.value, named('Magnet: rastet ein').getAttribute('aria-pressed')]).toEqual([true, 'false']);
+  });
+
+  it('tell how each shape of a line is drawn', async () => {
+    const { set } = await optionsOf('pen', [], 300);
+    await openCard('Form: Freihand');
+    expect(textOf(document.querySelector('.card'))).toContain('Ecken antippen');
+    await pick('Von Ecke zu Ecke');
+    expect(set()).toMatchObject({ penShape: 'corners' });
   });
 
   it.each(['select', 'rotate', 'block', 'wall', 'zone', 'label', 'start'] as const)(

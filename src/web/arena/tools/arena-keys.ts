@@ -49,12 +49,6 @@ export function arenaKeys(
     if (!surface.pressKey(middle(), drags)) return; // what was done is told by the editor
     if (surface.crosshair !== null) sources.say(sayPlace(arenaWords.tools.drawing, surface.crosshair));
   };
-  const escape = (): boolean => {
-    if (surface.cancel()) sources.say(say(arenaWords.tools.dropped));
-    else if (isSelected(editor)) editor.select(nothingSelected);
-    else return false;
-    return true;
-  };
   const step = (arrow: Vec, fine: boolean): void => {
     const mm = fine ? STEP_MM.fine : STEP_MM.coarse;
     const at = surface.moveCrosshair({ x: arrow.x * mm, y: arrow.y * mm }, middle(), fine);
@@ -68,12 +62,13 @@ export function arenaKeys(
       if (key === 'Alt') return surface.isBusy; // it copies, and opens no menu of the browser
       if (event.altKey) return false;
       if (key === 'ContextMenu' || (key === 'F10' && shiftKey)) return openMenu();
-      if (!command && surface.type(key)) {
-        sayTyped(sources, surface);
+      if (!command && surface.type(key)) return sayTyped(sources, surface);
+      if (key === 'Escape') return escape(sources, surface);
+      if (shiftKey && !command && event.code === 'Digit2') return sources.showSelected();
+      if (surface.isChaining && (key === 'Backspace' || key === 'Delete')) {
+        surface.takeCornerBack();
         return true;
       }
-      if (key === 'Escape') return escape();
-      if (shiftKey && !command && event.code === 'Digit2') return sources.showSelected();
       // An arrow draws when the keyboard has begun something, even where something is selected.
       if (!surface.isBusy && keys.keyDown(key, shiftKey, command)) return true;
       if (command) return false;
@@ -96,9 +91,19 @@ export function arenaKeys(
   };
 }
 
-/** The numbers typed so far. */
-function sayTyped(sources: KeySources, { told }: ToolSurface): void {
+/** Leaves what is under way, else the points of a line, else what is selected. Returns whether there was anything. */
+function escape({ editor, say: tell }: KeySources, surface: ToolSurface): boolean {
+  if (surface.cancel()) tell(say(arenaWords.tools.dropped));
+  else if (editor.tool.value === 'points') editor.choose('select');
+  else if (isSelected(editor)) editor.select(nothingSelected);
+  else return false;
+  return true;
+}
+
+/** Says the numbers typed so far; the key was used for them. */
+function sayTyped(sources: KeySources, { told }: ToolSurface): true {
   if (told !== null && told.typed !== '') sources.say(told.typed);
+  return true;
 }
 
 /** Says where the crosshair is as soon as it rests, and the figures of what it draws. */

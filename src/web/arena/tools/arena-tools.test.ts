@@ -62,7 +62,15 @@ async function toolsOver(tool: ArenaTool, objects: readonly SceneObject[] = [], 
   /** Pointers come with a time of their own, so that none is a second tap. */
   let atMs = 0;
   const event = (x: number, y: number, more: object = {}) => ({
-    ...{ pointerId: 1, pointerType: 'mouse', button: 0, shiftKey: false, ctrlKey: false, metaKey: false },
+    ...{
+      pointerId: 1,
+      pointerType: 'mouse',
+      button: 0,
+      shiftKey: false,
+      altKey: false,
+      ctrlKey: false,
+      metaKey: false,
+    },
     ...{ timeStamp: (atMs += 1000), offsetX: x, offsetY: 900 - y, clientX: x, clientY: 900 - y, currentTarget: null },
     ...more,
   });

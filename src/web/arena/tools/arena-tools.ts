@@ -23,9 +23,11 @@ import { createInkLayer } from './ink-layer';
 import { movingWindow, type PxBox } from '../view/moving-window';
 import type { Palette } from '../model/palette';
 import { toolCursor } from './tool-cursors';
+import { withPointKeys } from './point-keys';
 import { createSelectionKeys, type SelectionKeyPorts } from './tool-keys';
 import { toolPointers, type ToolPointers } from './tool-pointers';
-import { ToolSurface, type SurfacePicture, type SurfacePorts } from './tool-surface';
+import type { SurfacePicture, SurfacePorts } from './surface-ports';
+import { ToolSurface } from './tool-surface';
 import type { ArenaView } from '../view/use-arena-view';
 import { createCarriedThings } from './carried-things';
 import { hintPlace, readingPlace } from './draw-guides';
@@ -79,9 +81,9 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
     footprint: sources.footprint(),
   });
   const ports = portsOf(sources, context, () => surface);
-  const keys = createSelectionKeys(ports);
   const openings = arenaOpenings(sources);
   const surface: ToolSurface = surfaceOf(sources, ports, openings);
+  const keys = withPointKeys(createSelectionKeys(ports), ports, surface, () => editor.tool.value === 'points');
   const unfinished = unfinishedOf(sources, surface);
   const pointers = toolPointers(surface, (wish, rests) => openings.menu(wish, surface.reachMm, rests));
   let shown: { picture: EditPicture; frame: EditFrame } | null = null;
@@ -251,7 +253,8 @@ function editPicture(sources: ToolSources, { now, after, ghost, drawn, surface }
   const scene = after ?? sources.course();
   const told = toldBy(now);
   const tool = editor.tool.value === 'hand' ? null : editor.tool.value;
-  const selection = tool === 'select' || tool === 'rotate' ? editor.selection.value : nothingSelected;
+  const selection =
+    tool === 'select' || tool === 'rotate' || tool === 'points' ? editor.selection.value : nothingSelected;
   const { penColor, penWidth } = editor.options.value;
   const isMoved = after !== null && after.robot !== sources.course().robot;
   const held = tool === 'start' ? { ids: [], robot: true } : selection;

@@ -91,7 +91,7 @@ export function editBox(frame: EditFrame, picture: EditPicture): PxBox | null {
 function markBox(view: View, mark: Mark): PxBox {
   if (mark.type === 'frame') return unionOf([mark.from, mark.to].map((at) => boxAround(toPx(view, at), 4)));
   if (mark.type === 'lasso') return unionOf(mark.path.map((at) => boxAround(toPx(view, at), 4)));
-  if (mark.type === 'snap') return boxAround(toPx(view, mark.at), 16);
+  if (mark.type === 'snap' || mark.type === 'point') return boxAround(toPx(view, mark.at), 16);
   if (mark.type === 'goes') return thingBox(view, mark.object);
   if (mark.type === 'eraser') return boxAround(toPx(view, mark.at), mark.radiusMm * view.pxPerMm + 6);
   if (mark.type === 'guide' || mark.type === 'distance') return guideBox(view, mark);

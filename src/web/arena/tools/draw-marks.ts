@@ -25,6 +25,9 @@ export function drawMark(context: CanvasRenderingContext2D, frame: MarkFrame, ma
     case 'snap':
       cased(context, palette.hand, 2.5, () => circle(context, toPx(view, mark.at), 8));
       break;
+    case 'point':
+      drawPoint(context, toPx(view, mark.at), mark.isNew, palette);
+      break;
     case 'eraser':
       context.fillStyle = 'rgba(255, 255, 255, 0.55)';
       circle(context, toPx(view, mark.at), Math.max(2, mark.radiusMm * view.pxPerMm));
@@ -90,6 +93,17 @@ function drawMeasure(context: CanvasRenderingContext2D, frame: MarkFrame, fromMm
       context.lineTo(end.x + across.x * 9, end.y + across.y * 9);
     }
   });
+}
+
+/** A point of a line: a full ring; where one can be drawn out a small pale one. */
+function drawPoint(context: CanvasRenderingContext2D, at: Vec, isNew: boolean, palette: Palette): void {
+  context.globalAlpha = isNew ? 0.75 : 1;
+  context.fillStyle = palette.handGround;
+  circle(context, at, isNew ? 3.5 : HANDLE_PX);
+  context.fill();
+  context.strokeStyle = palette.hand;
+  context.lineWidth = isNew ? 1.5 : 2;
+  context.stroke();
 }
 
 /** The grid of a maze around the pointer, and the edge that a tap changes. */

@@ -36,13 +36,15 @@ export interface Ink {
 
 /** A drag of a tool that is under way. */
 export interface Gesture {
-  /** `null`: the keyboard. */
-  readonly pointer: number | null;
-  readonly kind: PointerKind;
+  /** `null`: the keyboard. `'none'`: between two clicks of a line that is drawn corner by corner. */
+  pointer: number | null | 'none';
+  kind: PointerKind;
   readonly tool: Tool;
   readonly context: ToolContext;
   readonly path: Vec[];
-  readonly reachMm: number;
+  /** So many places of the path are corners that are set; 0: it is not drawn corner by corner. */
+  corners: number;
+  reachMm: number;
   readonly ink: Omit<Ink, 'path'> | null;
   free: boolean;
   readonly adds: boolean;
@@ -71,16 +73,16 @@ export interface Told {
 }
 
 /** What a tool sees of a gesture: the pointer's drag, or the one that leads to the typed numbers. */
-export function dragOf({ path, free, adds, keeps, alt, reachMm, typed, tool, context }: Gesture): Drag {
-  const drag = { path, free, adds, keeps, alt, reachMm };
+export function dragOf({ path, free, adds, keeps, alt, reachMm, corners, typed, tool, context }: Gesture): Drag {
+  const drag = { path, free, adds, keeps, alt, reachMm, ...(corners > 0 ? { corners } : {}) };
   return typed === '' ? drag : typedDrag(tool, drag, context, typedNumbers(typed));
 }
 
 /**
- * A key is pressed while a gesture goes on. Returns whether it belongs to numbers; what is drawn freely takes none.
+ * A key is pressed while a gesture goes on. Returns whether it belongs to numbers; what is drawn freely or corner by corner takes none.
  */
 export function typeKey(gesture: Gesture, key: string): boolean {
-  const typed = gesture.ink === null ? typedText(gesture.typed, key) : null;
+  const typed = gesture.ink === null && gesture.corners === 0 ? typedText(gesture.typed, key) : null;
   if (typed === null) return false;
   gesture.typed = typed;
   gesture.isStale = true;
@@ -98,3 +100,43 @@ export function toldBy({ figures: { reading }, path, kind, typed }: Gesture): To
   const at = path[path.length - 1];
   return at && (reading || typed !== '') ? { reading, typed, at, isFinger: kind === 'touch' } : null;
 }
+
+/** Where a finger draws; `null`: nothing is pressed, or something finer. */
+export const fingerOf = ({ kind, pointer, path }: Gesture): Vec | null =>
+  kind === 'touch' && typeof pointer === 'number' ? (path[path.length - 1] ?? null) : null;
+
+/** What the keys say that are held; `isFree`: the switch that turns snapping off. */
+export const heldBy = ({ free, keeps, alt }: HeldKeys, isFree: boolean) => ({
+  free: free || isFree,
+  keeps: keeps === true,
+  alt: alt === true,
+});
+
+/** What is the same at the beginning of each gesture. */
+export const begun = (
+  press: Pick<SurfacePress, 'kind' | 'free' | 'adds' | 'keeps' | 'alt'>,
+  at: Vec,
+  isFree: boolean,
+) => ({
+  kind: press.kind,
+  path: [at],
+  corners: 0,
+  ...heldBy(press, isFree),
+  adds: press.adds,
+  edit: null,
+  after: null,
+  figures: noFigures,
+  typed: '',
+  isStale: true,
+});
+
+/** What is to be seen of a gesture. */
+export const pictureOf = (gesture: Gesture) => ({
+  edit: gesture.edit,
+  after: gesture.after,
+  ink: gesture.ink && { ...gesture.ink, path: gesture.path },
+  marks: [...gesture.figures.marks, ...(gesture.tool.marks?.(dragOf(gesture), gesture.context, true) ?? [])],
+  told: toldBy(gesture),
+  finger: fingerOf(gesture),
+  hover: null,
+});

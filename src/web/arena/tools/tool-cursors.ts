@@ -9,6 +9,7 @@ import {
   mdiRotateRight,
   mdiRuler,
   mdiSquareRounded,
+  mdiVectorPolylineEdit,
   mdiWall,
 } from '@mdi/js';
 import type { ToolId } from '#editor/tools/tool';
@@ -17,6 +18,7 @@ import type { ToolId } from '#editor/tools/tool';
 export const toolSigns: Readonly<Record<ToolId, string>> = {
   select: mdiCursorMove,
   rotate: mdiRotateRight,
+  points: mdiVectorPolylineEdit,
   pen: mdiPencil,
   eraser: mdiEraser,
   block: mdiSquareRounded,
@@ -35,10 +37,10 @@ const HOT = 9;
 
 /**
  * The CSS cursor of a tool: a crosshair with the tool's sign beside it. The pen and the eraser point with their tip;
- * `select` is the usual arrow, which people know.
+ * `select` and `points` are the usual arrow, which people know.
  */
 export function toolCursor(tool: ToolId): string {
-  if (tool === 'select') return 'default';
+  if (tool === 'select' || tool === 'points') return 'default';
   const cross = `M${String(HOT)} 1v6M${String(HOT)} 11v6M1 ${String(HOT)}h6M11 ${String(HOT)}h6`;
   const svg =
     `<svg xmlns="http://www.w3.org/2000/svg" width="${String(SIDE)}" height="${String(SIDE)}">` +

@@ -2,6 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Vec } from '#core/geometry';
 import { usualToolOptions as usualOptions } from '#editor/tools/tool-options';
 import { nothingSelected, type Selection, type Tool, type ToolContext } from '#editor/tools/tool';
+import { wallTool } from '#editor/tools/wall-tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { defaultScene, type Wall } from '#scene/scene';
 import { ghostObjects } from './ghost';
@@ -319,5 +320,70 @@ describe('what an edit would change', () => {
     const after = applyEdit(scene, { type: 'replace', changes: [{ id: 'b', by: [moved] }] });
     expect(ghostObjects(scene, after)).toEqual({ shown: [moved], hidden: new Set(['b']) });
     expect(ghostObjects(scene, null).hidden.size).toBe(0);
+  });
+});
+
+describe('a line that is drawn corner by corner', () => {
+  const chain = () => surfaceOf(wallTool);
+  const click = ({ down, up }: ReturnType<typeof chain>, at: Vec, press: Partial<SurfacePress> = {}) => {
+    down(at, press);
+    up(press.id ?? 1);
+  };
+  const walls = (done: readonly unknown[]) =>
+    (done as SceneEdit[]).map((edit) => (edit.type === 'add' ? edit.objects.length : -1));
+
+  it('is one edit when its last corner is clicked again', () => {
+    const desk = chain();
+    for (const at of [px(100, 100), px(400, 100), px(400, 300)]) click(desk, at);
+    expect(desk.done).toEqual([]);
+    expect(desk.surface.isChaining).toBe(true);
+    click(desk, px(402, 302));
+    expect(walls(desk.done)).toEqual([2]);
+    expect(desk.surface.isBusy).toBe(false);
+  });
+
+  it('shows what the next click would add while the mouse moves with nothing pressed', () => {
+    const desk = chain();
+    click(desk, px(100, 100));
+    desk.move(px(400, 100));
+    expect(desk.surface.picture().after?.objects).toMatchObject([{ from: [100, 100], to: [400, 100] }]);
+    desk.surface.pointerLeave();
+    expect(desk.surface.picture().edit).toBeNull();
+  });
+
+  it('is closed by a tap of a finger on its first corner', () => {
+    const desk = chain();
+    for (const at of [px(100, 100), px(400, 100), px(400, 300), px(110, 110)]) click(desk, at, { kind: 'touch' });
+    expect(walls(desk.done)).toEqual([3]);
+  });
+
+  it('is drawn, ended and taken back with the keyboard', () => {
+    const desk = chain();
+    const middle = { x: 100, y: 100 };
+    desk.surface.pressKey(middle);
+    desk.surface.pressKey(middle);
+    expect(desk.surface.isChaining).toBe(true);
+    desk.surface.moveCrosshair({ x: 200, y: 0 }, middle, false);
+    desk.surface.pressKey(middle);
+    desk.surface.moveCrosshair({ x: 0, y: 150 }, middle, false);
+    desk.surface.pressKey(middle);
+    desk.surface.takeCornerBack();
+    desk.surface.endChain();
+    expect(walls(desk.done)).toEqual([1]);
+  });
+
+  it('stays while two fingers move the picture, and goes with Escape', () => {
+    const desk = chain();
+    click(desk, px(100, 100), { kind: 'touch' });
+    desk.down(px(300, 300), { kind: 'touch' });
+    desk.down(px(500, 300), { kind: 'touch', id: 2 });
+    desk.move(px(520, 320), 2);
+    desk.up(1);
+    desk.up(2);
+    expect(desk.surface.isChaining).toBe(true);
+    click(desk, px(400, 100), { kind: 'touch' });
+    expect(desk.surface.picture().after?.objects).toHaveLength(1);
+    expect(desk.surface.cancel()).toBe(true);
+    expect(desk.done).toEqual([]);
   });
 });

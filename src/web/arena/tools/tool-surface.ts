@@ -1,61 +1,28 @@
 import type { Vec } from '#core/geometry';
-import { noFigures } from '#editor/snap/figures';
-import type { Reading } from '#editor/snap/reading';
-import type { Drag, Mark, Opened, Selection, Tool, ToolContext } from '#editor/tools/tool';
+import { plus } from '#editor/plane';
+import { intoArena } from '#editor/snap';
+import type { Drag, Mark } from '#editor/tools/tool';
 import { applyEdit, type SceneEdit } from '#scene/edit';
-import type { Scene } from '#scene/scene';
+import { backToCorners, goTo, setCorner, takeCornerBack } from './corner-gesture';
+import { NOTHING, type SurfacePicture, type SurfacePorts } from './surface-ports';
 import {
   dragOf,
   figuresNow,
+  heldBy,
+  begun,
+  pictureOf,
   toldBy,
   typeKey,
   type Gesture,
   type HeldKeys,
-  type Ink,
   type PointerKind,
   type SurfacePress,
   type Told,
 } from './gesture';
 import { veilOf } from './eraser-veil';
 import { TapMemory } from './tap-memory';
-import { movePicture, type PicturePorts } from '../view/pinch';
-import { toMm, type ArenaSize, type View } from '../view/view-transform';
-
-/** What the surface sees and does. */
-export interface SurfacePorts extends PicturePorts {
-  readonly view: () => View;
-  readonly arena: () => ArenaSize;
-  /** The chosen tool, or `null` for none. */
-  readonly tool: () => Tool | null;
-  readonly context: () => ToolContext;
-  /** The switch that turns snapping off. */
-  readonly isFree: () => boolean;
-  readonly commit: (edit: SceneEdit, select?: Selection) => void;
-  readonly select: (selection: Selection) => void;
-  /** A gesture has changed the course, to these figures. */
-  readonly done: (reading: Reading) => void;
-  /** A double tap opens what is inside a thing. */
-  readonly open: (opened: Opened) => void;
-  /** Something looks different now. */
-  readonly changed: () => void;
-}
-
-/** What is to be seen of a tool at one moment. */
-export interface SurfacePicture {
-  /** The result of the gesture so far, and the course with it. */
-  readonly edit: SceneEdit | null;
-  readonly after: Scene | null;
-  readonly ink: Ink | null;
-  readonly marks: readonly Mark[];
-  /** The crosshair of the keyboard, world mm, and whether it draws. */
-  readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
-  /** What is told beside the pointer: its place, world mm, and whether a finger covers it. */
-  readonly told: Told | null;
-  /** Where a finger draws, which covers what is under it; world mm. */
-  readonly finger: Vec | null;
-  /** Where the pointer is with nothing pressed, world mm. */
-  readonly hover: Vec | null;
-}
+import { movePicture } from '../view/pinch';
+import { toMm } from '../view/view-transform';
 
 /** How near counts as on a thing, in px: half of a target. */
 const REACH_PX: Readonly<Record<PointerKind, number>> = { mouse: 8, pen: 12, touch: 22 };
@@ -101,6 +68,11 @@ export class ToolSurface {
     return this.gesture !== null;
   }
 
+  /** Whether something is being drawn corner by corner. */
+  get isChaining(): boolean {
+    return (this.gesture?.corners ?? 0) > 0;
+  }
+
   /** What the gesture would come to if it ended now; `null`: nothing. */
   editSoFar(): SceneEdit | null {
     const gesture = this.gesture;
@@ -136,7 +108,7 @@ export class ToolSurface {
     this.hideCrosshair();
     this.kept = [];
     if (this.pointers.size > 1 || this.pinched) {
-      this.cancel();
+      this.letGo();
       this.pinched = kind === 'touch';
     } else if (press.pans) this.panner = id;
     else this.begin(id, toMm(this.ports.view(), at), press, nowMs);
@@ -152,6 +124,7 @@ export class ToolSurface {
       if (this.pointers.size > 0) return; // a palm beside the pen
       this.hideCrosshair();
       this.hover = toMm(this.ports.view(), last);
+      if (this.gesture?.pointer === 'none') this.extend(this.gesture, [last], keys);
     } else if (this.gesture?.pointer === id) this.extend(this.gesture, places, keys);
     else if (this.panner === id || this.pinched)
       movePicture(this.ports, pointer.at, last, [...this.pointers].find(([other]) => other !== id)?.[1].at);
@@ -169,7 +142,7 @@ export class ToolSurface {
     if (this.pointers.size === 0) this.pinched = false;
     if (this.gesture?.pointer === id) {
       this.hover = pointer.kind === 'touch' ? null : toMm(this.ports.view(), pointer.at);
-      this.finish(this.gesture, nowMs);
+      this.release(this.gesture, nowMs);
     }
     this.ports.changed();
   }
@@ -177,13 +150,14 @@ export class ToolSurface {
   /** The browser takes a pointer away: what it drew does not count. */
   pointerLost(id: number): void {
     if (!this.pointers.has(id)) return;
-    if (this.gesture?.pointer === id) this.cancel();
+    if (this.gesture?.pointer === id) this.letGo();
     this.pointerUp(id, -Infinity);
   }
 
   /** The pointer leaves the arena. */
   pointerLeave(): void {
     this.hover = null;
+    if (this.gesture?.pointer === 'none') backToCorners(this.gesture);
     this.ports.changed();
   }
 
@@ -195,9 +169,26 @@ export class ToolSurface {
     return true;
   }
 
+  /** Ends what is drawn corner by corner with the corners that are set. */
+  endChain(): void {
+    const gesture = this.gesture;
+    if (gesture === null || gesture.corners === 0) return;
+    backToCorners(gesture);
+    if (gesture.corners > 1) this.finish(gesture);
+    else this.gesture = null;
+    this.ports.changed();
+  }
+
+  /** Takes the corner that was set last back. */
+  takeCornerBack(): void {
+    if (this.gesture !== null && !takeCornerBack(this.gesture)) this.gesture = null;
+    this.ports.changed();
+  }
+
   /** Forgets everything: another tool is chosen, or another course is open. */
   reset(): void {
     this.endKeys();
+    this.endChain();
     this.cancel();
     this.kept = [];
     this.hover = null;
@@ -206,20 +197,15 @@ export class ToolSurface {
 
   /** Moves the crosshair of the keyboard by mm; the first time it shows, it shows where it is. Returns where it is now. */
   moveCrosshair(by: Vec, middle: Vec, fine: boolean): Vec {
-    const [width, height] = this.ports.arena();
     const from = this.keyAt;
-    const step = (mm: number, side: number): number => Math.max(0, Math.min(side, mm));
-    const to =
-      from === null
-        ? { x: step(tens(middle.x), width), y: step(tens(middle.y), height) }
-        : { x: step(from.x + by.x, width), y: step(from.y + by.y, height) };
+    const to = intoArena(from ? plus(from, by) : { x: tens(middle.x), y: tens(middle.y) }, this.ports.arena());
     this.keyAt = to;
     this.hover = null;
     const gesture = this.gesture;
+    if (gesture?.pointer === 'none') gesture.pointer = null; // the keyboard goes on where clicks began
     if (gesture?.pointer === null) {
-      gesture.path.push(to);
+      goTo(gesture, to);
       gesture.free ||= fine;
-      gesture.isStale = true;
     }
     this.ports.changed();
     return to;
@@ -252,7 +238,8 @@ export class ToolSurface {
       this.kept = [];
       this.begin(null, at, { kind: 'mouse', free: false, adds: false });
       if (!drags && this.ports.tool()?.putsDown === true) this.endKeys();
-    } else if (gesture.pointer === null) this.finish(gesture);
+    } else if (gesture.pointer === null) this.release(gesture);
+    else if (gesture.pointer === 'none') this.endChain();
     this.ports.changed();
     return this.gesture !== null;
   }
@@ -271,17 +258,7 @@ export class ToolSurface {
     if (gesture.isStale && gesture.ink === null) this.ask(gesture);
     if (gesture.isStale) gesture.figures = figuresNow(gesture);
     gesture.isStale = false;
-    const drag = dragOf(gesture);
-    return {
-      edit: gesture.edit,
-      after: gesture.after,
-      ink: gesture.ink && { ...gesture.ink, path: gesture.path },
-      marks: [...gesture.figures.marks, ...(gesture.tool.marks?.(drag, gesture.context, true) ?? [])],
-      told: toldBy(gesture),
-      crosshair,
-      finger: gesture.kind === 'touch' ? (gesture.path[gesture.path.length - 1] ?? null) : null,
-      hover: null,
-    };
+    return { ...pictureOf(gesture), crosshair };
   }
 
   private begin(
@@ -295,38 +272,35 @@ export class ToolSurface {
     const context = this.ports.context();
     const { reachMm } = this;
     this.hover = null;
+    if (this.gesture?.pointer === 'none' && pointer !== null) {
+      Object.assign(this.gesture, { pointer, kind: press.kind, reachMm });
+      goTo(this.gesture, at);
+      return;
+    }
     this.gesture = {
-      pointer,
-      kind: press.kind,
-      tool,
-      context,
-      path: [at],
+      ...{ pointer, tool, context, ...begun(press, at, this.ports.isFree()) },
       reachMm: pointer === null ? Math.min(reachMm, KEY_REACH_MM) : reachMm,
       ink: tool.ink?.(context) ?? veilOf(tool, context),
-      free: press.free || this.ports.isFree(),
-      adds: press.adds,
-      keeps: press.keeps === true,
-      alt: press.alt === true,
       isSecond: this.taps.isSecond(at, nowMs, reachMm),
-      edit: null,
-      after: null,
-      figures: noFigures,
-      typed: '',
-      isStale: true,
     };
   }
 
   private extend(gesture: Gesture, places: readonly Vec[], keys: HeldKeys): void {
     const view = this.ports.view();
-    for (const place of places) {
-      const at = toMm(view, place);
-      const before = gesture.path[gesture.path.length - 1];
-      if (before === undefined || before.x !== at.x || before.y !== at.y) gesture.path.push(at);
-    }
-    gesture.keeps = keys.keeps === true;
-    gesture.alt = keys.alt === true;
-    gesture.free = keys.free || this.ports.isFree(); // what it adds to was settled at the press
-    gesture.isStale = true;
+    for (const place of places) goTo(gesture, toMm(view, place));
+    // What it adds to was settled at the press.
+    Object.assign(gesture, heldBy(keys, this.ports.isFree()), { isStale: true });
+  }
+
+  /** A pointer was let go, or Enter pressed: the gesture is done, or goes on from the next corner. */
+  private release(gesture: Gesture, nowMs?: number): void {
+    if (!setCorner(gesture)) this.finish(gesture, nowMs);
+  }
+
+  /** Drops what is under way; corners that are set stay. */
+  private letGo(): void {
+    if (this.gesture !== null && this.isChaining) backToCorners(this.gesture);
+    else this.cancel();
   }
 
   private ask(gesture: Gesture): void {
@@ -367,15 +341,17 @@ export class ToolSurface {
   private forgetTouches(): void {
     for (const [id, { kind }] of this.pointers) {
       if (kind !== 'touch') continue;
-      if (this.gesture?.pointer === id) this.cancel();
+      if (this.gesture?.pointer === id) this.letGo();
       this.pointers.delete(id);
     }
     this.pinched = false;
   }
 
-  /** What the keyboard has drawn is done: only Escape drops it. */
+  /** What the keyboard has drawn is done: only Escape drops it. A line corner by corner can go on with clicks. */
   private endKeys(): void {
-    if (this.gesture?.pointer === null) this.finish(this.gesture);
+    if (this.gesture?.pointer !== null) return;
+    if (this.isChaining) backToCorners(this.gesture);
+    else this.finish(this.gesture);
   }
 
   private hideCrosshair(): void {
@@ -383,17 +359,6 @@ export class ToolSurface {
     this.keyAt = null;
   }
 }
-
-const NOTHING: SurfacePicture = {
-  edit: null,
-  after: null,
-  ink: null,
-  marks: [],
-  told: null,
-  crosshair: null,
-  finger: null,
-  hover: null,
-};
 
 /** The nearest whole cm. */
 const tens = (mm: number): number => Math.round(mm / 10) * 10;

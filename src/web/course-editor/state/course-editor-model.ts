@@ -163,7 +163,7 @@ class CourseEditor implements CourseEditorModel {
     this.measure.value = null;
     if (tool === this.tool.value) return;
     this.tool.value = tool;
-    if (tool !== 'select' && tool !== 'rotate') this.selection.value = nothingSelected;
+    if (tool !== 'select' && tool !== 'rotate' && tool !== 'points') this.selection.value = nothingSelected;
     this.tell({ type: 'tool', tool });
   };
 

@@ -1,0 +1,33 @@
+import { pointRemoved } from '#editor/lines/points-tool';
+import type { SelectionKeyPorts, SelectionKeys } from './tool-keys';
+import type { ToolSurface } from './tool-surface';
+
+/**
+ * The keys for what is selected, and others while the points of a line are bent: Delete takes the point under the pointer
+ * or the crosshair away, the arrows are left to the crosshair; what needs Ctrl works on the whole line.
+ */
+export function withPointKeys(
+  whole: SelectionKeys,
+  ports: SelectionKeyPorts,
+  surface: ToolSurface,
+  isBending: () => boolean,
+): SelectionKeys {
+  const removePoint = (): void => {
+    const { crosshair, hover } = surface.picture();
+    const at = crosshair?.at ?? hover;
+    const edit = at && pointRemoved(ports.context(), at, surface.reachMm);
+    if (edit) ports.commit(edit);
+  };
+  return {
+    get edit() {
+      return whole.edit;
+    },
+    keyDown(key, fine, command) {
+      if (command || !isBending()) return whole.keyDown(key, fine, command);
+      if (key !== 'Delete' && key !== 'Backspace') return false;
+      removePoint();
+      return true;
+    },
+    keyUp: (key) => whole.keyUp(key),
+  };
+}

@@ -1,0 +1,56 @@
+import type { Vec } from '#core/geometry';
+import type { Reading } from '#editor/snap/reading';
+import type { Mark, Opened, Selection, Tool, ToolContext } from '#editor/tools/tool';
+import type { SceneEdit } from '#scene/edit';
+import type { Scene } from '#scene/scene';
+import type { PicturePorts } from '../view/pinch';
+import type { ArenaSize, View } from '../view/view-transform';
+import type { Ink, Told } from './gesture';
+
+/** What the surface sees and does. */
+export interface SurfacePorts extends PicturePorts {
+  readonly view: () => View;
+  readonly arena: () => ArenaSize;
+  /** The chosen tool, or `null` for none. */
+  readonly tool: () => Tool | null;
+  readonly context: () => ToolContext;
+  /** The switch that turns snapping off. */
+  readonly isFree: () => boolean;
+  readonly commit: (edit: SceneEdit, select?: Selection) => void;
+  readonly select: (selection: Selection) => void;
+  /** A gesture has changed the course, to these figures. */
+  readonly done: (reading: Reading) => void;
+  /** A double tap opens what is inside a thing. */
+  readonly open: (opened: Opened) => void;
+  /** Something looks different now. */
+  readonly changed: () => void;
+}
+
+/** What is to be seen of a tool at one moment. */
+export interface SurfacePicture {
+  /** The result of the gesture so far, and the course with it. */
+  readonly edit: SceneEdit | null;
+  readonly after: Scene | null;
+  readonly ink: Ink | null;
+  readonly marks: readonly Mark[];
+  /** The crosshair of the keyboard, world mm, and whether it draws. */
+  readonly crosshair: { readonly at: Vec; readonly isDown: boolean } | null;
+  /** What is told beside the pointer: its place, world mm, and whether a finger covers it. */
+  readonly told: Told | null;
+  /** Where a finger draws, which covers what is under it; world mm. */
+  readonly finger: Vec | null;
+  /** Where the pointer is with nothing pressed, world mm. */
+  readonly hover: Vec | null;
+}
+
+/** Nothing is to be seen. */
+export const NOTHING: SurfacePicture = {
+  edit: null,
+  after: null,
+  ink: null,
+  marks: [],
+  told: null,
+  crosshair: null,
+  finger: null,
+  hover: null,
+};
