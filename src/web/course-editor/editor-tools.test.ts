@@ -534,6 +534,7 @@ describe('the keys for what is selected, after a press beside the arena', () => 
       context,
       commit: editor.commit,
       acts: {} as SelectionActs,
+      pointed: () => null,
       changed: () => undefined,
     });
     document.querySelector('.pane-arena')!.innerHTML = '<div role="application" tabindex="0"></div>';

@@ -204,7 +204,7 @@ describe('a run that is looked back at', () => {
   /** A run at 3 s, at which somebody has pressed something after 1 and after 2 s. */
   async function atThreeSeconds(
     host: Partial<RunHost> = {},
-  ): Promise<{ run: RunModel; say(message: FromWorker): void }> {
+  ): Promise<{ run: RunModel; say: (message: FromWorker) => void }> {
     workers.length = 0;
     const run = newRun({ createWorker, ...host });
     await run.start();

@@ -6,6 +6,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
+import { PictureRequests } from './picture-requests';
 import { Recording } from './recording';
 import { Trails } from './trails';
 import type { FromWorker, Output, RunEvents } from './worker/protocol';
@@ -88,10 +89,15 @@ export class RunModel {
       this.shown.value?.awaitsInput === true,
   );
   private speed: Speed = 1;
-  private frameAsked = false;
   private heardMs = 0;
-  private frame = 0;
   private readonly client: RunClient;
+  private readonly pictures = new PictureRequests({
+    isActive: () => this.isActive.value,
+    ask: () => this.client.send({ type: 'frame' }),
+    onFrame: () => {
+      this.isBusy.value = this.phase.value === 'running' && performance.now() - this.heardMs > BUSY_AFTER_MS;
+    },
+  });
 
   constructor(private readonly host: RunHost) {
     this.client = new RunClient({
@@ -142,7 +148,7 @@ export class RunModel {
     this.phase.value = 'starting';
     this.clear();
     this.achieved.value = null;
-    this.frameAsked = this.rests = false;
+    this.pictures.reset();
     this.startsPaused = paused;
     this.catchUpUs = catchUpUs;
     this.host.onStart();
@@ -269,17 +275,17 @@ export class RunModel {
   private hear(message: FromWorker): void {
     this.heardMs = performance.now();
     this.isBusy.value = false;
-    if (message.type !== 'prepared') this.followRest(message.type === 'resting');
+    if (message.type !== 'prepared') this.pictures.rest(message.type === 'resting');
     switch (message.type) {
       case 'prepared':
         break;
       case 'started':
         if (this.phase.value === 'starting') this.phase.value = this.startsPaused ? 'paused' : 'running';
-        this.askFrames();
+        this.pictures.begin();
         this.warmUp();
         break;
       case 'snapshot':
-        this.frameAsked = false;
+        this.pictures.came();
         this.trails.add(message.trails, message.snapshot.timeUs);
         this.present.value = message.snapshot;
         this.endCatchingUp(message.snapshot.timeUs);
@@ -339,36 +345,12 @@ export class RunModel {
 
   /** Something is done to the run, which may wake it. @returns whether it was sent */
   private send(message: ToRun): boolean {
-    this.followRest(false);
+    this.pictures.rest(false);
     return this.client.send(message);
   }
 
-  /** While nothing happens in the run, the page asks for no pictures either. */
-  private followRest(rests: boolean): void {
-    if (rests === this.rests) return;
-    this.rests = rests;
-    if (rests) cancelAnimationFrame(this.frame);
-    else if (this.isActive.value) this.askFrames();
-  }
-  private rests = false;
-
-  /** Asks for one picture per animation frame, and watches whether the worker still answers. */
-  private askFrames(): void {
-    cancelAnimationFrame(this.frame);
-    const ask = (): void => {
-      if (!this.isActive.value) return;
-      if (!this.frameAsked) {
-        this.frameAsked = true;
-        this.client.send({ type: 'frame' });
-      }
-      this.isBusy.value = this.phase.value === 'running' && performance.now() - this.heardMs > BUSY_AFTER_MS;
-      this.frame = requestAnimationFrame(ask);
-    };
-    ask();
-  }
-
   private end(phase: 'stopped' | 'killed' | 'failed'): void {
-    cancelAnimationFrame(this.frame);
+    this.pictures.end();
     this.phase.value = phase;
     this.achieved.value = null;
     this.isBusy.value = false;

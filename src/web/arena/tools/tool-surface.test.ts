@@ -60,7 +60,7 @@ function surfaceOf(tool: Tool, scene = defaultScene()) {
   };
 }
 
-const wall = (from: Wall['from'], to: Wall['to']) => ({
+const wall = (from: Wall['from'], to: Wall['to']): SceneEdit => ({
   type: 'add',
   objects: [{ type: 'wall', id: 'w', from, to, thickness: 10 }],
 });

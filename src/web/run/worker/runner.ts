@@ -74,12 +74,13 @@ export class Runner {
   /** What was done while the run was being created. */
   private readonly early: InputMessage[] = [];
   private events = createEventBoxes(1);
-  private readonly tape = new TapeBox();
   private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
   /** What was printed in the present piece of simulated time: it goes to the page as one. */
   private readonly printed: Output[] = [];
   private readonly outbox = createOutbox((output) => this.at.post({ type: 'console', output }));
+
+  private readonly tape = new TapeBox((message) => this.at.post(message));
 
   constructor(private readonly at: Surroundings) {}
 
@@ -111,7 +112,7 @@ export class Runner {
         this.input(message);
         break;
       case 'tape':
-        if (this.run !== null) this.tellTape(this.run);
+        if (this.run !== null) this.tape.tellAll(this.run.inputLog);
         break;
       default:
         this.changePace(message);
@@ -142,10 +143,7 @@ export class Runner {
   }
 
   private start(setup: RunSetup): void {
-    if (this.firmware === null) {
-      this.fail(new Error('run before prepare'));
-      return;
-    }
+    if (this.firmware === null) return this.fail(new Error('run before prepare'));
     this.events = createEventBoxes(setup.devices.length);
     const print = (text: string, device: number): void =>
       append(this.printed, { device, text, timeUs: this.run?.nowUs ?? 0 });
@@ -200,7 +198,7 @@ export class Runner {
       }
       this.outbox.flush();
       this.tellEvents();
-      this.tellTape(run);
+      this.tape.tellAll(run.inputLog);
       this.tellPicture(run);
       run.dispose();
       this.run = null;
@@ -294,14 +292,8 @@ export class Runner {
     this.anchorHere();
   }
 
-  /** All of the tape so far, and what was done. */
-  private tellTape(run: Run): void {
-    for (const piece of this.tape.takeAll()) this.at.post({ type: 'tape', piece });
-    this.at.post({ type: 'inputs', inputs: run.inputLog });
-  }
-
   private tellEvents(): void {
-    for (const piece of this.tape.take()) this.at.post({ type: 'tape', piece });
+    this.tape.tell();
     for (const news of this.events.take()) this.at.post({ type: 'events', ...news });
   }
 

@@ -1,25 +1,30 @@
+import type { InputEvent } from '#simulation/input';
 import type { Snapshot } from '#simulation/snapshot';
 import { RowWriter } from '#tape/rows/row-writer';
+import type { FromWorker } from './protocol';
 
-/** Collects what a run shows, 50 times a second, until it goes to the page, packed. */
+/** Collects what a run shows, 50 times a second, and sends it to the page, packed. */
 export class TapeBox {
   private readonly writer = new RowWriter();
   private pieces: Uint8Array[] = [];
 
-  readonly moment = (snapshot: Snapshot): void => {
-    const piece = this.writer.add(snapshot);
-    if (piece !== null) this.pieces.push(piece);
-  };
+  constructor(private readonly post: (message: FromWorker) => void) {}
 
-  /** The pieces that have been filled since the last call. */
-  take(): readonly Uint8Array[] {
-    return this.pieces.splice(0);
+  readonly moment = (snapshot: Snapshot): void => this.keep(this.writer.add(snapshot));
+
+  /** Sends the pieces that have been filled. */
+  tell(): void {
+    for (const piece of this.pieces.splice(0)) this.post({ type: 'tape', piece });
   }
 
-  /** The same, the last one also if it is not full. */
-  takeAll(): readonly Uint8Array[] {
-    const last = this.writer.finish();
-    if (last !== null) this.pieces.push(last);
-    return this.take();
+  /** Sends all there is, the last piece also if it is not full, and what was done to the run. */
+  tellAll(inputs: readonly InputEvent[]): void {
+    this.keep(this.writer.finish());
+    this.tell();
+    this.post({ type: 'inputs', inputs });
+  }
+
+  private keep(piece: Uint8Array | null): void {
+    if (piece !== null) this.pieces.push(piece);
   }
 }

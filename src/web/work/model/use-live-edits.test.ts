@@ -25,7 +25,7 @@ function beside() {
   const isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(phase.value));
   const snapshot = shallowRef<Snapshot | null>(null);
   const run = {
-    ...{ phase, isActive, snapshot, input: (action: InputAction) => told.push(action) },
+    ...{ phase, isActive, present: snapshot, input: (action: InputAction) => told.push(action) },
     reset: () => Promise.resolve(void (snapshot.value = null)),
   };
   const hand = createHand();

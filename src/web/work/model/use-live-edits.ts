@@ -15,7 +15,7 @@ import type { WorkModel } from './work-model';
  * @param runStart the run's initial course; cleared here when everything is back at the start
  */
 export function useLiveEdits(
-  run: Pick<RunModel, 'phase' | 'isActive' | 'snapshot' | 'input' | 'reset'>,
+  run: Pick<RunModel, 'phase' | 'isActive' | 'present' | 'input' | 'reset'>,
   work: Pick<WorkModel, 'onStep'>,
   hand: Pick<Hand, 'letGo'>,
   runStart: ShallowRef<Scene | null>,
@@ -33,7 +33,7 @@ export function useLiveEdits(
       if (run.phase.value === 'stopping') return;
       run.input({ type: 'edit', edit: type === 'undo' ? step.inverse : step.edit });
       // The last picture of a stopped run would hide what was changed.
-    } else if (run.snapshot.value !== null && movesBodies(step)) void run.reset();
+    } else if (run.present.value !== null && movesBodies(step)) void run.reset();
   });
   onScopeDispose(stop);
 }
