@@ -17,8 +17,7 @@ import { pointRemoved, pointsTool } from './points-tool';
 const chosen = (scene: Scene) => contextOf(scene, {}, { ids: ['a'], robot: false });
 const pointsOf = ({ objects }: Scene): readonly Point[] =>
   objects.flatMap((object: SceneObject) => (object.id === 'a' && object.type === 'stroke' ? object.points : []));
-const bent = (scene: Scene, ...path: readonly Point[]) =>
-  pointsOf(used(pointsTool, drag(...path), chosen(scene)));
+const bent = (scene: Scene, ...path: readonly Point[]) => pointsOf(used(pointsTool, drag(...path), chosen(scene)));
 const marksOf = (scene: Scene, isNew: boolean) =>
   (pointsTool.marksAtRest?.(chosen(scene)) ?? []).filter((mark) => mark.type === 'point' && mark.isNew === isNew);
 
