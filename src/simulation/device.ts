@@ -1,6 +1,7 @@
 import { Board } from '#board/board';
 import { Clock } from '#core/clock';
 import { watchLedChains, type LedChains } from '#devices/led-chains';
+import { readPosition } from '#vm/debug/frames';
 import type { Inspected } from '#vm/debug/inspected';
 import type { Hold } from '#vm/run/engine';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
@@ -171,6 +172,7 @@ export class Device {
       running: this.end === null ? 'program' : 'world',
       awaitsInput: this.vm.awaitsInput,
       repl: this.vm.isInRepl,
+      position: readPosition(this.vm.inspected),
       robot: this.mounted && robotSnapshot(this.mounted, this.scale),
       lights: this.lights.chains(),
       arenaSenses: this.hearing.isOn,

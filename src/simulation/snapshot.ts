@@ -2,6 +2,7 @@ import type { Pose } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import type { LedChain } from '#devices/led-chains';
 import type { RobotState } from '#robots/robot';
+import type { Position } from '#vm/debug/frames';
 import type { Verdict } from './task/verdict';
 
 /** The board at one moment. */
@@ -45,6 +46,8 @@ export interface DeviceSnapshot extends BoardSnapshot {
   readonly awaitsInput: boolean;
   /** The REPL has greeted: it then receives the input. */
   readonly repl: boolean;
+  /** Where the program is: the line of the pupil's files that runs, or that has called what runs; `null`: none does. */
+  readonly position: Position | null;
   /** `null` for the bare board. */
   readonly robot: RobotSnapshot | null;
   /** Chains of ws2812 lights on pins where no robot has its own, in the order of the pins. */

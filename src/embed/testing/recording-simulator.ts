@@ -107,6 +107,7 @@ export class RecordingSimulator implements EmbeddedSimulator {
         running: 'program',
         awaitsInput: false,
         repl: false,
+        position: null,
         robot: null,
         lights: [],
         arenaSenses: false,

@@ -27,6 +27,7 @@ export const pictureOf = (changes: Partial<Snapshot> = {}): Snapshot => ({
   running: 'program',
   awaitsInput: false,
   repl: false,
+  position: null,
   robot: null,
   name: SOLO,
   others: [],
