@@ -1,5 +1,5 @@
 import { isSame } from '#core/same';
-import type { Replacement, SceneEdit } from '#scene/edit';
+import { applyEdit, type Replacement, type SceneEdit } from '#scene/edit';
 import { countPoints, sceneLimits, type RobotStart, type Scene, type SceneObject } from '#scene/scene';
 
 /** Several edits as one, in the shortest form; `null` for none. */
@@ -47,16 +47,9 @@ export const replacing = (changes: readonly Replacement[]): SceneEdit | null =>
   changes.length === 0 ? null : { type: 'replace', changes };
 
 /** Changes the robot's start; `null` when it is as it was. */
-export function startingAt(
-  scene: Scene,
-  robot: Partial<Pick<RobotStart, 'at' | 'heading' | 'scale'>>,
-): SceneEdit | null {
-  const { at, heading, scale } = scene.robot;
-  const isAsBefore =
-    (robot.at === undefined || (robot.at[0] === at[0] && robot.at[1] === at[1])) &&
-    (robot.heading === undefined || robot.heading === heading) &&
-    (robot.scale === undefined || robot.scale === scale);
-  return isAsBefore ? null : { type: 'robot', robot };
+export function startingAt(scene: Scene, robot: Partial<RobotStart>): SceneEdit | null {
+  const edit: SceneEdit = { type: 'robot', robot };
+  return applyEdit(scene, edit) === scene ? null : edit;
 }
 
 /** How many more objects and points of strokes a course may hold. */

@@ -23,6 +23,10 @@ function changed(
   return edit && applyEdit(scene, edit);
 }
 
+const start: SceneObject = {
+  ...{ type: 'start', id: 'start-1', at: [300, 300], heading: 0, robot: null, options: {}, name: '', color: null },
+};
+
 const first = (...args: Parameters<typeof changed>): SceneObject | undefined => changed(...args)?.objects[0];
 
 describe('changing an object by numbers', () => {
@@ -125,10 +129,28 @@ describe('changing the start of the robot by numbers', () => {
   };
 
   it('knows its place, heading and size', () => {
-    expect(robotFields(course().robot).map(({ name }) => name)).toEqual(['x', 'y', 'heading', 'scale']);
+    expect(robotFields(course()).map(({ name }) => name)).toEqual(['x', 'y', 'heading', 'scale']);
     expect(set('x', 700)).toMatchObject({ at: [700, 450] });
     expect(set('heading', -90)).toMatchObject({ heading: -90 });
     expect(set('scale', 1.234)).toMatchObject({ scale: 1.23 });
+  });
+
+  it('has a name and a colour where it is one of several', () => {
+    const several = course(start);
+    const set = (name: FieldName, value: FieldValue, scene = several) => {
+      const edit = withRobotField(scene, name, value, footprint);
+      return edit && applyEdit(scene, edit);
+    };
+    expect(
+      robotFields(several)
+        .map(({ name }) => name)
+        .slice(-2),
+    ).toEqual(['name', 'robotColor']);
+    const named = set('name', 'Ada')!;
+    expect(named.robot).toEqual({ ...several.robot, name: 'Ada' });
+    expect(set('robotColor', 'teal', named)?.robot).toEqual({ ...several.robot, name: 'Ada', color: 'teal' });
+    expect(set('name', '', named)).toEqual(several);
+    expect(set('robotColor', 'auto')).toBeNull();
   });
 
   it('keeps all of the robot inside', () => {

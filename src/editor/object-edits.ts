@@ -32,16 +32,15 @@ export function withField(scene: Scene, id: string, name: FieldName, value: Fiel
 export function withRobotField(
   scene: Scene,
   name: FieldName,
-  value: number,
+  value: FieldValue,
   footprint: readonly Outline[] = [],
 ): SceneEdit | null {
   const { robot, size } = scene;
-  const field = robotFields(robot).find((one) => one.name === name);
+  const field = robotFields(scene).find((one) => one.name === name);
   const fit = field ? fitting(field, value) : null;
   if (!field || fit === null) return null;
-  const wanted = { ...robot, ...field.with(fit, scene) };
-  const { heading, scale } = wanted;
-  return startingAt(scene, { at: placeInside(wanted, size, footprint), heading, scale });
+  const changes = field.with(fit, scene) ?? {};
+  return startingAt(scene, { ...changes, at: placeInside({ ...robot, ...changes }, size, footprint) });
 }
 
 /** The value as the field takes it, or `null`. */
@@ -59,7 +58,8 @@ export function fitting(field: Field, value: FieldValue): FieldValue | null {
     case 'choice':
       return field.choices.find((choice) => choice === value) ?? null;
     case 'text':
-      return typeof value === 'string' && oneLine(value) !== '' ? oneLine(value) : null;
+      // A label needs words; a robot without a name is called as its device.
+      return typeof value === 'string' && (oneLine(value) !== '' || field.name === 'name') ? oneLine(value) : null;
     default:
       return field satisfies never;
   }

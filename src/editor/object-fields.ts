@@ -1,6 +1,7 @@
 import { wrappedDeg } from '#core/angle';
 import { boundsOf } from '#scene/kinds/index';
 import {
+  robotColors,
   sceneLimits,
   type Point,
   type RobotColor,
@@ -158,12 +159,33 @@ export const placeFields = <O extends SceneObject>(
     return dx === 0 && dy === 0 ? null : move(object, dx, dy);
   });
 
-/** The number fields of the robot's start. */
-export const robotFields = ({
-  at,
-  heading,
-  scale,
-}: RobotStart): readonly Field<Partial<Pick<RobotStart, 'at' | 'heading' | 'scale'>>>[] => [
+/** What the editor changes of the robot's start. */
+export type StartChanges = Partial<Pick<RobotStart, 'at' | 'heading' | 'scale' | 'name' | 'color'>>;
+
+/** The fields of the robot's start; name and colour where it is one of several. */
+export const robotFields = ({ robot, objects }: Scene): readonly Field<StartChanges>[] => [
+  ...placingFields(robot),
+  ...(objects.some(({ type }) => type === 'start') || robot.name !== undefined || robot.color !== undefined
+    ? [
+        robotNameField(robot.name ?? '', (name) => ({ name })),
+        robotColorField(robot.color ?? null, (color) => ({ color })),
+      ]
+    : []),
+];
+
+/** The field of what a robot is called. */
+export const robotNameField = <T>(value: string, withName: (name: string) => T): Field<T> => ({
+  ...{ kind: 'text', name: 'name', value, maxCharacters: sceneLimits.startNameCharacters },
+  with: withName,
+});
+
+/** The field of a robot's colour. */
+export const robotColorField = <T>(value: RobotColor | null, withColor: (color: RobotColor | null) => T): Field<T> => ({
+  ...{ kind: 'choice', name: 'robotColor', value: value ?? 'auto', choices: ['auto', ...robotColors] },
+  with: (color: 'auto' | RobotColor) => withColor(color === 'auto' ? null : color),
+});
+
+const placingFields = ({ at, heading, scale }: RobotStart): readonly Field<StartChanges>[] => [
   ...pointFields(at, (to) => ({ at: to })),
   {
     ...{ kind: 'number', name: 'heading', value: heading, min: -180, max: 180, step: 15, unit: 'deg' },

@@ -1,4 +1,6 @@
 import { isSame } from '#core/same';
+
+import { withRobot } from './robot-values';
 import type { Background, Point, RobotStart, Scene, SceneObject, Task } from './scene';
 
 /** Everything that can be done to a course. Plain data: it can be logged, sent and replayed. */
@@ -51,10 +53,10 @@ export function applyEdit(scene: Scene, edit: SceneEdit): Scene {
     }
     case 'replace':
       return withObjects(scene, replaced(scene.objects, edit.changes));
-    case 'robot':
-      return isSame(scene.robot, { ...scene.robot, ...edit.robot })
-        ? scene
-        : { ...scene, robot: { ...scene.robot, ...edit.robot } };
+    case 'robot': {
+      const robot = withRobot(scene.robot, edit.robot);
+      return isSame(scene.robot, robot) ? scene : { ...scene, robot };
+    }
     case 'course': {
       const changed = { ...scene, ...edit.changes };
       return courseParts.every((part) => isSame(scene[part], changed[part])) ? scene : changed;

@@ -1,4 +1,5 @@
 import { applyEdit, objectsPut, singleEdits, type CourseChanges, type Replacement, type SceneEdit } from './edit';
+import { robotValues } from './robot-values';
 import { countPoints, sceneLimits, type Scene, type SceneObject } from './scene';
 
 /**
@@ -16,7 +17,7 @@ export function inverse(scene: Scene, edit: SceneEdit): SceneEdit {
     case 'replace':
       return combined(putBack(scene, new Map(edit.changes.map(({ id, by }) => [id, by]))));
     case 'robot':
-      return { type: 'robot', robot: valuesOf(scene.robot, edit.robot) };
+      return { type: 'robot', robot: valuesOf(robotValues(scene.robot), edit.robot) };
     case 'course':
       return { type: 'course', changes: valuesOf<Required<CourseChanges>>(scene, edit.changes) };
     case 'clear':
@@ -86,7 +87,7 @@ const wholeOf = ({ objects, robot, name, description, size, task, background }: 
   edits: [
     { type: 'clear' },
     { type: 'add', objects },
-    { type: 'robot', robot },
+    { type: 'robot', robot: robotValues(robot) },
     { type: 'course', changes: { name, description, size, task, background } },
   ],
 });

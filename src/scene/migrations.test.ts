@@ -214,6 +214,17 @@ const version5: Scene = {
   ],
 };
 
+const version6: Scene = {
+  ...version5,
+  name: 'Zwei Namen der sechsten Fassung',
+  size: [1200, 900],
+  robot: { type: 'callibot', at: [200, 450], heading: 90, scale: 1, options: {}, name: 'Ada', color: 'teal' },
+  objects: [
+    { id: 'b1', type: 'block', at: [600, 300], size: [66, 66], angle: 45 },
+    { id: 'r2', type: 'start', at: [300, 800], heading: 0, robot: null, options: {}, name: 'Bo', color: 'pink' },
+  ],
+};
+
 describe('a course file of an older version', () => {
   it.each([
     [1, version1],
@@ -221,6 +232,7 @@ describe('a course file of an older version', () => {
     [3, version3],
     [4, version4],
     [5, version5],
+    [6, version6],
   ])('version %d is read with everything in it', (version, scene) => {
     expect(sceneOf(kept(version))).toEqual(scene);
   });

@@ -15,6 +15,8 @@ const steps: readonly ((file: Fields) => Fields)[] = [
   // 4 → 5: any angle, round bodies, polygons, locks, groups and more of what movers do are new. `turn` stays as it is: the
   // reader takes it, so that what is wrong with it is told in the words of the file.
   (file) => file,
+  // 5 → 6: name and colour of the first robot are new; what there was means the same.
+  (file) => file,
 ];
 
 /** The oldest version that is still read. */

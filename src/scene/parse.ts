@@ -4,7 +4,7 @@ import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
 import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
 import { readObject } from './read-object';
-import { readTypeId } from './robot-values';
+import { readTypeId, withRobot } from './robot-values';
 import { Reader, type Fields } from './reader';
 import {
   centreStart,
@@ -72,7 +72,7 @@ function readScene(value: Fields, reader: Reader): Scene {
   return {
     ...course,
     board: readTypeId(fields.board, 'board', reader),
-    robot: { ...centreStart(course.size), ...start },
+    robot: withRobot(centreStart(course.size), start),
     objects: fields.objects === undefined ? [] : readObjects(fields.objects, reader),
   };
 }

@@ -2,7 +2,7 @@ import type { CourseChanges } from './edit';
 import { PICTURE, readBase64 } from './read-base64';
 import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
-import { readOptions, readTypeId } from './robot-values';
+import { readOptions, readRobotColor, readRobotName, readTypeId } from './robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The names of what `readCourseChanges` reads. */
@@ -22,13 +22,15 @@ export function readCourseChanges(fields: Fields, path: string, reader: Reader):
 
 /** Reads what is said of the robot's start; what is left out stays left out. */
 export function readRobotChanges(value: unknown, path: string, reader: Reader): Partial<RobotStart> {
-  const fields = reader.fields(value, path, ['type', 'at', 'heading', 'scale', 'options']);
+  const fields = reader.fields(value, path, ['type', 'at', 'heading', 'scale', 'options', 'name', 'color']);
   return {
     ...given(fields, 'type', (type) => readTypeId(type, `${path}.type`, reader)),
     ...given(fields, 'at', (at) => reader.point(at, `${path}.at`, sceneLimits.placeMm)),
     ...given(fields, 'heading', (heading) => reader.number(heading, `${path}.heading`, sceneLimits.headingDeg)),
     ...given(fields, 'scale', (scale) => reader.number(scale, `${path}.scale`, sceneLimits.scale)),
     ...given(fields, 'options', (options) => readOptions(options, `${path}.options`, reader)),
+    ...given(fields, 'name', (name) => readRobotName(name, `${path}.name`, reader)),
+    ...given(fields, 'color', (color) => readRobotColor(color, `${path}.color`, reader)),
   };
 }
 

@@ -1,7 +1,7 @@
 /** What is said of a robot wherever it starts: its type and its options. */
 import { braces } from './json-text';
 import type { Fields, Reader } from './reader';
-import { sceneLimits, type RobotStart } from './scene';
+import { robotColors, sceneLimits, type RobotColor, type RobotStart } from './scene';
 
 /** The id of a board or robot type; `null` or left out: chosen by the program. */
 export function readTypeId(value: unknown, path: string, reader: Reader): string | null {
@@ -25,6 +25,23 @@ export function readOptions(value: unknown, path: string, reader: Reader): Robot
   }
   return Object.fromEntries(choices);
 }
+
+/** What a robot is called; empty: as its device. */
+export const readRobotName = (value: unknown, path: string, reader: Reader): string =>
+  reader.text(value, path, sceneLimits.startNameCharacters);
+
+/** A robot's colour; `null`: by the place of its device. */
+export const readRobotColor = (value: unknown, path: string, reader: Reader): RobotColor | null =>
+  value === null ? null : reader.word(value, path, robotColors, 'blue');
+
+/** The first robot's start with other values; an empty name and no colour are left out. */
+export function withRobot(start: RobotStart, changes: Partial<RobotStart>): RobotStart {
+  const { name = '', color = null, ...rest } = { ...start, ...changes };
+  return { ...rest, ...(name === '' ? {} : { name }), ...(color === null ? {} : { color }) };
+}
+
+/** The first robot's start as the values of an edit that leave nothing of another one. */
+export const robotValues = (start: RobotStart): Required<RobotStart> => ({ name: '', color: null, ...start });
 
 /** In the order of their ids, so that equal choices give equal text. */
 export function optionsProperty(options: RobotStart['options']): string[] {

@@ -247,6 +247,10 @@ export interface RobotStart {
   readonly scale: number;
   /** Chosen options of the robot: id of an option → id of a choice. Missing options have their defaults. */
   readonly options: Readonly<Record<string, string>>;
+  /** What it is called where there are several; left out: as its device. A course never holds an empty one. */
+  readonly name?: string;
+  /** Its colour where there are several; left out: that of the first device. A course never holds `null`. */
+  readonly color?: RobotColor | null;
 }
 
 /** A course. */
@@ -267,7 +271,7 @@ export interface Scene {
 export const SCENE_FORMAT = 'parcours-scene';
 
 /** The newest version that this app reads and writes. What an older one can say is written in that: `serialize.ts`. */
-export const SCENE_VERSION = 5;
+export const SCENE_VERSION = 6;
 
 /** Defaults of properties that a file leaves out. */
 export const sceneDefaults = {

@@ -34,7 +34,7 @@ export function serializeScene(scene: Scene): string {
     ...taskProperty(scene.task),
     ...backgroundProperty(scene.background),
   ];
-  const rotation = version < SCENE_VERSION ? asTurn : asAngle;
+  const rotation = version < 5 ? asTurn : asAngle;
   const objects = tidied(scene.objects)
     .map((object) => `    ${objectText(object, rotation)}`)
     .join(',\n');
@@ -42,8 +42,9 @@ export function serializeScene(scene: Scene): string {
   return `{\n  ${lines.join(',\n  ')}\n}\n`;
 }
 
-function versionFor({ task, objects }: Scene): number {
-  if (tidied(objects).some((object) => Object.keys(additionsOf(object)).length > 0)) return SCENE_VERSION;
+function versionFor({ robot, task, objects }: Scene): number {
+  if (robot.name !== undefined || robot.color !== undefined) return SCENE_VERSION;
+  if (tidied(objects).some((object) => Object.keys(additionsOf(object)).length > 0)) return 5;
   if (task.robots !== undefined || objects.some(({ type }) => type === 'start')) return 4;
   return task.allows === undefined && task.stars === undefined && task.card === undefined ? 2 : 3;
 }
@@ -55,6 +56,8 @@ function robotText(robot: RobotStart): string {
     ...property('heading', robot.heading, sceneDefaults.heading),
     ...property('scale', robot.scale, sceneDefaults.scale),
     ...optionsProperty(robot.options),
+    ...property('name', robot.name ?? '', ''),
+    ...property('color', robot.color ?? null, null),
   ]);
 }
 

@@ -1,7 +1,7 @@
 import { wrappedDeg } from '#core/angle';
 import { START_SIDE_MM, startOutline } from '#scene/kinds/start';
-import { robotColors, sceneLimits, type RobotColor, type Start } from '#scene/scene';
-import { placeFields } from '../object-fields';
+import { robotColors, type Start } from '#scene/scene';
+import { placeFields, robotColorField, robotNameField } from '../object-fields';
 import { plus, toPoint, toVec, turned, turnedAbout } from '../plane';
 import { hitWithin, mirroredDeg, mirroredPoint, scaledPoint, shifted, type EditorKind } from './kind';
 
@@ -36,14 +36,8 @@ export const start: EditorKind<Start> = {
       ...{ kind: 'number', name: 'heading', value: start.heading, min: -180, max: 180, step: 15, unit: 'deg' },
       with: (angleDeg: number) => ({ ...start, heading: wrappedDeg(angleDeg) }),
     },
-    {
-      ...{ kind: 'text', name: 'name', value: start.name, maxCharacters: sceneLimits.startNameCharacters },
-      with: (name: string) => ({ ...start, name }),
-    },
-    {
-      ...{ kind: 'choice', name: 'robotColor', value: start.color ?? 'auto', choices: ['auto', ...robotColors] },
-      with: (color: 'auto' | RobotColor) => ({ ...start, color: color === 'auto' ? null : color }),
-    },
+    robotNameField(start.name, (name) => ({ ...start, name })),
+    robotColorField(start.color, (color) => ({ ...start, color })),
   ],
   made: (id, at, { robot, objects }) => {
     // The second device's robot has the first start, and the second colour.

@@ -9,6 +9,7 @@
  *     5   for several devices: as 4, with those after the first
  *     6   for starts of further robots in the course, and a task that they share: as 5, with those
  *     7   for any angle, round bodies, polygons, locks and groups: as 6, with those
+ *     8   for the name and the colour of the first robot: as 7, with those
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -18,19 +19,11 @@ import { ColumnReader, ColumnWriter, type Bytes } from './columns';
 import { DamagedBytes } from './damaged-bytes';
 import {
   deflatedContent,
-  deflatedDevices,
-  deflatedRobot,
-  deflatedShapes,
-  deflatedStarts,
-  deflatedTask,
+  laterVersions,
   modelledContent,
-  modelledDevices,
-  modelledRobot,
-  modelledShapes,
-  modelledStarts,
-  modelledTask,
   type Content,
   type ContentCodec,
+  type Packing,
 } from './link-content';
 import { MODELLED_BYTES, ModelReader, ModelWriter, TooManyBytes } from './model-coder';
 import { LIKELY_WORDS } from './likely-text';
@@ -40,36 +33,23 @@ export const UNPACKED_BYTES = 4 * 1024 * 1024;
 
 /** A link's bytes and their meaning. */
 export interface LinkBytes {
-  readonly version: 1 | 2 | 3 | 4 | 5 | 6 | 7;
+  readonly version: 1 | 2 | keyof typeof laterVersions;
   readonly bytes: Uint8Array;
 }
 
-/** The two ways to pack content: deflated columns, and a model for what is not too large for it. */
-interface Packing {
-  readonly deflated: ContentCodec;
-  readonly modelled: ContentCodec;
-}
-
 const plain: Packing = { deflated: deflatedContent, modelled: modelledContent };
-/** The versions that name their way in a first byte. */
-const extended = {
-  3: { deflated: deflatedTask, modelled: modelledTask },
-  4: { deflated: deflatedRobot, modelled: modelledRobot },
-  5: { deflated: deflatedDevices, modelled: modelledDevices },
-  6: { deflated: deflatedStarts, modelled: modelledStarts },
-  7: { deflated: deflatedShapes, modelled: modelledShapes },
-} as const;
-
 /** The bytes of a content, or `null` when they would unpack to more than `UNPACKED_BYTES`. */
 export function bytesOfContent(content: Content): LinkBytes | null {
   const version = versionFor(content);
-  const { way, bytes } = packedContent(content, version === null ? plain : extended[version]) ?? {};
+  const { way, bytes } = packedContent(content, version === null ? plain : laterVersions[version]) ?? {};
   if (way === undefined || bytes === undefined) return null;
   return version === null ? { version: way, bytes } : { version, bytes: Uint8Array.from([way, ...bytes]) };
 }
 
 /** The oldest version that can say it all; `null`: one of the first two. */
-function versionFor({ extras, myRobot, devices, starts, sharing, additions }: Content): keyof typeof extended | null {
+function versionFor(content: Content): keyof typeof laterVersions | null {
+  const { extras, myRobot, devices, starts, sharing, additions, firstRobot } = content;
+  if (firstRobot !== null) return 8;
   if (additions.length > 0) return 7;
   if (starts.length > 0 || sharing !== null) return 6;
   if (devices !== null) return 5;
@@ -93,7 +73,7 @@ function packedContent(content: Content, packing: Packing): { way: 1 | 2; bytes:
 export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
   try {
     const isPlain = version === 1 || version === 2;
-    const { deflated, modelled } = isPlain ? plain : extended[version];
+    const { deflated, modelled } = isPlain ? plain : laterVersions[version];
     const way = isPlain ? version : bytes[0];
     const rest = isPlain ? bytes : bytes.subarray(1);
     if (way === 1) return contentOfColumns(rest, deflated);

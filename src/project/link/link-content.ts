@@ -19,11 +19,13 @@ import {
 import {
   additionsCodec,
   dictionary,
+  firstRobotCodec,
   sceneCodec,
   sharedCodecs,
   sharingCodec,
   startsCodec,
   taskExtrasCodec,
+  type FirstRobot,
   type PathCodec,
   type PlacedAdditions,
   type PlacedStart,
@@ -55,6 +57,8 @@ export interface Content {
   readonly sharing: TaskRule | null;
   /** What is new of the objects of a whole course; nothing before version 7. */
   readonly additions: readonly PlacedAdditions[];
+  /** Name and colour of the first robot in a whole course; `null` before version 8, and without. */
+  readonly firstRobot: FirstRobot | null;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -64,70 +68,55 @@ export interface ContentCodec {
   readonly columns: number;
 }
 
+/** What is in the content of a version; what is not is as it was before there was any of it. */
+interface Parts {
+  readonly extras?: (shared: SharedCodecs) => Codec<TaskExtras>;
+  readonly myRobot?: (shared: SharedCodecs) => Codec<string>;
+  readonly devices?: (shared: SharedCodecs) => Codec<ProjectDevices | null>;
+  readonly starts?: (shared: SharedCodecs) => Codec<readonly PlacedStart[]>;
+  readonly sharing?: (shared: SharedCodecs) => Codec<TaskRule | null>;
+  readonly additions?: (shared: SharedCodecs) => Codec<readonly PlacedAdditions[]>;
+  readonly firstRobot?: (shared: SharedCodecs) => Codec<FirstRobot | null>;
+}
+
 /** Version 1: for columns that are deflated. */
-export const deflatedContent = contentCodec(pathCodec);
+export const deflatedContent = contentCodec(pathCodec, {});
 
 /** Version 2: for an adaptive model. */
-export const modelledContent = contentCodec(handCodec);
+export const modelledContent = contentCodec(handCodec, {});
 
-/** Version 3: with the extras of a task, for either. */
-export const deflatedTask = contentCodec(pathCodec, taskExtrasCodec);
-export const modelledTask = contentCodec(handCodec, taskExtrasCodec);
-
-/** Version 4: with a robot of one's own, too. */
-export const deflatedRobot = contentCodec(pathCodec, taskExtrasCodec, jsonCodec);
-export const modelledRobot = contentCodec(handCodec, taskExtrasCodec, jsonCodec);
-
-/** Version 5: with several devices, too. */
-export const deflatedDevices = contentCodec(pathCodec, taskExtrasCodec, jsonCodec, devicesCodec);
-export const modelledDevices = contentCodec(handCodec, taskExtrasCodec, jsonCodec, devicesCodec);
-
-/** Version 6: with starts of further robots and a task that they share, too. */
-const withStarts = [taskExtrasCodec, jsonCodec, devicesCodec, startsCodec, sharingCodec] as const;
-export const deflatedStarts = contentCodec(pathCodec, ...withStarts);
-export const modelledStarts = contentCodec(handCodec, ...withStarts);
-
-/** Version 7: with any angle, round bodies, polygons, locks and groups, too. */
-export const deflatedShapes = contentCodec(pathCodec, ...withStarts, additionsCodec);
-export const modelledShapes = contentCodec(handCodec, ...withStarts, additionsCodec);
-
-function noStarts(): Codec<readonly PlacedStart[]> {
-  return constant([]);
+/** The two ways to pack content: deflated columns, and a model for what is not too large for it. */
+export interface Packing {
+  readonly deflated: ContentCodec;
+  readonly modelled: ContentCodec;
 }
 
-function noAdditions(): Codec<readonly PlacedAdditions[]> {
-  return constant([]);
-}
+const task: Parts = { extras: taskExtrasCodec };
+const robot: Parts = { ...task, myRobot: jsonCodec };
+const several: Parts = { ...robot, devices: devicesCodec };
+const places: Parts = { ...several, starts: startsCodec, sharing: sharingCodec };
+const shapes: Parts = { ...places, additions: additionsCodec };
+const names: Parts = { ...shapes, firstRobot: firstRobotCodec };
 
-function noExtras(): Codec<TaskExtras> {
-  return constant({});
-}
+/** The versions that add something to the first two, each to the one before. */
+export const laterVersions = {
+  3: bothWays(task),
+  4: bothWays(robot),
+  5: bothWays(several),
+  6: bothWays(places),
+  7: bothWays(shapes),
+  8: bothWays(names),
+} as const;
 
-function noRobot(): Codec<string> {
-  return constant('');
-}
-
-function notShared(): Codec<null> {
-  return constant(null);
-}
-
-function oneDevice(): Codec<null> {
-  return constant(null);
+function bothWays(parts: Parts): Packing {
+  return { deflated: contentCodec(pathCodec, parts), modelled: contentCodec(handCodec, parts) };
 }
 
 function jsonCodec({ text }: SharedCodecs): Codec<string> {
   return text;
 }
 
-function contentCodec(
-  paths: PathCodec,
-  extrasCodec: (shared: SharedCodecs) => Codec<TaskExtras> = noExtras,
-  robotCodec: (shared: SharedCodecs) => Codec<string> = noRobot,
-  severalCodec: (shared: SharedCodecs) => Codec<ProjectDevices | null> = oneDevice,
-  placesCodec: (shared: SharedCodecs) => Codec<readonly PlacedStart[]> = noStarts,
-  rulesCodec: (shared: SharedCodecs) => Codec<TaskRule | null> = notShared,
-  newCodec: (shared: SharedCodecs) => Codec<readonly PlacedAdditions[]> = noAdditions,
-): ContentCodec {
+function contentCodec(paths: PathCodec, parts: Parts): ContentCodec {
   const shared = sharedCodecs();
   const { columns, word } = shared;
   const scene = linkSceneCodec(shared, paths);
@@ -136,12 +125,13 @@ function contentCodec(
     scene,
     settings: columns.optional(settingsCodec(shared)),
     files: filesCodec(shared),
-    extras: extrasCodec(shared),
-    myRobot: robotCodec(shared),
-    devices: severalCodec(shared),
-    starts: placesCodec(shared),
-    sharing: rulesCodec(shared),
-    additions: newCodec(shared),
+    extras: parts.extras?.(shared) ?? constant({}),
+    myRobot: parts.myRobot?.(shared) ?? constant(''),
+    devices: parts.devices?.(shared) ?? constant(null),
+    starts: parts.starts?.(shared) ?? constant([]),
+    sharing: parts.sharing?.(shared) ?? constant(null),
+    additions: parts.additions?.(shared) ?? constant([]),
+    firstRobot: parts.firstRobot?.(shared) ?? constant(null),
   });
   return { codec, columns: columns.used };
 }
@@ -205,11 +195,12 @@ function isUsual(settings: LinkSettings): boolean {
 /** A checksum of a course that later versions of links and of the course's file do not change. */
 export function sceneChecksum(scene: Scene): number {
   const out = new ColumnWriter();
-  const { whole, starts, additions } = apart(scene);
+  const { whole, starts, additions, firstRobot } = apart(scene);
   checkedScene.write(out, whole);
   const { figures, words } = out.bytes();
   const sum = fnvOfBytes(words, fnvOfBytes(figures));
-  return [starts, additions].reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
+  const news = [starts, additions, firstRobot === null ? [] : [firstRobot]];
+  return news.reduce((before, part) => (part.length === 0 ? before : fnvOfText(part, before)), sum);
 }
 const fnvOfText = (part: readonly unknown[], sum: number): number =>
   fnvOfBytes(new TextEncoder().encode(JSON.stringify(part)), sum);
@@ -222,6 +213,7 @@ export interface Apart {
   readonly whole: Scene;
   readonly starts: readonly PlacedStart[];
   readonly additions: readonly PlacedAdditions[];
+  readonly firstRobot: FirstRobot | null;
 }
 
 /** Takes a course apart. */
@@ -236,16 +228,19 @@ export function apart(scene: Scene): Apart {
     const said = additionsOf(object);
     return Object.keys(said).length === 0 ? [] : [{ place, ...said }];
   });
-  return { whole: { ...scene, objects: objects.filter(({ type }) => type !== 'start') }, starts, additions };
+  const { name = '', color = null, ...robot } = scene.robot;
+  const firstRobot = name === '' && color === null ? null : { name, color };
+  const whole = { ...scene, robot, objects: objects.filter(({ type }) => type !== 'start') };
+  return { whole, starts, additions, firstRobot };
 }
 
 /** The course put together again; unchecked as long as its parts are. */
-export function joined({ whole, starts, additions }: Apart): Scene {
+export function joined({ whole, starts, additions, firstRobot }: Apart): Scene {
   const objects: SceneObject[] = [...whole.objects];
   for (const { place, ...start } of starts) objects.splice(place, 0, { type: 'start', ...start });
   for (const { place, ...said } of additions) {
     const object = objects[place];
     if (object) objects[place] = { ...object, ...said };
   }
-  return { ...whole, objects };
+  return { ...whole, robot: { ...whole.robot, ...firstRobot }, objects };
 }

@@ -169,8 +169,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=8.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 8; this app reads version 7. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=9.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 9; this app reads version 8. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -191,7 +191,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [] }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -243,6 +243,7 @@ describe('a link of version 1', () => {
       starts: [],
       sharing: null,
       additions: [],
+      firstRobot: null,
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -443,6 +444,35 @@ describe('a link of version 7', () => {
     expect(projectOfLink(made, () => scene)).toMatchObject({ isCourseChanged: false, project: { scene } });
     const turned = scene.objects.map((object) => ('corners' in object ? { ...object, angle: 1 } : object));
     expect(projectOfLink(made, () => ({ ...scene, objects: turned }))).toMatchObject({ isCourseChanged: true });
+  });
+});
+
+describe('a link of version 8', () => {
+  const kept = keptLink(8);
+  const named = (): Project => {
+    const { scene, ...project } = startsProject();
+    return { ...project, scene: { ...scene, robot: { ...scene.robot, name: 'Ada', color: 'teal' } } };
+  };
+
+  it('opens with the name and the colour of the first robot', () => {
+    expect(projectIn(kept)).toEqual(named());
+  });
+
+  it('is still made so, and only for a course that has one of them', () => {
+    expect(link(named())).toBe(kept);
+    const { scene, ...project } = named();
+    const { name: _, color: __, ...robot } = scene.robot;
+    const { name: ___, ...colored } = scene.robot;
+    expect(link({ ...project, scene: { ...scene, robot } })).toMatch(/^p=6\./);
+    expect(projectIn(link({ ...project, scene: { ...scene, robot: colored } }))?.scene.robot).toEqual(colored);
+  });
+
+  it('names a ready course with them, and tells where they were changed since', () => {
+    const { scene, ...project } = named();
+    const made = linkOf({ ...project, scene, course: 'chase' }, { courses: () => scene, program: true });
+    const other = { ...scene, robot: { ...scene.robot, color: 'pink' as const } };
+    expect(projectOfLink(made?.fragment ?? '', () => scene)).toMatchObject({ isCourseChanged: false });
+    expect(projectOfLink(made?.fragment ?? '', () => other)).toMatchObject({ isCourseChanged: true });
   });
 });
 

@@ -4,7 +4,8 @@
  *
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
  *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
- *                            that they share, 7 for any angle, round bodies, polygons, locks and groups
+ *                            that they share, 7 for any angle, round bodies, polygons, locks and groups, 8 for the
+ *                            name and the colour of the first robot
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
@@ -23,7 +24,7 @@ import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 7;
+export const LINK_VERSION = 8;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -118,7 +119,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, robots, ...extras } = scene.task;
-  const { whole, starts, additions } = apart(scene);
+  const { whole, starts, additions, firstRobot } = apart(scene);
   const { myRobot, ...chosen } = settings ?? {};
   const content: Content = {
     files: program ? files : [],
@@ -131,6 +132,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     starts: isReady ? [] : starts,
     sharing: isReady ? null : (robots ?? null),
     additions: isReady ? [] : additions,
+    firstRobot: isReady ? null : firstRobot,
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -172,7 +174,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5, 6, 7] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6, 7, 8] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);

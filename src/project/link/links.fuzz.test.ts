@@ -33,7 +33,7 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [] }; // prettier-ignore
+  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null }; // prettier-ignore
   deflatedContent.codec.write(out, content);
   return out.bytes();
 }

@@ -328,6 +328,15 @@ function withoutNulls<T>(said: { readonly [K in keyof T]: T[K] | null }): T {
   return Object.fromEntries(Object.entries(said).filter(([, value]) => value !== null)) as T;
 }
 
+/** What version 8 of links adds: name and colour of the first robot. */
+export type FirstRobot = Required<Pick<RobotStart, 'name' | 'color'>>;
+
+/** The codec of the first robot's name and colour; `null`: it has neither. */
+export function firstRobotCodec({ columns, text }: SharedCodecs): Codec<FirstRobot | null> {
+  const color = columns.optional(columns.choice(robotColors));
+  return columns.optional(record<FirstRobot>({ name: text, color }));
+}
+
 /** The codec of how robots share a task, which version 6 of links adds, too. */
 export function sharingCodec({ columns }: SharedCodecs): Codec<TaskRule | null> {
   return columns.optional(columns.choice(taskRules));

@@ -1,7 +1,7 @@
 import { pair, property } from '../json-text';
 import { boxOutline, type Outline } from '../outline';
-import { optionsProperty, readOptions, readTypeId } from '../robot-values';
-import { robotColors, sceneDefaults, sceneLimits, type Start } from '../scene';
+import { optionsProperty, readOptions, readRobotColor, readRobotName, readTypeId } from '../robot-values';
+import { sceneDefaults, sceneLimits, type Start } from '../scene';
 import { filling, type SceneKind } from './kind';
 import { readId, readPlace } from './unread';
 
@@ -21,8 +21,8 @@ export const start: SceneKind<Start> = {
       heading: reader.number(...at('heading'), sceneLimits.headingDeg, sceneDefaults.heading),
       robot: readTypeId(...at('robot'), reader),
       options: options === undefined ? {} : readOptions(options, optionsPath, reader),
-      name: name === undefined ? '' : reader.text(name, namePath, sceneLimits.startNameCharacters),
-      color: color === undefined || color === null ? null : reader.word(color, colorPath, robotColors, 'blue'),
+      name: name === undefined ? '' : readRobotName(name, namePath, reader),
+      color: color === undefined ? null : readRobotColor(color, colorPath, reader),
     };
   },
   write: ({ at, heading, robot, options, name, color }) => [

@@ -160,6 +160,7 @@ function randomRobotEdit(rng: Rng): SceneEdit {
     { type: 'robot', robot: { heading: wholeFrom(rng, -3600, 3600) / 10 } },
     { type: 'robot', robot: { scale: oneOf(rng, [0.5, 1, 1.1, 3]), type: oneOf(rng, [null, 'callibot']) } },
     { type: 'robot', robot: { options: { S1: oneOf(rng, ['claw', 'none']) } } },
+    { type: 'robot', robot: { name: oneOf(rng, ['', 'Ada', '«2»']), color: oneOf(rng, [null, ...robotColors]) } },
     { type: 'robot', robot: {} },
   ]);
   return { type: 'robot', robot };

@@ -11,9 +11,9 @@ import type { WorkParts } from '../work/model/parts';
 import { AUTO_DEVICE } from '../work/settings/devices';
 import { severalWords as words } from './several-words';
 
-/** What the first device is called once it is not alone. */
+/** What the first device is called once it is not alone: a robot as the course says. */
 export const firstName = (parts: WorkParts): string =>
-  say(hardwareNow(parts, 0)?.robot === null ? words.board : words.robot);
+  hardwareNow(parts, 0)?.robot === null ? say(words.board) : (parts.work.scene.value.robot.name ?? say(words.robot));
 
 /** The names that are taken once there is another device. */
 function namesWith(parts: WorkParts): readonly string[] {

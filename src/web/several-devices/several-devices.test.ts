@@ -2,6 +2,8 @@
 import { nextTick } from 'vue';
 import { describe, expect, it } from 'vitest';
 
+import { robotColors } from '#scene/scene';
+
 import { byId, idsShown, tap } from '../app/testing/find';
 import { mountOn, named, setWindow, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
@@ -12,6 +14,7 @@ import DeviceList from '../device/DeviceList.vue';
 import FileList from '../code/FileList.vue';
 import ConsolePane from '../console/ConsolePane.vue';
 import SharedConsole from '../console/SharedConsole.vue';
+import { colorsOfDevices } from '../work/hardware/device-colors';
 import { hardwareNow } from '../work/hardware/use-hardware';
 import { courses } from '../work/catalogue/courses';
 import { useCourses } from '../work/use-courses';
@@ -74,6 +77,16 @@ describe('a second device', () => {
     page.work.showDevice(1);
     page.work.removeDevice(1, 'x');
     expect([page.work.hasSeveral.value, page.work.work.value.project.devices]).toEqual([false, undefined]);
+  });
+
+  it('has the name and the colour that the course gives its robot, the first one, too', () => {
+    const page = createPage();
+    const start = { type: 'start', id: 'start-1', at: [300, 300], heading: 0, robot: null, options: {} } as const;
+    page.work.edit({ type: 'add', objects: [{ ...start, name: 'Bo', color: 'pink' }] });
+    page.work.edit({ type: 'robot', robot: { name: 'Ada', color: 'teal' } });
+    page.work.addDevice(newRobot(page), firstName(page));
+    expect(page.work.devices.value).toEqual(['Ada', 'Bo']);
+    expect(colorsOfDevices(page).map((color) => robotColors[color])).toEqual(['teal', 'pink']);
   });
 
   it('is put aside with the rest when a course is opened, also beside a program that nobody has changed', () => {

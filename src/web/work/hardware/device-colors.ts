@@ -9,11 +9,13 @@ import { hardwareNow } from './use-hardware';
  * the one that has its own number.
  */
 export function colorsOfDevices(parts: WorkParts): readonly number[] {
-  const starts = startsIn(parts.work.scene.value.objects);
+  const { robot, objects } = parts.work.scene.value;
+  const starts = startsIn(objects);
+  const isAnyColored = starts.length > 0 || robot.color !== undefined;
   let robots = 0;
   return parts.work.devices.value.map((_, place) => {
-    if (starts.length === 0 || (hardwareNow(parts, place)?.robot ?? null) === null) return place;
-    const color = robots === 0 ? null : (starts[robots - 1]?.color ?? null);
+    if (!isAnyColored || (hardwareNow(parts, place)?.robot ?? null) === null) return place;
+    const color = (robots === 0 ? robot : starts[robots - 1])?.color ?? null;
     robots++;
     return color === null ? place : robotColors.indexOf(color);
   });
