@@ -2,6 +2,7 @@ import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
+import type { FromWorker } from './worker/protocol';
 
 /** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
 export class Recording {
@@ -17,8 +18,8 @@ export class Recording {
   /** @param setup of the run; `null`: there is none */
   constructor(readonly setup: RunSetup | null) {}
 
-  add(piece: Uint8Array): void {
-    this.pieces.push(piece);
-    this.count.value = this.pieces.length;
+  hear(message: Extract<FromWorker, { type: 'tape' | 'inputs' }>): void {
+    if (message.type === 'inputs') this.inputs.value = message.inputs;
+    else this.count.value = this.pieces.push(message.piece);
   }
 }

@@ -6,6 +6,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
+import { DebugPort } from './debug-port';
 import { PictureRequests } from './picture-requests';
 import { Recording } from './recording';
 import { Trails } from './trails';
@@ -88,6 +89,8 @@ export class RunModel {
       this.ended.value === null &&
       this.shown.value?.awaitsInput === true,
   );
+  /** Where it stops, and what the program's variables are then. */
+  readonly debug = new DebugPort({ phase: this.phase, send: (message) => this.send(message) });
   private speed: Speed = 1;
   private heardMs = 0;
   private readonly client: RunClient;
@@ -145,6 +148,7 @@ export class RunModel {
     this.starts += 1;
     const { starts } = this;
     this.client.expect();
+    this.debug.begin();
     this.phase.value = 'starting';
     this.clear();
     this.achieved.value = null;
@@ -291,16 +295,16 @@ export class RunModel {
         this.endCatchingUp(message.snapshot.timeUs);
         break;
       case 'tape':
-        this.recording.value.add(message.piece);
-        break;
       case 'inputs':
-        this.recording.value.inputs.value = message.inputs;
+        this.recording.value.hear(message);
         break;
       case 'alive':
-        this.achieved.value = this.phase.value === 'running' ? message.achieved : null;
-        break;
       case 'resting':
-        this.achieved.value = null;
+        this.achieved.value = message.type === 'alive' && this.phase.value === 'running' ? message.achieved : null;
+        break;
+      case 'held':
+      case 'variables':
+        this.debug.hear(message);
         break;
       case 'console':
         message.output.forEach((output) => this.host.onOutput(output));

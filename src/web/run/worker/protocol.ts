@@ -21,11 +21,15 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
+import type { BreakPoint } from '#vm/debug/stops';
+import type { Variables } from '#vm/debug/variables';
 import type { RunEvents } from './event-box';
 import type { Output } from './outbox';
+import type { LineStep } from './stops';
 
 export type { RunEvents } from './event-box';
 export type { Output } from './outbox';
+export type { LineStep } from './stops';
 
 /** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
 export const STEP_PRESS_US = 20_000;
@@ -62,6 +66,12 @@ export type ToWorker =
   | { readonly type: 'console-taken' }
   /** Somebody looks back: the newest moments of the tape are wanted now, not when their piece is full. */
   | { readonly type: 'tape' }
+  /** Where the run shall stop from now on: the break points of each device, by its place. It then says `held`. */
+  | { readonly type: 'break-points'; readonly points: readonly (readonly BreakPoint[])[] }
+  /** Goes on until the device has made a step by lines, or until a break point; then the run says `held`. */
+  | { readonly type: 'step-line'; readonly step: LineStep; readonly device: number }
+  /** What a device's variables are now is wanted; answered by `variables`. */
+  | { readonly type: 'inspect'; readonly device: number }
   /** KeyboardInterrupt in the program, a moment for its `finally`, then the end. */
   | { readonly type: 'stop' };
 
@@ -82,6 +92,10 @@ export type FromWorker =
   | { readonly type: 'tape'; readonly piece: Uint8Array }
   /** What was done to the run so far; answers `tape`, and comes before `stopped`. */
   | { readonly type: 'inputs'; readonly inputs: readonly InputEvent[] }
+  /** A break point or a step of this device has stopped the run, at this time of its clock; it is paused, after a `snapshot`. */
+  | { readonly type: 'held'; readonly device: number; readonly timeUs: number }
+  /** Stack and variables of a device as they are now, at this time of its clock. */
+  | { readonly type: 'variables'; readonly device: number; readonly timeUs: number; readonly variables: Variables }
   /** Output of the programs, oldest first; at most one batch in transit. */
   | { readonly type: 'console'; readonly output: readonly Output[] }
   /** A program is over; the world and the REPL go on until `stop`. Comes after all of the program's output. */

@@ -24,6 +24,7 @@ function bench(
   const tasks: { task: () => void; atMs: number }[] = [];
   const run = {
     nowUs: 0,
+    heldBy: null,
     ended: null as Ended | null,
     isIdle: options.idle === true,
     print: (() => undefined) as NonNullable<RunOutlets['print']>,

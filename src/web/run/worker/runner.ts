@@ -1,20 +1,22 @@
 import type { InputAction, InputEvent } from '#simulation/input';
-import type { Speed } from '#simulation/pace';
 import type { RunSetup } from '#simulation/run-setup';
 import type { RunOutlets } from '#simulation/outlets';
 import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
+import { readVariables } from '#vm/debug/variables';
 import { createEventBoxes } from './event-box';
 import { append, createOutbox, type Output } from './outbox';
-import { createSpeedMeter, dueUs, nextPieceUs, withoutBacklog, type Anchor } from './pacing';
-import { STEP_PRESS_US, type FromWorker, type ToWorker } from './protocol';
+import { Pace, type PaceMessage } from './pace';
+import { createSpeedMeter, nextPieceUs } from './pacing';
+import type { FromWorker, ToWorker } from './protocol';
 import { createStillness } from './stillness';
 import { FAREWELL_MS } from './stop-limits';
+import { Stops, type Debugged } from './stops';
 import { TapeBox } from './tape-box';
 
 /** What the runner needs of a `Simulation`. */
-export interface Run {
+export interface Run extends Debugged {
   readonly nowUs: number;
   /** How each device's program ended, in their order. */
   readonly endings: readonly (Ended | null)[];
@@ -57,13 +59,7 @@ export class Runner {
   private firmware: WebAssembly.Module | null = null;
   private run: Run | null = null;
   private stopped = false;
-  private paused = false;
-  private speed: Speed = 1;
-  private stepUntilUs = 0;
-  /** Until this simulated time neither pause nor pace counts. */
-  private catchUpUs = 0;
   private pieceUs = 4000;
-  private anchor: Anchor = { wallMs: 0, simulatedUs: 0, speed: 1 };
   private frameWanted = false;
   private changed = true;
   /** How each program ended, as far as the page has been told. */
@@ -76,11 +72,13 @@ export class Runner {
   private events = createEventBoxes(1);
   private readonly stillness = createStillness();
   private readonly meter = createSpeedMeter();
+  private readonly pace = new Pace();
   /** What was printed in the present piece of simulated time: it goes to the page as one. */
   private readonly printed: Output[] = [];
   private readonly outbox = createOutbox((output) => this.at.post({ type: 'console', output }));
 
   private readonly tape = new TapeBox((message) => this.at.post(message));
+  private readonly stops = new Stops();
 
   constructor(private readonly at: Surroundings) {}
 
@@ -92,9 +90,7 @@ export class Runner {
         this.at.post({ type: 'prepared' });
         break;
       case 'run':
-        this.paused = message.paused;
-        this.speed = message.speed;
-        this.catchUpUs = message.catchUpUs ?? 0;
+        this.pace.begin(message);
         this.start(message.setup);
         break;
       case 'stop':
@@ -102,7 +98,7 @@ export class Runner {
         break;
       case 'frame':
         this.frameWanted = true;
-        if (this.paused) this.schedule(0);
+        if (this.pace.paused) this.schedule(0);
         break;
       case 'console-taken':
         this.outbox.taken();
@@ -114,30 +110,24 @@ export class Runner {
       case 'tape':
         if (this.run !== null) this.tape.tellAll(this.run.inputLog);
         break;
+      case 'break-points':
+        this.stops.setPoints(message.points, this.pace.isCatchingUp ? null : this.run);
+        break;
+      case 'inspect':
+        this.tellVariables(message.device);
+        break;
       default:
         this.changePace(message);
     }
   }
 
-  private changePace(message: Extract<ToWorker, { type: 'pause' | 'resume' | 'step' | 'speed' }>): void {
-    switch (message.type) {
-      case 'pause':
-        this.paused = true;
-        this.stepUntilUs = this.run?.nowUs ?? 0;
-        break;
-      case 'resume':
-        this.paused = false;
-        break;
-      case 'step':
-        this.paused = true;
-        this.stepUntilUs = Math.max(this.stepUntilUs, this.run?.nowUs ?? 0) + STEP_PRESS_US;
-        break;
-      case 'speed':
-        this.speed = message.speed;
-        break;
-      default:
-        message satisfies never;
-    }
+  private changePace(message: PaceMessage): void {
+    const { run } = this;
+    if (message.type === 'step-line') {
+      if (run === null || run.hasEnded) return;
+      this.stops.begin(message.step, message.device, run);
+    } else if (message.type === 'pause') this.stops.end(run);
+    this.pace.change(message, run?.nowUs ?? 0);
     this.anchorHere();
     this.schedule(0);
   }
@@ -151,6 +141,7 @@ export class Runner {
       (created) => {
         this.run = created;
         this.toldEnds = created.endings;
+        if (!this.pace.isCatchingUp) this.stops.applyAll(created);
         this.anchorHere();
         this.at.post({ type: 'started' });
         for (const message of this.early.splice(0)) this.input(message);
@@ -191,6 +182,8 @@ export class Runner {
     if (run === null) return; // still being created: start() comes back here
     this.guarded(() => {
       if (!run.hasEnded) {
+        this.stops.end(run);
+        this.stops.setPoints([], run);
         run.stop();
         const untilMs = this.at.nowMs() + FAREWELL_MS;
         while (!run.hasEnded && this.at.nowMs() < untilMs) run.advanceProgramTo(run.nowUs + 4000);
@@ -216,18 +209,18 @@ export class Runner {
       this.endCatchingUp(run);
       const nowMs = this.at.nowMs();
       this.meter.note(nowMs, run.nowUs);
-      this.anchor = withoutBacklog(this.anchor, nowMs, run.nowUs);
+      this.pace.forgetBacklog(nowMs, run.nowUs);
       this.tell(run, nowMs);
       const behind = run.nowUs < this.limitUs(run);
       if (behind) this.schedule(0);
       else if (this.mayRest(run)) this.rest(run);
-      else if (!this.paused) this.schedule(REST_MS);
+      else if (!this.pace.paused) this.schedule(REST_MS);
     });
   }
 
   /** The program has ended, and nothing happens any more: then time need not pass, and the machine can rest. */
   private mayRest(run: Run): boolean {
-    const isIdle = !this.paused && this.hasToldEnd && run.isIdle && this.outbox.isEmpty;
+    const isIdle = !this.pace.paused && this.hasToldEnd && run.isIdle && this.outbox.isEmpty;
     return isIdle ? this.stillness.look(run.snapshot()) : this.stillness.forget();
   }
 
@@ -256,14 +249,26 @@ export class Runner {
       this.changed = true;
       this.pieceUs = nextPieceUs(this.pieceUs, this.at.nowMs() - startMs);
       this.outbox.put(this.printed.splice(0));
+      if (run.heldBy !== null) return this.hold(run, run.heldBy);
     }
+  }
+
+  /** A break point or a step has stopped the run: simulated time stands. */
+  private hold(run: Run, device: number): void {
+    this.changePace({ type: 'pause' });
+    this.tellPicture(run);
+    this.at.post({ type: 'held', device, timeUs: run.timeOf(device) });
+  }
+
+  private tellVariables(device: number): void {
+    const vm = this.run?.inspect(device) ?? null;
+    if (this.run === null || vm === null) return;
+    this.at.post({ type: 'variables', device, timeUs: this.run.timeOf(device), variables: readVariables(vm) });
   }
 
   /** Simulated time the run may reach now. */
   private limitUs(run: Run): number {
-    if (this.outbox.isFull) return run.nowUs;
-    if (run.nowUs < this.catchUpUs) return this.catchUpUs;
-    return this.paused ? this.stepUntilUs : dueUs(this.anchor, this.at.nowMs());
+    return this.outbox.isFull ? run.nowUs : this.pace.limitUs(run.nowUs, this.at.nowMs());
   }
 
   /** Tells the page what it is waiting for. */
@@ -276,7 +281,7 @@ export class Runner {
     this.tellEnd(run);
     if (nowMs - this.aliveAtMs >= HEARTBEAT_MS) {
       this.aliveAtMs = nowMs;
-      this.at.post({ type: 'alive', nowUs: run.nowUs, achieved: this.paused ? null : this.meter.factor() });
+      this.at.post({ type: 'alive', nowUs: run.nowUs, achieved: this.pace.paused ? null : this.meter.factor() });
     }
   }
 
@@ -286,9 +291,8 @@ export class Runner {
 
   /** The run is where it was to come: from here on it goes at its pace. */
   private endCatchingUp(run: Run): void {
-    if (this.catchUpUs === 0 || run.nowUs < this.catchUpUs) return;
-    this.catchUpUs = 0;
-    this.stepUntilUs = run.nowUs;
+    if (!this.pace.endCatchingUp(run.nowUs)) return;
+    this.stops.applyAll(run);
     this.anchorHere();
   }
 
@@ -301,7 +305,7 @@ export class Runner {
     if (!this.hasNewEnd(run) || !this.outbox.isEmpty) return;
     const before = this.toldEnds;
     this.toldEnds = run.endings;
-    if (this.speed === 'max') this.anchorHere();
+    if (this.pace.speed === 'max') this.anchorHere();
     // A listener of the end must see the robot as the program left it, not the picture before.
     this.tellPicture(run);
     for (const [device, ended] of this.toldEnds.entries())
@@ -325,13 +329,8 @@ export class Runner {
     this.at.later(() => this.tick(), delayMs);
   }
 
-  /** The chosen speed; at full speed a world whose program has ended would run hours ahead, so it goes on as outside. */
-  private pace(): Speed {
-    return this.speed === 'max' && this.hasToldEnd ? 1 : this.speed;
-  }
-
   private anchorHere(): void {
-    this.anchor = { wallMs: this.at.nowMs(), simulatedUs: this.run?.nowUs ?? 0, speed: this.pace() };
+    this.pace.anchorAt(this.at.nowMs(), this.run?.nowUs ?? 0, this.hasToldEnd);
     this.meter.reset();
   }
 

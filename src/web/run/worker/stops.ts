@@ -1,0 +1,64 @@
+import type { Inspected } from '#vm/debug/inspected';
+import { readPosition } from '#vm/debug/frames';
+import type { StopRule } from '#vm/debug/line-watch';
+import { afterStep, atBreakPoints, atLine, type BreakPoint, type Step } from '#vm/debug/stops';
+
+/** What a debugger needs of a run. */
+export interface Debugged {
+  /** Place of the device whose rule has stopped the run, or `null`. */
+  readonly heldBy: number | null;
+  inspect(device: number): Inspected | null;
+  watch(rule: StopRule | null, device: number): void;
+  /** The clock of a device. */
+  timeOf(device: number): number;
+}
+
+/** A step by lines: a kind of step, or up to a line. */
+export type LineStep = Step | BreakPoint;
+
+/** The rule for a step of a device from where it stands. */
+export function ruleOf(step: LineStep, vm: Inspected): StopRule {
+  return typeof step === 'string' ? afterStep(step, readPosition(vm)) : atLine(step);
+}
+
+/** Where a run shall stop: the break points of its devices, and after the step that is under way. */
+export class Stops {
+  private points: readonly (readonly BreakPoint[])[] = [];
+  private step: { readonly device: number; readonly step: LineStep } | null = null;
+
+  /** @param points of each device, by its place */
+  setPoints(points: readonly (readonly BreakPoint[])[], run: Debugged | null): void {
+    const before = this.points;
+    this.points = points;
+    for (const device of new Set([...before.keys(), ...points.keys()])) this.apply(run, device);
+  }
+
+  /** The device makes a step; it ends where the run stops, be it elsewhere. */
+  begin(step: LineStep, device: number, run: Debugged): void {
+    this.end(run);
+    this.step = { device, step };
+    this.apply(run, device);
+  }
+
+  /** No step is under way any more. */
+  end(run: Debugged | null): void {
+    const { step } = this;
+    this.step = null;
+    if (step !== null) this.apply(run, step.device);
+  }
+
+  /** For a run that has just been made, or that has come to where it was to come. */
+  applyAll(run: Debugged): void {
+    for (const device of this.points.keys()) this.apply(run, device);
+  }
+
+  private apply(run: Debugged | null, device: number): void {
+    const vm = run?.inspect(device) ?? null;
+    if (run === null || vm === null) return;
+    const points = this.points[device] ?? [];
+    const atPoint = points.length > 0 ? atBreakPoints(points) : null;
+    const atStep = this.step?.device === device ? ruleOf(this.step.step, vm) : null;
+    const both = atPoint && atStep && ((event: Parameters<StopRule>[0]) => atStep(event) || atPoint(event));
+    run.watch(both ?? atStep ?? atPoint, device);
+  }
+}
