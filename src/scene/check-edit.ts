@@ -1,7 +1,7 @@
 import type { Replacement, SceneEdit } from './edit';
 import type { SceneProblem } from './problem';
 import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
-import { readObjectId } from './kinds/unread';
+import { readObjectId } from './kinds/reading/unread';
 import { readObject } from './read-object';
 import { Reader } from './reader';
 import { countPoints, sceneLimits, type Scene, type SceneObject } from './scene';

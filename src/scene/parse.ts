@@ -4,7 +4,8 @@ import { migrated, OLDEST_VERSION } from './migrations';
 import { shown, type SceneProblem } from './problem';
 import { courseKeys, readCourseChanges, readRobotChanges } from './read-course';
 import { readObject } from './read-object';
-import { readTypeId, withRobot } from './robot-values';
+import { readTypeId } from './kinds/reading/robot-values';
+import { withRobot } from './robot-values';
 import { Reader, type Fields } from './reader';
 import {
   centreStart,

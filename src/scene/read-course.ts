@@ -2,7 +2,7 @@ import type { CourseChanges } from './edit';
 import { PICTURE, readBase64 } from './read-base64';
 import { readTask } from './read-task';
 import type { Fields, Reader } from './reader';
-import { readOptions, readRobotColor, readRobotName, readTypeId } from './robot-values';
+import { readOptions, readRobotColor, readRobotName, readTypeId } from './kinds/reading/robot-values';
 import { sceneLimits, type Background, type RobotStart } from './scene';
 
 /** The names of what `readCourseChanges` reads. */

@@ -1,5 +1,5 @@
-import { sceneKinds } from './kinds/index';
-import { commonProperties, readCommon, unread } from './kinds/unread';
+import { kindReaders } from './kinds/reading/index';
+import { commonProperties, readCommon, unread } from './kinds/reading/unread';
 import type { Reader } from './reader';
 import type { SceneObject } from './scene';
 
@@ -12,13 +12,13 @@ import type { SceneObject } from './scene';
 export function readObject(value: unknown, path: string, pointsLeft: number, reader: Reader): SceneObject | null {
   const type: unknown = typeof value === 'object' && value !== null && 'type' in value ? value.type : undefined;
   if (isKnown(type)) {
-    const kind = sceneKinds[type];
+    const kind = kindReaders[type];
     const older = kind.properties.includes('angle') ? ['turn'] : [];
     const fields = reader.fields(value, path, [...commonProperties, ...kind.properties, ...older]);
     const given = unread(fields, path, pointsLeft, reader);
     return { ...kind.read(given), ...readCommon(given) };
   }
-  const known = Object.keys(sceneKinds);
+  const known = Object.keys(kindReaders);
   if (typeof value !== 'object' || value === null) reader.wrongType(value, path, 'an object { … }');
   else if (type === undefined) reader.wrongType(type, `${path}.type`, known.join(', '));
   else reader.word(type, `${path}.type`, known, 'wall');
@@ -26,4 +26,4 @@ export function readObject(value: unknown, path: string, pointsLeft: number, rea
 }
 
 const isKnown = (type: unknown): type is SceneObject['type'] =>
-  typeof type === 'string' && Object.hasOwn(sceneKinds, type);
+  typeof type === 'string' && Object.hasOwn(kindReaders, type);

@@ -9,7 +9,7 @@ import { stroke } from './stroke';
 import { wall } from './wall';
 import { checkpoint, forbidden, target } from './zone';
 
-/** Every kind of object by its type. Problems name the types in this order. */
+/** Every kind of object by its type. */
 export const sceneKinds: Readonly<Record<SceneObject['type'], SceneKind>> = {
   wall,
   block,

@@ -1,7 +1,6 @@
 import type { Rotation } from '../json-text';
 import { boundsOfOutline, overlapMm, type Bounds, type Outline } from '../outline';
 import type { SceneObject } from '../scene';
-import type { Unread } from './unread';
 
 /** Common properties of all objects of a course. */
 export interface AnyObject {
@@ -9,14 +8,10 @@ export interface AnyObject {
   readonly id: string;
 }
 
-/** A kind of object as the course knows it: its form in a file, and where it is. */
+/** A kind of object as the course knows it: how it is written to a file, and where it is. It is read in `reading/`. */
 export interface SceneKind<O extends AnyObject = SceneObject> {
   /** Its name in messages. */
   readonly name: string;
-  /** Its properties in a file besides those that every kind has (`commonProperties`). */
-  readonly properties: readonly string[];
-  /** Reads an unchecked one; what is wrong with it is noted in the reader. */
-  read(given: Unread): O;
   /** Its own properties in the form of a file, without defaults. */
   write(object: O, rotation: Rotation): readonly string[];
   /** The convex parts of what a robot bumps into, in world mm (a mover: where it starts); none of what lies flat on the floor. */

@@ -1,30 +1,12 @@
 import { pair, property } from '../json-text';
 import { boxOutline, type Outline } from '../outline';
-import { optionsProperty, readOptions, readRobotColor, readRobotName, readTypeId } from '../robot-values';
-import { sceneDefaults, sceneLimits, type Start } from '../scene';
+import { optionsProperty } from '../robot-values';
+import { sceneDefaults, type Start } from '../scene';
 import { filling, type SceneKind } from './kind';
-import { readId, readPlace } from './unread';
 
 /** Where the robot of a further device starts. */
 export const start: SceneKind<Start> = {
   name: 'start',
-  properties: ['at', 'heading', 'robot', 'options', 'name', 'color'],
-  read(given) {
-    const { reader, at } = given;
-    const [options, optionsPath] = at('options');
-    const [name, namePath] = at('name');
-    const [color, colorPath] = at('color');
-    return {
-      type: 'start',
-      id: readId(given),
-      at: readPlace(given, 'at'),
-      heading: reader.number(...at('heading'), sceneLimits.headingDeg, sceneDefaults.heading),
-      robot: readTypeId(...at('robot'), reader),
-      options: options === undefined ? {} : readOptions(options, optionsPath, reader),
-      name: name === undefined ? '' : readRobotName(name, namePath, reader),
-      color: color === undefined ? null : readRobotColor(color, colorPath, reader),
-    };
-  },
   write: ({ at, heading, robot, options, name, color }) => [
     `"at": ${pair(at)}`,
     ...property('heading', heading, sceneDefaults.heading),

@@ -1,25 +1,11 @@
 import { pair, property } from '../json-text';
 import { boundsOfOutline, overlapMm, type Outline } from '../outline';
-import { sceneDefaults, sceneLimits, strokeColors, type Stroke } from '../scene';
+import { sceneDefaults, type Stroke } from '../scene';
 import type { SceneKind } from './kind';
-import { readId } from './unread';
 
 /** Painted lines. */
 export const stroke: SceneKind<Stroke> = {
   name: 'stroke',
-  properties: ['points', 'width', 'color'],
-  read(given) {
-    const { reader, at, pointsLeft } = given;
-    const [value, path] = at('points');
-    const points = reader.list(value, path, { min: 1, max: pointsLeft });
-    return {
-      type: 'stroke',
-      id: readId(given),
-      points: points.map((point, index) => reader.point(point, `${path}[${index}]`, sceneLimits.placeMm)),
-      width: reader.whole(...at('width'), sceneLimits.widthMm, sceneDefaults.width),
-      color: reader.word(...at('color'), strokeColors, sceneDefaults.color),
-    };
-  },
   write: ({ points, width, color }) => [
     `"points": [${points.map(pair).join(', ')}]`,
     ...property('width', width, sceneDefaults.width),

@@ -1,28 +1,13 @@
 import type { Vec } from '#core/geometry';
 import { property, shapeProperties } from '../json-text';
 import { overlapMm, squaredDistance, type Outline } from '../outline';
-import type { Range } from '../reader';
-import { sceneDefaults, sceneLimits, type SceneObject, type Zone } from '../scene';
+import { sceneDefaults, type SceneObject, type Zone } from '../scene';
 import { outlineHolds, shapeBounds, shapeOutline, shapeParts, toOwnFrame } from '../shape/shape';
 import type { SceneKind } from './kind';
-import { readShape } from './unread';
-
-const NONE: Range = { min: 0, max: 0 };
 
 function zoneKind(type: Zone['type']): SceneKind<Zone> {
-  const isNumbered = type === 'checkpoint';
-  const numbers = isNumbered ? sceneLimits.checkpoint : NONE;
-  const blocks = type === 'target' ? sceneLimits.blocks : NONE;
   return {
     name: type,
-    properties: ['at', 'size', 'angle', 'round', 'corners', 'number', 'blocks'],
-    read: (given) => ({
-      type,
-      ...readShape(given),
-      round: given.reader.flag(...given.at('round'), sceneDefaults.round),
-      number: given.reader.whole(...given.at('number'), numbers, isNumbered ? undefined : 0),
-      blocks: given.reader.whole(...given.at('blocks'), blocks, sceneDefaults.blocks),
-    }),
     write: (zone, rotation) => [
       ...shapeProperties(zone, rotation),
       ...property('round', zone.round, sceneDefaults.round),

@@ -10,7 +10,9 @@ import { applyEdit, type SceneEdit } from '#scene/edit';
 import { inverse } from '#scene/inverse';
 import { boundsOf, reachesInto, sceneKinds, solidParts } from '#scene/kinds/index';
 import type { AnyObject, SceneKind } from '#scene/kinds/kind';
-import { readId, readPlace } from '#scene/kinds/unread';
+import { kindReaders } from '#scene/kinds/reading/index';
+import type { KindReader } from '#scene/kinds/reading/kind-reader';
+import { readId, readPlace } from '#scene/kinds/reading/unread';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Point, type Scene, type SceneObject } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
@@ -43,6 +45,12 @@ const around = ({ at: [x, y], radius }: Puddle) => ({
 });
 const inScene: SceneKind<Puddle> = {
   name: 'puddle',
+  write: ({ at, radius }) => [`"at": [${at.join(', ')}]`, `"radius": ${String(radius)}`],
+  solid: () => [],
+  bounds: around,
+  reachesInto: () => true,
+};
+const inReading: KindReader<Puddle> = {
   properties: ['at', 'radius'],
   read: (given) => ({
     type: 'puddle',
@@ -50,10 +58,6 @@ const inScene: SceneKind<Puddle> = {
     at: readPlace(given, 'at'),
     radius: given.reader.whole(...given.at('radius'), { min: 1, max: 500 }),
   }),
-  write: ({ at, radius }) => [`"at": [${at.join(', ')}]`, `"radius": ${String(radius)}`],
-  solid: () => [],
-  bounds: around,
-  reachesInto: () => true,
 };
 const inEditor: EditorKind<Puddle> = {
   layer: 0,
@@ -94,6 +98,7 @@ const inWords = { where: ({ at }: Puddle) => at.join(' | ') };
 /** The tables, and what the made-up kind is in each. */
 const tables: readonly (readonly [table: object, madeUp: object])[] = [
   [sceneKinds, inScene],
+  [kindReaders, inReading],
   [editorKinds, inEditor],
   [runKinds, inRun],
   [linkKinds, inLink],
@@ -254,6 +259,7 @@ describe('the tables of kinds', () => {
   it('want every kind: the compiler asks for a missing one', () => {
     type Type = SceneObject['type'];
     expectTypeOf<keyof typeof sceneKinds>().toEqualTypeOf<Type>();
+    expectTypeOf<keyof typeof kindReaders>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof editorKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof runKinds>().toEqualTypeOf<Type>();
     expectTypeOf<keyof typeof pictureKinds>().toEqualTypeOf<Type>();

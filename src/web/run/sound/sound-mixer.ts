@@ -12,9 +12,6 @@ export interface Synthesis {
   readonly speechPieces: typeof speechPieces;
 }
 
-/** Whether an event can be played only once the synthesis is loaded. */
-export const needsSynthesis = (event: SoundEvent): boolean => event.type === 'effect' || event.type === 'speech';
-
 const FULL_VOLUME = 255;
 const SOURCES = ['tone', 'effect', 'speech'] as const;
 
@@ -51,7 +48,7 @@ export class SoundMixer {
    * Plays a sound event.
    *
    * @param atS when, in s of the sound system
-   * @param synthesis needed for effects and speech (see `needsSynthesis`), which are silent without it
+   * @param synthesis needed for effects and speech, which are silent without it
    */
   play(event: SoundEvent, atS: number, synthesis: Synthesis | null): void {
     switch (event.type) {

@@ -3,17 +3,26 @@ import { shallowRef, type ShallowRef } from 'vue';
 import type { SoundEvent } from '#board/sound/sound-event';
 
 import { createSoundClock } from './sound-clock';
-import { needsSynthesis, SoundMixer, type Synthesis } from './sound-mixer';
+import type { SoundMixer, Synthesis } from './sound-mixer';
 
 /** Silence after which the sound system is put to sleep, in ms: awake, it constantly costs a weak tablet a few percent. */
 const SLEEP_AFTER_MS = 3000;
 /** How long the browser may take to let sound begin, in ms. */
 const BLOCKED_AFTER_MS = 400;
 
+/** The sound system; its mixer is fetched with the first sound. */
 interface System {
   readonly context: AudioContext;
-  readonly mixer: SoundMixer;
+  mixer: SoundMixer | null;
 }
+
+/** The module that mixes. */
+interface Mixing {
+  readonly SoundMixer: new (context: BaseAudioContext) => SoundMixer;
+}
+
+/** Whether an event can be played only once the synthesis is loaded. */
+const needsSynthesis = (event: SoundEvent): boolean => event.type === 'effect' || event.type === 'speech';
 
 /** Where sounds other than the board's are played. */
 export interface SoundOutput {
@@ -27,6 +36,7 @@ export class SoundPlayer {
   readonly isBlocked: ShallowRef<boolean> = shallowRef(false);
   private readonly clock = createSoundClock();
   private system: System | null = null;
+  private mixing: Mixing | null = null;
   private synthesis: Synthesis | null = null;
   private isLoading = false;
   private speed = 0;
@@ -36,7 +46,7 @@ export class SoundPlayer {
    * should be.
    */
   private readonly lasting = new Map<SoundEvent['type'], SoundEvent>();
-  /** Events that wait for the synthesis. */
+  /** Events that wait for the mixer or the synthesis. */
   private waiting: readonly SoundEvent[] = [];
   private sleep: ReturnType<typeof setTimeout> | undefined;
   private check: ReturnType<typeof setTimeout> | undefined;
@@ -45,18 +55,13 @@ export class SoundPlayer {
   take(events: readonly SoundEvent[]): void {
     for (const event of events) this.remember(event);
     if (!this.isHeard || events.length === 0) return;
-    if (this.waiting.length > 0 || (this.synthesis === null && events.some(needsSynthesis))) {
-      this.waiting = [...this.waiting, ...events];
-      void this.load();
-    } else {
-      this.play(events);
-    }
+    this.playSoon(events);
   }
 
   /** A new run begins: silence, full volume, speaker on. */
   start(): void {
     this.stop();
-    this.system?.mixer.reset();
+    this.system?.mixer?.reset();
     this.lasting.clear();
   }
 
@@ -64,7 +69,7 @@ export class SoundPlayer {
   stop(): void {
     this.waiting = [];
     this.clock.reset();
-    this.system?.mixer.stop();
+    this.system?.mixer?.stop();
     clearTimeout(this.check);
     this.isBlocked.value = false;
   }
@@ -83,10 +88,11 @@ export class SoundPlayer {
     if (!this.muted) this.open();
   }
 
-  /** For other sounds of the page: where to play now, awake for some seconds; `null` while it is muted. */
+  /** For other sounds of the page: where to play now, awake for some seconds; `null` while it is muted or being fetched. */
   output(): SoundOutput | null {
     const system = this.muted ? null : this.open();
-    return system && { context: system.context, to: system.mixer.out };
+    if (system !== null && system.mixer === null) void this.load();
+    return system?.mixer ? { context: system.context, to: system.mixer.out } : null;
   }
 
   dispose(): void {
@@ -113,14 +119,24 @@ export class SoundPlayer {
     apply();
     if (before === this.isHeard) return;
     if (before) this.stop();
-    else if (this.lasting.size > 0) this.play([...this.lasting.values()].map((event) => ({ ...event, timeUs: 0 })));
+    else if (this.lasting.size > 0) this.playSoon([...this.lasting.values()].map((event) => ({ ...event, timeUs: 0 })));
     this.clock.reset();
   }
 
+  /** Plays events as soon as all that they need is loaded. */
+  private playSoon(events: readonly SoundEvent[]): void {
+    const isMissing = this.mixing === null || (this.synthesis === null && events.some(needsSynthesis));
+    if (this.waiting.length === 0 && !isMissing) {
+      this.play(events);
+      return;
+    }
+    this.waiting = [...this.waiting, ...events];
+    void this.load();
+  }
+
   private play(events: readonly SoundEvent[]): void {
-    const system = this.open();
-    if (system === null) return;
-    const { context, mixer } = system;
+    const { context, mixer } = this.open() ?? {};
+    if (!context || !mixer) return;
     if (context.state !== 'running') this.checkLater(context);
     for (const event of events) {
       mixer.play(event, this.clock.at(event.timeUs, context.currentTime, this.speed), this.synthesis);
@@ -131,7 +147,8 @@ export class SoundPlayer {
     if (this.isLoading) return;
     this.isLoading = true;
     try {
-      this.synthesis = await import('./synthesis');
+      this.mixing ??= await import('./sound-mixer');
+      if (this.waiting.some(needsSynthesis)) this.synthesis ??= await import('./synthesis');
     } catch {
       // Tones need no synthesis: they play even if it cannot be loaded.
     }
@@ -144,6 +161,7 @@ export class SoundPlayer {
   private open(): System | null {
     try {
       this.system ??= this.create();
+      if (this.mixing) this.system.mixer ??= new this.mixing.SoundMixer(this.system.context);
       if (this.system.context.state !== 'running') this.system.context.resume().catch(() => undefined);
       this.sleepLater(this.system);
     } catch {
@@ -157,16 +175,16 @@ export class SoundPlayer {
     context.onstatechange = () => {
       if (context.state === 'running') this.isBlocked.value = false;
     };
-    return { context, mixer: new SoundMixer(context) };
+    return { context, mixer: null };
   }
 
   /** Puts the sound system to sleep some time after the last sound. */
   private sleepLater(system: System): void {
-    const { context, mixer } = system;
+    const { context } = system;
     clearTimeout(this.sleep);
     this.sleep = setTimeout(() => {
       if (context.state !== 'running') return;
-      if (mixer.endS > context.currentTime) this.sleepLater(system);
+      if ((system.mixer?.endS ?? 0) > context.currentTime) this.sleepLater(system);
       else context.suspend().catch(() => undefined);
     }, SLEEP_AFTER_MS);
   }

@@ -1,7 +1,7 @@
-import { join, type Fields, type Reader } from '../reader';
+import { join, type Fields, type Reader } from '../../reader';
 import { fullTurnDeg } from '#core/angle';
-import { areaOf, polygonFault, type PolygonFault } from '../shape/polygon';
-import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../scene';
+import { areaOf, polygonFault, type PolygonFault } from '../../shape/polygon';
+import { sceneDefaults, sceneLimits, type Point, type SceneObject, type Shaped } from '../../scene';
 
 /** An object of a course that is yet to be read, and the reader that notes what is wrong with it. */
 export interface Unread {

@@ -1,0 +1,15 @@
+import { chromium } from 'playwright';
+import { serve } from './scripts/serve.mjs';
+import { gzipSync } from 'node:zlib';
+import { readFileSync, existsSync, writeFileSync } from 'node:fs';
+const s = await serve({ folder: '/tmp/sizes-out', port: 4610 });
+const b = await chromium.launch({ executablePath: '/usr/bin/chromium', args: ['--no-sandbox'] });
+const p = await b.newPage({ viewport: { width: 1366, height: 768 } });
+const got = [];
+p.on('response', (r) => got.push(new URL(r.url()).pathname));
+await p.goto('http://localhost:4610/'); await p.waitForTimeout(5000);
+const rows = got.map((f) => { const path = '/tmp/sizes-out' + (f === '/' ? '/index.html' : f); return [f, existsSync(path) ? gzipSync(readFileSync(path),{level:9}).length : 0]; }).sort((a, c) => c[1] - a[1]);
+writeFileSync('/tmp/loaded.json', JSON.stringify(rows));
+console.log(rows.length, rows.filter(([f]) => !/wasm|worker/.test(f)).reduce((t, r) => t + r[1], 0));
+for (const r of rows.slice(0, 60)) console.log(r.join(' '));
+await b.close(); process.exit(0);
