@@ -9,6 +9,8 @@ export interface Modules {
   readonly program: number;
   /** Whether a global is a module, or was imported from one, that is no file of the pupil's. */
   isImported(entry: Entry): boolean;
+  /** Whether a module has been imported since. */
+  haveChanged(): boolean;
 }
 
 /**
@@ -28,7 +30,10 @@ export function readModules(vm: Inspected, objects: Objects): Modules {
       imported.set(key, (imported.get(key) ?? new Set()).add(value));
   };
   const ours = objects.entries(globalsOfFrame(1), Infinity).map(([, value]) => value);
-  for (const module of [...ours, ...loadedModules(objects, ours)]) {
+  const loaded = loadedModules(objects, ours);
+  const count = loaded === null ? 0 : objects.count(loaded);
+  const others = loaded === null ? [] : objects.entries(loaded, Infinity).map(([, module]) => module);
+  for (const module of [...ours, ...others]) {
     if (objects.layoutOf(module) !== 'module' || objects.dictOf(module) === program) continue;
     if (!vm.isOwnFile(`${objects.moduleName(module)}.py`)) addNamesOf(module);
   }
@@ -40,14 +45,14 @@ export function readModules(vm: Inspected, objects: Objects): Modules {
   };
   return {
     program,
+    haveChanged: () => loaded !== null && objects.count(loaded) !== count,
     isImported: ([key, value]) => imported.get(key)?.has(value) === true || isDriver(value),
   };
 }
 
-/** All modules that are loaded: `sys.modules`. */
-function loadedModules(objects: Objects, ours: readonly number[]): readonly number[] {
+/** The dict of all modules that are loaded, `sys.modules`, or `null` before there is one. */
+function loadedModules(objects: Objects, ours: readonly number[]): number | null {
   const isSys = (value: number): boolean => objects.layoutOf(value) === 'module' && objects.moduleName(value) === 'sys';
   const members = ours.filter(isSys).flatMap((sys) => objects.members(sys, Infinity));
-  const [table] = members.filter(([key]) => objects.nameText(key) === 'modules');
-  return table === undefined ? [] : objects.entries(table[1], Infinity).map(([, module]) => module);
+  return members.find(([key]) => objects.nameText(key) === 'modules')?.[1] ?? null;
 }

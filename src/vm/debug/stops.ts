@@ -18,8 +18,9 @@ export function atLine({ file, line }: BreakPoint, hit = 1): StopRule {
 
 /** Stops at each of these lines. */
 export function atBreakPoints(points: readonly BreakPoint[]): StopRule {
-  const keys = new Set(points.map(({ file, line }) => `${line} ${file}`));
-  return ({ kind, file, line }) => kind === 'line' && keys.has(`${line} ${file}`);
+  const files = new Map<number, Set<string>>();
+  for (const { file, line } of points) files.set(line, (files.get(line) ?? new Set()).add(file));
+  return ({ kind, file, line }) => kind === 'line' && files.get(line)?.has(file) === true;
 }
 
 /**

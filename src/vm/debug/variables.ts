@@ -29,19 +29,29 @@ export interface Variables {
 }
 
 /** Reads the stack and the variables from memory: nothing runs, nothing is allocated, no time passes. */
-export function readVariables(vm: Inspected, bounds: Bounds = USUAL_BOUNDS): Variables {
+export const readVariables = (vm: Inspected, bounds: Bounds = USUAL_BOUNDS): Variables => variablesReader(vm, bounds)();
+
+/**
+ * The same for who reads them often: what the modules hold is read again only when another one has been imported.
+ *
+ * @param vm the MicroPython to read; after a reset of the board it is another one
+ */
+export function variablesReader(vm: Inspected, bounds: Bounds = USUAL_BOUNDS): () => Variables {
   const names = new Names(vm.memory, vm.interned);
   const reader = { vm, bounds, objects: new Objects(vm, names) };
-  const frames = readFrames(vm, names);
-  const inBody = frames.find(({ code }) => vm.scopeOf(code.start)?.kind !== 'function');
-  const stack = frames.map((frame) => ({
-    function: frame.code.name,
-    file: frame.code.file,
-    line: frame.line,
-    locals: localsOf(reader, frame, frame === inBody),
-  }));
-  const modules = readModules(vm, reader.objects);
-  return { stack, globals: globalsOf(reader, frames[0]?.code.globals ?? modules.program, modules) };
+  let modules: Modules | null = null;
+  return () => {
+    const frames = readFrames(vm, names);
+    const inBody = frames.find(({ code }) => vm.scopeOf(code.start)?.kind !== 'function');
+    const stack = frames.map((frame) => ({
+      function: frame.code.name,
+      file: frame.code.file,
+      line: frame.line,
+      locals: localsOf(reader, frame, frame === inBody),
+    }));
+    if (modules === null || modules.haveChanged()) modules = readModules(vm, reader.objects);
+    return { stack, globals: globalsOf(reader, frames[0]?.code.globals ?? modules.program, modules) };
+  };
 }
 
 interface Reader {

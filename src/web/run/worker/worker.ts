@@ -1,10 +1,12 @@
 /**
- * The module worker that owns one run, or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
+ * The module worker that owns one run, looks into one that has been (`look/`), or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
  * of its logic is in `runner.ts`.
  */
 import { Simulation } from '#simulation/simulation';
 
 import { answerFit, type FitRequest } from './fit';
+import { Looker } from './look/looker';
+import type { ToLooker } from './look/protocol';
 import { sealSandbox } from './sandbox';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
@@ -20,21 +22,29 @@ channel.port1.onmessage = () => {
   task?.();
 };
 
+function soon(task: () => void): void {
+  next = task;
+  channel.port2.postMessage(null);
+}
+
 const runner = new Runner({
   post: (message) => postMessage(message),
   nowMs: () => performance.now(),
   later(task, delayMs) {
-    if (delayMs > 0) {
-      setTimeout(task, delayMs);
-    } else {
-      next = task;
-      channel.port2.postMessage(null);
-    }
+    if (delayMs > 0) setTimeout(task, delayMs);
+    else soon(task);
   },
   create: (setup, firmware, outlets) => Simulation.create(setup, firmware, outlets),
 });
 
-addEventListener('message', ({ data }: MessageEvent<ToWorker | FitRequest>) => {
-  if (data.type !== 'fit') runner.receive(data);
-  else void answerFit(data).then((answer) => postMessage(answer));
+const looker = new Looker({
+  post: (message) => postMessage(message),
+  nowMs: () => performance.now(),
+  rest: () => new Promise((resolve) => soon(resolve)),
+});
+
+addEventListener('message', ({ data }: MessageEvent<ToWorker | ToLooker | FitRequest>) => {
+  if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
+  else if (data.type === 'look-into' || data.type === 'look' || data.type === 'look-near') looker.receive(data);
+  else runner.receive(data);
 });

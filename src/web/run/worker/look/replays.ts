@@ -1,0 +1,100 @@
+import type { RunSetup } from '#simulation/run-setup';
+import { Simulation } from '#simulation/simulation';
+import type { Instant } from './protocol';
+
+/** Runs that are kept to go on from; each takes 17 MB. Chosen: one near the moment that is looked at, one before it. */
+const MOST_PARKED = 2;
+/** Longest stretch without looking at messages, in ms of wall time. */
+const SLICE_MS = 12;
+/** What is run at once, in µs of simulated time: at first, at least, and at most. Chosen: fractions of a slice. */
+const PIECE_US = 20_000;
+const LEAST_PIECE_US = 4000;
+const MOST_PIECE_US = 2_000_000;
+
+/** What the replays need of the worker. */
+export interface Bench {
+  nowMs(): number;
+  /** Lets messages in. */
+  rest(): Promise<void>;
+}
+
+/** Somebody wants something newer: what was under way is given up. */
+export class Overtaken extends Error {}
+
+/** A run that waits, and where it stands if somebody has looked at it there. */
+interface Parked {
+  readonly run: Simulation;
+  readonly at: Instant | null;
+}
+
+/** The same run, again and again: brought to any moment, in slices, and parked there for the next wish. */
+export class Replays {
+  private parked: readonly Parked[] = [];
+
+  constructor(
+    private readonly setup: RunSetup,
+    private readonly firmware: WebAssembly.Module,
+    private readonly bench: Bench,
+  ) {}
+
+  /** Whether one is parked between two times: from there the second is soon reached. */
+  hasBetween = (fromUs: number, toUs: number): boolean =>
+    this.parked.some(({ run }) => run.nowUs >= fromUs && run.nowUs <= toUs);
+
+  /**
+   * A run that stands at a time, or before the first line for 0. Whoever has taken it parks it again.
+   *
+   * @param mayGoOn asked between slices; when it says no, `Overtaken` is thrown
+   */
+  async at(us: number, mayGoOn: () => boolean): Promise<Simulation> {
+    const before = this.parked.filter(({ run }) => run.nowUs <= us);
+    const [nearest] = before.sort((one, other) => other.run.nowUs - one.run.nowUs);
+    this.parked = this.parked.filter((other) => other !== nearest);
+    const run = nearest?.run ?? (await Simulation.create(this.setup, this.firmware));
+    try {
+      await this.advance(run, us, mayGoOn);
+    } catch (error) {
+      this.park(run);
+      throw error;
+    }
+    return run;
+  }
+
+  /** Lets a run go on until a time, or until its rule stops it. */
+  async advance(run: Simulation, us: number, mayGoOn: () => boolean): Promise<void> {
+    let pieceUs = PIECE_US;
+    let sliceMs = this.bench.nowMs();
+    while (run.nowUs < us) {
+      const startMs = this.bench.nowMs();
+      run.advanceTo(Math.min(us, run.nowUs + pieceUs));
+      if (run.heldBy !== null) return;
+      const endMs = this.bench.nowMs();
+      if (endMs - startMs < SLICE_MS / 4) pieceUs = Math.min(2 * pieceUs, MOST_PIECE_US);
+      else if (endMs - startMs > SLICE_MS) pieceUs = Math.max(pieceUs / 4, LEAST_PIECE_US);
+      if (endMs - sliceMs < SLICE_MS) continue;
+      await this.bench.rest();
+      if (!mayGoOn()) throw new Overtaken();
+      sliceMs = this.bench.nowMs();
+    }
+  }
+
+  /** The run that has been parked at a moment, or `null`. */
+  standing({ device, timeUs, isLine }: Instant): Simulation | null {
+    const found = this.parked.find(({ at }) => at?.device === device && at.timeUs === timeUs && at.isLine === isLine);
+    this.parked = this.parked.filter((other) => other !== found);
+    return found?.run ?? null;
+  }
+
+  /** Keeps a run to go on from, and lets the oldest go. @param at where it stands */
+  park(run: Simulation, at: Instant | null = null): void {
+    for (const device of run.endings.keys()) run.watch(null, device);
+    const all = [...this.parked, { run, at }];
+    for (const old of all.slice(0, -MOST_PARKED)) old.run.dispose();
+    this.parked = all.slice(-MOST_PARKED);
+  }
+
+  dispose(): void {
+    for (const { run } of this.parked) run.dispose();
+    this.parked = [];
+  }
+}
