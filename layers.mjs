@@ -14,6 +14,7 @@ export const layers = {
   simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
   tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
+  check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python'],
   embed: ['core', 'board', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
@@ -21,6 +22,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
+    'check',
   ], // prettier-ignore
   web: [
     'core',

@@ -7,7 +7,7 @@ import { defaultScene } from '#scene/scene';
 import { parseProject, parseProjectValue, projectToText } from './file';
 import type { ProjectProblem } from './problem';
 import { FILE_BYTES, utf8Bytes, type Project } from './project';
-import { devicesProject, fullProject, measuredProject } from './testing/projects';
+import { classProject, devicesProject, fullProject, handedInProject, measuredProject } from './testing/projects';
 
 const kept = (name: string): string => readFileSync(new URL(`kept/${name}`, import.meta.url), 'utf8');
 const small: Project = { files: [{ name: 'main.py', text: 'print(1)\n' }], scene: defaultScene(), course: null };
@@ -60,6 +60,21 @@ describe('a project file', () => {
     expect(projectToText(devicesProject())).toBe(kept('v3.json'));
   });
 
+  it('of version 4 opens as it always did, with the data of a task; what is handed in is of that version, too', () => {
+    expect(parseProject(kept('v4.json'))).toEqual({ project: classProject() });
+    expect(projectToText(classProject())).toBe(kept('v4.json'));
+    expect(projectToText(handedInProject())).toContain('"version": 4,');
+    expect(parseProject(projectToText(handedInProject()))).toEqual({ project: handedInProject() });
+  });
+
+  it('carries no data of a task that is none, too deep or too long', () => {
+    const deep = JSON.parse(`${'{"a":'.repeat(40)}1${'}'.repeat(40)}`) as unknown;
+    const codes = [7, [], deep, { a: 'x'.repeat(2_000_001) }].map(
+      (task) => problemsOf({ ...asValue(small), task })[0]?.code,
+    );
+    expect(codes).toEqual(['wrong-type', 'wrong-type', 'too-many', 'too-long']);
+  });
+
   it('names the device, and the way out, where devices do not fit together', () => {
     const { devices } = devicesProject();
     const [remote, third] = devices?.others ?? [];
@@ -102,8 +117,8 @@ describe('a project file', () => {
 
   it('of a newer version asks to reload the page', () => {
     const [problem] = problemsOf({ ...asValue(small), version: 7 });
-    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 3 } });
-    expect(problem?.message).toBe('Project version 7 is newer than this app (3). Reload the page to update.');
+    expect(problem).toMatchObject({ code: 'newer-version', params: { version: 7, known: 4 } });
+    expect(problem?.message).toBe('Project version 7 is newer than this app (4). Reload the page to update.');
     for (const version of [0, 1.5, '1', null, undefined])
       expect(problemsOf({ ...asValue(small), version })[0]?.code).toBe('unknown-version');
   });

@@ -8,6 +8,7 @@ import { serializeScene } from '#scene/serialize';
 
 import type { ProjectProblem } from './problem';
 import { defaultProjectSettings, projectLimits, type Project, type ProjectSettings } from './project';
+import { readCarried } from './read-carried';
 import { devicesText, readDevices } from './read-devices';
 import { readFiles } from './read-files';
 import { readHardware } from './read-hardware';
@@ -17,14 +18,16 @@ export const PROJECT_FORMAT = 'parcours-project';
 
 /**
  * The newest version that this app writes and reads; what an older one can say is written in that. Its course has a
- * version of its own (`#scene/scene`). 2: with a robot of one's own. 3: with several devices.
+ * version of its own (`#scene/scene`). 2: with a robot of one's own. 3: with several devices. 4: with a task for a class, or
+ * handed in.
  */
-export const PROJECT_VERSION = 3;
+export const PROJECT_VERSION = 4;
 
 /** Steps that bring a file of a version to the next one: version → step. A file of each version is kept in `kept/`. */
 const migrations: Readonly<Record<number, (value: Fields) => Fields>> = {
   1: (value) => value,
   2: (value) => value,
+  3: (value) => value,
 };
 
 /** A project, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
@@ -36,7 +39,7 @@ export type ParsedProject =
  * the same project always gives the same text.
  */
 export function projectToText(project: Project): string {
-  const { files, scene, course, settings, devices } = project;
+  const { files, scene, course, settings, devices, task, handIn } = project;
   const lines = [
     `"format": ${JSON.stringify(PROJECT_FORMAT)}`,
     `"version": ${String(versionFor(project))}`,
@@ -44,6 +47,8 @@ export function projectToText(project: Project): string {
     ...(settings === undefined ? [] : [`"settings": ${JSON.stringify(settings)}`]),
     `"files": [\n    ${files.map(({ name, text }) => JSON.stringify({ name, text })).join(',\n    ')}\n  ]`,
     ...(devices === undefined ? [] : [`"devices": ${devicesText(devices)}`]),
+    ...(task === undefined ? [] : [`"task": ${JSON.stringify(task)}`]),
+    ...(handIn === undefined ? [] : [`"handIn": ${JSON.stringify(handIn)}`]),
     // Texts in JSON contain no line ends of their own: all line ends belong to the layout.
     `"scene": ${serializeScene(scene).trimEnd().replaceAll('\n', '\n  ')}`,
   ];
@@ -51,8 +56,10 @@ export function projectToText(project: Project): string {
 }
 
 /** The oldest version that can say it all. */
-const versionFor = ({ settings, devices }: Project): number =>
-  devices !== undefined ? 3 : settings?.myRobot !== undefined ? 2 : 1;
+const versionFor = ({ settings, devices, task, handIn }: Project): number => {
+  if (task !== undefined || handIn !== undefined) return 4;
+  return devices !== undefined ? 3 : settings?.myRobot !== undefined ? 2 : 1;
+};
 
 /** Reads a project file. Never throws; a file with a problem loads nothing. */
 export function parseProject(text: string): ParsedProject {
@@ -106,18 +113,16 @@ function versionProblem(version: unknown): ProjectProblem {
 
 function readProject(value: Fields): ParsedProject {
   const reader = new Reader();
-  const { course, settings, files, devices, scene } = reader.fields(value, '', [
-    'format',
-    'version',
-    'course',
-    'settings',
-    'files',
-    'devices',
-    'scene',
+  const { course, settings, files, devices, task, handIn, scene } = reader.fields(value, '', [
+    ...['format', 'version', 'course', 'settings', 'files', 'devices', 'task', 'handIn', 'scene'],
   ]);
   const id = course === undefined || course === null ? null : reader.text(course, 'course', projectLimits.idCharacters);
   const chosen = settings === undefined ? undefined : readSettings(settings, reader);
   const { files: read, problems } = readFiles(files, 'files', reader);
+  const carried = {
+    ...(task !== undefined && { task: readCarried(task, 'task', reader) }),
+    ...(handIn !== undefined && { handIn: readCarried(handIn, 'handIn', reader) }),
+  };
   const several = devices === undefined ? undefined : readDevices(devices, reader);
   const parsed = parseSceneValue(scene);
   const wrong: readonly ProjectProblem[] = [
@@ -133,6 +138,7 @@ function readProject(value: Fields): ParsedProject {
     course: id,
     ...(chosen !== undefined && { settings: chosen }),
     ...(several !== undefined && { devices: several.devices }),
+    ...carried,
   };
   return { project };
 }

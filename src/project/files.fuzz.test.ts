@@ -7,7 +7,7 @@ import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 import { parseProject, projectToText } from './file';
 import { openJson } from './open-json';
 import { projectLimits, type Project } from './project';
-import { devicesProject, fullProject } from './testing/projects';
+import { classProject, devicesProject, fullProject, handedInProject } from './testing/projects';
 
 /** How many files are tried: `npm run fuzz` tries a million. */
 const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
@@ -28,11 +28,12 @@ describe('randomly changed project files and levels', () => {
     () => {
       const text = projectToText(fullProject());
       const several = JSON.parse(projectToText(devicesProject())) as unknown;
-      const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks], several];
+      const ofClass = { ...classProject(), ...handedInProject() };
+      const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks], several, JSON.parse(projectToText(ofClass))]; // prettier-ignore
       const counts = { project: 0, scene: 0, problem: 0 };
       for (let seed = 1; seed <= RUNS; seed += 1) {
         const rng = createRng(seed);
-        const value = values[seed % 3 === 0 ? 1 + (seed % 2) : seed % 3 === 1 ? 0 : 3];
+        const value = values[seed % 3 === 0 ? 1 + (seed % 2) : seed % 3 === 1 ? (seed % 2) * 4 : 3];
         const file = rng.unit() < 0.3 ? mutatedText(text, rng) : (JSON.stringify(mutatedTree(value, rng, false)) ?? '');
         const opened = openJson(file);
         counts[opened.kind] += 1;

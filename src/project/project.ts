@@ -18,7 +18,17 @@ export interface Project {
   readonly settings?: ProjectSettings;
   /** Its microcomputers; left out: there is one. */
   readonly devices?: ProjectDevices;
+  /** What a teacher has added to make it a task for a class (`#check/task`); left out: nothing. */
+  readonly task?: Carried;
+  /** What a pupil hands in besides the program (`#check/hand-in`); left out: nothing. */
+  readonly handIn?: Carried;
 }
+
+/**
+ * Plain JSON that a project carries along. The room that it belongs to reads and checks it when it is needed; here it is only
+ * held within limits (`read-carried.ts`).
+ */
+export type Carried = Readonly<Record<string, unknown>>;
 
 /** What a program is to run on. */
 export interface HardwareWish {
@@ -94,6 +104,9 @@ export const projectLimits = {
   options: 50,
   reality: { min: 0, max: 1 },
   seed: { min: 1, max: 9999 },
+  /** A task or a hand-in as JSON. Chosen: some hidden worlds, each with thousands of inputs. */
+  carriedCharacters: 2_000_000,
+  carriedLevels: 30,
 } as const;
 
 /** What is wrong with a name for a file, or `null`. `own` is the file's present name. */

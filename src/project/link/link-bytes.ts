@@ -10,6 +10,7 @@
  *     6   for starts of further robots in the course, and a task that they share: as 5, with those
  *     7   for any angle, round bodies, polygons, locks and groups: as 6, with those
  *     8   for the name and the colour of the first robot: as 7, with those
+ *     9   for a task for a class, or what is handed in: as 8, with that
  *
  * `link-content.ts` and `scene-codec.ts` define the values and their order. Content that is too large for a model uses
  * the way of version 1.
@@ -48,7 +49,8 @@ export function bytesOfContent(content: Content): LinkBytes | null {
 
 /** The oldest version that can say it all; `null`: one of the first two. */
 function versionFor(content: Content): keyof typeof laterVersions | null {
-  const { extras, myRobot, devices, starts, sharing, additions, firstRobot } = content;
+  const { extras, myRobot, devices, starts, sharing, additions, firstRobot, carried } = content;
+  if (carried !== '') return 9;
   if (firstRobot !== null) return 8;
   if (additions.length > 0) return 7;
   if (starts.length > 0 || sharing !== null) return 6;

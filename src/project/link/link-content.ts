@@ -59,6 +59,8 @@ export interface Content {
   readonly additions: readonly PlacedAdditions[];
   /** Name and colour of the first robot in a whole course; `null` before version 8, and without. */
   readonly firstRobot: FirstRobot | null;
+  /** Task and hand-in as JSON, checked like a file's; empty before version 9, and without both. */
+  readonly carried: string;
 }
 
 /** The content of a link, in the order of one version; it is the format (see `scene-codec.ts`). */
@@ -77,6 +79,7 @@ interface Parts {
   readonly sharing?: (shared: SharedCodecs) => Codec<TaskRule | null>;
   readonly additions?: (shared: SharedCodecs) => Codec<readonly PlacedAdditions[]>;
   readonly firstRobot?: (shared: SharedCodecs) => Codec<FirstRobot | null>;
+  readonly carried?: (shared: SharedCodecs) => Codec<string>;
 }
 
 /** Version 1: for columns that are deflated. */
@@ -97,6 +100,7 @@ const several: Parts = { ...robot, devices: devicesCodec };
 const places: Parts = { ...several, starts: startsCodec, sharing: sharingCodec };
 const shapes: Parts = { ...places, additions: additionsCodec };
 const names: Parts = { ...shapes, firstRobot: firstRobotCodec };
+const forClass: Parts = { ...names, carried: jsonCodec };
 
 /** The versions that add something to the first two, each to the one before. */
 export const laterVersions = {
@@ -106,6 +110,7 @@ export const laterVersions = {
   6: bothWays(places),
   7: bothWays(shapes),
   8: bothWays(names),
+  9: bothWays(forClass),
 } as const;
 
 function bothWays(parts: Parts): Packing {
@@ -132,6 +137,7 @@ function contentCodec(paths: PathCodec, parts: Parts): ContentCodec {
     sharing: parts.sharing?.(shared) ?? constant(null),
     additions: parts.additions?.(shared) ?? constant([]),
     firstRobot: parts.firstRobot?.(shared) ?? constant(null),
+    carried: parts.carried?.(shared) ?? constant(''),
   });
   return { codec, columns: columns.used };
 }

@@ -13,7 +13,9 @@ import { MODELLED_BYTES, ModelWriter } from './model-coder';
 import { defaultProjectSettings, type Project } from '../project';
 import { drawings, drawn, wildDrawings } from '../testing/drawings';
 import {
+  classProject,
   devicesProject,
+  handedInProject,
   shapesProject,
   startsProject,
   FORTY_LINES,
@@ -169,8 +171,8 @@ describe('a link that is not whole', () => {
   });
 
   it('of a newer version asks to reload the page', () => {
-    const read = projectOfLink('#p=9.abc', courses);
-    expect('problem' in read && read.problem.message).toBe('The link is of version 9; this app reads version 8. Reload the page to update.'); // prettier-ignore
+    const read = projectOfLink('#p=10.abc', courses);
+    expect('problem' in read && read.problem.message).toBe('The link is of version 10; this app reads version 9. Reload the page to update.'); // prettier-ignore
     expect(codeOf(projectOfLink('#p=0.abc', courses))).toBe('damaged');
   });
 });
@@ -191,7 +193,7 @@ describe('a hostile link', () => {
     const points = Array.from({ length: 33_000 }, (_, index) => [index % 2, 0] as const);
     const objects = [{ type: 'stroke', id: 's', points, width: 20, color: 'black' }] as const;
     const scene = { whole: { ...ready, objects } };
-    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null }); // prettier-ignore
+    modelledContent.codec.write(endless, { files: [], course: null, settings: null, scene, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '' }); // prettier-ignore
     const read = projectOfLink(linkOfBytes({ version: 2, bytes: endless.bytes() }), courses);
     expect('problem' in read && read.problem).toMatchObject({ code: 'too-large', params: { max: MODELLED_BYTES } });
   });
@@ -244,6 +246,7 @@ describe('a link of version 1', () => {
       sharing: null,
       additions: [],
       firstRobot: null,
+      carried: '',
     });
     expect(deflatedLink(out.bytes())).toBe(kept);
   });
@@ -473,6 +476,26 @@ describe('a link of version 8', () => {
     const other = { ...scene, robot: { ...scene.robot, color: 'pink' as const } };
     expect(projectOfLink(made?.fragment ?? '', () => scene)).toMatchObject({ isCourseChanged: false });
     expect(projectOfLink(made?.fragment ?? '', () => other)).toMatchObject({ isCourseChanged: true });
+  });
+});
+
+describe('a link of version 9', () => {
+  const kept = keptLink(9);
+
+  it('opens with the data of a task, and of what is handed in', () => {
+    expect(projectIn(kept)).toEqual(classProject());
+    expect(projectIn(link(handedInProject()))).toEqual(handedInProject());
+  });
+
+  it('is still made so, and only for these', () => {
+    expect(link(classProject())).toBe(kept);
+    expect(link(handedInProject())).toMatch(/^p=9\./);
+    expect(link(taskProject())).toMatch(/^p=3\./);
+  });
+
+  it('whose data is no object holds no project', () => {
+    const project = { ...taskProject(), task: [] as unknown as Record<string, unknown> };
+    expect(codeOf(projectOfLink(link(project), courses))).toBe('invalid');
   });
 });
 

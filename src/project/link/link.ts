@@ -5,12 +5,13 @@
  *     p=2.<base64url>        2: version of all that follows; 1 for what is large, 3 for a task with more than rules, 4 for a
  *                            robot of one's own, 5 for several devices, 6 for starts of further robots and a task
  *                            that they share, 7 for any angle, round bodies, polygons, locks and groups, 8 for the
- *                            name and the colour of the first robot
+ *                            name and the colour of the first robot, 9 for a task for a class or what is handed in
  *     <base64url>            checksum of all that follows (4 bytes, FNV-1a, lowest first), the content (`link-bytes.ts`)
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
 import { fnvOfBytes } from '#core/fnv';
+import { isRecord } from '#core/record';
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene, type Task } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
@@ -24,7 +25,7 @@ import type { ProjectProblem } from '../problem';
 import { defaultProjectSettings, MAIN, type Project, type ProjectDevices } from '../project';
 
 /** The newest version of links that this app makes and reads. */
-export const LINK_VERSION = 8;
+export const LINK_VERSION = 9;
 
 /** The name of a link's content in the fragment. */
 export const LINK_NAME = 'p';
@@ -115,7 +116,7 @@ const without: Readonly<Record<Omitted, (scene: Scene) => Scene>> = {
 };
 
 function makeLink(project: Project, courses: ReadyCourses, program: boolean): string | null {
-  const { files, scene, course, settings, devices } = project;
+  const { files, scene, course, settings, devices, task, handIn } = project;
   const ready = course === null ? null : courses(course);
   const isReady = ready !== null && isSame(ready, scene);
   const { seconds, noTouch, robots, ...extras } = scene.task;
@@ -133,6 +134,7 @@ function makeLink(project: Project, courses: ReadyCourses, program: boolean): st
     sharing: isReady ? null : (robots ?? null),
     additions: isReady ? [] : additions,
     firstRobot: isReady ? null : firstRobot,
+    carried: task === undefined && handIn === undefined ? '' : JSON.stringify({ task, handIn }),
   };
   const bytes = bytesOfContent(content);
   const link = bytes === null ? null : linkOfBytes(bytes);
@@ -174,7 +176,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     const message = `The link is of version ${version}; this app reads version ${String(LINK_VERSION)}. Reload the page to update.`;
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
-  const known = ([1, 2, 3, 4, 5, 6, 7, 8] as const).find((one) => String(one) === version);
+  const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9] as const).find((one) => String(one) === version);
   const all = known === undefined ? null : fromBase64Url(data);
   if (known === undefined || all === null || !isWhole(all)) return damaged();
   const bytes = all.subarray(SUM_BYTES);
@@ -201,7 +203,8 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     return failed('unknown-course', message, { course: course ?? '' });
   }
   const settings = settingsIn(content);
-  if (settings === 'damaged') return damaged();
+  const carried = carriedIn(content);
+  if (settings === 'damaged' || carried === 'damaged') return damaged();
   // Read like a file: the same rules judge the content of a link.
   const parsed = parseProjectValue({
     format: PROJECT_FORMAT,
@@ -210,6 +213,7 @@ function readContent(content: Content, courses: ReadyCourses): ReadLink {
     ...(settings === null ? {} : { settings }),
     files: files.length === 0 ? [EMPTY_PROGRAM] : files,
     ...(devices === null ? {} : { devices: { first: devices.first, others: devices.others.map(deviceValue) } }),
+    ...carried,
     scene:
       ready !== null || 'ready' in scene
         ? valueOf(defaultScene())
@@ -234,6 +238,18 @@ function settingsIn({ settings, myRobot }: Content): Readonly<Record<string, unk
   if (settings === null || myRobot === '') return settings === null ? null : { ...settings };
   try {
     return { ...settings, myRobot: JSON.parse(myRobot) as unknown };
+  } catch {
+    return 'damaged';
+  }
+}
+
+/** Task and hand-in as a file holds them. */
+function carriedIn({ carried }: Content): Readonly<Record<string, unknown>> | 'damaged' {
+  try {
+    const value: unknown = carried === '' ? {} : JSON.parse(carried);
+    if (!isRecord(value)) return 'damaged';
+    const { task, handIn } = value;
+    return { ...(task !== undefined && { task }), ...(handIn !== undefined && { handIn }) };
   } catch {
     return 'damaged';
   }

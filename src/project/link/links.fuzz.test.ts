@@ -12,7 +12,7 @@ import { deflatedBytes } from './link-bytes';
 import { deflatedContent } from './link-content';
 import type { Project } from '../project';
 import { mutatedBytes } from '../testing/mutate';
-import { fullProject, largeProject, shapesProject, startsProject } from '../testing/projects';
+import { classProject, fullProject, largeProject, shapesProject, startsProject } from '../testing/projects';
 import { programOfLink } from '../webtigerpython/program-link';
 
 /** How many links are tried: `npm run fuzz` tries a million. */
@@ -33,7 +33,7 @@ function drawingProject(): Project {
 /** A project as version 1 writes it, before it is deflated. */
 function columnsOf({ files, course, settings, scene }: Project): Bytes {
   const out = new ColumnWriter();
-  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null }; // prettier-ignore
+  const content = { files, course, settings: settings ?? null, scene: { whole: scene }, extras: {}, myRobot: '', devices: null, starts: [], sharing: null, additions: [], firstRobot: null, carried: '' }; // prettier-ignore
   deflatedContent.codec.write(out, content);
   return out.bytes();
 }
@@ -45,11 +45,11 @@ function forgedColumns({ figures, words }: Bytes, rng: Rng): string {
   return linkOfBytes({ version: 1, bytes: deflatedBytes(parts) });
 }
 
-/** The same for versions 2, 6 and 7: from the changed place on, the model misinterprets every bit. */
+/** The same for versions 2, 6, 7 and 9: from the changed place on, the model misinterprets every bit. */
 function forgedModel(link: string, rng: Rng): string {
   const bytes = fromBase64Url(link.slice(4)) ?? new Uint8Array();
   return linkOfBytes({
-    version: link.startsWith('p=7') ? 7 : link.startsWith('p=6') ? 6 : 2,
+    version: link.startsWith('p=9') ? 9 : link.startsWith('p=7') ? 7 : link.startsWith('p=6') ? 6 : 2,
     bytes: mutatedBytes(bytes.subarray(4), rng),
   });
 }
@@ -58,7 +58,7 @@ describe('randomly changed links', () => {
   it(
     `open as a valid project or give a message, never an exception (${String(RUNS)} links)`,
     () => {
-      const projects = [fullProject(), drawingProject(), startsProject(), shapesProject()];
+      const projects = [fullProject(), drawingProject(), startsProject(), shapesProject(), classProject()];
       const links = projects.map(linkFor);
       const columns = projects.slice(0, 2).map(columnsOf);
       const codes = new Map<string, number>();

@@ -271,3 +271,26 @@ export function devicesProject(): Project {
     },
   };
 }
+
+/** A project with the data of a task for a class, and one that is handed in. */
+export function classProject(): Project {
+  const world = { id: 'links', start: { at: [200, 450], heading: 90 }, seed: 7, reality: 0.5 };
+  const task = {
+    version: 1,
+    id: 'parkieren-7b',
+    checks: [
+      { type: 'goals', points: 2 },
+      { type: 'calls', name: 'irLeft' },
+    ],
+    worlds: [world],
+    solution: [{ name: 'main.py', text: 'print("Lösung")\n' }],
+    locks: { hand: true, lines: [1] },
+  };
+  return { ...taskProject(), task };
+}
+
+/** What a pupil hands in. */
+export function handedInProject(): Project {
+  const said = { task: 'parkieren-7b', alias: 'Änni', verdict: 'passed', tries: 12, hash: '0a'.repeat(32) };
+  return { ...taskProject(), handIn: { version: 1, ...said, remarks: ['hand'] } };
+}

@@ -1,0 +1,236 @@
+import { describe, expect, it } from 'vitest';
+import { ahead, checked, checkedProject, checkpointAt, projectWith, readyScene, readySolution, sceneWith, targetAt, taskWith } from './testing/tasks'; // prettier-ignore
+
+const goal = sceneWith([targetAt(700, 450)]);
+const toGoal = ahead(4000);
+
+describe('a hand-in for a course with goals', () => {
+  it('passes as soon as the goals are reached, and is run no longer', async () => {
+    const result = await checked(taskWith(readyScene('closed-line')), readySolution('closed-line'));
+    expect(result).toMatchObject({ passed: true, points: 1, stars: null, remarks: [] });
+    expect(result.worlds).toEqual([
+      expect.objectContaining({
+        id: 'visible',
+        hidden: false,
+        passed: true,
+        reason: null,
+        touches: 0,
+        held: ['goals'],
+      }),
+    ]);
+    expect(result.worlds[0]?.atMs).toBeGreaterThan(15_000);
+  });
+
+  it('gives the same result twice, to the last bit', async () => {
+    const task = taskWith(goal);
+    expect(await checked(task, toGoal)).toEqual(await checked(task, toGoal));
+  });
+
+  it('that stops too early has not done it; nothing moves any more, so nobody waits for the time limit', async () => {
+    const result = await checked(taskWith(goal), ahead(500));
+    expect(result.passed).toBe(false);
+    expect(result.worlds[0]).toMatchObject({ atMs: null, reason: { code: 'open', params: { done: 0, of: 1 } } });
+  });
+
+  it('that ends with an error is told with the words of the board', async () => {
+    const { worlds } = await checked(taskWith(goal), 'x = 1\nprint(y)\n');
+    expect(worlds[0]?.reason).toEqual({
+      code: 'exception',
+      params: { type: 'NameError', message: "name 'y' isn't defined", line: 2 },
+    });
+  });
+
+  it('that never ends is over after 120 simulated seconds, or those of the task', async () => {
+    let beats = 0;
+    const beat = (): void => {
+      beats += 1;
+    };
+    const endless = 'while True:\n    pass\n';
+    const { worlds } = await checked(taskWith(goal, { seconds: 2 }), endless, { beat });
+    expect(worlds[0]?.reason?.code).toBe('open');
+    expect(beats).toBe(21);
+  });
+
+  it('that prints, eats memory or recurses without end costs nothing but its time', async () => {
+    const task = taskWith(goal, { seconds: 1 });
+    const codes = [];
+    for (const program of [
+      'while True: print("x" * 10000)',
+      'a = []\nwhile True: a.append(bytes(1000))',
+      'def f(): f()\nf()',
+    ])
+      codes.push((await checked(task, program)).worlds[0]?.reason);
+    expect(codes.map((reason) => [reason?.code, reason?.params['type']])).toEqual([
+      ['open', undefined],
+      ['exception', 'MemoryError'],
+      ['exception', 'RuntimeError'],
+    ]);
+  });
+
+  it('tells why the goals failed, and what was touched', async () => {
+    const wall = { type: 'wall', id: 'w', from: [500, 300], to: [500, 600], thickness: 10 } as const;
+    const scene = sceneWith([targetAt(700, 450), wall], { task: { seconds: null, noTouch: true } });
+    const { worlds } = await checked(taskWith(scene), toGoal);
+    expect(worlds[0]).toMatchObject({ passed: false, touches: 1, reason: { code: 'touched', params: { by: 'w' } } });
+  });
+
+  it('is run on the course of the task, whatever course the pupil has; that is told', async () => {
+    const easy = { ...goal, objects: [targetAt(200, 450)] };
+    const result = await checkedProject(taskWith(goal), projectWith(easy, ahead(100)));
+    expect(result.passed).toBe(false);
+    expect(result.remarks).toEqual([{ code: 'course', params: {} }]);
+    const named = { ...goal, name: 'Anna' };
+    expect((await checkedProject(taskWith(goal), projectWith(named, toGoal))).remarks).toEqual([]);
+  });
+
+  it('that was handed out so is told, and is nobody’s twin', async () => {
+    const result = await checked(taskWith(goal), '');
+    expect(result).toMatchObject({ passed: false, remarks: [{ code: 'unchanged' }], twin: '' });
+  });
+});
+
+describe('what a pupil’s page says', () => {
+  const said = {
+    version: 1,
+    task: 'a',
+    alias: 'Anna',
+    verdict: 'passed',
+    tries: 3,
+    hash: '',
+    remarks: ['hand', 'outside'],
+  };
+  const task = taskWith(goal, { id: 'a' });
+  const remarksOf = async (change: object, program = toGoal): Promise<readonly string[]> =>
+    (await checkedProject(task, { ...projectWith(goal, program), handIn: { ...said, ...change } })).remarks.map(({ code }) => code); // prettier-ignore
+
+  it('is told: the hand, a program from elsewhere, another task', async () => {
+    expect(await remarksOf({})).toEqual(['hand', 'outside']);
+    expect(await remarksOf({ task: 'b', remarks: [] })).toEqual(['other-task']);
+  });
+
+  it('is proved by the run: a verdict that it has not, a way that it has not gone', async () => {
+    expect(await remarksOf({ remarks: [] }, ahead(100))).toEqual(['verdict']);
+    const { worlds } = await checked(task, toGoal);
+    expect(await remarksOf({ remarks: [], hash: worlds[0]?.hash ?? '' })).toEqual([]);
+    expect(await remarksOf({ remarks: [], hash: 'f'.repeat(64) })).toEqual(['hash']);
+  });
+});
+
+describe('a task with several worlds', () => {
+  it('wants the visible and all hidden ones', async () => {
+    const far = { id: 'far', start: { at: [100, 450] } };
+    const turned = { id: 'turned', start: { at: [200, 450], heading: 180 } };
+    const result = await checked(taskWith(goal, { worlds: [far, turned] }), toGoal);
+    expect(result.worlds.map(({ id, hidden, passed }) => [id, hidden, passed])).toEqual([
+      ['visible', false, true],
+      ['far', true, true],
+      ['turned', true, false],
+    ]);
+    expect(result).toMatchObject({ passed: false, points: 0 });
+    expect((await checked(taskWith(goal, { worlds: [far, turned], least: 1 }), toGoal)).passed).toBe(true);
+  });
+
+  it('differ by seed and reality, sensors, inputs and things of the course', async () => {
+    const worlds = [
+      { id: 'used', reality: 1, seed: 7 },
+      { id: 'dark', sensors: { lightLevel: 3 } },
+      { id: 'pressed', inputs: [{ timeUs: 500_000, action: { type: 'button', button: 'a', down: true } }] },
+      { id: 'moved', edits: [{ type: 'remove', ids: ['t'] }, { type: 'add', objects: [{ id: 't2', type: 'target', at: [100, 100], size: [50, 50] }] }] }, // prettier-ignore
+    ];
+    const program = `from microbit import *\n${toGoal}print(display.read_light_level(), button_a.was_pressed())\n`;
+    const checks = [{ type: 'goals' }, { type: 'console', text: '3 False' }, { type: 'console', text: ' True' }];
+    const result = await checked(taskWith(goal, { worlds, checks }), program);
+    const held = Object.fromEntries(result.worlds.map((world) => [world.id, world.held.join(' ')]));
+    expect(held).toEqual({
+      ...{ visible: 'goals', used: 'goals', dark: 'goals console', pressed: 'goals console-2', moved: '' },
+    });
+    expect(new Set(result.worlds.map(({ hash }) => hash)).size).toBe(2); // only a used robot drives otherwise
+  });
+
+  it('in which nothing can run is told', async () => {
+    const worlds = [{ id: 'out', start: { at: [5000, 450] } }];
+    const { worlds: results } = await checked(taskWith(goal, { worlds }), toGoal);
+    expect(results[1]?.reason).toMatchObject({ code: 'refused' });
+  });
+
+  it('is not run where the program was stuck before', async () => {
+    const lost = { from: 1, reason: { code: 'stuck', params: {} } } as const;
+    const { worlds } = await checked(taskWith(goal, { worlds: [{ id: 'w' }] }), toGoal, { lost });
+    expect(worlds.map(({ passed, reason }) => [passed, reason?.code])).toEqual([
+      [true, undefined],
+      [false, 'stuck'],
+    ]);
+  });
+});
+
+describe('a task gives', () => {
+  const checks = [
+    { type: 'goals', points: 2 },
+    { type: 'faster', seconds: 1, needed: false, points: 3 },
+    { type: 'loop', needed: false },
+  ];
+
+  it('points for each check that holds, and stars by points', async () => {
+    const task = taskWith(goal, { checks, stars: [3, 6] });
+    const of = async (program: string) => {
+      const { passed, points, stars } = await checked(task, program);
+      return [passed, points, stars];
+    };
+    expect(await of(toGoal)).toEqual([true, 2, 1]);
+    expect(await of(`${toGoal}for i in []: pass\n`)).toEqual([true, 3, 2]);
+    expect(await of('for i in []: pass\n')).toEqual([false, 1, 0]);
+  });
+
+  it('what counts for who has reached all, not for who has done nothing', async () => {
+    const task = taskWith(goal, { checks: [{ type: 'goals' }, { type: 'touches', most: 0 }] });
+    expect((await checked(task, 'x = 1')).points).toBe(0);
+    expect((await checked(task, toGoal)).points).toBe(2);
+  });
+});
+
+describe('rounds and checkpoints', () => {
+  it('count in their order, or in any', async () => {
+    const scene = sceneWith([checkpointAt(400, 450, 2), checkpointAt(700, 450, 1)]);
+    const task = taskWith(scene, {
+      checks: [{ type: 'checkpoints' }, { type: 'laps', count: 1, needed: false }],
+      seconds: 8,
+    });
+    const { passed, worlds } = await checked(task, toGoal);
+    expect(passed).toBe(true);
+    expect(worlds[0]?.missed).toEqual({ laps: { code: 'laps', params: { done: 0, of: 1 } } });
+  });
+
+  it('of the closed line: two rounds take twice as long as one', async () => {
+    const scene = readyScene('closed-line');
+    const endless = readySolution('closed-line');
+    const one = await checked(taskWith(scene, { checks: [{ type: 'laps', count: 1 }] }), endless);
+    const two = await checked(taskWith(scene, { checks: [{ type: 'laps', count: 2 }] }), endless);
+    expect([one.passed, two.passed]).toEqual([true, true]);
+    const [first, second] = [one.worlds[0]?.atMs ?? 0, two.worlds[0]?.atMs ?? 0];
+    expect(second / first).toBeGreaterThan(1.8);
+    expect(second / first).toBeLessThan(2.2);
+  });
+});
+
+describe('what board and robot show', () => {
+  const shows = async (check: object, program: string): Promise<boolean> =>
+    (await checked(taskWith(sceneWith([]), { checks: [check], seconds: 10 }), program)).passed;
+
+  it.each([
+    [{ type: 'stop', seconds: 1 }, ahead(500), 'x = 1'],
+    [{ type: 'display', image: '09090:99999:99999:09990:00900' }, 'from microbit import *\ndisplay.show(Image.HEART)', 'from microbit import *\ndisplay.show(Image.HAPPY)'], // prettier-ignore
+    [{ type: 'light', which: 'left' }, 'from mbrobot import *\nsetLED(1)\n', 'x = 1'],
+    [{ type: 'sound', hz: 440 }, 'import music\nmusic.pitch(440, 100)', 'import music\nmusic.pitch(523, 100)'],
+    [{ type: 'sound' }, 'import music\nmusic.pitch(523, 100)', 'x = 1'],
+    [{ type: 'console', text: 'hello' }, 'print("hel", end="")\nprint("lo")', 'print("hallo")'],
+    [
+      { type: 'radio', text: 'go' },
+      'import radio\nradio.on()\nradio.send("go")',
+      'import radio\nradio.on()\nradio.send("no")',
+    ],
+    [{ type: 'log', rows: 2, column: 'a' }, 'import log\nfor i in range(2): log.add(a=i)', 'import log\nlog.add(a=1)'],
+    [{ type: 'touches', most: 0 }, 'x = 1', ahead(9000)],
+  ])('%j', async (asked, right, wrong) => {
+    expect([await shows(asked, right), await shows(asked, wrong)]).toEqual([true, false]);
+  });
+});

@@ -1,0 +1,126 @@
+import { runFilesOf } from '#project/devices';
+import { serializeScene } from '#scene/serialize';
+import { isSame } from '#core/same';
+import { findFact } from './program/facts';
+import { twinHash } from './program/twin';
+import type { HandIn } from './hand-in/hand-in';
+import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
+import { notRun, runWorld } from './run/run-world';
+import { isFact, type Check, type ClassTask, type Fact } from './task/task';
+
+/** How hand-ins are run. */
+export interface Checker {
+  /** The compiled VM. */
+  readonly firmware: WebAssembly.Module;
+  /** Called often while a world runs, and at its beginning, with its place in the task: who watches sees that it goes on. */
+  readonly beat?: (world: number) => void;
+  /**
+   * From this world on nothing is run, because the program was stuck there in one endless call, or has broken the VM; left
+   * out: all are run.
+   */
+  readonly lost?: { readonly from: number; readonly reason: Reason };
+}
+
+/**
+ * Checks a hand-in: its program is run in every world of the task, and looked at. The same task and hand-in give the same
+ * result on every machine. Everything but the programs is the task's; what the pupil had else is told.
+ */
+export async function check(task: ClassTask, handIn: HandIn, { firmware, beat, lost }: Checker): Promise<CheckResult> {
+  const worlds: WorldResult[] = [];
+  for (const [place, world] of task.worlds.entries()) {
+    beat?.(place);
+    worlds.push(
+      lost !== undefined && place >= lost.from
+        ? notRun(task, world, lost.reason)
+        : await runWorld(task, handIn.project, world, { firmware, beat: () => beat?.(place) }),
+    );
+  }
+  return resultOf(task, handIn, worlds);
+}
+
+function resultOf(task: ClassTask, handIn: HandIn, worlds: readonly WorldResult[]): CheckResult {
+  const checks = task.checks.map((one) => outcomeOf(task, one, handIn, worlds));
+  const passed =
+    task.checks.every(({ needed }, place) => !needed || checks[place]?.passed === true) &&
+    isEnough(task, worlds, ({ passed: holds }) => holds);
+  const points = task.checks.reduce((sum, one, place) => sum + (checks[place]?.passed === true ? one.points : 0), 0);
+  const unchanged = isUnchanged(task, handIn);
+  return {
+    passed,
+    points,
+    stars: starsOf(task, passed, points),
+    checks,
+    worlds,
+    remarks: remarksOn(task, handIn, worlds, unchanged),
+    twin: unchanged ? '' : twinHash(runFilesOf(handIn.project, 0)),
+  };
+}
+
+/** All visible worlds and enough of the hidden ones. */
+function isEnough(
+  { least }: ClassTask,
+  worlds: readonly WorldResult[],
+  holds: (world: WorldResult) => boolean,
+): boolean {
+  const hidden = worlds.filter((world) => world.hidden);
+  return (
+    worlds.every((world) => world.hidden || holds(world)) && hidden.filter(holds).length >= (least ?? hidden.length)
+  );
+}
+
+function outcomeOf(task: ClassTask, check: Check, handIn: HandIn, worlds: readonly WorldResult[]): CheckOutcome {
+  const { id } = check;
+  if (isFact(check)) return { id, ...factOutcome(check, handIn) };
+  const passed = isEnough(task, worlds, ({ held }) => held.includes(id));
+  const missed = worlds.map((world) => world.missed[id]).find((reason) => reason !== undefined) ?? null;
+  return { id, passed, reason: passed ? null : missed };
+}
+
+function factOutcome(fact: Check & Fact, { project }: HandIn): Pick<CheckOutcome, 'passed' | 'reason'> {
+  const { holds, found, line } = findFact(fact, runFilesOf(project, 0));
+  if (holds) return { passed: true, reason: null };
+  const params: Reason['params'] = {
+    ...('most' in fact && { most: fact.most }),
+    ...('name' in fact && { name: fact.name }),
+    ...(found !== null && { found }),
+    ...(line !== null && { line }),
+  };
+  return { passed: false, reason: { code: fact.type, params } };
+}
+
+function starsOf({ stars }: ClassTask, passed: boolean, points: number): number | null {
+  if (stars === null) return null;
+  return passed ? 1 + stars.filter((wanted) => points >= wanted).length : 0;
+}
+
+/** Whether the program is still the one that was handed out. */
+const isUnchanged = ({ project }: ClassTask, handIn: HandIn): boolean =>
+  isSame(runFilesOf(project, 0), runFilesOf(handIn.project, 0));
+
+function remarksOn(
+  task: ClassTask,
+  { project, hasCourse, said }: HandIn,
+  worlds: readonly WorldResult[],
+  unchanged: boolean,
+): readonly Remark[] {
+  const remarks: Remark[] = [];
+  const tell = (code: Remark['code'], params: Remark['params'] = {}): void => {
+    remarks.push({ code, params });
+  };
+  const [visible] = worlds;
+  if (said !== null && said.task !== '' && task.id !== '' && said.task !== task.id)
+    tell('other-task', { task: said.task });
+  if ((hasCourse && isOtherCourse(task, project)) || said?.remarks.includes('course') === true) tell('course');
+  if (said?.remarks.includes('hand') === true) tell('hand');
+  if (said?.remarks.includes('outside') === true) tell('outside');
+  if (said?.verdict === 'passed' && visible?.passed === false) tell('verdict');
+  else if (said !== null && said.hash !== '' && visible !== undefined && said.hash !== visible.hash) tell('hash');
+  if (unchanged) tell('unchanged');
+  return remarks;
+}
+
+/** Words and pictures do not matter. */
+function isOtherCourse({ project: { scene } }: ClassTask, { scene: theirs }: HandIn['project']): boolean {
+  const bare = { name: '', description: '' };
+  return serializeScene({ ...scene, ...bare }) !== serializeScene({ ...theirs, ...bare });
+}

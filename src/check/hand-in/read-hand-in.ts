@@ -1,0 +1,41 @@
+import { summaryOf } from '#scene/json-file';
+import { Reader } from '#scene/reader';
+import { defaultScene } from '#scene/scene';
+import type { Carried, Project, SourceFile } from '#project/project';
+import { taskLimits } from '../task/task';
+import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
+
+/** The hand-in of a project that a pupil has saved or sent, or why there is none. Never throws. */
+export function handInOf(project: Project): { readonly handIn: HandIn } | { readonly problem: string } {
+  const { handIn: data, task: _, ...plain } = project;
+  if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null } };
+  if (data['version'] !== HAND_IN_VERSION)
+    return { problem: `handIn: version ${JSON.stringify(data['version']) ?? 'nothing'} is unknown. Update Parcours.` };
+  const reader = new Reader();
+  const said = saidIn(data, reader);
+  if (reader.problems.length > 0) return { problem: summaryOf(reader.problems) };
+  return { handIn: { project: plain, hasCourse: true, said } };
+}
+
+/** A program alone, handed in. */
+export const handInOfFiles = (files: readonly SourceFile[]): HandIn => ({
+  project: { files, scene: defaultScene(), course: null },
+  hasCourse: false,
+  said: null,
+});
+
+function saidIn(data: Carried, reader: Reader): Said {
+  const { task, alias, verdict, tries, hash, remarks } = reader.fields(data, 'handIn', [
+    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks'],
+  ]);
+  const listed =
+    remarks === undefined ? [] : reader.list(remarks, 'handIn.remarks', { min: 0, max: saidRemarks.length });
+  return {
+    task: reader.text(task, 'handIn.task', taskLimits.idCharacters, ''),
+    alias: reader.text(alias, 'handIn.alias', handInLimits.aliasCharacters, ''),
+    verdict: reader.word(verdict, 'handIn.verdict', ['open', 'passed', 'failed', 'helped'], 'open'),
+    tries: reader.whole(tries, 'handIn.tries', handInLimits.tries, 0),
+    hash: reader.text(hash, 'handIn.hash', handInLimits.hashCharacters, ''),
+    remarks: listed.map((one, index) => reader.word(one, `handIn.remarks[${String(index)}]`, saidRemarks, 'course')),
+  };
+}

@@ -1,0 +1,20 @@
+import type { PythonText } from '#python/tree';
+
+/** Brackets within brackets. Chosen: more than MicroPython's own parser takes on the device. */
+const MOST_LEVELS = 400;
+
+/** Whether a program is nested so deeply that nobody reads it: then its tree is not looked at. */
+export function isTooDeep({ tree }: PythonText): boolean {
+  let level = 0;
+  let deepest = 0;
+  tree.iterate({
+    enter: () => {
+      level += 1;
+      deepest = Math.max(deepest, level);
+    },
+    leave: () => {
+      level -= 1;
+    },
+  });
+  return deepest > MOST_LEVELS;
+}

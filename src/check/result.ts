@@ -1,0 +1,96 @@
+import type { Point } from '#scene/scene';
+import type { Reason as GoalReason } from '#simulation/task/verdict';
+
+/** What became of a hand-in: plain data without wall times, so that equal work gives equal results. */
+export interface CheckResult {
+  readonly passed: boolean;
+  readonly points: number;
+  /** `null`: the task gives none. */
+  readonly stars: number | null;
+  /** Each check of the task, in its order. */
+  readonly checks: readonly CheckOutcome[];
+  /** Each world of the task, in its order; none for what cannot be run. */
+  readonly worlds: readonly WorldResult[];
+  readonly remarks: readonly Remark[];
+  /** What twins have in common; empty for a program that was handed out so. */
+  readonly twin: string;
+}
+
+/** How a check of the task turned out: in all worlds, or in enough of them. */
+export interface CheckOutcome {
+  readonly id: string;
+  readonly passed: boolean;
+  /** Why not: of the first world in which it does not hold; `null`: it holds. */
+  readonly reason: Reason | null;
+}
+
+/** How it went in a world. */
+export interface WorldResult {
+  readonly id: string;
+  readonly hidden: boolean;
+  readonly passed: boolean;
+  /** Why not, or `null`. */
+  readonly reason: Reason | null;
+  /** Simulated ms until it was decided; `null`: it was not. */
+  readonly atMs: number | null;
+  readonly touches: number;
+  /** The checks that hold in this world, by their ids. */
+  readonly held: readonly string[];
+  /** Why those that a run decides do not hold, by their ids. */
+  readonly missed: Readonly<Record<string, Reason>>;
+  /** Fingerprint of the robots' ways until the run was over. */
+  readonly hash: string;
+  /** The way of the first robot in mm: pieces, where the hand did not lift it. */
+  readonly trail: readonly (readonly Point[])[];
+}
+
+/** Why a check does not hold. */
+export interface Reason {
+  readonly code: ReasonCode;
+  /** What the sentence about it names. */
+  readonly params: Readonly<Record<string, string | number>>;
+}
+
+/** The codes of reasons, as reports and other programs have them. */
+export const reasonCodes = [
+  // of the course's goals
+  ...(['time', 'forbidden', 'spikes', 'touched', 'robot', 'left', 'open', 'helped'] as const),
+  // of the other checks
+  ...(['stop', 'laps', 'checkpoints', 'touches', 'slow'] as const),
+  ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
+  ...(['loop', 'calls', 'lines', 'delay'] as const),
+  // of the program
+  ...(['exception', 'panic', 'stuck', 'refused', 'broken'] as const),
+] as const;
+export type ReasonCode = (typeof reasonCodes)[number];
+
+/** All of the judge's reasons are among them. */
+export const goalReason = (reason: GoalReason): ReasonCode => reason;
+
+/** Something that the teacher is told. */
+export interface Remark {
+  readonly code: RemarkCode;
+  readonly params: Readonly<Record<string, string | number>>;
+}
+
+/** The codes of remarks. */
+export const remarkCodes = [
+  // what cannot be read, or is for another task
+  ...(['unreadable', 'other-task'] as const),
+  // told by the pupil's page
+  ...(['hand', 'outside'] as const),
+  // found by comparing
+  ...(['course', 'verdict', 'hash', 'unchanged', 'twins'] as const),
+] as const;
+export type RemarkCode = (typeof remarkCodes)[number];
+
+/** The result of something that is no hand-in. */
+export const unreadable = (checks: readonly { readonly id: string }[], problem: string): CheckResult => ({
+  passed: false,
+  points: 0,
+  stars: null,
+  checks: checks.map(({ id }) => ({ id, passed: false, reason: null })),
+  worlds: [],
+  remarks: [{ code: 'unreadable', params: { problem } }],
+  twin: '',
+});

@@ -1,0 +1,39 @@
+import type { Point } from '#scene/scene';
+import type { TrailPoint } from '#simulation/trail';
+
+/** Chosen: smooth in a drawing as large as a hand, 2 kB in a file. */
+const MOST_POINTS = 300;
+
+/** Takes down a way with a bounded number of points: the longer it gets, the farther they are apart. */
+export class TrailKeeper {
+  private pieces: Point[][] = [[]];
+  private count = 0;
+  private every = 1;
+  private skipped = 0;
+
+  /** @param point `null`: the hand has lifted the robot */
+  add(point: TrailPoint): void {
+    if (point === null) {
+      if (this.pieces.length < MOST_POINTS) this.pieces.push([]);
+      this.skipped = 0;
+      return;
+    }
+    this.skipped -= 1;
+    if (this.skipped > 0) return;
+    this.skipped = this.every;
+    this.pieces.at(-1)?.push([Math.round(point.x), Math.round(point.y)]);
+    this.count += 1;
+    if (this.count > MOST_POINTS) this.thin();
+  }
+
+  /** The way so far. */
+  trail(): readonly (readonly Point[])[] {
+    return this.pieces.filter(({ length }) => length > 0);
+  }
+
+  private thin(): void {
+    this.pieces = this.pieces.map((piece) => piece.filter((_, place) => place % 2 === 0));
+    this.count = this.pieces.reduce((sum, { length }) => sum + length, 0);
+    this.every *= 2;
+  }
+}

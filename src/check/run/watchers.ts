@@ -1,0 +1,39 @@
+import type { Scene } from '#scene/scene';
+import type { Check, Fact } from '../task/task';
+import { watchGoals, watchTime, watchTouches } from './watch-goals';
+import { watchConsole, watchDisplay, watchLight, watchLog, watchRadio, watchSound } from './watch-shows';
+import { watchCheckpoints, watchLaps, watchStop } from './watch-way';
+import type { Watcher } from './watcher';
+
+/** A check that a run decides. */
+export type RunCheck = Exclude<Check, Fact>;
+
+/** Who watches a run for a check. */
+export function watcherOf(check: RunCheck, course: Scene): Watcher {
+  switch (check.type) {
+    case 'goals':
+      return watchGoals();
+    case 'stop':
+      return watchStop(course, check);
+    case 'laps':
+      return watchLaps(course, check.count);
+    case 'checkpoints':
+      return watchCheckpoints(course);
+    case 'touches':
+      return watchTouches(check.most);
+    case 'faster':
+      return watchTime(check.seconds);
+    case 'display':
+      return watchDisplay(check.image);
+    case 'light':
+      return watchLight(check.which, check.color);
+    case 'sound':
+      return watchSound(check.hz);
+    case 'console':
+      return watchConsole(check.text);
+    case 'radio':
+      return watchRadio(check.text);
+    case 'log':
+      return watchLog(check.rows, check.column);
+  }
+}

@@ -1,0 +1,152 @@
+import type { Reader, Fields } from '#scene/reader';
+import { sceneLimits } from '#scene/scene';
+import { checkTypes, lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from './task';
+
+type Type = CheckKind['type'];
+
+/** Reads the checks of a task; each has an id of its own afterwards. */
+export function readChecks(value: unknown, reader: Reader): readonly Check[] {
+  const checks: Check[] = [];
+  for (const [index, entry] of reader.list(value, 'task.checks', { min: 1, max: taskLimits.checks }).entries()) {
+    const path = `task.checks[${String(index)}]`;
+    const check = readCheck(entry, path, reader);
+    const id = check.id === '' ? freeId(check.type, checks) : check.id;
+    if (checks.some((other) => other.id === id))
+      reader.report('duplicate-id', `${path}.id`, id, `another check has the id ${JSON.stringify(id)}.`);
+    checks.push({ ...check, id });
+  }
+  return checks;
+}
+
+/** The type, or with a number if another check has that. */
+function freeId(type: string, before: readonly Check[]): string {
+  for (let number = 1; ; number += 1) {
+    const id = number === 1 ? type : `${type}-${String(number)}`;
+    if (!before.some((other) => other.id === id)) return id;
+  }
+}
+
+function readCheck(value: unknown, path: string, reader: Reader): Check {
+  const given = typeof value === 'object' && value !== null && 'type' in value ? value.type : undefined;
+  const type = checkTypes.find((known) => known === given);
+  if (type === undefined) {
+    reader.word(given ?? null, `${path}.type`, checkTypes, 'goals');
+    return { type: 'goals', id: '', points: 1, needed: true };
+  }
+  const { names, read } = kinds[type];
+  const fields = reader.fields(value, path, ['type', 'id', 'points', 'needed', ...names]);
+  return {
+    ...read(fields, path, reader),
+    id: reader.text(fields['id'], `${path}.id`, taskLimits.idCharacters, ''),
+    points: reader.number(fields['points'], `${path}.points`, taskLimits.points, 1),
+    needed: reader.flag(fields['needed'], `${path}.needed`, true),
+  };
+}
+
+interface Kind {
+  readonly names: readonly string[];
+  readonly read: (fields: Fields, path: string, reader: Reader) => CheckKind;
+}
+
+/** What each type of check says besides. */
+const kinds: Readonly<Record<Type, Kind>> = {
+  goals: { names: [], read: () => ({ type: 'goals' }) },
+  stop: {
+    names: ['seconds', 'zone'],
+    read: ({ seconds, zone }, path, reader) => ({
+      type: 'stop',
+      seconds: reader.number(seconds, `${path}.seconds`, { min: 0.1, max: taskLimits.seconds.max }),
+      zone: zone === undefined ? null : reader.text(zone, `${path}.zone`, sceneLimits.idCharacters),
+    }),
+  },
+  laps: {
+    names: ['count'],
+    read: ({ count }, path, reader) => ({ type: 'laps', count: reader.whole(count, `${path}.count`, taskLimits.laps) }),
+  },
+  checkpoints: { names: [], read: () => ({ type: 'checkpoints' }) },
+  touches: {
+    names: ['most'],
+    read: ({ most }, path, reader) => ({
+      type: 'touches',
+      most: reader.whole(most, `${path}.most`, taskLimits.touches),
+    }),
+  },
+  faster: {
+    names: ['seconds'],
+    read: ({ seconds }, path, reader) => ({
+      type: 'faster',
+      seconds: reader.number(seconds, `${path}.seconds`, { min: 0.1, max: taskLimits.seconds.max }),
+    }),
+  },
+  display: {
+    names: ['image'],
+    read: ({ image }, path, reader) => ({ type: 'display', image: readImage(image, `${path}.image`, reader) }),
+  },
+  light: {
+    names: ['which', 'color'],
+    read: ({ which, color }, path, reader) => ({
+      type: 'light',
+      which: reader.word(which, `${path}.which`, lightPlaces, 'any'),
+      color: color === undefined ? null : reader.word(color, `${path}.color`, lightColors, 'red'),
+    }),
+  },
+  sound: {
+    names: ['hz'],
+    read: ({ hz }, path, reader) => ({
+      type: 'sound',
+      hz: hz === undefined ? null : reader.number(hz, `${path}.hz`, taskLimits.hz),
+    }),
+  },
+  console: {
+    names: ['text'],
+    read: (fields, path, reader) => ({ type: 'console', text: textIn(fields, path, reader) }),
+  },
+  radio: { names: ['text'], read: (fields, path, reader) => ({ type: 'radio', text: textIn(fields, path, reader) }) },
+  log: {
+    names: ['rows', 'column'],
+    read: ({ rows, column }, path, reader) => ({
+      type: 'log',
+      rows: reader.whole(rows, `${path}.rows`, taskLimits.rows, 1),
+      column: reader.text(column, `${path}.column`, taskLimits.textCharacters, ''),
+    }),
+  },
+  loop: { names: [], read: () => ({ type: 'loop' }) },
+  calls: {
+    names: ['name'],
+    read: ({ name }, path, reader) => {
+      const said = reader.text(name, `${path}.name`, 100);
+      if (typeof name === 'string' && !/^[\p{L}_][\p{L}\p{N}_]*(\.[\p{L}_][\p{L}\p{N}_]*)*$/u.test(said))
+        reader.report('wrong-type', `${path}.name`, name, 'must be a name, such as irLeft or display.show.');
+      return { type: 'calls', name: said };
+    },
+  },
+  lines: {
+    names: ['most'],
+    read: ({ most }, path, reader) => ({ type: 'lines', most: reader.whole(most, `${path}.most`, taskLimits.lines) }),
+  },
+  delay: {
+    names: ['most'],
+    read: ({ most }, path, reader) => ({
+      type: 'delay',
+      most: reader.number(most, `${path}.most`, taskLimits.delayMs),
+    }),
+  },
+};
+
+function textIn({ text }: Fields, path: string, reader: Reader): string {
+  const said = reader.text(text, `${path}.text`, taskLimits.textCharacters);
+  if (text === '') reader.report('missing', `${path}.text`, text, 'must not be empty.');
+  return said;
+}
+
+function readImage(value: unknown, path: string, reader: Reader): string {
+  const image = reader.text(value, path, 29);
+  if (typeof value === 'string' && !/^\d{5}(:\d{5}){4}$/.test(image))
+    reader.report(
+      'wrong-type',
+      path,
+      value,
+      'must be five rows of five digits, such as 09090:99999:99999:09990:00900.',
+    );
+  return image;
+}

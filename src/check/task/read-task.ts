@@ -1,0 +1,210 @@
+import { isRecord } from '#core/record';
+import { parseEdit } from '#scene/check-edit';
+import type { SceneEdit } from '#scene/edit';
+import { summaryOf } from '#scene/json-file';
+import { Reader, type Fields } from '#scene/reader';
+import { sceneLimits } from '#scene/scene';
+import type { InputEvent } from '#simulation/input';
+import { hasTask } from '#simulation/task/task-brief';
+import { readInputs } from '#tape/read-setup';
+import type { ProjectProblem } from '#project/problem';
+import type { Carried, Project, SourceFile } from '#project/project';
+import { readFiles } from '#project/read-files';
+import { readChecks } from './read-checks';
+import {
+  lockNames,
+  noLocks,
+  plainWorld,
+  taskLimits,
+  type Check,
+  type ClassTask,
+  type Locks,
+  type WorldVariant,
+} from './task';
+
+/** The version of a task's own data that this app writes, and the newest that it reads. */
+export const TASK_VERSION = 1;
+
+/** A task, or everything that is wrong with it; `problem` is the first one's message and how many follow. */
+export type ReadTask =
+  { readonly task: ClassTask } | { readonly problem: string; readonly problems: readonly ProjectProblem[] };
+
+/** The check of a project that says nothing of a task: the goals of its course. */
+const courseGoals: Check = { type: 'goals', id: 'goals', points: 1, needed: true };
+
+/** What a project without data of a task has. */
+const NOTHING: Carried = { version: TASK_VERSION };
+
+/**
+ * The task of a project. One without data of a task is checked for the goals of its course, in that course alone. Never
+ * throws.
+ */
+export function taskOf(project: Project): ReadTask {
+  const { task: data = NOTHING, handIn: _, ...plain } = project;
+  const { version } = data;
+  if (version !== TASK_VERSION) return refused('version', versionProblem(version));
+  const reader = new Reader();
+  const fields = reader.fields(data, 'task', [
+    ...['version', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
+  ]);
+  const solution = solutionIn(fields, reader);
+  const worlds = worldsIn(fields['worlds'], reader);
+  const task: ClassTask = {
+    project: plain,
+    id: reader.text(fields['id'], 'task.id', taskLimits.idCharacters, ''),
+    checks: fields['checks'] === undefined ? [courseGoals] : readChecks(fields['checks'], reader),
+    worlds: worlds.some(({ hidden }) => !hidden) ? visibleFirst(worlds) : [plainWorld, ...worlds],
+    least:
+      fields['least'] === undefined
+        ? null
+        : reader.whole(fields['least'], 'task.least', { min: 0, max: worlds.length }),
+    seconds:
+      fields['seconds'] === undefined ? null : reader.number(fields['seconds'], 'task.seconds', taskLimits.seconds),
+    stars: fields['stars'] === undefined ? null : starsIn(fields['stars'], reader),
+    solution: solution.files,
+    locks: locksIn(fields['locks'], reader),
+  };
+  const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
+  if (problems.length > 0) return { problem: summaryOf(problems), problems };
+  const needless = task.checks.some(({ type }) => type === 'goals') && !hasTask(plain.scene);
+  return needless ? refused('checks', NO_GOALS) : { task };
+}
+
+const NO_GOALS =
+  'task: the course has no goals, so there is nothing to check. Give it a target, or the task other checks.';
+
+function versionProblem(version: unknown): string {
+  const isNewer = typeof version === 'number' && version > TASK_VERSION;
+  return isNewer
+    ? `task: version ${String(version)} is newer than this app (${String(TASK_VERSION)}). Update Parcours.`
+    : `task: "version" must be ${String(TASK_VERSION)}.`;
+}
+
+function refused(path: string, message: string): ReadTask {
+  const problem: ProjectProblem = { code: 'wrong-type', path: `task.${path}`, value: '', params: {}, message };
+  return { problem: message, problems: [problem] };
+}
+
+const visibleFirst = (worlds: readonly WorldVariant[]): ClassTask['worlds'] => {
+  const [first = plainWorld, ...others] = worlds.filter(({ hidden }) => !hidden);
+  return [first, ...others, ...worlds.filter(({ hidden }) => hidden)];
+};
+
+function worldsIn(value: unknown, reader: Reader): readonly WorldVariant[] {
+  if (value === undefined) return [];
+  const list = reader.list(value, 'task.worlds', { min: 0, max: taskLimits.worlds });
+  const worlds = list.map((world, index) => worldIn(world, `task.worlds[${String(index)}]`, reader));
+  for (const [index, { id }] of worlds.entries()) {
+    if (worlds.findIndex((other) => other.id === id) === index) continue;
+    const path = `task.worlds[${String(index)}].id`;
+    reader.report('duplicate-id', path, id, `another world has the id ${JSON.stringify(id)}.`);
+  }
+  return worlds;
+}
+
+function worldIn(value: unknown, path: string, reader: Reader): WorldVariant {
+  const fields = reader.fields(value, path, [
+    ...['id', 'hidden', 'start', 'seed', 'reality', 'edits', 'sensors', 'inputs'],
+  ]);
+  const { start, seed, reality } = fields;
+  return {
+    id: idIn(fields['id'], `${path}.id`, reader),
+    hidden: reader.flag(fields['hidden'], `${path}.hidden`, true),
+    start: start === undefined ? null : startIn(start, `${path}.start`, reader),
+    seed: seed === undefined ? null : reader.whole(seed, `${path}.seed`, taskLimits.seed),
+    reality: reality === undefined ? null : reader.number(reality, `${path}.reality`, { min: 0, max: 1 }),
+    edits: editsIn(fields['edits'], `${path}.edits`, reader),
+    sensors: sensorsIn(fields['sensors'], `${path}.sensors`, reader),
+    inputs: inputsIn(fields['inputs'], `${path}.inputs`, reader),
+  };
+}
+
+/** An id: a text that is not empty. */
+export function idIn(value: unknown, path: string, reader: Reader): string {
+  const id = reader.text(value, path, taskLimits.idCharacters);
+  if (id === '' && typeof value === 'string') reader.report('missing', path, value, 'must not be empty.');
+  return id;
+}
+
+function startIn(value: unknown, path: string, reader: Reader): WorldVariant['start'] {
+  const fields = reader.fields(value, path, ['at', 'heading']);
+  return {
+    at: reader.point(fields['at'], `${path}.at`, sceneLimits.placeMm),
+    heading: reader.number(fields['heading'], `${path}.heading`, sceneLimits.headingDeg, 0),
+  };
+}
+
+function editsIn(value: unknown, path: string, reader: Reader): readonly SceneEdit[] {
+  if (value === undefined) return [];
+  const edits: SceneEdit[] = [];
+  for (const [index, entry] of reader.list(value, path, { min: 0, max: taskLimits.edits }).entries()) {
+    const parsed = parseEdit(entry);
+    if ('edit' in parsed) edits.push(parsed.edit);
+    else reader.report('damaged', `${path}[${String(index)}]`, undefined, parsed.problem);
+  }
+  return edits;
+}
+
+function sensorsIn(value: unknown, path: string, reader: Reader): WorldVariant['sensors'] {
+  if (value === undefined) return {};
+  if (!isRecord(value)) {
+    reader.wrongType(value, path, 'an object { … }');
+    return {};
+  }
+  const entries = Object.entries(value);
+  if (entries.length > taskLimits.sensors)
+    reader.report('too-many', path, undefined, `${String(entries.length)} sensors are too many.`, {
+      count: entries.length,
+      min: 0,
+      max: taskLimits.sensors,
+    });
+  return Object.fromEntries(
+    entries.slice(0, taskLimits.sensors).map(([id, given]) => [id, sensorValue(given, path, reader)]),
+  );
+}
+
+function sensorValue(value: unknown, path: string, reader: Reader): number | string {
+  if (typeof value === 'number' && Number.isFinite(value)) return value;
+  return reader.text(value, path, taskLimits.textCharacters);
+}
+
+function inputsIn(value: unknown, path: string, reader: Reader): readonly InputEvent[] {
+  if (value === undefined) return [];
+  const list = reader.list(value, path, { min: 0, max: taskLimits.inputs });
+  try {
+    return readInputs(list);
+  } catch (error) {
+    if (!(error instanceof TypeError)) throw error;
+    reader.report('damaged', path, undefined, error.message.replaceAll('setup.inputs', path).slice(0, 300));
+    return [];
+  }
+}
+
+function starsIn(value: unknown, reader: Reader): ClassTask['stars'] {
+  const [two, three] = reader.list(value, 'task.stars', { min: 2, max: 2 });
+  const most = { min: 0, max: taskLimits.points.max * taskLimits.checks };
+  return [reader.number(two, 'task.stars[0]', most), reader.number(three, 'task.stars[1]', most)];
+}
+
+function solutionIn(
+  fields: Fields,
+  reader: Reader,
+): { readonly files: readonly SourceFile[] | null; readonly problems: readonly ProjectProblem[] } {
+  return fields['solution'] === undefined
+    ? { files: null, problems: [] }
+    : readFiles(fields['solution'], 'task.solution', reader);
+}
+
+function locksIn(value: unknown, reader: Reader): Locks {
+  if (value === undefined) return noLocks;
+  const fields = reader.fields(value, 'task.locks', [...lockNames, 'lines']);
+  const flags = lockNames.map((name) => [name, reader.flag(fields[name], `task.locks.${name}`, false)] as const);
+  const { lines } = fields;
+  const numbers = lines === undefined ? [] : reader.list(lines, 'task.locks.lines', { min: 0, max: 1000 });
+  return {
+    ...(Object.fromEntries(flags) as Omit<Locks, 'lines'>),
+    lines: numbers.map((line, index) =>
+      reader.whole(line, `task.locks.lines[${String(index)}]`, { min: 1, max: 100_000 }),
+    ),
+  };
+}

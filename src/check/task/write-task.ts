@@ -1,0 +1,52 @@
+import { isSame } from '#core/same';
+import type { Carried, Project } from '#project/project';
+import { TASK_VERSION } from './read-task';
+import { noLocks, plainWorld, type Check, type ClassTask, type WorldVariant } from './task';
+
+/** The project of a task, with everything: for the teacher. */
+export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
+
+/** The same without the solution and without hidden worlds: what pupils get. */
+export const projectForPupils = (task: ClassTask): Project => {
+  const [first] = task.worlds;
+  const visible = task.worlds.filter(({ hidden }) => !hidden);
+  // How many of the hidden ones are wanted says how many there are.
+  return projectOfTask({ ...task, worlds: [first, ...visible.slice(1)], least: null, solution: null });
+};
+
+/** A task's own data as a project carries it; what has its usual value is left out. */
+function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: ClassTask): Carried {
+  const others = worlds.length === 1 && isSame(worlds[0], plainWorld) ? [] : worlds;
+  const plain: unknown = {
+    version: TASK_VERSION,
+    ...(id !== '' && { id }),
+    checks: checks.map(checkData),
+    ...(others.length > 0 && { worlds: others.map(worldData) }),
+    ...(least !== null && { least }),
+    ...(seconds !== null && { seconds }),
+    ...(stars !== null && { stars }),
+    ...(solution !== null && { solution }),
+    ...(!isSame(locks, noLocks) && { locks }),
+  };
+  return JSON.parse(JSON.stringify(plain)) as Carried;
+}
+
+/** `null` stands for what is left out. */
+const said = (fields: object): object =>
+  Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
+
+const checkData = ({ points, needed, ...check }: Check): object => ({
+  ...said(check),
+  ...(points !== 1 && { points }),
+  ...(!needed && { needed }),
+});
+
+function worldData({ edits, sensors, inputs, hidden, ...world }: WorldVariant): object {
+  return {
+    ...said(world),
+    ...(!hidden && { hidden }),
+    ...(edits.length > 0 && { edits }),
+    ...(Object.keys(sensors).length > 0 && { sensors }),
+    ...(inputs.length > 0 && { inputs }),
+  };
+}
