@@ -33,7 +33,11 @@ export default defineConfig(({ mode }) => {
       rolldownOptions: {
         input: bench
           ? { bench: here('bench/bench.ts') }
-          : { main: here('src/cli/main.ts'), worker: here('src/cli/worker.ts') },
+          : {
+              main: here('src/cli/main.ts'),
+              worker: here('src/cli/worker.ts'),
+              'check-worker': here('src/cli/check/check-worker.ts'),
+            },
         output: { entryFileNames: '[name].mjs', chunkFileNames: 'part-[name].mjs' },
       },
     },

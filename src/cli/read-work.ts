@@ -3,7 +3,7 @@ import { isProjectLink, projectOfLink } from '#project/link/link';
 import { boardOf } from '#board/boards/board-of-device';
 import { openJson } from '#project/open-json';
 import { runFilesOf } from '#project/devices';
-import { filesByName, type Project, type ProjectSettings } from '#project/project';
+import { filesByName, type Project, type ProjectSettings, type SourceFile } from '#project/project';
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
 
@@ -37,21 +37,34 @@ type Read = Work | { readonly problem: string };
 /** Whether the words on the command line are an address rather than the name of a file. */
 export const isAddress = (text: string): boolean => /^https?:\/\//i.test(text) || isProjectLink(text);
 
-/** A project in a link, or a program in a link of WebTigerPython. */
-export async function workOfAddress(address: string): Promise<Read> {
+/** What was opened: a project, a program alone with the microcomputer that it names, or why nothing. */
+export type OpenedWork =
+  | { readonly project: Project }
+  | { readonly files: readonly SourceFile[]; readonly device: string | null }
+  | { readonly problem: string };
+
+/** Opens a project in a link, or a program in a link of WebTigerPython. */
+export async function openAddress(address: string): Promise<OpenedWork> {
   const fragment = address.slice(Math.max(address.indexOf('#'), 0));
   if (isProjectLink(fragment)) {
     const { readyCourse } = await import('./ready-courses');
     const read = projectOfLink(fragment, readyCourse);
     if ('problem' in read) return { problem: `The link cannot be opened. ${withoutReload(read.problem.message)}` };
-    return workOfProject(read.project);
+    return { project: read.project };
   }
   if (!hasProgram(address))
     return { problem: 'The address holds neither a project nor a program. Copy the whole link.' };
   const read = programOfLink(address);
-  if ('problem' in read) return { problem: `The link cannot be opened. ${read.problem.message}` };
-  const program = onlyProgram(filesByName(read.files));
-  return read.device === null ? program : { ...program, settings: { device: read.device } };
+  return 'problem' in read ? { problem: `The link cannot be opened. ${read.problem.message}` } : read;
+}
+
+/** A project in a link, or a program in a link of WebTigerPython. */
+export async function workOfAddress(address: string): Promise<Read> {
+  const opened = await openAddress(address);
+  if ('problem' in opened) return opened;
+  if ('project' in opened) return workOfProject(opened.project);
+  const program = onlyProgram(filesByName(opened.files));
+  return opened.device === null ? program : { ...program, settings: { device: opened.device } };
 }
 
 /** A project from the text of its file. */

@@ -1,7 +1,22 @@
 import { parseSceneValue } from '#scene/parse';
 import type { Scene } from '#scene/scene';
+import { anyHardware, MAIN, type FurtherDevice, type Project } from '#project/project';
+import { parseInputs } from './input-file';
+import type { InputEvent } from '#simulation/input';
 
 const scenes = import.meta.glob<unknown>('../../courses/*/scene.json', { eager: true, import: 'default' });
+const courses = import.meta.glob<CourseData>('../../courses/*/course.json', { eager: true, import: 'default' });
+const programs = import.meta.glob<string>('../../courses/*/*.py', { eager: true, import: 'default', query: '?raw' });
+const inputs = import.meta.glob<string>('../../courses/*/inputs.json', {
+  eager: true,
+  import: 'default',
+  query: '?raw',
+});
+
+/** What `course.json` says of the devices of a course that has several. */
+interface CourseData {
+  readonly devices?: readonly { readonly name: string; readonly robot: string }[];
+}
 
 /** The ready course of this id, which a link only names; `null` if there is none. */
 export function readyCourse(id: string): Scene | null {
@@ -9,4 +24,33 @@ export function readyCourse(id: string): Scene | null {
   if (value === undefined) return null;
   const parsed = parseSceneValue(value);
   return 'scene' in parsed ? parsed.scene : null;
+}
+
+/**
+ * The ready course of this id as a task for a class: its start program, its further devices with theirs, and what is
+ * pressed in it; `null` if there is none.
+ */
+export function readyProject(id: string): Project | null {
+  const scene = readyCourse(id);
+  if (scene === null) return null;
+  const programOf = (name: string): string => programs[`../../courses/${id}/${name}.py`] ?? '';
+  const [first, ...others] = courses[`../../courses/${id}/course.json`]?.devices ?? [];
+  const further = others.map(({ name, robot }): FurtherDevice => {
+    const text = programOf(`${name}-start`) || programOf(name);
+    return { ...anyHardware, name, robot, files: [{ name: MAIN, text }], sameAs: '' };
+  });
+  const pressed = inputsOf(id);
+  return {
+    files: [{ name: MAIN, text: programOf('start') }],
+    scene,
+    course: id,
+    ...(first !== undefined && { devices: { first: first.name, others: further } }),
+    ...(pressed.length > 0 && { task: { version: 1, worlds: [{ id: 'visible', hidden: false, inputs: pressed }] } }),
+  };
+}
+
+function inputsOf(id: string): readonly InputEvent[] {
+  const text = inputs[`../../courses/${id}/inputs.json`];
+  const parsed = text === undefined ? { inputs: [] } : parseInputs(text);
+  return 'inputs' in parsed ? parsed.inputs : [];
 }

@@ -20,7 +20,7 @@ export type Outcome =
   | { readonly type: 'broken'; readonly problem: string };
 
 /** After this time without a heartbeat (wall time), the run is stuck inside one call that never ends. */
-const STUCK_MS = 10_000;
+export const STUCK_MS = 10_000;
 
 /** Time for the `finally` of an interrupted program, in ms of wall time. */
 const FAREWELL_MS = 500;
@@ -37,7 +37,7 @@ const MAX_CONSOLE_CHARACTERS = 16_000_000;
  * C stack of the thread in MB. Chosen: deep recursion of a Python program goes through many wasm frames, and the limit
  * that counts must be the VM's own, the same everywhere.
  */
-const STACK_MB = 32;
+export const STACK_MB = 32;
 
 /** The known facts about a run that was ended before it could report. */
 export const nothingYet: Report = {

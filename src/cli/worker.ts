@@ -1,6 +1,5 @@
 /** The thread of a headless run: nothing here waits, and only the run's end or `terminate` stops it. */
-import { existsSync, fstatSync, ftruncateSync, readFileSync, writeSync } from 'node:fs';
-import { fileURLToPath } from 'node:url';
+import { fstatSync, ftruncateSync, writeSync } from 'node:fs';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
@@ -14,6 +13,7 @@ import { OutputHashes, resultOf } from '#tape/result';
 import { atLine } from '#vm/debug/stops';
 import { version } from '../../package.json';
 import type { StopAsked } from './arguments';
+import { readFirmware } from './firmware';
 import { reportOf, type Report } from './report';
 import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
@@ -30,15 +30,6 @@ const MAX_PACKETS = 10_000;
 const MESSAGE_MS = 50;
 
 const post = (message: WorkerMessage): void => parentPort?.postMessage(message);
-
-function readFirmware(): Uint8Array<ArrayBuffer> {
-  const places = ['./vm.wasm', '../../.cache/vm/vm.wasm'].map((place) =>
-    fileURLToPath(new URL(place, import.meta.url)),
-  );
-  const place = places.find((candidate) => existsSync(candidate));
-  if (place === undefined) throw new Error(`The VM is missing (${places.join(', ')}). Run: npm run setup`);
-  return new Uint8Array(readFileSync(place));
-}
 
 /** Empties a file; what is none (a terminal, /dev/null) cannot be emptied and need not be. */
 function empty(file: number): void {

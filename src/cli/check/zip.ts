@@ -1,0 +1,88 @@
+import { unpacked } from '#core/deflate';
+
+/** A file in a zip. */
+export interface ZipEntry {
+  /** With `/` between folders. */
+  readonly path: string;
+  /** Unpacks it; never more than so many bytes, whatever the zip says. */
+  read(maxBytes: number): { readonly bytes: Uint8Array } | { readonly problem: string };
+}
+
+/** The files of a zip, or why it cannot be read. */
+export type Zip = { readonly entries: readonly ZipEntry[] } | { readonly problem: string };
+
+// APPNOTE.TXT 6.3.10 of PKWARE: sections 4.3.16, 4.3.12, 4.3.7.
+const END = 0x06054b50;
+const END_BYTES = 22;
+const DIRECTORY = 0x02014b50;
+const DIRECTORY_BYTES = 46;
+const LOCAL = 0x04034b50;
+const LOCAL_BYTES = 30;
+const ENCRYPTED = 1;
+const UTF_8 = 0x800;
+const STORED = 0;
+const DEFLATED = 8;
+const ZIP64 = 0xffffffff;
+
+/** Chosen: ten thousand hand-ins, and as many files beside them. */
+const MOST_ENTRIES = 20_000;
+
+/** Reads the directory of a zip; its files are unpacked one by one when they are wanted. Never throws. */
+export function readZip(bytes: Uint8Array): Zip {
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const end = endOf(view);
+  if (end === null) return { problem: 'is not a zip, or only a part of one.' };
+  const [count, start] = [view.getUint16(end + 10, true), view.getUint32(end + 16, true)];
+  if (count > MOST_ENTRIES) return { problem: `has ${count} files; the limit is ${MOST_ENTRIES}.` };
+  const entries: ZipEntry[] = [];
+  let at = start;
+  for (let index = 0; index < count; index++) {
+    const isThere = at + DIRECTORY_BYTES <= end && view.getUint32(at, true) === DIRECTORY;
+    if (!isThere) return { problem: 'is damaged: its list of files is not whole.' };
+    const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));
+    const path = textOf(bytes.subarray(at + DIRECTORY_BYTES, at + DIRECTORY_BYTES + (name ?? 0)), view.getUint16(at + 8, true)); // prettier-ignore
+    const directory = at;
+    if (!path.endsWith('/')) entries.push({ path, read: (maxBytes) => readEntry(bytes, view, directory, maxBytes) });
+    at += DIRECTORY_BYTES + (name ?? 0) + (extra ?? 0) + (comment ?? 0);
+  }
+  return { entries };
+}
+
+/** The end of the directory stands at the end, before a comment of any length. */
+function endOf(view: DataView): number | null {
+  const first = Math.max(0, view.byteLength - END_BYTES - 0xffff);
+  for (let at = view.byteLength - END_BYTES; at >= first; at--) if (view.getUint32(at, true) === END) return at;
+  return null;
+}
+
+/** Names are UTF-8 or, in old zips, one byte each: code page 437, of which only ASCII is taken. */
+function textOf(bytes: Uint8Array, flags: number): string {
+  const text = new TextDecoder().decode(bytes);
+  const name = (flags & UTF_8) !== 0 || !text.includes('\ufffd') ? text : Array.from(bytes, (byte) => (byte < 128 ? String.fromCharCode(byte) : '_')).join(''); // prettier-ignore
+  return name.replaceAll('\\', '/');
+}
+
+function readEntry(
+  bytes: Uint8Array,
+  view: DataView,
+  directory: number,
+  maxBytes: number,
+): { readonly bytes: Uint8Array } | { readonly problem: string } {
+  const [flags, method] = [view.getUint16(directory + 8, true), view.getUint16(directory + 10, true)];
+  const [packedBytes, local] = [view.getUint32(directory + 20, true), view.getUint32(directory + 42, true)];
+  if ((flags & ENCRYPTED) !== 0) return { problem: 'is locked by a password.' };
+  if (packedBytes === ZIP64 || local === ZIP64) return { problem: 'is larger than 4 GB.' };
+  if (local + LOCAL_BYTES > bytes.length || view.getUint32(local, true) !== LOCAL) return DAMAGED;
+  const from = local + LOCAL_BYTES + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
+  if (from + packedBytes > bytes.length) return DAMAGED;
+  const content = bytes.subarray(from, from + packedBytes);
+  if (method === STORED) return content.length > maxBytes ? tooLarge(maxBytes) : { bytes: content };
+  if (method !== DEFLATED) return { problem: `is packed in a way (${method}) that is not known here.` };
+  if (content.length === 0) return DAMAGED;
+  const whole = unpacked(content, maxBytes);
+  if (whole === 'too-large') return tooLarge(maxBytes);
+  return whole === 'damaged' ? DAMAGED : { bytes: whole };
+}
+
+const DAMAGED = { problem: 'is damaged in the zip.' };
+const tooLarge = (maxBytes: number) => ({ problem: `unpacks to more than ${maxBytes} bytes. It is not opened.` });
