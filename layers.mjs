@@ -60,6 +60,7 @@ export const webLayers = {
   task: ['page', 'run', 'work', 'layout'],
   console: ['page', 'run', 'work', 'layout'],
   'look-back': ['page', 'run', 'work', 'console'],
+  chart: ['page', 'run', 'work', 'console', 'look-back'],
   'device-log': ['page', 'run', 'work'],
   board: ['page', 'run', 'work', 'visit', 'layout', 'device-log'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
@@ -81,6 +82,6 @@ export const webLayers = {
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
-    'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
+    'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
   ], // prettier-ignore
 };

@@ -106,7 +106,9 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
       if (type === 'button' || type === 'touch' || type === 'sensor')
         host.tell({ type: 'sensed', action, ...further(around, device) });
     },
-    onOutput: ({ text, device, timeUs }) => {
+    onOutput: (output) => {
+      const { text, device, timeUs } = output;
+      run().recording.value.addOutput(output);
       console.write(text, device, timeUs);
       host.tell({ type: 'output', text, ...further(around, device) });
     },

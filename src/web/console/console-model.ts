@@ -21,6 +21,8 @@ export class ConsoleModel {
   readonly together = new SharedLines();
   /** All of them are to be seen where there are several; else those of the one that is shown. */
   readonly isTogether = shallowRef(true);
+  /** The chart is shown instead. */
+  readonly isChart = shallowRef(false);
   /** There is output the pupil may not have seen, on a screen where the console is behind a tab. */
   readonly isNew = shallowRef(false);
   /** Counts what the pupil has sent: from then on the console shows its end. */

@@ -25,9 +25,9 @@ export function useConsoleFold({
   const speaks = computed(
     () => layout.leastConsolePx.value > 0 || run.isWaitingForInput.value || console.shown.value.some(says),
   );
-  const isFolded = computed(
-    () => layout.canFold.value && (chosen.value === null ? !speaks.value : chosen.value === 'folded'),
-  );
+  /** A chart that is folded away would be none. */
+  const canFold = computed(() => layout.canFold.value && !console.isChart.value);
+  const isFolded = computed(() => canFold.value && (chosen.value === null ? !speaks.value : chosen.value === 'folded'));
   watch(isFolded, (folded) => (layout.isConsoleFolded.value = folded), { immediate: true, flush: 'sync' });
   watch(run.phase, (phase) => {
     if (phase === 'starting') chosen.value = null;
@@ -41,7 +41,7 @@ export function useConsoleFold({
   onScopeDispose(() => (layout.isConsoleFolded.value = false));
   return {
     isFolded,
-    canFold: layout.canFold,
+    canFold,
     toggle: () => (chosen.value = isFolded.value ? 'open' : 'folded'),
   };
 }

@@ -34,7 +34,18 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
     if (moment === null || run.past.value === null) return;
     run.past.value = moment;
     run.trails.lookAt(moment.timeUs);
+    if (atUs.value >= (run.recording.value.asked.value?.timeUs ?? 0)) run.recording.value.asked.value = null;
   }
+  // The tape may have to bring that moment first.
+  watch(
+    [() => run.recording.value.asked.value, endUs],
+    ([asked]) => {
+      if (asked === null) return;
+      play(0);
+      show(asked.timeUs);
+    },
+    { immediate: true },
+  );
   function play(direction: -1 | 0 | 1): void {
     cancelAnimationFrame(frame);
     playing.value = direction;
@@ -57,6 +68,7 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
     ...{ atUs, endUs, marks, playing },
     play,
     seek(timeUs) {
+      run.recording.value.asked.value = null;
       play(0);
       show(timeUs);
     },

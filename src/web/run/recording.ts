@@ -4,12 +4,23 @@ import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { FromWorker } from './worker/protocol';
 
+import type { Output } from './worker/protocol';
+
+/** Most pieces of output that are kept. Chosen: a line every 20 ms for ten minutes and more. */
+const MOST_OUTPUT = 40_000;
+
 /** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
 export class Recording {
   /** Number of pieces of the tape; changes with each that comes. */
   readonly count = shallowRef(0);
   /** The pieces, packed as they came: nothing is unpacked before somebody looks back. */
   readonly pieces: Uint8Array[] = [];
+  /** What the programs have printed, oldest first, as it came; the oldest half goes when it is too much. */
+  output: readonly Output[] = [];
+  /** Pieces of output that are gone. */
+  outputGone = 0;
+  /** A moment that somebody has asked to see: the time line goes there. `null`: it is there. */
+  readonly asked: ShallowRef<{ readonly timeUs: number } | null> = shallowRef(null);
   /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
   /** The run can be run again. */
@@ -21,5 +32,12 @@ export class Recording {
   hear(message: Extract<FromWorker, { type: 'tape' | 'inputs' }>): void {
     if (message.type === 'inputs') this.inputs.value = message.inputs;
     else this.count.value = this.pieces.push(message.piece);
+  }
+
+  addOutput(output: Output): void {
+    (this.output as Output[]).push(output);
+    const gone = this.output.length > MOST_OUTPUT ? this.output.length - MOST_OUTPUT / 2 : 0;
+    if (gone > 0) this.output = this.output.slice(gone);
+    this.outputGone += gone;
   }
 }

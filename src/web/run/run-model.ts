@@ -255,7 +255,7 @@ export class RunModel {
    * @param device its place; left out: the one that is shown, and for a packet by radio all of them
    */
   input(action: InputAction, device?: number): void {
-    this.past.value = null; // what is done, is done now
+    this.past.value = this.recording.value.asked.value = null; // what is done, is done now
     this.host.onInput(action, device ?? this.device);
     const place = device ?? (action.type === 'radio' ? null : this.device);
     const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];

@@ -64,10 +64,14 @@ export function createOutbox(send: (output: readonly Output[]) => void): Outbox 
   };
 }
 
-/** Adds output to a list, in which pieces of one device that follow each other are one. */
+/** Output of one device is together for this long: one step of the world. What is printed later has its own time. */
+const TOGETHER_US = 4000;
+
+/** Adds output to a list, in which pieces of one device that follow each other at once are one. */
 export function append(list: Output[], output: Output): void {
   const last = list.at(-1);
-  if (last?.device === output.device) list[list.length - 1] = { ...last, text: last.text + output.text };
+  if (last?.device === output.device && output.timeUs < last.timeUs + TOGETHER_US)
+    list[list.length - 1] = { ...last, text: last.text + output.text };
   else list.push(output);
 }
 

@@ -92,7 +92,17 @@ export const TOOL_IDS = [
 ] as const;
 
 /** The console. */
-export const CONSOLE_IDS = ['output', 'together', 'copy', 'clear', 'fold', 'input', 'interrupt', 'restart'] as const;
+export const CONSOLE_IDS = [
+  'output',
+  'chart',
+  'together',
+  'copy',
+  'clear',
+  'fold',
+  'input',
+  'interrupt',
+  'restart',
+] as const;
 
 /** Keys of the keyboard. */
 export const KEY_IDS = [
