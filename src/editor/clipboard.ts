@@ -57,7 +57,7 @@ export function pasted(
   if (!around) return null;
   const [dx, dy]: Point = at === null ? [0, 0] : stepInside(around, stepTo(around, at), scene.size);
   const there = objects.map((object) => movedBy(object, dx, dy));
-  return put(scene, there, isFreeBy(scene, there, footprint)([0, 0]) ? [0, 0] : freeStep(scene, there, footprint));
+  return putMoved(scene, there, isFreeBy(scene, there, footprint)([0, 0]) ? [0, 0] : freeStep(scene, there, footprint));
 }
 
 /** Copies that were made, and the lower left corner of the rectangle around their originals: what is copied next goes on so. */
@@ -82,7 +82,7 @@ export function duplicated(
   const from = { x: around.minX, y: around.minY };
   const isLast = last !== null && isSame([...last.ids].sort(), [...selection.ids].sort());
   const [dx, dy]: Point = isLast ? stepInside(around, minus(from, last.from), scene.size) : [0, 0];
-  const made = put(scene, objects, dx === 0 && dy === 0 ? freeStep(scene, objects, footprint) : [dx, dy]);
+  const made = putMoved(scene, objects, dx === 0 && dy === 0 ? freeStep(scene, objects, footprint) : [dx, dy]);
   return made && { ...made, copies: { ids: made.selection.ids, from } };
 }
 
@@ -92,7 +92,7 @@ export function copiedBy(scene: Scene, selection: Selection, by: Vec): Pasted | 
   const around = boundsAll(objects.map(boundsOf));
   if (!around) return null;
   const step = stepInside(around, by, scene.size);
-  return step[0] === 0 && step[1] === 0 ? null : put(scene, objects, step);
+  return step[0] === 0 && step[1] === 0 ? null : putMoved(scene, objects, step);
 }
 
 /** The middle goes to a place by whole cm, so that what lies on the grid stays on it. */
@@ -174,7 +174,8 @@ function groupsOfCopies(scene: Scene): (group: string) => string {
   };
 }
 
-function put(scene: Scene, originals: readonly SceneObject[], [dx, dy]: Point): Pasted | null {
+/** Puts copies of objects into a course, moved by a step, as a selection of their own. */
+export function putMoved(scene: Scene, originals: readonly SceneObject[], [dx, dy]: Point): Pasted | null {
   const freeId = freeIds(scene);
   const groupOf = groupsOfCopies(scene);
   const numbers: number[] = [];

@@ -1,0 +1,23 @@
+import { clipOf } from '../clip-text';
+import type { Clip } from '../clipboard';
+
+/** What the shelf has, by what it is for; each name is that of a file in `ready`. */
+export const readyGroups = {
+  lines: ['straight', 'long', 'curve', 'lane-change', 'corner', 'zigzag', 'gap', 'crossing', 'junction'],
+  walls: ['cell', 'corridor', 'garage', 'gate', 'slalom'],
+  fields: ['bay', 'start-box', 'sensor-strip'],
+} as const;
+
+export type ReadyGroup = keyof typeof readyGroups;
+/** The name of a ready part. */
+export type ReadyName = (typeof readyGroups)[ReadyGroup][number];
+
+/** Each is what the clipboard gets when it is copied: draw it, copy it, and paste it into a new file. */
+const files = import.meta.glob<string>('./ready/*.json', { query: '?raw', import: 'default', eager: true });
+
+/** A ready part at true size. */
+export function readyPart(name: ReadyName): Clip {
+  const clip = clipOf(files[`./ready/${name}.json`] ?? '');
+  if (clip === null) throw new Error(`The part ${name} holds no objects.`);
+  return clip;
+}
