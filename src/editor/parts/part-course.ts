@@ -3,24 +3,30 @@ import { defaultScene, type Point, type Scene } from '#scene/scene';
 import type { Clip } from '../clipboard';
 import { boundsAll } from '../bounds';
 import { movedBy } from '../kinds/index';
+import { frameAround, frameOf, lengthOf } from '../snap/frames';
 
 /** Floor around a part that stands alone, in mm. Chosen: what is cut out of paper has an edge to hold. */
 const RIM_MM = 5;
 
-/** Width and height of a part as it lies there, in whole mm. */
+/** Width and height of a part in mm; a line counts from end to end, as what is joined to it does. */
 export function sizeOfPart({ objects }: Clip): Point {
-  const around = boundsAll(objects.map(boundsOf)) ?? { minX: 0, minY: 0, maxX: 0, maxY: 0 };
-  return [Math.ceil(around.maxX - around.minX), Math.ceil(around.maxY - around.minY)];
+  const frame = frameAround(objects.map(frameOf));
+  return frame ? [lengthOf(frame.x), lengthOf(frame.y)] : [0, 0];
 }
 
 /**
  * A part alone, on a floor that is just large enough, for its picture and for paper. Such a floor may be smaller than any
  * arena.
  */
-export function partCourse(clip: Clip, name = ''): Scene {
-  const [width, height] = sizeOfPart(clip);
-  const around = boundsAll(clip.objects.map(boundsOf));
-  const [left, bottom] = around ? [around.minX, around.minY] : [0, 0];
-  const objects = clip.objects.map((object) => movedBy(object, Math.ceil(RIM_MM - left), Math.ceil(RIM_MM - bottom)));
-  return { ...defaultScene(), name, size: [width + 2 * RIM_MM, height + 2 * RIM_MM], objects };
+export function partCourse({ objects }: Clip, name = ''): Scene {
+  const { minX, minY, maxX, maxY } = boundsAll(objects.map(boundsOf)) ?? NOWHERE;
+  const [dx, dy] = [Math.ceil(RIM_MM - minX), Math.ceil(RIM_MM - minY)];
+  return {
+    ...defaultScene(),
+    name,
+    size: [Math.ceil(maxX - minX) + 2 * RIM_MM, Math.ceil(maxY - minY) + 2 * RIM_MM],
+    objects: objects.map((object) => movedBy(object, dx, dy)),
+  };
 }
+
+const NOWHERE = { minX: 0, minY: 0, maxX: 0, maxY: 0 };

@@ -59,7 +59,8 @@ describe('the ready parts', () => {
 describe('a part alone', () => {
   it('lies on a floor that is 5 mm wider than it on each side', () => {
     const { size, objects } = partCourse(readyPart('straight'));
-    expect(sizeOfPart(readyPart('straight'))).toEqual([170, 20]);
+    expect(sizeOfPart(readyPart('straight'))).toEqual([150, 20]);
+    expect(sizeOfPart(readyPart('curve'))).toEqual([150, 150]);
     expect([size, objects]).toMatchObject([[180, 30], [{ points: [[15, 15], [165, 15]] }]]); // prettier-ignore
   });
 });

@@ -23,17 +23,23 @@ export const PNG_PX = { usual: 1800, large: 4000 } as const;
 /** What can be chosen for a picture. */
 export type PictureWish = Readonly<Record<'grid' | 'rulers' | 'robot' | 'path' | 'task', boolean>>;
 
-/** Makes files of the open course and offers them as downloads, one at a time; says whether that worked. */
-export function usePrint() {
+/**
+ * Makes files of the open course and offers them as downloads, one at a time; says whether that worked.
+ *
+ * @param other another course, whose name is its own; without robot, path and task
+ */
+export function usePrint(other: Scene | null = null) {
   const app = { ...useRun(), ...useWork() };
   const { task } = useTask();
   const hardware = useHardware(app);
-  const scene = app.work.scene;
-  const name = computed(() => courseName(scene.value, app.work.work.value.project.course));
+  const scene = computed(() => other ?? app.work.scene.value);
+  const name = computed(() => other?.name ?? courseName(scene.value, app.work.work.value.project.course));
   const drawing = useDrawing(() => hardware.value?.robot ?? null);
   const isBusy = shallowRef(false);
   const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
-  const pieces = computed(() => (app.run.snapshot.value === null ? [] : piecesOf(app.run.trails.first)));
+  const pieces = computed(() =>
+    other !== null || app.run.snapshot.value === null ? [] : piecesOf(app.run.trails.first),
+  );
 
   function optionsFor(wish: PictureWish): PictureOptions {
     const { at, heading, scale } = scene.value.robot;
@@ -41,7 +47,7 @@ export function usePrint() {
     return {
       grid: wish.grid,
       rulers: wish.rulers,
-      robot: wish.robot && drawing.value !== null ? { pose, scale, drawing: drawing.value } : null,
+      robot: wish.robot && other === null && drawing.value !== null ? { pose, scale, drawing: drawing.value } : null,
       path: wish.path ? pieces.value : [],
       background: scene.value.background === null ? null : pictureAddress(scene.value.background),
       floor: true,
@@ -70,9 +76,9 @@ export function usePrint() {
     name,
     isBusy,
     said,
-    hasRobot: computed(() => (hardware.value?.robot ?? null) !== null),
+    hasRobot: computed(() => other === null && (hardware.value?.robot ?? null) !== null),
     hasPath: computed(() => pieces.value.length > 0),
-    hasTask: task.hasText,
+    hasTask: computed(() => other === null && task.hasText.value),
     hasHints: computed(() => task.text.value.hints.length > 0),
     /** The task as it is printed, with the hints only on request. */
     paperTask: (withHints: boolean): Promise<PaperTask> => taskOnPaper(scene.value, task.text.value, withHints),

@@ -15,6 +15,7 @@ import type { ArenaTool, CourseEditorModel } from '../../course-editor/state/cou
 import { createSelectionActs } from '../../course-editor/state/selection-acts';
 import { say } from '../../page/i18n/say';
 import { arenaKeys, type ArenaKeys } from './arena-keys';
+import { arenaSight } from './arena-sight';
 import { arenaOpenings, type ArenaOpenings } from './arena-openings';
 import { drawEdit, editBox, objectsById, type EditFrame, type EditPicture } from './draw-edit';
 import { floorPx } from '../picture/draw-floor';
@@ -85,13 +86,15 @@ export function createArenaTools(sources: ToolSources): ArenaTools {
   const surface: ToolSurface = surfaceOf(sources, ports, openings);
   const keys = withPointKeys(createSelectionKeys(ports), ports, surface, () => editor.tool.value === 'points');
   const unfinished = unfinishedOf(sources, surface);
+  editor.view.value = arenaSight(sources, surface);
   const pointers = toolPointers(surface, (wish, rests) => openings.menu(wish, surface.reachMm, rests));
   let shown: { picture: EditPicture; frame: EditFrame } | null = null;
   let window: PxBox | null = null;
 
   function look(): typeof shown {
-    const now = withNudge(surface.picture(), keys.edit, context);
-    const edit = now.edit ?? keys.edit;
+    const other = keys.edit ?? editor.brought.value;
+    const now = withNudge(surface.picture(), other, context);
+    const edit = now.edit ?? other;
     const course = sources.course();
     const after = now.after ?? (edit === null ? null : applyEdit(course, edit));
     const frame = { ...frameOf(sources), carried };
@@ -216,7 +219,7 @@ function tellSession(editor: CourseEditorModel, edit: SceneEdit | null, { marks,
   editor.measure.value = measured && { from: measured.from, to: measured.to };
 }
 
-/** While arrow keys move what is selected, it has figures, too. */
+/** While arrow keys move what is selected, or something is brought from beside the arena, it has figures, too. */
 function withNudge(now: SurfacePicture, edit: SceneEdit | null, context: () => ToolContext): SurfacePicture {
   if (edit === null) return now;
   const { reading, marks, frame } = figuresOf(edit, context(), null);

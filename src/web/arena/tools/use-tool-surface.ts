@@ -51,7 +51,7 @@ export function useToolSurface(sources: ToolSurfaceSources): ToolLayer {
   const early = createEarlyPointers();
   fetchTools(sources, tools, { draw, said, early });
   const frame = () => [picture.view.value, picture.canvas.value, picture.ratio.value, sources.palette()];
-  const session = () => [editor?.selection.value, editor?.options.value, editor?.free.value];
+  const session = () => [editor?.selection.value, editor?.options.value, editor?.free.value, editor?.brought.value];
   watch([frame, session, sources.footprint, tools, sources.canvas], draw, { flush: 'post' });
   watch(sources.course, () => {
     tools.value?.courseChanged();
@@ -88,6 +88,7 @@ function fetchTools(
   onBeforeUnmount(() => {
     isGone = true;
     editor.unfinished.value = null;
+    editor.view.value = null;
   });
   const fetch = (): void => {
     import('./arena-tools').then(

@@ -57,6 +57,16 @@ export interface WordsPlace {
   readonly host: HTMLElement | null;
 }
 
+/** What of the arena is seen, for those who bring something from beside it. */
+export interface EditorView {
+  /** The place of the arena (world mm) at a place of the window (px); `null`: it is beside the picture. */
+  readonly at: (xPx: number, yPx: number) => Vec | null;
+  /** The middle of what is seen, world mm. */
+  readonly middle: () => Vec;
+  /** How near counts as on a thing, in mm. */
+  readonly reachMm: () => number;
+}
+
 /** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
   readonly tool: Readonly<ShallowRef<ArenaTool>>;
@@ -68,6 +78,10 @@ export interface CourseEditorModel {
   readonly free: ShallowRef<boolean>;
   /** The result of the gesture so far; `null` for none. */
   readonly drag: ShallowRef<SceneEdit | null>;
+  /** What is held over the arena from beside it, as it would lie there; `null`: nothing. */
+  readonly brought: ShallowRef<SceneEdit | null>;
+  /** What is seen of the arena; `null` until the tools have come. */
+  readonly view: ShallowRef<EditorView | null>;
   /** The course as it would be if the gesture ended now; `null` if none is under way. Saved with the work. */
   readonly unfinished: WorkModel['unfinished'];
   /** What the ruler measures, in world mm; `null` for nothing yet. */
@@ -134,6 +148,8 @@ class CourseEditor implements CourseEditorModel {
   readonly selection = shallowRef(nothingSelected);
   readonly free = shallowRef(false);
   readonly drag = shallowRef<SceneEdit | null>(null);
+  readonly brought: CourseEditorModel['brought'] = shallowRef(null);
+  readonly view: CourseEditorModel['view'] = shallowRef(null);
   readonly measure: CourseEditorModel['measure'] = shallowRef(null);
   readonly said = shallowRef('');
   readonly problem = shallowRef<SceneProblem | null>(null);

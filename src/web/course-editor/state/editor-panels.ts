@@ -1,10 +1,12 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
+import type { Scene } from '#scene/scene';
+
 import type { LayoutParts } from '../../layout/parts';
 import type { WorkParts } from '../../work/model/parts';
 
 /** The parts of the editor that have a window of their own. */
-export type EditorPanel = 'list' | 'course' | 'background' | 'print';
+export type EditorPanel = 'list' | 'course' | 'background' | 'print' | 'parts';
 
 /** Which of the editor's windows is open. */
 export interface EditorPanels {
@@ -12,6 +14,10 @@ export interface EditorPanels {
   readonly shown: Readonly<ShallowRef<EditorPanel | null>>;
   readonly open: (panel: EditorPanel) => void;
   readonly close: () => void;
+  /** Whether what is selected is to be laid onto the shelf of parts, as soon as that is open. */
+  readonly keeps: ShallowRef<boolean>;
+  /** A course to be printed instead of the open one, after which the shelf of parts is open again; `null`: none. */
+  readonly printed: ShallowRef<Scene | null>;
   /** The picture file from which the floor is being made; `null`: none. */
   readonly picture: ShallowRef<Blob | null>;
   /** Opens a picture as a floor to be. Returns `false` where the page has no arena. */
@@ -25,13 +31,16 @@ export function createEditorPanels({
 }: Pick<LayoutParts, 'layout'> & Pick<WorkParts, 'settings'>): EditorPanels {
   const shown = shallowRef<EditorPanel | null>(null);
   const picture = shallowRef<Blob | null>(null);
+  const printed = shallowRef<Scene | null>(null);
   return {
     shown,
     open: (panel) => void (shown.value = panel),
     close() {
-      shown.value = null;
-      picture.value = null;
+      shown.value = printed.value === null ? null : 'parts';
+      picture.value = printed.value = null;
     },
+    keeps: shallowRef(false),
+    printed,
     picture,
     offer(file) {
       if (!layout.tabs.value.includes('arena')) return false;

@@ -62,6 +62,8 @@ export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse
       insertClip(clip, at);
       return clip !== null;
     },
+    /** Puts objects into the course: with their middle at a place, or beside what is in the way there. */
+    insert: insertClip,
     duplicate: (): void => {
       const made = duplicated(scene(), selection(), clipboard.copies, course().footprint);
       insert(made);

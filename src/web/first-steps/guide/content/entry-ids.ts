@@ -84,6 +84,7 @@ export const TOOL_IDS = [
   'undo',
   'redo',
   'course-more',
+  'parts',
   'course-list',
   'course-settings',
   'background',
