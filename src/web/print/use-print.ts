@@ -34,9 +34,9 @@ export function usePrint(other: Scene | null = null) {
   const hardware = useHardware(app);
   const scene = computed(() => other ?? app.work.scene.value);
   const name = computed(() => other?.name ?? courseName(scene.value, app.work.work.value.project.course));
-  const drawing = useDrawing(() => hardware.value?.robot ?? null);
-  const isBusy = shallowRef(false);
-  const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
+  const robot = computed(() => (other === null ? (hardware.value?.robot ?? null) : null));
+  const drawing = useDrawing(() => robot.value);
+  const { isBusy, said, save } = useSaving(() => name.value);
   const pieces = computed(() =>
     other !== null || app.run.snapshot.value === null ? [] : piecesOf(app.run.trails.first),
   );
@@ -47,7 +47,7 @@ export function usePrint(other: Scene | null = null) {
     return {
       grid: wish.grid,
       rulers: wish.rulers,
-      robot: wish.robot && other === null && drawing.value !== null ? { pose, scale, drawing: drawing.value } : null,
+      robot: wish.robot && drawing.value !== null ? { pose, scale, drawing: drawing.value } : null,
       path: wish.path ? pieces.value : [],
       background: scene.value.background === null ? null : pictureAddress(scene.value.background),
       floor: true,
@@ -55,28 +55,12 @@ export function usePrint(other: Scene | null = null) {
     };
   }
 
-  /** Makes a file and saves it under the name of the course. */
-  async function save(ending: string, make: () => Promise<Blob>): Promise<void> {
-    if (isBusy.value) return;
-    isBusy.value = true;
-    said.value = { text: say(words.working), isError: false };
-    await new Promise((resolve) => setTimeout(resolve, 30)); // the message must be on screen before the work begins
-    try {
-      const file = fileName(name.value, ending);
-      saveBlob(file, await make());
-      said.value = { text: say(words.saved, { file }), isError: false };
-    } catch {
-      said.value = { text: say(words.failed), isError: true };
-    }
-    isBusy.value = false;
-  }
-
   return {
     scene,
     name,
     isBusy,
     said,
-    hasRobot: computed(() => other === null && (hardware.value?.robot ?? null) !== null),
+    hasRobot: computed(() => robot.value !== null),
     hasPath: computed(() => pieces.value.length > 0),
     hasTask: computed(() => other === null && task.hasText.value),
     hasHints: computed(() => task.text.value.hints.length > 0),
@@ -90,6 +74,30 @@ export function usePrint(other: Scene | null = null) {
     savePdf: (make: (scene: Scene, name: string) => Promise<Blob>) => save('pdf', () => make(scene.value, name.value)),
   };
 }
+
+/** Saves files one at a time, and says how that goes. @param name under which they are saved */
+function useSaving(name: () => string) {
+  const isBusy = shallowRef(false);
+  const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
+
+  /** Makes a file and saves it under that name. */
+  async function save(ending: string, make: () => Promise<Blob>): Promise<void> {
+    if (isBusy.value) return;
+    isBusy.value = true;
+    said.value = { text: say(words.working), isError: false };
+    await new Promise((resolve) => setTimeout(resolve, 30)); // the message must be on screen before the work begins
+    try {
+      const file = fileName(name(), ending);
+      saveBlob(file, await make());
+      said.value = { text: say(words.saved, { file }), isError: false };
+    } catch {
+      said.value = { text: say(words.failed), isError: true };
+    }
+    isBusy.value = false;
+  }
+  return { isBusy, said, save };
+}
+
 const SVG_TYPE = 'image/svg+xml';
 
 /** What `usePrint` gives. */

@@ -1,11 +1,11 @@
 import { intoArena } from '#editor/snap';
 import type { EditorView } from '../../course-editor/state/course-editor-model';
+import type { OpeningSources } from './arena-openings';
 import { toMm } from '../view/view-transform';
-import type { ToolSources } from './arena-tools';
 
 /** What of the arena is seen, for those who bring something from beside it. */
 export function arenaSight(
-  { picture, course, inkCanvas }: Pick<ToolSources, 'picture' | 'course' | 'inkCanvas'>,
+  { picture, course, inkCanvas }: Pick<OpeningSources, 'picture' | 'course' | 'inkCanvas'>,
   surface: { readonly reachMm: number },
 ): EditorView {
   return {

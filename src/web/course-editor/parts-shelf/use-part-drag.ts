@@ -1,4 +1,4 @@
-import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
+import { onScopeDispose, shallowRef } from 'vue';
 
 import type { Clip, Pasted } from '#editor/clipboard';
 import { brought } from '#editor/parts/bring';
@@ -28,93 +28,95 @@ export interface PartDragPorts {
   readonly course: () => Pick<ToolContext, 'scene' | 'footprint'>;
 }
 
-/** The drag of a part from the shelf onto the course. */
-export interface PartDrag {
-  readonly carried: Readonly<ShallowRef<Carried | null>>;
-  /** A pointer goes down on a card. */
-  down(event: PointerEvent, clip: Clip): void;
-  /** Whether a click belongs to a drag that has just ended: then it inserts nothing. */
-  swallows(): boolean;
-  /** For `touchmove` on the shelf: a finger that carries a part scrolls nothing. */
-  keepStill(event: TouchEvent): void;
+/** Leads a part by mouse, pen or finger. It ends with the shelf. */
+export function usePartDrag(ports: PartDragPorts): PartDrag {
+  const drag = new PartDrag(ports);
+  onScopeDispose(drag.drop);
+  return drag;
 }
 
-/** Leads a part by mouse, pen or finger. Listens to the window while a pointer is down. */
-export function usePartDrag({ editor, course }: PartDragPorts): PartDrag {
-  const carried = shallowRef<Carried | null>(null);
-  let press: { readonly id: number; readonly x: number; readonly y: number; readonly clip: Clip } | null = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  let hasDragged = false;
-  let made: Pasted | null = null;
+/** The drag of a part from the shelf onto the course. Listens to the window while a pointer is down. */
+export class PartDrag {
+  readonly carried = shallowRef<Carried | null>(null);
+  private press: { readonly id: number; readonly x: number; readonly y: number; readonly clip: Clip } | null = null;
+  private timer: ReturnType<typeof setTimeout> | undefined;
+  private hasDragged = false;
+  private made: Pasted | null = null;
+  private readonly listeners: readonly (readonly [string, EventListener])[];
 
-  function lift(x: number, y: number): void {
-    hasDragged = true;
-    editor.choose('select'); // its tools show what is brought
-    carry(x, y);
+  constructor(private readonly ports: PartDragPorts) {
+    const { move, up, drop, key } = this;
+    const listeners = { pointermove: move, pointerup: up, pointercancel: drop, keydown: key };
+    this.listeners = Object.entries(listeners) as [string, EventListener][];
   }
 
-  function carry(xPx: number, yPx: number): void {
-    if (press === null) return;
-    const at = editor.view.value?.at(xPx, yPx) ?? null;
-    const how = { free: editor.free.value, reachMm: editor.view.value?.reachMm() ?? 0 };
-    made = at && brought(course(), press.clip, at, how);
-    editor.brought.value = made?.edit ?? null;
-    carried.value = { clip: press.clip, xPx, yPx, isOver: made !== null };
+  /** A pointer goes down on a card. */
+  down(event: PointerEvent, clip: Clip): void {
+    this.hasDragged = false;
+    if (event.button !== 0 || this.press !== null) return;
+    const { pointerId: id, clientX: x, clientY: y } = event;
+    this.press = { id, x, y, clip: ownCopy(clip) };
+    for (const [name, listener] of this.listeners) addEventListener(name, listener, true);
+    if (event.pointerType === 'touch') this.timer = setTimeout(() => this.lift(x, y), LIFT_MS);
   }
 
-  function move(event: PointerEvent): void {
-    if (press === null || event.pointerId !== press.id) return;
-    if (carried.value !== null) return carry(event.clientX, event.clientY);
-    const farPx = Math.max(Math.abs(event.clientX - press.x), Math.abs(event.clientY - press.y));
-    if (event.pointerType !== 'touch' && farPx > SLIP_PX) lift(event.clientX, event.clientY);
-    else if (event.pointerType === 'touch' && farPx > REST_PX) drop(); // it scrolls
+  /** Whether a click belongs to a drag that has just ended: then it inserts nothing. */
+  swallows(): boolean {
+    return this.hasDragged;
   }
 
-  /** Lets go; what is over the arena lies there. */
-  function up(event: PointerEvent): void {
-    if (press === null || event.pointerId !== press.id) return;
-    const lies = carried.value === null ? null : made;
-    drop();
-    if (lies !== null) editor.commit(lies.edit, lies.selection);
-  }
+  /** For `touchmove` on the shelf: a finger that carries a part scrolls nothing. */
+  readonly keepStill = (event: TouchEvent): void => {
+    if (this.carried.value !== null) event.preventDefault();
+  };
 
   /** Ends without an edit. */
-  function drop(): void {
-    clearTimeout(timer);
-    press = made = carried.value = editor.brought.value = null;
-    for (const [name, listener] of listeners) removeEventListener(name, listener, true);
-  }
+  readonly drop = (): void => {
+    clearTimeout(this.timer);
+    this.press = this.made = this.carried.value = this.ports.editor.brought.value = null;
+    for (const [name, listener] of this.listeners) removeEventListener(name, listener, true);
+  };
 
-  function key(event: KeyboardEvent): void {
-    if (event.key !== 'Escape' || carried.value === null) return;
+  private readonly move = (event: PointerEvent): void => {
+    const { press } = this;
+    if (press === null || event.pointerId !== press.id) return;
+    if (this.carried.value !== null) return this.carry(event.clientX, event.clientY);
+    const farPx = Math.max(Math.abs(event.clientX - press.x), Math.abs(event.clientY - press.y));
+    if (event.pointerType !== 'touch' && farPx > SLIP_PX) this.lift(event.clientX, event.clientY);
+    else if (event.pointerType === 'touch' && farPx > REST_PX) this.drop(); // it scrolls
+  };
+
+  /** Lets go; what is over the arena lies there. */
+  private readonly up = (event: PointerEvent): void => {
+    if (event.pointerId !== this.press?.id) return;
+    const lies = this.carried.value === null ? null : this.made;
+    this.drop();
+    if (lies !== null) this.ports.editor.commit(lies.edit, lies.selection);
+  };
+
+  private readonly key = (event: KeyboardEvent): void => {
+    if (event.key !== 'Escape' || this.carried.value === null) return;
     event.preventDefault();
     event.stopImmediatePropagation();
-    drop();
+    this.drop();
+  };
+
+  private lift(xPx: number, yPx: number): void {
+    this.hasDragged = true;
+    this.ports.editor.choose('select'); // its tools show what is brought
+    this.carry(xPx, yPx);
   }
 
-  const listeners = Object.entries({
-    pointermove: move,
-    pointerup: up,
-    pointercancel: drop,
-    keydown: key,
-  }) as [string, EventListener][];
-
-  onScopeDispose(drop);
-  return {
-    carried,
-    down(event, clip) {
-      hasDragged = false;
-      if (event.button !== 0 || press !== null) return;
-      // Objects of its own each time: no two parts are copies of each other.
-      press = { id: event.pointerId, x: event.clientX, y: event.clientY, clip: ownCopy(clip) };
-      for (const [name, listener] of listeners) addEventListener(name, listener, true);
-      if (event.pointerType === 'touch') timer = setTimeout(() => lift(event.clientX, event.clientY), LIFT_MS);
-    },
-    swallows: () => hasDragged,
-    keepStill(event) {
-      if (carried.value !== null) event.preventDefault();
-    },
-  };
+  private carry(xPx: number, yPx: number): void {
+    if (this.press === null) return;
+    const { editor, course } = this.ports;
+    const { clip } = this.press;
+    const at = editor.view.value?.at(xPx, yPx) ?? null;
+    const how = { free: editor.free.value, reachMm: editor.view.value?.reachMm() ?? 0 };
+    this.made = at && brought(course(), clip, at, how);
+    editor.brought.value = this.made?.edit ?? null;
+    this.carried.value = { clip, xPx, yPx, isOver: this.made !== null };
+  }
 }
 
 /** The same objects anew: the editor takes copies of one object for copies of each other. */
