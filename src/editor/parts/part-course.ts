@@ -21,12 +21,17 @@ export function sizeOfPart({ objects }: Clip): Point {
 export function partCourse({ objects }: Clip, name = ''): Scene {
   const { minX, minY, maxX, maxY } = boundsAll(objects.map(boundsOf)) ?? NOWHERE;
   const [dx, dy] = [Math.ceil(RIM_MM - minX), Math.ceil(RIM_MM - minY)];
+  const course = defaultScene();
   return {
-    ...defaultScene(),
+    ...course,
+    robot: { ...course.robot, at: ELSEWHERE },
     name,
     size: [Math.ceil(maxX - minX) + 2 * RIM_MM, Math.ceil(maxY - minY) + 2 * RIM_MM],
     objects: objects.map((object) => movedBy(object, dx, dy)),
   };
 }
+
+/** The robot's start is not in the picture. */
+const ELSEWHERE: Point = [-10_000, -10_000];
 
 const NOWHERE = { minX: 0, minY: 0, maxX: 0, maxY: 0 };

@@ -61,6 +61,7 @@ describe('a part alone', () => {
     const { size, objects } = partCourse(readyPart('straight'));
     expect(sizeOfPart(readyPart('straight'))).toEqual([150, 20]);
     expect(sizeOfPart(readyPart('curve'))).toEqual([150, 150]);
+    expect(partCourse({ objects: [] }).objects).toEqual([]);
     expect([size, objects]).toMatchObject([[180, 30], [{ points: [[15, 15], [165, 15]] }]]); // prettier-ignore
   });
 });

@@ -2,6 +2,8 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { partCourse } from '#editor/parts/part-course';
+import { readyPart } from '#editor/parts/ready-parts';
 import { fetchDrawing } from '#robots/drawings';
 import { robotTypes } from '#robots/index';
 import { defaultScene, type Scene } from '#scene/scene';
@@ -16,7 +18,7 @@ import PrintDialog from './PrintDialog.vue';
 await Promise.all(robotTypes.map(({ id }) => fetchDrawing(id)));
 
 /** The dialog on a course of this size with a line and a wall. */
-async function dialog(change: Partial<Scene> = {}) {
+async function dialog(change: Partial<Scene> = {}, other: Scene | null = null) {
   const page = createPage();
   page.settings.change({ language: 'de' });
   const scene: Scene = {
@@ -31,7 +33,7 @@ async function dialog(change: Partial<Scene> = {}) {
   };
   page.work.openProject({ files: [{ name: 'main.py', text: 'from mbrobot import *\n' }], scene, course: null }, null);
   const closed = vi.fn();
-  mountOn(page, PrintDialog, { onClose: closed });
+  mountOn(page, PrintDialog, { onClose: closed, other });
   await nextTick();
   return { page, closed };
 }
@@ -230,5 +232,21 @@ describe('the course true to scale', () => {
     const { closed } = await dialog();
     await tap(named('Schliessen'));
     expect(closed).toHaveBeenCalledOnce();
+  });
+});
+
+describe('a part alone', () => {
+  it('is printed at true size on one sheet of A4, under its name, without robot and task', async () => {
+    await dialog({ description: 'Fahr ins Ziel.' }, partCourse(readyPart('curve'), 'Kurve'));
+    expect([sheets(), isThere('print-task')]).toEqual([1, false]);
+    await tap('print-picture');
+    expect([box('robot').disabled, isThere('picture-task')]).toEqual([true, false]);
+    await tap('print-print');
+    const saved = downloads();
+    await tap('save-pdf');
+    await vi.waitFor(() => expect(said()).toBe('Kurve.pdf ist gespeichert.'), 20_000);
+    const text = await saved[0]!.blob.text();
+    expect(text).toMatch(/\/MediaBox \[0 0 595\.2\d+ 841\.8\d+\]/); // 210 × 297 mm in units of 1/72 inch
+    expect(text.match(/\/Type \/Page\b/g)).toHaveLength(1);
   });
 });

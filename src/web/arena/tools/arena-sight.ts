@@ -8,14 +8,16 @@ export function arenaSight(
   { picture, course, inkCanvas }: Pick<OpeningSources, 'picture' | 'course' | 'inkCanvas'>,
   surface: { readonly reachMm: number },
 ): EditorView {
+  const boxNow = (): DOMRect | undefined => inkCanvas()?.parentElement?.getBoundingClientRect();
   return {
     at(xPx, yPx) {
-      const box = inkCanvas()?.parentElement?.getBoundingClientRect();
+      const box = boxNow();
       if (!box || xPx < box.left || yPx < box.top || xPx > box.right || yPx > box.bottom) return null;
       return toMm(picture.view.value, { x: xPx - box.left, y: yPx - box.top });
     },
-    middle() {
-      const { widthPx, heightPx } = picture.canvas.value;
+    middle(abovePx) {
+      const { widthPx } = picture.canvas.value;
+      const heightPx = Math.min(picture.canvas.value.heightPx, abovePx - (boxNow()?.top ?? 0));
       return intoArena(toMm(picture.view.value, { x: widthPx / 2, y: heightPx / 2 }), course().size);
     },
     reachMm: () => surface.reachMm,

@@ -56,7 +56,7 @@ function joined(scene: Scene, end: End, [name, bend]: (typeof loop)[number]): { 
 
 function trackFrom(start: Vec): { scene: Scene; end: End } {
   const robot = { ...defaultScene().robot, type: 'maqueen-lite', at: [480, 150] as const };
-  let track = { scene: { ...defaultScene(), robot }, end: { at: start, deg: 0 } as End };
+  let track: { scene: Scene; end: End } = { scene: { ...defaultScene(), robot }, end: { at: start, deg: 0 } };
   for (const part of loop) track = joined(track.scene, track.end, part);
   return track;
 }

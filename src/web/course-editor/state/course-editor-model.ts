@@ -61,8 +61,8 @@ export interface WordsPlace {
 export interface EditorView {
   /** The place of the arena (world mm) at a place of the window (px); `null`: it is beside the picture. */
   readonly at: (xPx: number, yPx: number) => Vec | null;
-  /** The middle of what is seen, world mm. */
-  readonly middle: () => Vec;
+  /** The middle of what is seen, world mm. @param abovePx what lies below this, in the window, is covered */
+  readonly middle: (abovePx: number) => Vec;
   /** How near counts as on a thing, in mm. */
   readonly reachMm: () => number;
 }
