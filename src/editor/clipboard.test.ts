@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import { applyEdit } from '#scene/edit';
 import { editProblem } from '#scene/check-edit';
 import { sceneLimits, type SceneObject } from '#scene/scene';
-import { copied, copiedBy, duplicated, pasted } from './clipboard';
+import { copied, copiedBy, copiesMade, duplicated, pasted } from './clipboard';
 import { block, checkpoint, course, footprint, stroke, target, wall } from './testing/desk';
 import type { Selection } from './tools/tool';
 
@@ -58,6 +58,16 @@ describe('copying', () => {
     const third = duplicated(scene, first.selection, first.copies);
     expect(third?.edit).toEqual({ type: 'add', objects: [block('block-2', [400, 500])] });
     expect(duplicated(scene, of(['b']), first.copies)?.edit).toMatchObject({ objects: [{ at: [360, 300] }] });
+  });
+
+  it('goes on by the step of copies that were dragged with Alt', () => {
+    let scene = course(block('b', [100, 300]));
+    const dragged = copiedBy(scene, of(['b']), { x: 200, y: 0 })!;
+    const copies = copiesMade(scene, dragged.edit);
+    scene = applyEdit(scene, dragged.edit);
+    expect(duplicated(scene, dragged.selection, copies)?.edit).toMatchObject({ objects: [{ at: [500, 300] }] });
+    expect(copiesMade(scene, { type: 'add', objects: [block('new', [0, 0])] })).toBeNull();
+    expect(copiesMade(scene, { type: 'remove', ids: ['b'] })).toBeNull();
   });
 
   it('pastes into another course where it was, as plain data that a clipboard can hold', () => {

@@ -10,7 +10,7 @@ import { arenaBounds, boundsAll, shiftedBounds } from './bounds';
 import { freeGroups, freeIds } from './ids';
 import { kindOf, movedBy } from './kinds/index';
 import { nextCheckpoint } from './kinds/zone';
-import { noteMove } from './moves';
+import { noteMove, stepOfCopy } from './moves';
 import { minus } from './plane';
 import { selectedObjects } from './selection';
 import type { Selection } from './tools/tool';
@@ -93,6 +93,15 @@ export function copiedBy(scene: Scene, selection: Selection, by: Vec): Pasted | 
   if (!around) return null;
   const step = stepInside(around, by, scene.size);
   return step[0] === 0 && step[1] === 0 ? null : putMoved(scene, objects, step);
+}
+
+/** The copies that an edit makes of things that are there, all by the same step, as Alt-drag does; `null`: it makes none. */
+export function copiesMade({ objects: there }: Scene, edit: SceneEdit): Copies | null {
+  const made = edit.type === 'add' ? edit.objects : [];
+  const around = boundsAll(made.map(boundsOf));
+  const [step, ...others] = made.map((copy) => stepOfCopy(copy, there));
+  if (!around || !step || !others.every((other) => isSame(other, step))) return null;
+  return { ids: made.map(({ id }) => id), from: { x: around.minX - step.x, y: around.minY - step.y } };
 }
 
 /** The middle goes to a place by whole cm, so that what lies on the grid stays on it. */

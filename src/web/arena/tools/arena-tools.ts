@@ -3,6 +3,7 @@
  * the palette is; without it the hand works all the same.
  */
 import type { Vec } from '#core/geometry';
+import { copiesMade } from '#editor/clipboard';
 import { handlesOf } from '#editor/handles';
 import { figuresOf } from '#editor/snap/figures';
 import { boundsOfSelection } from '#editor/selection';
@@ -161,7 +162,10 @@ function portsOf(
   return {
     context,
     acts: createSelectionActs(editor, context),
-    commit: (edit, chosen) => void editor.commit(edit, chosen),
+    commit(edit, chosen) {
+      const copies = copiesMade(sources.course(), edit);
+      if (editor.commit(edit, chosen) && copies !== null) editor.clipboard.copies = copies; // Ctrl+D goes on from them
+    },
     done: (reading) => sources.say(readingWords(reading)),
     pointed() {
       const { crosshair, reachMm } = surface();
