@@ -1,3 +1,5 @@
+import type { Vec } from '#core/geometry';
+import { middleBetween } from '#editor/plane';
 import { intoArena } from '#editor/snap';
 import type { EditorView } from '../../course-editor/state/course-editor-model';
 import type { OpeningSources } from './arena-openings';
@@ -18,7 +20,8 @@ export function arenaSight(
     middle(abovePx) {
       const { widthPx } = picture.canvas.value;
       const heightPx = Math.min(picture.canvas.value.heightPx, abovePx - (boxNow()?.top ?? 0));
-      return intoArena(toMm(picture.view.value, { x: widthPx / 2, y: heightPx / 2 }), course().size);
+      const inMm = (x: number, y: number): Vec => intoArena(toMm(picture.view.value, { x, y }), course().size);
+      return middleBetween(inMm(0, 0), inMm(widthPx, heightPx));
     },
     reachMm: () => surface.reachMm,
   };
