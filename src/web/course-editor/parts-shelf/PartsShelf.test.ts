@@ -33,7 +33,7 @@ describe('the shelf of parts', () => {
     await opened();
     const all = Object.values(readyGroups).flat();
     expect(all.map((name) => card(name)?.getAttribute('aria-label')?.includes('einsetzen'))).toEqual(all.map(() => true)); // prettier-ignore
-    expect(named('Kurve einsetzen, 15 × 15 cm').textContent).toContain('15 × 15 cm');
+    expect(named('Kurve 15 × 15 cm, einsetzen').textContent).toContain('15 × 15 cm');
   });
 
   it('inserts a part by a tap: in the middle, selected, as one step', async () => {
