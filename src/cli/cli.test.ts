@@ -212,7 +212,7 @@ describe('parcours run with something wrong', { timeout: 30_000 }, () => {
     [
       'a newer course',
       [hello, '--scene', file('b.json', scene({ version: 7 }))],
-      /Scene version 7 is newer than this app \(5\)/,
+      /Scene version 7 is newer than this app \(6\)/,
     ],
     [
       'a wall of length 0',

@@ -1,4 +1,5 @@
-import type { Position } from './frames';
+import { readPosition, type Position } from './frames';
+import type { Inspected } from './inspected';
 import type { StopRule } from './line-watch';
 
 /** A line at which a program shall stop. */
@@ -9,6 +10,9 @@ export interface BreakPoint {
 
 /** How to go on from where a program stands. */
 export type Step = 'into' | 'over' | 'out';
+
+/** A step by lines: a kind of step, or up to a line. */
+export type LineStep = Step | BreakPoint;
 
 /** Stops at the n-th time that a line begins. */
 export function atLine({ file, line }: BreakPoint, hit = 1): StopRule {
@@ -35,4 +39,9 @@ export function afterStep(step: Step, from: Position | null): StopRule {
     if (step === 'out' || event.kind === 'return') return false;
     return step === 'into' || event.depth === depth;
   };
+}
+
+/** The rule for a step from where the program stands. */
+export function ruleOf(step: LineStep, vm: Inspected): StopRule {
+  return typeof step === 'string' ? afterStep(step, readPosition(vm)) : atLine(step);
 }

@@ -1,9 +1,9 @@
 import { shallowRef, type ShallowRef } from 'vue';
 
 import type { RunPhase } from '#simulation/pace';
-import type { BreakPoint } from '#vm/debug/stops';
+import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { ToRun } from './run-client';
-import type { FromWorker, LineStep } from './worker/protocol';
+import type { FromWorker } from './worker/protocol';
 
 /** Break points of each device, by its place. */
 export type PointsOfDevices = readonly (readonly BreakPoint[])[];

@@ -21,15 +21,13 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Ended } from '#simulation/simulation';
 
 import type { Snapshot } from '#simulation/snapshot';
-import type { BreakPoint } from '#vm/debug/stops';
+import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
 import type { RunEvents } from './event-box';
 import type { Output } from './outbox';
-import type { LineStep } from './stops';
 
 export type { RunEvents } from './event-box';
 export type { Output } from './outbox';
-export type { LineStep } from './stops';
 
 /** Simulated time of one press of *step*, in µs: 20 ms, one row of the trace. */
 export const STEP_PRESS_US = 20_000;

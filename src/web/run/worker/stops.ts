@@ -1,7 +1,6 @@
 import type { Inspected } from '#vm/debug/inspected';
-import { readPosition } from '#vm/debug/frames';
 import type { StopRule } from '#vm/debug/line-watch';
-import { afterStep, atBreakPoints, atLine, type BreakPoint, type Step } from '#vm/debug/stops';
+import { atBreakPoints, ruleOf, type BreakPoint, type LineStep } from '#vm/debug/stops';
 
 /** What a debugger needs of a run. */
 export interface Debugged {
@@ -11,14 +10,6 @@ export interface Debugged {
   watch(rule: StopRule | null, device: number): void;
   /** The clock of a device. */
   timeOf(device: number): number;
-}
-
-/** A step by lines: a kind of step, or up to a line. */
-export type LineStep = Step | BreakPoint;
-
-/** The rule for a step of a device from where it stands. */
-export function ruleOf(step: LineStep, vm: Inspected): StopRule {
-  return typeof step === 'string' ? afterStep(step, readPosition(vm)) : atLine(step);
 }
 
 /** Where a run shall stop: the break points of its devices, and after the step that is under way. */

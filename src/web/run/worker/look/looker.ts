@@ -1,8 +1,8 @@
 import type { Simulation } from '#simulation/simulation';
 import type { LineEvent } from '#vm/debug/line-watch';
+import { ruleOf } from '#vm/debug/stops';
 import { variablesReader, type Variables } from '#vm/debug/variables';
 import { STEP_US } from '#world/step';
-import { ruleOf } from '../stops';
 import type { FromLooker, Instant, Look, LookWish, ToLooker } from './protocol';
 import { Overtaken, Replays, type Bench } from './replays';
 

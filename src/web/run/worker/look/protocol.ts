@@ -4,8 +4,8 @@
  */
 import type { RunSetup } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
+import type { LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
-import type { LineStep } from '../stops';
 
 /** A moment of a run: a time of a device's clock. */
 export interface Instant {
