@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { inWindow } from './arena';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { isAt, tabTo } from './keys';
@@ -105,6 +106,8 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app);
+    const { xMm, yMm } = await robotIn(app);
+    const first = [xMm, yMm] as const;
     await openEditor(app);
     await app.click(toolButton('start'));
     await app.click(by('add-start'));
@@ -121,7 +124,7 @@ test(
     await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start[0] + 20);
     await app.click(on('stop'));
     await app.click(toolButton('hand'));
-    await app.click(by('other-robot')); // the hand takes the robot of the device that is shown
+    await app.draw(await inWindow(app, [1200, 900], [first])); // the hand takes the robot of the device that is shown
     await until(app, `${card(0, '.select')}[aria-pressed="true"]`);
   },
 );

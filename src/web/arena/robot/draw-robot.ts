@@ -48,37 +48,58 @@ export function drawRobot(
   const attachments = attachmentPainter(robot.state, painting);
   const sprite = (attachments?.bodySprites(robot, painting) ?? painting.sprites).at(size * ratio);
   const bumper = bumperSprites(painting, robot.state, size * ratio);
-  const enter = (shiftPx: Vec): void => {
-    context.save();
-    context.translate(at.x + shiftPx.x, at.y + shiftPx.y);
-    context.rotate(Math.PI / 2 - robot.pose.headingRad);
-    context.scale(size, size);
+  const enter = (around: CanvasRenderingContext2D, shift: Vec): void => {
+    around.save();
+    around.translate(shift.x, shift.y);
+    around.rotate(Math.PI / 2 - robot.pose.headingRad);
+    around.scale(size, size);
   };
-  if (sprite !== null) {
-    const height = appearance.held ? 9 : 3;
-    enter({ x: 0.4 * height * size, y: height * size });
-    context.globalAlpha = appearance.held ? 0.26 : 0.34;
-    drawInto(context, sprite.shadow, sprite.shadowBox);
-    for (const half of bumper) drawInto(context, half.sprite.shadow, half.sprite.shadowBox, half.pushedMm);
-    context.restore();
-  }
-  enter({ x: 0, y: 0 });
-  drawUnderglow(context, drawing.rgb, robot.state);
-  for (const half of bumper) drawInto(context, half.sprite.body, drawing.viewBox, half.pushedMm);
+  const still = (around: CanvasRenderingContext2D): void => {
+    if (sprite === null) return;
+    drawShadows(around, enter, sprite, bumper, { size, held: appearance.held });
+    enter(around, HERE);
+    drawUnderglow(around, drawing.rgb, robot.state);
+    for (const half of bumper) drawInto(around, half.sprite.body, drawing.viewBox, half.pushedMm);
+    drawInto(around, sprite.body, drawing.viewBox);
+    around.restore();
+  };
+  const of = [sprite, appearance.held, ...bumper.flatMap((half) => [half.sprite, half.pushedMm]), ...lightsOf(robot)];
+  const reachPx = paintedRadiusMm(drawing) * size;
+  painting.turned.draw(context, at, reachPx, { headingRad: robot.pose.headingRad, size, ratio, of }, still);
+  enter(context, at);
   if (sprite === null) drawPlainBody(context, look, palette);
-  else drawBody(context, sprite, drawing, robot, appearance.display);
+  else drawParts(context, drawing, robot, appearance.display);
   context.restore();
   attachments?.drawFront(context, view, ratio, { robot, painting, ...appearance });
 }
 
-function drawBody(
+const HERE: Vec = { x: 0, y: 0 };
+
+/** The colours of the lights that shine on the floor. */
+const lightsOf = ({ state }: ArenaRobot): readonly number[] => state.rgb.flat();
+
+/** Shadows lie a little to the right and below, however the robot is turned. */
+function drawShadows(
   context: CanvasRenderingContext2D,
+  enter: (context: CanvasRenderingContext2D, shift: Vec) => void,
   sprite: RobotSprite,
+  bumper: ReturnType<typeof bumperSprites>,
+  { size, held }: { readonly size: number; readonly held: boolean },
+): void {
+  const height = held ? 9 : 3;
+  enter(context, { x: 0.4 * height * size, y: height * size });
+  context.globalAlpha = held ? 0.26 : 0.34;
+  drawInto(context, sprite.shadow, sprite.shadowBox);
+  for (const half of bumper) drawInto(context, half.sprite.shadow, half.sprite.shadowBox, half.pushedMm);
+  context.restore();
+}
+
+function drawParts(
+  context: CanvasRenderingContext2D,
   drawing: RobotDrawing,
   robot: ArenaRobot,
   display: ArrayLike<number>,
 ): void {
-  drawInto(context, sprite.body, drawing.viewBox);
   if (drawing.wheels.left !== null) drawTread(context, drawing.wheels.left, robot.wheelTurnRad[0]);
   if (drawing.wheels.right !== null) drawTread(context, drawing.wheels.right, robot.wheelTurnRad[1]);
   for (const sensor of robot.state.lineSensors) {

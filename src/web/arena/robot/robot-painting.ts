@@ -1,12 +1,14 @@
 import type { RobotLook } from '../model/arena-model';
 import type { RobotDrawing } from './robot-drawing';
 import type { SpriteShelf } from './robot-sprite';
+import type { TurnedBody } from './turned-body';
 
 /** A robot type made ready to be drawn. */
 export interface RobotPainting {
   readonly look: RobotLook;
   readonly drawing: RobotDrawing;
   readonly sprites: SpriteShelf;
+  readonly turned: TurnedBody;
   /** Requests a redraw, once something that the picture needs has loaded. */
   readonly redraw: () => void;
 }

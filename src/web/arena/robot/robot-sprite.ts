@@ -102,10 +102,16 @@ function canvasOf(
   height: number,
   paint: (context: CanvasRenderingContext2D) => void,
 ): HTMLCanvasElement {
+  const canvas = emptyCanvas(width, height);
+  const context = canvas.getContext('2d');
+  if (context !== null) paint(context);
+  return canvas;
+}
+
+/** A canvas of this many pixels that lies nowhere on the page. */
+export function emptyCanvas(width: number, height: number): HTMLCanvasElement {
   const canvas = document.createElement('canvas');
   canvas.width = width;
   canvas.height = height;
-  const context = canvas.getContext('2d');
-  if (context !== null) paint(context);
   return canvas;
 }

@@ -5,6 +5,7 @@ import type { RobotLook } from '../model/arena-model';
 import { readRobotDrawing } from './robot-drawing';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf } from './robot-sprite';
+import { TurnedBody } from './turned-body';
 
 /** What a robot is painted with; `null` without a robot and until its drawing is there. */
 export function usePainting(robot: () => RobotLook | null, redraw: () => void): ComputedRef<RobotPainting | null> {
@@ -13,6 +14,6 @@ export function usePainting(robot: () => RobotLook | null, redraw: () => void): 
     const look = robot();
     if (look === null || svg.value === null) return null;
     const drawing = readRobotDrawing(svg.value);
-    return { look, drawing, sprites: createSpriteShelf(drawing, redraw), redraw };
+    return { look, drawing, sprites: createSpriteShelf(drawing, redraw), turned: new TurnedBody(), redraw };
   });
 }

@@ -1,0 +1,75 @@
+import type { Vec } from '#core/geometry';
+import { emptyCanvas } from './robot-sprite';
+
+/** What a turned body looks like: with the same one it is the same picture. */
+export interface BodyLook {
+  readonly headingRad: number;
+  /** CSS px for one mm of the drawing. */
+  readonly size: number;
+  /** Canvas pixels per CSS px. */
+  readonly ratio: number;
+  /** What else it depends on, compared by identity. */
+  readonly of: readonly unknown[];
+}
+
+/** Headings nearer than this are one: the rim of a robot then lies a tenth of a pixel aside. Chosen, in rad. */
+const SAME_RAD = 0.002;
+
+/**
+ * A robot's body and shadow, turned once for as long as it keeps its heading: without a graphics card turning a picture is
+ * most of what it costs to paint it, and robots drive straight most of the time.
+ */
+export class TurnedBody {
+  private last: BodyLook | null = null;
+  private kept: HTMLCanvasElement | null = null;
+
+  /**
+   * @param at the robot's place
+   * @param reachPx how far `paint` reaches from there
+   * @param paint draws body and shadow in CSS px around the robot's place
+   */
+  draw(
+    context: CanvasRenderingContext2D,
+    at: Vec,
+    reachPx: number,
+    look: BodyLook,
+    paint: (context: CanvasRenderingContext2D) => void,
+  ): void {
+    const isSame = this.last !== null && same(this.last, look);
+    if (!isSame) [this.last, this.kept] = [look, null];
+    else this.kept ??= turned(reachPx, look.ratio, paint);
+    if (this.kept !== null) {
+      const side = this.kept.width / look.ratio;
+      context.drawImage(this.kept, at.x - side / 2, at.y - side / 2, side, side);
+      return;
+    }
+    context.save();
+    context.translate(at.x, at.y);
+    paint(context);
+    context.restore();
+  }
+}
+
+function same(a: BodyLook, b: BodyLook): boolean {
+  return (
+    Math.abs(a.headingRad - b.headingRad) < SAME_RAD &&
+    a.size === b.size &&
+    a.ratio === b.ratio &&
+    a.of.length === b.of.length &&
+    a.of.every((one, place) => one === b.of[place])
+  );
+}
+
+function turned(
+  reachPx: number,
+  ratio: number,
+  paint: (context: CanvasRenderingContext2D) => void,
+): HTMLCanvasElement | null {
+  const side = 2 * Math.ceil(reachPx * ratio);
+  const canvas = emptyCanvas(side, side);
+  const context = canvas.getContext('2d');
+  if (context === null) return null;
+  context.setTransform(ratio, 0, 0, ratio, side / 2, side / 2);
+  paint(context);
+  return canvas;
+}
