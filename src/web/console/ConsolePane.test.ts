@@ -104,6 +104,7 @@ describe('the pane of the console', () => {
     const pane = mountOn(page, ConsolePane);
     expect(pane.find('form').exists()).toBe(false);
     await startRun(page);
+    await vi.dynamicImportSettled();
     expect(pane.find('form').exists()).toBe(true);
     page.say({ type: 'program-ended', ended: { kind: 'panic', exception: null, timeUs: 1 }, device: 0 });
     await nextTick();
@@ -116,6 +117,7 @@ describe('the pane of the console', () => {
     await startRun(page);
     page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
     await show(page, { repl: true });
+    await vi.dynamicImportSettled();
     expect(tags(pane)).toHaveLength(1); // nobody has gone there yet
     await pane.get('input').trigger('focus');
     const tag = pane.findAll('.tag').at(1);

@@ -48,16 +48,21 @@ function browser(controller: Worker | null = null) {
     registration.installing = worker;
     registration.dispatchEvent(new Event('updatefound'));
     worker.become('installed');
-    await nextTick();
+    await shown();
     return worker;
   };
   const takesOver = async () => {
     workers.dispatchEvent(new Event('controllerchange'));
-    await nextTick();
+    await shown();
   };
   return { registration, register, workers, held, arrives, takesOver };
 }
 const textOf = (element: Element): string => (element.textContent ?? '').trim();
+/** What a message needs comes with the first one. */
+async function shown(): Promise<void> {
+  await vi.dynamicImportSettled();
+  await nextTick();
+}
 const bar = (): string => textOf(document.body);
 const press = async (name: string): Promise<void> => {
   const button = [...document.querySelectorAll('button')].find(
@@ -65,7 +70,7 @@ const press = async (name: string): Promise<void> => {
   );
   if (button === undefined) throw new Error(`No button ${name} in ${document.body.innerHTML}`);
   button.click();
-  await nextTick();
+  await shown();
 };
 const NEW = 'Eine neue Version von Parcours ist da.';
 
@@ -77,7 +82,7 @@ beforeEach(() => {
 });
 afterEach(async () => {
   for (const kind of ['update', 'no-storage'] as const) closePageBar(kind);
-  await nextTick();
+  await shown();
   vi.restoreAllMocks();
   vi.unstubAllGlobals();
 });
@@ -143,7 +148,7 @@ describe('a new version', () => {
     const { registration } = browser(new Worker('activated'));
     registration.waiting = new Worker('installed');
     await keepOffline();
-    await nextTick();
+    await shown();
     expect(bar()).toContain(NEW);
   });
 
@@ -182,7 +187,7 @@ describe('a new version', () => {
     await keepOffline();
     const worker = await arrives();
     worker.become('redundant');
-    await nextTick();
+    await shown();
     expect(bar()).not.toContain(NEW);
   });
 
@@ -215,7 +220,7 @@ describe('a page that can keep nothing', () => {
   it('says so, once, where the work was to be kept', async () => {
     vi.stubGlobal('localStorage', full);
     await startOffline(true);
-    await nextTick();
+    await shown();
     expect(bar()).toContain(LOST);
     await press('Schliessen');
     expect(bar()).not.toContain(LOST);
@@ -225,7 +230,7 @@ describe('a page that can keep nothing', () => {
     await startOffline(true);
     vi.stubGlobal('localStorage', full);
     await startOffline(false);
-    await nextTick();
+    await shown();
     expect(bar()).not.toContain(LOST);
   });
 

@@ -1,5 +1,4 @@
-import { closePageBar, showPageBar } from '../page/bar/page-bar';
-import { barWords as words } from '../page/bar/bar-words';
+import { lateBar } from './late-bar';
 import { versionLock, type ToServiceWorker } from './versions';
 
 /** A page that stays open looks for a new version at most so often, in ms. */
@@ -65,12 +64,7 @@ function offerUpdates(workers: ServiceWorkerContainer): (registration: ServiceWo
   let waiting: ServiceWorker | null = null;
   function offer(worker: ServiceWorker | null): void {
     waiting = worker;
-    showPageBar({
-      kind: 'update',
-      text: words.update,
-      actions: [{ text: words.reload, run: accept }],
-      close: words.later,
-    });
+    void lateBar(({ offerUpdate }) => offerUpdate(accept));
   }
   function accept(): void {
     isAccepted = true;
@@ -89,7 +83,8 @@ function offerUpdates(workers: ServiceWorkerContainer): (registration: ServiceWo
       const { installing } = registration;
       installing?.addEventListener('statechange', () => {
         if (installing.state === 'installed' && hadController) offer(installing);
-        if (installing.state === 'redundant' && waiting === installing) closePageBar('update');
+        if (installing.state === 'redundant' && waiting === installing)
+          void lateBar(({ takeBackUpdate }) => takeBackUpdate());
       });
     };
     follow();

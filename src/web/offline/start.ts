@@ -1,6 +1,5 @@
 import { keepOffline } from './keep-offline';
-import { showPageBar } from '../page/bar/page-bar';
-import { barWords as words } from '../page/bar/bar-words';
+import { lateBar } from './late-bar';
 
 /**
  * What the page does about networks and storage once it has nothing more urgent to do.
@@ -9,7 +8,7 @@ import { barWords as words } from '../page/bar/bar-words';
  */
 export async function startOffline(keepsWork: boolean): Promise<void> {
   if (keepsWork && !canStore()) {
-    showPageBar({ kind: 'no-storage', text: words.noStorage, actions: [], close: words.close });
+    void lateBar(({ sayNoStorage }) => sayNoStorage());
   }
   await keepOffline();
 }

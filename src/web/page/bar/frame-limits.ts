@@ -6,12 +6,10 @@
  */
 export function sayMayBeRefused(): boolean {
   if (self.origin !== 'null') return false;
-  void say().catch(() => undefined); // a late answer does not count: the file itself arrives anyway
+  // A late answer does not count: the file itself arrives anyway.
+  import('./messages').then(
+    ({ sayRefusal }) => sayRefusal(),
+    () => undefined,
+  );
   return true;
-}
-
-async function say(): Promise<void> {
-  const [{ showPageBar }, { barWords }] = await Promise.all([import('./page-bar'), import('./bar-words')]);
-  const { close } = barWords;
-  showPageBar({ kind: 'may-be-refused', text: barWords.mayBeRefused, actions: [], close });
 }
