@@ -9,6 +9,7 @@ import App from './app/App.vue';
 import { nothingKept, openedFrom, openTabStorage } from './work/model/keep-work';
 import { storedSettings } from './work/settings/settings-model';
 import { hostWish } from './visit/address';
+import { isPhoneNow } from './layout/layout-model';
 import { keepEarlyMessages } from './host/listen-to-host';
 import { setLanguage } from './page/i18n';
 import { controls } from './page/controls/controls';
@@ -29,6 +30,7 @@ async function start(): Promise<void> {
     wish.keepsWork ? openTabStorage().then(openedFrom) : nothingKept,
     setLanguage(language),
     isNewcomer() ? fetchGreeting() : undefined,
+    isPhoneNow() ? fetchPhoneParts() : undefined,
   ]);
   createApp(App, { opened, wish }).use(controls).mount('#app');
   setTimeout(() => {
@@ -42,6 +44,10 @@ const isNewcomer = (): boolean =>
 
 /** The greeting is there with the first picture of the page, instead of changing it later. */
 const fetchGreeting = (): Promise<unknown> => import('./first-steps/greeting/WelcomeCard.vue').catch(() => undefined); // the page does without
+
+/** What only a phone has is there with its first picture. */
+const fetchPhoneParts = (): Promise<unknown> =>
+  Promise.all([import('./app/PhoneNav.vue'), import('./board/MiniBoard.vue')]).catch(() => undefined);
 
 keepEarlyMessages();
 void start();

@@ -97,6 +97,9 @@ const LOW_SIZES: Partial<Sizes> = { console: 170, below: 172 };
 /** Width of the board where no arena needs the room: what is unfolded then stands beside the drawing. Chosen by eye. */
 const BOARD_ALONE: Readonly<Record<LayoutKind, number>> = { wide: 560, medium: 480, narrow: 320, phone: 0 };
 
+/** Whether the window is a phone's now, before there is a layout. */
+export const isPhoneNow = (): boolean => !QUERIES.some(([, query]) => matchMedia(query).matches);
+
 /** Follows the window's width and the pupil's wishes. @param isHelpShown whether the help takes its share of the page */
 export function createLayout(
   { current }: Pick<SettingsModel, 'current'>,
