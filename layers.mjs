@@ -62,7 +62,8 @@ export const webLayers = {
   'look-back': ['page', 'run', 'work', 'console'],
   chart: ['page', 'run', 'work', 'console', 'look-back'],
   'device-log': ['page', 'run', 'work'],
-  board: ['page', 'run', 'work', 'visit', 'layout', 'device-log'],
+  debug: ['page', 'run', 'work'],
+  board: ['page', 'run', 'work', 'visit', 'layout', 'device-log', 'debug'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
   narration: ['page', 'run', 'work', 'course-editor'],
   arena: [
@@ -70,12 +71,24 @@ export const webLayers = {
     'look-back',
   ], // prettier-ignore
   'several-devices': ['page', 'run', 'work', 'board'],
-  code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices'],
+  code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices', 'debug'],
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
   print: ['page', 'run', 'work', 'task', 'arena'],
   share: ['page', 'run', 'work', 'visit', 'device-log'],
-  'first-steps': ['page', 'run', 'work', 'layout', 'task', 'console', 'course-editor', 'code', 'device', 'share'],
+  'first-steps': [
+    'page',
+    'run',
+    'work',
+    'layout',
+    'task',
+    'console',
+    'course-editor',
+    'code',
+    'device',
+    'share',
+    'debug',
+  ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   offline: ['page'],
@@ -83,5 +96,6 @@ export const webLayers = {
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
+    'debug',
   ], // prettier-ignore
 };

@@ -6,6 +6,8 @@ import { defaultScene, type Scene } from '#scene/scene';
 import { ConsoleModel } from '../console/console-model';
 import { createJump } from '../console/jump';
 import { provideConsole, type ConsoleParts } from '../console/parts';
+import { DebugSlot } from '../debug/debug-slot';
+import { provideDebug } from '../debug/parts';
 import { provideCourseEditor } from '../course-editor/state/parts';
 import { createCourseEditor, type CourseEditorModel } from '../course-editor/state/course-editor-model';
 import { createEditorPanels } from '../course-editor/state/editor-panels';
@@ -70,7 +72,8 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
-  return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task };
+  const slot = new DebugSlot({ ...mine, ...running });
+  return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task, slot };
 }
 
 /** Hands each room's models to the components below. */
@@ -80,6 +83,7 @@ export function provideParts(parts: AllParts): void {
   provideWork(parts);
   provideLayout(parts);
   provideRun(parts);
+  provideDebug(parts);
   provideConsole(parts);
   provideCourseEditor(parts);
   provideFirstSteps(parts);

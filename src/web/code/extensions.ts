@@ -16,7 +16,6 @@ import {
   highlightActiveLineGutter,
   highlightSpecialChars,
   keymap,
-  lineNumbers,
   tooltips,
 } from '@codemirror/view';
 import { tags } from '@lezer/highlight';
@@ -53,7 +52,7 @@ const look = EditorView.theme({
   '.cm-content': { padding: '8px 0 16px', caretColor: 'var(--text)' },
   '.cm-line': { padding: '0 8px 0 6px' },
   '.cm-gutters': { backgroundColor: 'var(--surface)', border: 'none', color: 'var(--gutter)', fontSize: '12.5px' },
-  '.cm-lineNumbers .cm-gutterElement': { minWidth: '28px', padding: '0 8px 0 4px' },
+  '.cm-lineNumbers .cm-gutterElement': { minWidth: '28px', padding: '0 8px 0 4px', cursor: 'pointer' },
   '.cm-activeLine': { backgroundColor: 'transparent' },
   '.cm-activeLineGutter': { backgroundColor: 'transparent' },
   '&.cm-focused .cm-activeLine, &.cm-focused .cm-activeLineGutter': { backgroundColor: 'var(--select)' },
@@ -74,13 +73,15 @@ export function editorExtensions(options: {
   label: string;
   help: HelpOptions;
   device: DeviceMarksOptions;
+  /** The column of line numbers, and what it does. */
+  lineNumbers: Extension;
   /** The container of lists and cards: outside the pane, which cuts off what leaves it. */
   popups: HTMLElement;
   onChange(text: string): void;
   onRun(): void;
 }): Extension {
   return [
-    lineNumbers(),
+    options.lineNumbers,
     highlightActiveLine(),
     highlightActiveLineGutter(),
     highlightSpecialChars(),

@@ -7,10 +7,12 @@ import {
   mdiChartLine,
   mdiChevronDown,
   mdiChip,
+  mdiCircle,
   mdiCompassOutline,
   mdiConsoleLine,
   mdiContentCopy,
   mdiContentSaveOutline,
+  mdiDebugStepOver,
   mdiDeleteSweepOutline,
   mdiDotsVertical,
   mdiFileCodeOutline,
@@ -59,6 +61,7 @@ import {
   mdiTuneVariant,
   mdiUndo,
   mdiUsb,
+  mdiVariable,
   mdiVolumeHigh,
   mdiWalk,
 } from '@mdi/js';
@@ -70,6 +73,7 @@ import type { TextKey } from '../../page/i18n/texts';
 import { toolLetters } from '../../course-editor/palette/tool-list';
 import { editingWords } from '../../course-editor/words/editing-words';
 import { editorWords } from '../../course-editor/words/editor-words';
+import { debugWords } from '../../debug/debug-words';
 import { deviceWords } from '../../device/device-words';
 import { showWords } from '../../layout/show-words';
 import type { GuideContent, OwnName } from './content/content';
@@ -148,6 +152,18 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   commands: ofOwn(mdiPuzzleOutline, 'commands', 'commands-toggle'),
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
   explain: ofOwn(mdiHelpCircleOutline, 'explain'),
+  'break-points': ofOwn(mdiCircle, 'break-points'),
+  'line-by-line': of(mdiDebugStepOver, () => say(debugWords.bar), 'step-*', 'words.goOn'),
+  variables: of(
+    mdiVariable,
+    () => say(debugWords.variables),
+    'board-tabs',
+    'words.variables',
+    'tab-board',
+    'tab-variables',
+    'variable',
+    'call',
+  ),
   buttons: ofOwn(mdiGestureTap, 'buttons', 'board'),
   sensors: ofKey(mdiTuneVariant, 'sensors.pane', 'panel-*'),
   radio: ofKey(mdiAccessPoint, 'radio.pane'),

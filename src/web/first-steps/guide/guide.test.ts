@@ -21,6 +21,7 @@ const sources = import.meta.glob<string>(
     '../../{arena,layout}/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu}.vue',
     '../greeting/StageItems.vue',
     '../../course-editor/{EditorActions,EditorMenu}.vue',
+    '../../debug/*.vue',
     '../../course-editor/palette/ToolPalette.vue',
   ],
   { query: '?raw', import: 'default', eager: true },

@@ -45,7 +45,17 @@ export const MENU_IDS = [
 ] as const;
 
 /** Around the program. */
-export const PROGRAM_IDS = ['files', 'new-file', 'file-menu', 'commands', 'suggestions', 'explain'] as const;
+export const PROGRAM_IDS = [
+  'files',
+  'new-file',
+  'file-menu',
+  'commands',
+  'suggestions',
+  'explain',
+  'break-points',
+  'line-by-line',
+  'variables',
+] as const;
 
 /** The board and what is unfolded below it. */
 export const BOARD_IDS = ['buttons', 'sensors', 'radio', 'log'] as const;

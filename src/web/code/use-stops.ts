@@ -1,0 +1,56 @@
+import { Compartment, type Extension } from '@codemirror/state';
+import { keymap, lineNumbers, type EditorView } from '@codemirror/view';
+import { shallowRef, watch, type ShallowRef } from 'vue';
+
+import type * as Marks from '../debug/editor/marks';
+import { fileKey } from '../debug/file-key';
+import { useDebug } from '../debug/parts';
+import type { WorkParts } from '../work/model/parts';
+
+/**
+ * Break points beside the line numbers, and the line where the program stands. A press on a number sets one, F9 at the
+ * cursor; what shows them comes with the first.
+ *
+ * @returns the column of line numbers for a file, and what is to be called when another file is shown
+ */
+export function useStops(
+  { work }: Pick<WorkParts, 'work'>,
+  view: Readonly<ShallowRef<EditorView | null>>,
+): { column: Extension; show(): void } {
+  const { slot } = useDebug();
+  const place = new Compartment();
+  const marks = shallowRef<typeof Marks | null>(null);
+  const key = (): string => fileKey(work.work.value.project, work.place.value, work.open.value.name);
+
+  function toggle(editor: EditorView, from: number): true {
+    const { number } = editor.state.doc.lineAt(from);
+    slot.need((debug) => debug.points.toggle(key(), number));
+    return true;
+  }
+  function show(): void {
+    const debug = slot.debug.value;
+    const editor = view.value;
+    if (debug === null || editor === null || marks.value === null) return;
+    const { stopMarks, showStops } = marks.value;
+    if (isEmpty(place.get(editor.state))) {
+      const onMove = (lines: readonly number[]): void => debug.points.set(key(), lines);
+      editor.dispatch({ effects: place.reconfigure(stopMarks(onMove)) });
+    }
+    const at = debug.place.value;
+    showStops(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);
+  }
+  const fetchMarks = async (): Promise<void> => {
+    marks.value = await import('../debug/editor/marks').catch(() => null);
+  };
+  watch(slot.debug, (debug) => debug !== null && void fetchMarks(), { immediate: true });
+  const shown = (): unknown[] => [marks.value, slot.debug.value?.points.lines.value, slot.debug.value?.place.value];
+  watch(shown, show, { flush: 'post' });
+  const column = [
+    place.of([]),
+    lineNumbers({ domEventHandlers: { mousedown: (editor, { from }) => toggle(editor, from) } }),
+    keymap.of([{ key: 'F9', run: (editor) => toggle(editor, editor.state.selection.main.head) }]),
+  ];
+  return { column, show };
+}
+
+const isEmpty = (extension: Extension | undefined): boolean => Array.isArray(extension) && extension.length === 0;

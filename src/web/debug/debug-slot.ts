@@ -1,0 +1,51 @@
+import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+
+import type { RunParts } from '../run/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { Debug } from './debug';
+
+/**
+ * The debugger's place on the page. What it does comes when it is needed: with the first break point, with one that is
+ * there from before, or when the program stands for the first time.
+ */
+export class DebugSlot {
+  /** `null`: nobody has needed it so far. */
+  readonly debug: ShallowRef<Debug | null> = shallowRef(null);
+  /** The program of the device that is shown stands still, and would go on. */
+  readonly isStanding: ComputedRef<boolean>;
+  /** The variables are shown in the board's place, while the program stands. */
+  readonly showsVariables = shallowRef(false);
+  private coming: Promise<Debug> | null = null;
+
+  constructor(private readonly app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
+    const { run } = app;
+    this.isStanding = computed(
+      () => run.phase.value === 'paused' && run.past.value === null && run.ended.value === null,
+    );
+    watch(this.isStanding, (isStanding) => isStanding && this.need());
+    let shownIn: unknown = null;
+    watch(run.debug.held, (held) => {
+      if (held === null || shownIn === run.recording.value) return;
+      shownIn = run.recording.value; // once a run: who goes back to the board stays there
+      this.showsVariables.value = true;
+    });
+    if (hasKept()) this.need();
+  }
+
+  /** What is needed comes soon. Without a connection nothing happens; the next time it is tried again. */
+  need(use?: (debug: Debug) => void): void {
+    this.coming ??= import('./debug').then(
+      ({ Debug: Made }) => (this.debug.value = new Made(this.app, this.isStanding)),
+    );
+    this.coming.then(use, () => (this.coming = null));
+  }
+}
+
+/** The key is that of `break-points.ts`, which comes later. */
+function hasKept(): boolean {
+  try {
+    return (sessionStorage.getItem('parcours.break-points') ?? '{}') !== '{}';
+  } catch {
+    return false;
+  }
+}

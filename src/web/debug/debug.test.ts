@@ -1,0 +1,110 @@
+// @vitest-environment happy-dom
+import { nextTick } from 'vue';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import type { Variables } from '#vm/debug/variables';
+import { createPage, type TestPage } from '../app/testing/page';
+import { show, startRun } from '../app/testing/run';
+import type { Debug } from './debug';
+
+const needed = async (page: TestPage): Promise<Debug> => {
+  page.slot.need();
+  await vi.dynamicImportSettled();
+  if (page.slot.debug.value === null) throw new Error('The debugger has not come.');
+  return page.slot.debug.value;
+};
+const withN = (text: string): Variables => ({
+  stack: [{ function: '<module>', file: 'main.py', line: 3, locals: [] }],
+  globals: [{ name: 'n', value: { type: 'int', text } }],
+});
+const sentOf = (page: TestPage, type: string): unknown[] => page.sent.filter((message) => message.type === type);
+
+/** A break point has stopped the run. */
+async function holds(page: TestPage, timeUs: number, variables: Variables): Promise<void> {
+  await show(page, { timeUs, position: { file: 'main.py', line: 3, depth: 0 } });
+  page.say({ type: 'held', device: 0, timeUs });
+  await nextTick();
+  page.say({ type: 'variables', device: 0, timeUs, variables });
+  await nextTick();
+}
+
+beforeEach(() => sessionStorage.clear());
+
+describe('the debugger', () => {
+  it('is not there before somebody needs it', async () => {
+    const page = createPage();
+    await startRun(page);
+    await vi.dynamicImportSettled();
+    expect(page.slot.debug.value).toBeNull();
+    expect(sentOf(page, 'break-points')).toEqual([]);
+  });
+
+  it('comes by itself when the program stands, and where break points are left from before', async () => {
+    const page = createPage();
+    await startRun(page);
+    page.run.pause();
+    await nextTick();
+    await vi.dynamicImportSettled();
+    expect(page.slot.debug.value).not.toBeNull();
+    sessionStorage.setItem('parcours.break-points', '{"1/main.py":[2]}');
+    const later = createPage();
+    await vi.dynamicImportSettled();
+    expect(later.slot.debug.value?.points.of('1/main.py')).toEqual([2]);
+  });
+
+  it('tells the run where to stop, once as long as that stays', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    debug.points.toggle('1/main.py', 2);
+    await nextTick();
+    page.work.setText('main.py', 'a = 1\nb = 2\n');
+    await nextTick();
+    expect(sentOf(page, 'break-points')).toEqual([{ type: 'break-points', points: [[{ file: 'main.py', line: 2 }]] }]);
+  });
+
+  it('shows the line and the variables at a stop, and what has changed since the one before', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    expect(page.slot.isStanding.value).toBe(true);
+    expect(page.slot.showsVariables.value).toBe(true);
+    expect(debug.place.value).toEqual({ file: 'main.py', line: 3 });
+    expect(debug.found.value?.before.size).toBe(0);
+    page.run.resume();
+    await nextTick();
+    expect([debug.place.value, debug.found.value]).toEqual([null, null]);
+    await holds(page, 2000, withN('2'));
+    expect([...(debug.found.value?.before ?? [])]).toEqual([['global n', '1']]);
+  });
+
+  it('leaves the board to who has gone back to it, until the next run', async () => {
+    const page = createPage();
+    await needed(page);
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    page.slot.showsVariables.value = false;
+    page.run.resume();
+    await holds(page, 2000, withN('2'));
+    expect(page.slot.showsVariables.value).toBe(false);
+  });
+
+  it('makes a step with the device that is shown', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    debug.step('over');
+    expect(sentOf(page, 'step-line')).toEqual([{ type: 'step-line', step: 'over', device: 0 }]);
+    expect(page.slot.isStanding.value).toBe(false);
+  });
+
+  it('forgets the break points with the work that they belong to', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    debug.points.toggle('1/main.py', 2);
+    page.work.openings.value += 1;
+    await nextTick();
+    expect(debug.points.lines.value).toEqual({});
+  });
+});

@@ -1,0 +1,54 @@
+// @vitest-environment happy-dom
+import { EditorState } from '@codemirror/state';
+import { EditorView } from '@codemirror/view';
+import { describe, expect, it, vi } from 'vitest';
+import { pointLines, showStops, stopMarks } from './marks';
+
+function editor(onMove: (lines: readonly number[]) => void = vi.fn()): EditorView {
+  return new EditorView({ state: EditorState.create({ doc: 'a\nb\nc\nd\n', extensions: stopMarks(onMove) }) });
+}
+const standing = (view: EditorView): readonly string[] =>
+  [...view.contentDOM.querySelectorAll('.cm-standingLine')].map(({ textContent }) => textContent ?? '');
+
+describe('break points in the editor', () => {
+  it('move with their lines, and say so', () => {
+    const onMove = vi.fn<(lines: readonly number[]) => void>();
+    const view = editor(onMove);
+    showStops(view, [2, 4], null);
+    view.dispatch({ changes: { from: 0, insert: 'new\n' } });
+    expect(pointLines(view.state)).toEqual([3, 5]);
+    expect(onMove.mock.calls).toEqual([[[3, 5]]]);
+  });
+
+  it('become one where their lines do', () => {
+    const view = editor();
+    showStops(view, [2, 3], null);
+    view.dispatch({ changes: { from: 2, to: 4, insert: '' } });
+    expect(pointLines(view.state)).toEqual([2]);
+  });
+
+  it('on lines that the file has not are left out', () => {
+    const view = editor();
+    showStops(view, [0, 2, 99], null);
+    expect(pointLines(view.state)).toEqual([2]);
+  });
+});
+
+describe('the line where the program stands', () => {
+  it('is marked, and only that', () => {
+    const view = editor();
+    showStops(view, [], 3);
+    expect(standing(view)).toEqual(['c']);
+    showStops(view, [], 1);
+    expect(standing(view)).toEqual(['a']);
+    showStops(view, [], null);
+    expect(standing(view)).toEqual([]);
+  });
+
+  it('is marked no more once the program has been changed', () => {
+    const view = editor();
+    showStops(view, [], 3);
+    view.dispatch({ changes: { from: 0, insert: 'x' } });
+    expect(standing(view)).toEqual([]);
+  });
+});

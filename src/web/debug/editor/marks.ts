@@ -1,0 +1,121 @@
+import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Text } from '@codemirror/state';
+import { Decoration, EditorView, gutterLineClass, GutterMarker, type DecorationSet } from '@codemirror/view';
+
+/** The lines with break points, counted from 1. */
+const setPoints = StateEffect.define<readonly number[]>();
+/** The line where the program stands, counted from 1; `null`: it stands in none of this file. */
+const setStanding = StateEffect.define<number | null>();
+
+class PointMark extends GutterMarker {
+  override readonly elementClass = 'cm-breakPoint';
+}
+class StandingMark extends GutterMarker {
+  override readonly elementClass = 'cm-standing';
+}
+const pointMark = new PointMark();
+const standingMark = new StandingMark();
+const standingLine = Decoration.line({ class: 'cm-standingLine' });
+
+const isWithin = (doc: Text, line: number): boolean => line >= 1 && line <= doc.lines;
+
+function pointsAt(doc: Text, lines: readonly number[]): RangeSet<GutterMarker> {
+  const ranges = lines.filter((line) => isWithin(doc, line)).map((line) => pointMark.range(doc.line(line).from));
+  return RangeSet.of(ranges, true);
+}
+
+/** Break points move with their lines. */
+const points = StateField.define<RangeSet<GutterMarker>>({
+  create: () => RangeSet.empty,
+  update(before, transaction) {
+    let next = before;
+    if (transaction.docChanged)
+      next = pointsAt(transaction.newDoc, linesOf(before.map(transaction.changes), transaction.newDoc));
+    for (const effect of transaction.effects)
+      if (effect.is(setPoints)) next = pointsAt(transaction.newDoc, effect.value);
+    return next;
+  },
+  provide: (field) => gutterLineClass.from(field),
+});
+
+function linesOf(marks: RangeSet<GutterMarker>, doc: Text): number[] {
+  const lines: number[] = [];
+  marks.between(0, doc.length, (from) => {
+    lines.push(doc.lineAt(from).number);
+  });
+  return [...new Set(lines)];
+}
+
+interface Standing {
+  readonly line: DecorationSet;
+  readonly mark: RangeSet<GutterMarker>;
+}
+const nowhere: Standing = { line: Decoration.none, mark: RangeSet.of<GutterMarker>([]) };
+
+const standing = StateField.define<Standing>({
+  create: () => nowhere,
+  update(before, transaction) {
+    let next = transaction.docChanged ? nowhere : before; // the program that runs has other lines from now on
+    for (const effect of transaction.effects)
+      if (effect.is(setStanding)) next = standingAt(transaction.newDoc, effect.value);
+    return next;
+  },
+  provide: (field) => [
+    EditorView.decorations.from(field, ({ line }) => line),
+    gutterLineClass.from(field, ({ mark }) => mark),
+  ],
+});
+
+function standingAt(doc: Text, line: number | null): Standing {
+  if (line === null || !isWithin(doc, line)) return nowhere;
+  const { from } = doc.line(line);
+  return { line: Decoration.set([standingLine.range(from)]), mark: RangeSet.of(standingMark.range(from)) };
+}
+
+const look = EditorView.theme({
+  // In the column of the marks, which is there anyway.
+  '.cm-deviceGutter .cm-breakPoint': { position: 'relative' },
+  '.cm-deviceGutter .cm-breakPoint::before': {
+    content: '""',
+    position: 'absolute',
+    left: '5px',
+    top: 'calc(50% - 6px)',
+    width: '12px',
+    height: '12px',
+    borderRadius: '50%',
+    backgroundColor: 'var(--stop)',
+  },
+  '.cm-standingLine, &.cm-focused .cm-activeLine.cm-standingLine': {
+    backgroundColor: 'var(--accent-soft)',
+  },
+  '.cm-lineNumbers .cm-standing, &.cm-focused .cm-lineNumbers .cm-standing.cm-activeLineGutter': {
+    backgroundColor: 'var(--accent-soft)',
+    color: 'var(--accent)',
+    fontWeight: '700',
+  },
+});
+
+/** What an editor shows of the debugger. @param onMove the break points' lines, whenever an edit has moved some */
+export const stopMarks = (onMove: (lines: readonly number[]) => void): Extension => [
+  points,
+  standing,
+  look,
+  EditorView.updateListener.of(({ docChanged, startState, state }) => {
+    if (!docChanged || startState.field(points, false) === undefined) return;
+    const [before, now] = [pointLines(startState), pointLines(state)];
+    if (before.join() !== now.join()) onMove(now);
+  }),
+];
+
+/** The lines with break points, as the editor has them. */
+export function pointLines(state: EditorState): readonly number[] {
+  const marks = state.field(points, false);
+  return marks === undefined ? [] : linesOf(marks, state.doc);
+}
+
+/** Shows break points and where the program stands; a line that has come to stand is brought into view. */
+export function showStops(view: EditorView, lines: readonly number[], line: number | null): void {
+  const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line)];
+  if (line !== null && isWithin(view.state.doc, line))
+    effects.push(EditorView.scrollIntoView(view.state.doc.line(line).from, { y: 'nearest', yMargin: 40 }));
+  view.dispatch({ effects });
+}
