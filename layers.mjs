@@ -58,7 +58,7 @@ export const webLayers = {
   visit: ['page', 'run', 'work'],
   layout: ['page', 'work', 'visit'],
   task: ['page', 'run', 'work', 'layout'],
-  console: ['page', 'run', 'work', 'layout'],
+  console: ['page', 'run', 'work', 'layout', 'debug'],
   'look-back': ['page', 'run', 'work', 'console'],
   chart: ['page', 'run', 'work', 'console', 'look-back'],
   'device-log': ['page', 'run', 'work'],

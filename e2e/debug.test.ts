@@ -15,6 +15,17 @@ while n < 100:
     delay(100)
 print("n is", n)
 `;
+const FAILING = `from mbrobot import *
+def part(a):
+    rest = a - 1
+    return 100 / rest
+n = 3
+forward()
+while True:
+    delay(200)
+    print(part(n))
+    n -= 1
+`;
 /** The number of a line; the first of its column measures the width only. */
 const number = (line: number): string => `.cm-lineNumbers .cm-gutterElement:nth-child(${line + 1})`;
 const at = (app: App): Promise<string> => app.text(by('step-at'));
@@ -55,6 +66,26 @@ test('a break point stops the program and all time; line by line it goes on, and
   await app.click(by('step-on'));
   await gone(app, by('step-bar'));
   await expect.poll(() => consoleIn(app)).toContain('n is 128');
+});
+
+test('an error is looked into: its line with the variables of then, line by line back and on again', async ({
+  app,
+}) => {
+  await openApp(app);
+  await pasteProgram(app, FAILING);
+  await app.click(on('run'));
+  await until(app, by('error-look'));
+  await app.click(by('error-look'));
+  await expect.poll(() => at(app)).toMatch(/ 4$/);
+  await expect.poll(() => variables(app)).toEqual(expect.arrayContaining(['a int 1', 'rest int 0', 'n int 1']));
+  await app.click(by('step-back'));
+  await expect.poll(() => at(app)).toMatch(/ 3$/);
+  await app.click(by('step-back'));
+  await expect.poll(() => at(app)).toMatch(/ 9$/);
+  await app.click(by('step-into'));
+  await expect.poll(() => at(app)).toMatch(/ 3$/);
+  await app.click(by('look-back-close'));
+  await gone(app, by('step-bar'));
 });
 
 test(

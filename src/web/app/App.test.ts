@@ -48,7 +48,7 @@ describe('the whole page', () => {
 
   it('has them behind tabs on a phone, one in sight', async () => {
     await opened(390);
-    expect(landmarks()).toEqual(['Steuerung', 'main', 'Programm', 'Bereiche']);
+    await vi.waitFor(() => expect(landmarks()).toEqual(['Steuerung', 'main', 'Programm', 'Bereiche']), 20_000);
     named('Konsole', 'nav button').click();
     await nextTick();
     expect(landmarks()).toEqual(['Steuerung', 'main', 'Konsole', 'Bereiche']);

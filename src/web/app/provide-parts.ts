@@ -72,7 +72,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
-  const slot = new DebugSlot({ ...mine, ...running });
+  const slot = new DebugSlot({ ...mine, ...running, engine });
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task, slot };
 }
 

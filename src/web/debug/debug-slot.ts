@@ -1,28 +1,27 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
-import type { RunParts } from '../run/parts';
-import type { WorkParts } from '../work/model/parts';
-import type { Debug } from './debug';
+import type { Debug, Stillness } from './debug';
+import type { PastParts } from './past';
 
 /**
  * The debugger's place on the page. What it does comes when it is needed: with the first break point, with one that is
  * there from before, or when the program stands for the first time.
  */
-export class DebugSlot {
+export class DebugSlot implements Stillness {
   /** `null`: nobody has needed it so far. */
   readonly debug: ShallowRef<Debug | null> = shallowRef(null);
-  /** The program of the device that is shown stands still, and would go on. */
   readonly isStanding: ComputedRef<boolean>;
-  /** The variables are shown in the board's place, while the program stands. */
+  readonly isStill: ComputedRef<boolean>;
   readonly showsVariables = shallowRef(false);
   private coming: Promise<Debug> | null = null;
 
-  constructor(private readonly app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
+  constructor(private readonly app: PastParts) {
     const { run } = app;
     this.isStanding = computed(
       () => run.phase.value === 'paused' && run.past.value === null && run.ended.value === null,
     );
-    watch(this.isStanding, (isStanding) => isStanding && this.need());
+    this.isStill = computed(() => this.isStanding.value || run.past.value !== null);
+    watch(this.isStill, (isStill) => isStill && this.need());
     let shownIn: unknown = null;
     watch(run.debug.held, (held) => {
       if (held === null || shownIn === run.recording.value) return;
@@ -34,9 +33,7 @@ export class DebugSlot {
 
   /** What is needed comes soon. Without a connection nothing happens; the next time it is tried again. */
   need(use?: (debug: Debug) => void): void {
-    this.coming ??= import('./debug').then(
-      ({ Debug: Made }) => (this.debug.value = new Made(this.app, this.isStanding)),
-    );
+    this.coming ??= import('./debug').then(({ Debug: Made }) => (this.debug.value = new Made(this.app, this)));
     this.coming.then(use, () => (this.coming = null));
   }
 }

@@ -1,15 +1,24 @@
-import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRef } from 'vue';
 
 import { isSame } from '#core/same';
 import { filesOfDevice } from '#project/devices';
 import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
 import type { PointsOfDevices } from '../run/debug-port';
-import type { RunParts } from '../run/parts';
-import type { WorkParts } from '../work/model/parts';
 import { BreakPoints } from './break-points';
 import { changesBetween, type Before } from './changes';
 import { fileKey } from './file-key';
+import { Past, type PastParts } from './past';
+
+/** Whether there is something to see of the program of the device that is shown. */
+export interface Stillness {
+  /** It stands still, and would go on. */
+  readonly isStanding: ComputedRef<boolean>;
+  /** So it does, or a moment is looked at that has been. */
+  readonly isStill: ComputedRef<boolean>;
+  /** The variables are shown in the board's place. */
+  readonly showsVariables: ShallowRef<boolean>;
+}
 
 /** A place in a program. */
 export interface Place {
@@ -25,6 +34,9 @@ interface Found {
   readonly before: Before;
 }
 
+/** The time line has stood for this long when variables are asked for, in ms. Chosen: a drag asks for none. */
+const SETTLED_MS = 150;
+
 /** Where programs stop, how they go on line by line, and what their variables are. */
 export class Debug {
   readonly points = new BreakPoints(tabStore());
@@ -35,14 +47,17 @@ export class Debug {
   private readonly last = new Map<number, Variables>();
   private toldPoints: PointsOfDevices = [];
 
+  private readonly past: Past;
+
   constructor(
-    private readonly app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>,
-    isStanding: ComputedRef<boolean>,
+    private readonly app: PastParts,
+    private readonly slot: Stillness,
   ) {
     const { run, work } = app;
+    const { isStanding, isStill, showsVariables } = slot;
+    this.past = new Past(app, (device, variables) => this.find(device, variables));
     this.place = computed(() => {
-      const isStill = isStanding.value || run.past.value !== null;
-      const position = isStill ? (run.shown.value?.position ?? null) : null;
+      const position = isStill.value ? (run.shown.value?.position ?? null) : null;
       return position === null ? null : { file: position.file, line: position.line };
     });
     watch([this.points.lines, () => work.work.value.project, work.devices], () => this.tellPoints(), {
@@ -51,21 +66,51 @@ export class Debug {
     watch(work.openings, () => this.points.clear());
     watch(run.recording, () => this.last.clear());
     const moment = computed(() => (isStanding.value ? `${work.place.value} ${run.nowUs.value}` : null));
-    watch(moment, (now) => (now === null ? this.forget() : this.look()), { immediate: true });
+    watch(moment, (now) => now !== null && this.look(), { immediate: true });
+    watch(isStill, (still) => still || this.forget());
     watch(run.debug.held, () => isStanding.value && this.look());
     watch(run.debug.told, (told) => {
-      if (told === null || !isStanding.value || told.device !== work.place.value) return;
-      const { device, variables } = told;
-      const last = this.last.get(device) ?? null;
-      if (last !== null && this.found.value?.device === device && isSame(last, variables)) return;
-      this.found.value = { device, variables, before: changesBetween(last, variables) };
-      this.last.set(device, variables);
+      if (told !== null && isStanding.value && told.device === work.place.value) this.find(told.device, told.variables);
     });
+    this.followPast(showsVariables);
+  }
+
+  /** Variables of the past cost a run: they are asked for when they are seen, and time stands on the screen. */
+  private followPast(showsVariables: Readonly<Ref<boolean>>): void {
+    const { run, work } = this.app;
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    watch(
+      [run.past, work.place, showsVariables],
+      ([past, , isSeen]) => {
+        clearTimeout(timer);
+        if (past !== null && isSeen) timer = setTimeout(() => void this.past.look(), SETTLED_MS);
+      },
+      { immediate: true },
+    );
   }
 
   /** Goes on line by line: the program that is shown makes a step, or goes on up to a line. */
   step(step: LineStep): void {
-    this.app.run.debug.step(step, this.app.work.place.value);
+    if (this.slot.isStanding.value) this.app.run.debug.step(step, this.app.work.place.value);
+    else void this.past.step(step);
+  }
+
+  /** Goes to the line that began before, in the past. */
+  back(): void {
+    void this.past.back();
+  }
+
+  /** Goes to the line that has raised the error by which the program ended, with its variables as they were. */
+  toError(timeUs: number, line: number | null): void {
+    this.slot.showsVariables.value = true;
+    void this.past.toError(timeUs, line);
+  }
+
+  private find(device: number, variables: Variables): void {
+    const last = this.last.get(device) ?? null;
+    if (last !== null && this.found.value?.device === device && isSame(last, variables)) return;
+    this.found.value = { device, variables, before: changesBetween(last, variables) };
+    this.last.set(device, variables);
   }
 
   private look(): void {

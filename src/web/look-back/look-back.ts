@@ -28,9 +28,9 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
   const playing = shallowRef<-1 | 0 | 1>(0);
   let frame = 0;
 
-  function show(timeUs: number): void {
+  function show(timeUs: number, exact?: Snapshot): void {
     atUs.value = Math.min(Math.max(timeUs, 0), endUs.value);
-    const moment = rows().at(atUs.value);
+    const moment = exact ?? rows().at(atUs.value);
     if (moment === null || run.past.value === null) return;
     run.past.value = moment;
     run.trails.lookAt(moment.timeUs);
@@ -42,7 +42,7 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
     ([asked]) => {
       if (asked === null) return;
       play(0);
-      show(asked.timeUs);
+      show(asked.timeUs, asked.exact);
     },
     { immediate: true },
   );

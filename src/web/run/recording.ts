@@ -2,12 +2,20 @@ import { computed, shallowRef, type ShallowRef } from 'vue';
 
 import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
+import type { Snapshot } from '#simulation/snapshot';
 import type { FromWorker } from './worker/protocol';
 
 import type { Output } from './worker/protocol';
 
 /** Most pieces of output that are kept. Chosen: a line every 20 ms for ten minutes and more. */
 const MOST_OUTPUT = 40_000;
+
+/** A moment that is asked for. */
+interface Asked {
+  readonly timeUs: number;
+  /** The moment itself, where it is known better than on the tape. */
+  readonly exact?: Snapshot;
+}
 
 /** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
 export class Recording {
@@ -20,7 +28,7 @@ export class Recording {
   /** Pieces of output that are gone. */
   outputGone = 0;
   /** A moment that somebody has asked to see: the time line goes there. `null`: it is there. */
-  readonly asked: ShallowRef<{ readonly timeUs: number } | null> = shallowRef(null);
+  readonly asked: ShallowRef<Asked | null> = shallowRef(null);
   /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
   /** The run can be run again. */
