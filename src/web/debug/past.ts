@@ -67,6 +67,7 @@ export class Past {
     const look = await this.ask(wish).finally(() => (this.goings -= 1));
     if (look === null || run.past.value === null) return;
     this.found = look;
+    run.past.value = look.snapshot; // on a phone the time line may be behind another tab
     lookAt(run, look.snapshot.timeUs, look.snapshot);
     this.tell(look.device, look.variables);
   }

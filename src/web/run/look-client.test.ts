@@ -15,7 +15,7 @@ const look = { device: 0, timeUs: 5, isLine: false } as Look;
 
 function opened(firmware: () => Promise<WebAssembly.Module> = () => Promise.resolve({} as WebAssembly.Module)) {
   const port = worker();
-  const client = new LookClient({ createWorker: () => port as never, firmware, setup });
+  const client = new LookClient({ createWorker: () => port, firmware, setup });
   const say = (data: unknown): void => port.onmessage?.({ data } as MessageEvent);
   return { client, port, say };
 }
