@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { createPage } from './testing/page';
@@ -31,6 +31,7 @@ describe('the hand while no run goes on', () => {
     const page = await afterHand();
     const before = page.work.scene.value.robot;
     page.notices.current.value?.action?.run();
+    await vi.dynamicImportSettled();
     expect(page.work.scene.value.robot).toMatchObject({ at: [300, 200], heading: 30 });
     expect([page.hand.pose.value, page.notices.current.value]).toEqual([null, null]);
     page.editor.undo();

@@ -1,7 +1,5 @@
 import { watch } from 'vue';
 
-import { startingAt } from '#editor/edits';
-
 import type { CourseEditorParts } from '../course-editor/state/parts';
 import type { PageParts } from '../page/parts';
 import type { RunParts } from '../run/parts';
@@ -17,11 +15,13 @@ type Around = Pick<PageParts, 'notices'> &
  * its place the start.
  */
 export function tellIdleHand({ notices, run, hand, work, editor }: Around): void {
-  function startHere(): void {
+  /** How a start is set comes with the first press: few do it. Without a connection nothing happens. */
+  async function startHere(): Promise<void> {
+    const edits = await import('#editor/edits').catch(() => null);
     const pose = hand.pose.value;
-    if (pose === null) return;
+    if (pose === null || edits === null) return;
     const at = [Math.round(pose.xMm), Math.round(pose.yMm)] as const;
-    const edit = startingAt(work.scene.value, { at, heading: Math.round(pose.headingDeg) });
+    const edit = edits.startingAt(work.scene.value, { at, heading: Math.round(pose.headingDeg) });
     hand.reset();
     if (edit !== null) editor.commit(edit);
   }
@@ -33,7 +33,7 @@ export function tellIdleHand({ notices, run, hand, work, editor }: Around): void
     notices.show({
       kind: 'info',
       key,
-      ...(pose === null ? {} : { action: { key: 'notice.startHere', run: startHere } as const }),
+      ...(pose === null ? {} : { action: { key: 'notice.startHere', run: () => void startHere() } as const }),
       holds: () =>
         !run.isActive.value && (pose === null ? Object.keys(hand.blocks.value).length > 0 : hand.pose.value !== null),
     });

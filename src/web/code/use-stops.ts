@@ -1,8 +1,7 @@
 import { Compartment, type Extension } from '@codemirror/state';
 import { keymap, lineNumbers, type EditorView } from '@codemirror/view';
-import { shallowRef, watch, type ShallowRef } from 'vue';
+import { watch, type ShallowRef } from 'vue';
 
-import type * as Marks from '../debug/editor/marks';
 import { fileKey } from '../debug/file-key';
 import { useDebug } from '../debug/parts';
 import type { WorkParts } from '../work/model/parts';
@@ -19,7 +18,6 @@ export function useStops(
 ): { column: Extension; show(): void } {
   const { slot } = useDebug();
   const place = new Compartment();
-  const marks = shallowRef<typeof Marks | null>(null);
   const key = (): string => fileKey(work.work.value.project, work.place.value, work.open.value.name);
 
   function toggle(editor: EditorView, from: number): true {
@@ -30,8 +28,8 @@ export function useStops(
   function show(): void {
     const debug = slot.debug.value;
     const editor = view.value;
-    if (debug === null || editor === null || marks.value === null) return;
-    const { stopMarks, showStops } = marks.value;
+    if (debug === null || editor === null || slot.marks === null) return;
+    const { stopMarks, showStops } = slot.marks;
     if (isEmpty(place.get(editor.state))) {
       const onMove = (lines: readonly number[]): void => debug.points.set(key(), lines);
       editor.dispatch({ effects: place.reconfigure(stopMarks(onMove)) });
@@ -39,11 +37,7 @@ export function useStops(
     const at = debug.place.value;
     showStops(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);
   }
-  const fetchMarks = async (): Promise<void> => {
-    marks.value = await import('../debug/editor/marks').catch(() => null);
-  };
-  watch(slot.debug, (debug) => debug !== null && void fetchMarks(), { immediate: true });
-  const shown = (): unknown[] => [marks.value, slot.debug.value?.points.lines.value, slot.debug.value?.place.value];
+  const shown = (): unknown[] => [view.value, slot.debug.value?.points.lines.value, slot.debug.value?.place.value];
   watch(shown, show, { flush: 'post' });
   const column = [
     place.of([]),

@@ -1,6 +1,7 @@
 import { computed, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import type { Debug, Stillness } from './debug';
+import type * as Marks from './editor/marks';
 import type { PastParts } from './past';
 
 /**
@@ -13,6 +14,8 @@ export class DebugSlot implements Stillness {
   readonly isStanding: ComputedRef<boolean>;
   readonly isStill: ComputedRef<boolean>;
   readonly showsVariables = shallowRef(false);
+  /** What the editor shows; it comes with `debug`. */
+  marks: typeof Marks | null = null;
   private coming: Promise<Debug> | null = null;
 
   constructor(private readonly app: PastParts) {
@@ -22,18 +25,15 @@ export class DebugSlot implements Stillness {
     );
     this.isStill = computed(() => this.isStanding.value || run.past.value !== null);
     watch(this.isStill, (isStill) => isStill && this.need());
-    let shownIn: unknown = null;
-    watch(run.debug.held, (held) => {
-      if (held === null || shownIn === run.recording.value) return;
-      shownIn = run.recording.value; // once a run: who goes back to the board stays there
-      this.showsVariables.value = true;
-    });
     if (hasKept()) this.need();
   }
 
   /** What is needed comes soon. Without a connection nothing happens; the next time it is tried again. */
   need(use?: (debug: Debug) => void): void {
-    this.coming ??= import('./debug').then(({ Debug: Made }) => (this.debug.value = new Made(this.app, this)));
+    this.coming ??= Promise.all([import('./debug'), import('./editor/marks')]).then(([{ Debug: Made }, marks]) => {
+      this.marks = marks;
+      return (this.debug.value = new Made(this.app, this));
+    });
     this.coming.then(use, () => (this.coming = null));
   }
 }

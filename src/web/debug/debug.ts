@@ -68,7 +68,13 @@ export class Debug {
     const moment = computed(() => (isStanding.value ? `${work.place.value} ${run.nowUs.value}` : null));
     watch(moment, (now) => now !== null && this.look(), { immediate: true });
     watch(isStill, (still) => still || this.forget());
-    watch(run.debug.held, () => isStanding.value && this.look());
+    let shownIn: unknown = null;
+    watch(run.debug.held, (held) => {
+      if (isStanding.value) this.look();
+      if (held === null || shownIn === run.recording.value) return;
+      shownIn = run.recording.value; // once a run: who goes back to the board stays there
+      showsVariables.value = true;
+    });
     watch(run.debug.told, (told) => {
       if (told !== null && isStanding.value && told.device === work.place.value) this.find(told.device, told.variables);
     });
