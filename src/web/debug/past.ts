@@ -16,7 +16,7 @@ export interface PastParts extends Pick<RunParts, 'run'>, Pick<WorkParts, 'work'
 
 /** Lines and variables of moments that have been: the run is run again up to them. */
 export class Past {
-  private client: { readonly of: Recording; readonly inputs: unknown; readonly client: LookClient } | null = null;
+  private client: { readonly of: Recording; readonly inputs: number; readonly client: LookClient } | null = null;
   /** The moment that was found last, while it is the one that is shown. */
   private found: Look | null = null;
   /** Ways to other lines that are under way. */
@@ -80,7 +80,10 @@ export class Past {
   private instant(): Instant | null {
     const past = this.app.run.past.value;
     if (past === null) return null;
-    return this.isFound() && this.found !== null ? this.found : { ...this.present(), timeUs: past.timeUs };
+    if (this.isFound()) return this.found;
+    return past === this.app.run.present.value
+      ? this.present()
+      : { device: this.device, timeUs: past.timeUs, isLine: false };
   }
 
   private present(): Instant {
@@ -97,9 +100,11 @@ export class Past {
     const { setup } = recording;
     const inputs = recording.inputs.value ?? (await this.inputsOf(recording));
     if (setup === null || inputs === null || recording !== run.recording.value) return null;
-    if (this.client?.of !== recording || this.client.inputs !== inputs) {
-      this.end();
-      this.client = { of: recording, inputs, client: new LookClient({ ...engine, setup: { ...setup, inputs } }) };
+    // What was done to a run is only ever added to.
+    if (this.client?.of !== recording || this.client.inputs !== inputs.length) {
+      this.client?.client.end();
+      const client = new LookClient({ ...engine, setup: { ...setup, inputs } });
+      this.client = { of: recording, inputs: inputs.length, client };
     }
     return this.client.client.look(wish);
   }
