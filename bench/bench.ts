@@ -1,6 +1,7 @@
 /** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
 import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
+import { debugSubject } from './page/debug';
 import { downloadSubject } from './page/download';
 import { editingSubject, movingSubject, slowMovingSubject } from './page/editing';
 import { fourRobotsSubject, framesSubject } from './page/frames';
@@ -23,6 +24,7 @@ const pageSubjects = [
   eightDevicesMemorySubject,
   runsSubject,
   stopSubject,
+  debugSubject,
 ];
 
 export { apiCalls } from './api-calls';

@@ -6,6 +6,7 @@ import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene, type Stroke } from '#scene/scene';
 import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
+import { atBreakPoints } from '#vm/debug/stops';
 import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
 
@@ -44,6 +45,11 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
   speed('headless, eight Maqueen Lite on eight lines', { atLeast: 15, of: 'real time' }, () => bestOf(onLines(8), 30)),
   speed('headless, CPU-bound loop (while i<n: i+=1)', { atLeast: 15, of: 'the real board' }, () =>
     bestFactor(COUNTER, defaultScene(), 20),
+  ),
+  speed('headless, the same with a break point that never hits', { atLeast: 5, of: 'the real board' }, () =>
+    bestOf(soloOf(COUNTER, defaultScene()), 5, (simulation) =>
+      simulation.watch(atBreakPoints([{ file: 'main.py', line: 99 }]), 0),
+    ),
   ),
   {
     budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
@@ -107,15 +113,19 @@ function onLines(count: number): RunSetup {
 
 /** Simulated seconds per second of wall time. */
 function bestFactor(program: string, scene: Scene, seconds: number): Promise<number> {
-  const files = { 'main.py': program };
-  return bestOf(soloRun({ scene, files, robot: 'auto', board: 'auto', seed: 1, reality: 0 }), seconds);
+  return bestOf(soloOf(program, scene), seconds);
 }
 
-async function bestOf(setup: RunSetup, seconds: number): Promise<number> {
+const soloOf = (program: string, scene: Scene): RunSetup =>
+  soloRun({ scene, files: { 'main.py': program }, robot: 'auto', board: 'auto', seed: 1, reality: 0 });
+
+/** @param prepare what is done to the run before */
+async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: Simulation) => void): Promise<number> {
   const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
   let best = 0;
   for (let round = 0; round < ROUNDS; round++) {
     const simulation = await Simulation.create(setup, firmware);
+    prepare?.(simulation);
     const startMs = performance.now();
     simulation.advanceTo(seconds * 1_000_000);
     const wallS = (performance.now() - startMs) / 1000;
