@@ -32,7 +32,7 @@ export function useStops(
     const { stopMarks, showStops } = slot.marks;
     if (isEmpty(place.get(editor.state))) {
       const onMove = (lines: readonly number[]): void => debug.points.set(key(), lines);
-      editor.dispatch({ effects: place.reconfigure(stopMarks(onMove)) });
+      editor.dispatch({ effects: place.reconfigure(stopMarks(onMove, (name) => debug.valueOf(name))) });
     }
     const at = debug.place.value;
     showStops(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);

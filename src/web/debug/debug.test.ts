@@ -71,6 +71,7 @@ describe('the debugger', () => {
     expect(page.slot.showsVariables.value).toBe(true);
     expect(debug.place.value).toEqual({ file: 'main.py', line: 3 });
     expect(debug.found.value?.before.size).toBe(0);
+    expect([debug.valueOf('n')?.text, debug.valueOf('m')]).toEqual(['1', null]);
     page.run.resume();
     await nextTick();
     expect([debug.place.value, debug.found.value]).toEqual([null, null]);

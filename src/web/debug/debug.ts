@@ -2,6 +2,7 @@ import { computed, shallowRef, watch, type ComputedRef, type Ref, type ShallowRe
 
 import { isSame } from '#core/same';
 import { filesOfDevice } from '#project/devices';
+import type { Shown } from '#vm/debug/shown';
 import type { BreakPoint, LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
 import type { PointsOfDevices } from '../run/debug-port';
@@ -110,6 +111,13 @@ export class Debug {
   toError(timeUs: number, line: number | null): void {
     this.slot.showsVariables.value = true;
     void this.past.toError(timeUs, line);
+  }
+
+  /** The value of a name where the program stands: of the innermost call, else of the file. */
+  valueOf(name: string): Shown | null {
+    const variables = this.found.value?.variables;
+    const known = [...(variables?.stack[0]?.locals ?? []), ...(variables?.globals ?? [])];
+    return known.find((one) => one.name === name)?.value ?? null;
   }
 
   private find(device: number, variables: Variables): void {

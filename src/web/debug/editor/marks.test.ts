@@ -5,7 +5,9 @@ import { describe, expect, it, vi } from 'vitest';
 import { pointLines, showStops, stopMarks } from './marks';
 
 function editor(onMove: (lines: readonly number[]) => void = vi.fn()): EditorView {
-  return new EditorView({ state: EditorState.create({ doc: 'a\nb\nc\nd\n', extensions: stopMarks(onMove) }) });
+  return new EditorView({
+    state: EditorState.create({ doc: 'a\nb\nc\nd\n', extensions: stopMarks(onMove, () => null) }),
+  });
 }
 const standing = (view: EditorView): readonly string[] =>
   [...view.contentDOM.querySelectorAll('.cm-standingLine')].map(({ textContent }) => textContent ?? '');

@@ -1,6 +1,9 @@
 import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Text } from '@codemirror/state';
 import { Decoration, EditorView, gutterLineClass, GutterMarker, type DecorationSet } from '@codemirror/view';
 
+import type { Shown } from '#vm/debug/shown';
+import { values } from './values';
+
 /** The lines with break points, counted from 1. */
 const setPoints = StateEffect.define<readonly number[]>();
 /** The line where the program stands, counted from 1; `null`: it stands in none of this file. */
@@ -84,6 +87,16 @@ const look = EditorView.theme({
     borderRadius: '50%',
     backgroundColor: 'var(--stop)',
   },
+  '.cm-tooltip .cm-valueCard': {
+    maxWidth: '420px',
+    padding: '6px 10px',
+    overflow: 'hidden',
+    fontFamily: 'var(--mono)',
+    fontSize: '13.5px',
+    textOverflow: 'ellipsis',
+    whiteSpace: 'nowrap',
+  },
+  '.cm-tooltip .cm-valueCard span': { color: 'var(--text-3)' },
   '.cm-standingLine, &.cm-focused .cm-activeLine.cm-standingLine': {
     backgroundColor: 'var(--accent-soft)',
   },
@@ -94,8 +107,17 @@ const look = EditorView.theme({
   },
 });
 
-/** What an editor shows of the debugger. @param onMove the break points' lines, whenever an edit has moved some */
-export const stopMarks = (onMove: (lines: readonly number[]) => void): Extension => [
+/**
+ * What an editor shows of the debugger.
+ *
+ * @param onMove hears the break points' lines whenever an edit has moved some
+ * @param valueOf the value of a name while the program stands
+ */
+export const stopMarks = (
+  onMove: (lines: readonly number[]) => void,
+  valueOf: (name: string) => Shown | null,
+): Extension => [
+  values(valueOf),
   points,
   standing,
   look,
