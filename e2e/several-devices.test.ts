@@ -106,10 +106,9 @@ test(
   IN_ONE_ENGINE,
   async ({ app }) => {
     await openApp(app);
-    const { xMm, yMm } = await robotIn(app);
-    const first = [xMm, yMm] as const;
     await openEditor(app);
     await app.click(toolButton('start'));
+    await expect.poll(async () => (await robotIn(app)).xMm).toBe(FIRST[0]);
     await app.click(by('add-start'));
     await app.click(FILES);
     await until(app, by('add-device'));
@@ -123,11 +122,15 @@ test(
     await app.click(on('run'));
     await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start[0] + 20);
     await app.click(on('stop'));
+    await app.click(by('reset')); // both are where they start again
     await app.click(toolButton('hand'));
-    await app.draw(await inWindow(app, [1200, 900], [first])); // the hand takes the robot of the device that is shown
+    await app.draw(await inWindow(app, [1200, 900], [FIRST])); // the hand takes the robot of the device that is shown
     await until(app, `${card(0, '.select')}[aria-pressed="true"]`);
   },
 );
+
+/** Where the closed line has its robot, in mm. */
+const FIRST = [400, 130] as const;
 
 /** Where the course has the start of a second robot, once it was saved. */
 async function startIn(app: App): Promise<readonly [number, number]> {
