@@ -10,7 +10,7 @@ import { changing, combined, startingAt } from './edits';
 import { kindOf, middleOf, movedBy } from './kinds/index';
 import { middleBetween, toPoint, toVec, turnedAbout, within } from './plane';
 import { placeInside } from './robot-place';
-import { selectedObjects } from './selection';
+import { freeObjects } from './selection';
 import type { Selection } from './tools/tool';
 
 /** This much of the moved things stays in the arena, so that they can be grabbed again. Chosen: a fingertip's width. */
@@ -26,7 +26,7 @@ export function moved(
   by: Vec,
   footprint: readonly Outline[] = [],
 ): SceneEdit | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const around = boundsAll(objects.map(boundsOf));
   const [dx, dy] = around ? stepInside(around, by, scene.size) : [0, 0];
   return combined([
@@ -66,7 +66,7 @@ function robotMoved(scene: Scene, by: Vec, footprint: readonly Outline[]): Scene
 
 /** The middle that a selection turns about: of one thing its own, of several the middle of their middles. */
 export function middleOfSelection(scene: Scene, selection: Selection): Vec | null {
-  const middles = selectedObjects(scene, selection).map(middleOf);
+  const middles = freeObjects(scene, selection).map(middleOf);
   if (selection.robot) middles.push(toVec(scene.robot.at));
   const [first] = middles;
   if (first === undefined) return null;
@@ -85,7 +85,7 @@ export function turnedBy(
 ): SceneEdit | null {
   const middle = middleOfSelection(scene, selection);
   if (!middle || wrappedDeg(angleDeg) === 0) return null;
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const isOne = objects.length + (selection.robot ? 1 : 0) === 1;
   // About a whole place quarter turns of several things lose nothing.
   const pivot = isOne ? middle : toVec(toPoint(middle));

@@ -6,6 +6,7 @@ import { boundsMeet, boundsOfOutline, type Bounds, type Outline } from '#scene/o
 import { robotOutlines } from '#scene/placement';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { stepInside } from './arrange';
+import { withoutLock } from './arranging/hold';
 import { arenaBounds, boundsAll, shiftedBounds } from './bounds';
 import { freeGroups, freeIds } from './ids';
 import { kindOf, movedBy } from './kinds/index';
@@ -191,7 +192,7 @@ export function putMoved(scene: Scene, originals: readonly SceneObject[], [dx, d
   const objects: SceneObject[] = [];
   for (const original of originals) {
     const copy: SceneObject = {
-      ...movedBy(original, dx, dy),
+      ...withoutLock(movedBy(original, dx, dy)), // it can be put into its place
       id: freeId(original.type),
       ...(original.group === undefined ? {} : { group: groupOf(original.group) }),
     };

@@ -4,7 +4,7 @@ import { changing } from './edits';
 import { fieldsOf } from './kinds/index';
 import { fitting } from './object-edits';
 import type { Field, FieldName, FieldValue } from './object-fields';
-import { selectedObjects } from './selection';
+import { freeObjects } from './selection';
 import type { Selection } from './tools/tool';
 
 /** A field that several objects have; `isMixed`: not all have the same value there. */
@@ -18,7 +18,7 @@ const OWN: ReadonlySet<FieldName> = new Set(['x', 'y', 'endX', 'endY', 'number',
 
 /** The fields that all selected objects share, with the range and choices that suit all; none for fewer than two. */
 export function commonFields(scene: Scene, selection: Selection): readonly CommonField[] {
-  const [first, ...others] = selectedObjects(scene, selection).map(fieldsOf);
+  const [first, ...others] = freeObjects(scene, selection).map(fieldsOf);
   if (!first || others.length === 0) return [];
   return first.flatMap((field) => {
     if (OWN.has(field.name) || isNumbered(field)) return [];
@@ -57,7 +57,7 @@ export function withCommonField(
   value: FieldValue,
 ): SceneEdit | null {
   return changing(
-    selectedObjects(scene, selection).flatMap((object) => {
+    freeObjects(scene, selection).flatMap((object) => {
       const field = fieldsOf(object).find((one) => one.name === name);
       const fit = field ? fitting(field, value) : null;
       if (!field || fit === null || fit === field.value) return [];

@@ -3,6 +3,7 @@ import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import { applyEdit, singleEdits, type SceneEdit } from '#scene/edit';
 import type { Point, Scene, SceneObject, StrokeColor } from '#scene/scene';
+import { isHeldAlike } from './arranging/hold';
 import { distanceTo, kindOf, middleOf, movedBy, placeOf } from './kinds/index';
 import { strokeLengthMm } from './kinds/stroke';
 import { directionDeg, distanceMm, toVec } from './plane';
@@ -33,6 +34,7 @@ export type EditDescription =
   | { readonly type: 'turned'; readonly kind: Kind; readonly count: number; readonly byDeg: number | null }
   | { readonly type: 'sized'; readonly kind: Kind; readonly size: Point }
   | { readonly type: 'changed'; readonly kind: Kind; readonly count: number }
+  | { readonly type: 'locked' | 'unlocked' | 'grouped' | 'ungrouped'; readonly kind: Kind; readonly count: number }
   /** The robot's start. */
   | {
       readonly type: 'robot';
@@ -162,6 +164,8 @@ function alteredChange(changed: Changes['changed']): EditDescription {
   const now = changed.map(([, object]) => object);
   const kind = commonKind(now);
   const count = now.length;
+  const held = changed.every(([was, object]) => isHeldAlike(was, object)) ? holdOf(changed) : null;
+  if (held) return { type: held, kind, count };
   const byMm = commonStep(changed);
   if (byMm) return { type: 'moved', kind, count, byMm, at: middleOfOnly(now) };
   if (changed.every(isTurned)) return { type: 'turned', kind, count, byDeg: commonTurn(changed) };
@@ -174,6 +178,16 @@ function alteredChange(changed: Changes['changed']): EditDescription {
   )
     return { type: 'sized', kind, size: first.size };
   return { type: 'changed', kind, count };
+}
+
+/** What was done to objects of which only lock and group are others; `null`: not the same to all. */
+function holdOf(changed: Changes['changed']): 'locked' | 'unlocked' | 'grouped' | 'ungrouped' | null {
+  const all = (is: (was: SceneObject, now: SceneObject) => boolean): boolean =>
+    changed.every(([was, now]) => is(was, now));
+  if (all((was, now) => was.lock !== now.lock && was.group === now.group))
+    return all((_, now) => now.lock === true) ? 'locked' : all((_, now) => now.lock === undefined) ? 'unlocked' : null;
+  if (!all((was, now) => was.lock === now.lock)) return null;
+  return all((_, now) => now.group !== undefined) ? 'grouped' : all((_, now) => now.group === undefined) ? 'ungrouped' : null; // prettier-ignore
 }
 
 /** The step by which all were moved, if they were moved and nothing else. */

@@ -11,7 +11,7 @@ import { kindOf } from './kinds/index';
 import { puttingJoined } from './lines/join-lines';
 import { directionDeg, distanceMm, minus, plus, steppedDeg } from './plane';
 import { lured } from './snap/attract';
-import { countOf, selectedObjects } from './selection';
+import { countOf, freeObjects } from './selection';
 import type { Drag, Handle, Selection, ToolContext, Turn } from './tools/tool';
 
 /** The result of a drag of a handle. */
@@ -39,7 +39,7 @@ export function handleDragged(handle: Handle, drag: Drag, context: ToolContext):
 /** One thing in its own manner if it has one; several together. */
 function sized({ side = UPPER_RIGHT }: Handle, place: Vec, drag: Drag, context: ToolContext): SceneEdit | null {
   const { scene, selection } = context;
-  const [only] = countOf(selection) === 1 ? selectedObjects(scene, selection) : [];
+  const [only] = countOf(selection) === 1 ? freeObjects(scene, selection) : [];
   const kind = only && kindOf(only);
   if (!only || !kind?.sized) return sizedTogether(side, place, drag, context);
   const changed = kind.sized(only, side, place, drag);

@@ -3,7 +3,7 @@ import type { Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import { distanceTo, kindOf } from './kinds/index';
 import { distanceMm, toVec, turned } from './plane';
-import { boundsOfSelection, selectedObjects } from './selection';
+import { boundsOfSelection, freeObjects } from './selection';
 import { boundsHandles } from './size-handles';
 import type { Handle, Selection } from './tools/tool';
 
@@ -24,7 +24,7 @@ export function handlesOf(
   footprint: readonly Outline[],
   reachMm: number = USUAL_REACH_MM,
 ): readonly Handle[] {
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const [first] = objects;
   const hasRobot = selection.robot && footprint.length > 0;
   if (objects.length + (hasRobot ? 1 : 0) > 1) {
@@ -73,6 +73,6 @@ export function handleAt(
 
 /** Reach of handles at this place: a quarter of the thing's extent if the place is on it. */
 function reachOnBody(scene: Scene, selection: Selection, place: Vec, reachMm: number): number {
-  const on = selectedObjects(scene, selection).find((object) => distanceTo(object, place, 0) !== null);
+  const on = freeObjects(scene, selection).find((object) => distanceTo(object, place, 0) !== null);
   return on ? Math.min(reachMm, kindOf(on).extentMm(on) / 4) : reachMm;
 }

@@ -6,12 +6,13 @@ import type { Scene } from '#scene/scene';
 import { thinned } from '#scene/simplify';
 import { meets, placeOf } from './kinds/index';
 import { toVec } from './plane';
+import { caughtBy } from './selection';
 import type { Selection } from './tools/tool';
 
 /** A lasso is made of straight pieces, nowhere farther than this from where it was drawn, in mm. */
 const BESIDE_MM = 1;
 
-/** Everything that a lasso touches or has inside; its end is joined to its beginning. */
+/** Everything free that a lasso touches or has inside, with all of its groups; its end is joined to its beginning. */
 export function thingsInLasso(scene: Scene, path: readonly Vec[], footprint: readonly Outline[] = []): Selection {
   const loop = thinned(path, BESIDE_MM);
   const around = boundsOfOutline(loop);
@@ -20,12 +21,11 @@ export function thingsInLasso(scene: Scene, path: readonly Vec[], footprint: rea
   const catches = (place: Vec, isTouched: (piece: Outline) => boolean): boolean =>
     isInside(loop, place) || pieces.some(isTouched);
   return {
-    ids: scene.objects
-      .filter(
-        (object) =>
-          boundsMeet(boundsOf(object), around) && catches(toVec(placeOf(object)), (piece) => meets(object, piece)),
-      )
-      .map(({ id }) => id),
+    ids: caughtBy(
+      scene,
+      (object) =>
+        boundsMeet(boundsOf(object), around) && catches(toVec(placeOf(object)), (piece) => meets(object, piece)),
+    ),
     robot: robotOutlines(scene.robot, footprint).some(
       (part) =>
         boundsMeet(boundsOfOutline(part), around) &&

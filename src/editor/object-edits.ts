@@ -16,16 +16,17 @@ import type { ToolOptions } from './tools/tool';
 /**
  * Sets one field of an object, as the list of objects does. Numbers are rounded and kept in their range.
  *
- * @returns `null` when nothing changes, or the value makes no sense there
+ * @returns `null` when nothing changes, it is locked, or the value makes no sense there
  */
 export function withField(scene: Scene, id: string, name: FieldName, value: FieldValue): SceneEdit | null {
   const object = scene.objects.find((one) => one.id === id);
   const field = object && fieldsOf(object).find((one) => one.name === name);
   const fit = field ? fitting(field, value) : null;
-  if (!object || !field || fit === null || field.value === fit) return null;
+  if (!object || object.lock || !field || fit === null || field.value === fit) return null;
   const changed = field.with(fit, scene);
   if (!changed || isSame(changed, object)) return null; // −180° is 180°
-  return changing([changed, ...swapped(scene, object, changed)]);
+  const all = [changed, ...swapped(scene, object, changed)];
+  return all.some(({ lock }) => lock) ? null : changing(all);
 }
 
 /** Sets one field of the robot's start; the robot stays inside the arena. `null` when nothing changes. */

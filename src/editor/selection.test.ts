@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { removed, selectAll, thingsAt, thingsIn, toggled } from './selection';
+import { only, removed, selectAll, thingsAt, thingsIn, toggled } from './selection';
 import { block, course, footprint, stroke, target, wall } from './testing/desk';
 import type { SceneObject } from '#scene/scene';
 
@@ -92,8 +92,8 @@ describe('selection', () => {
   });
 
   it('takes a thing in and out', () => {
-    expect(toggled({ ids: ['a'], robot: false }, 'b')).toEqual({ ids: ['a', 'b'], robot: false });
-    expect(toggled({ ids: ['a'], robot: true }, null)).toEqual({ ids: ['a'], robot: false });
+    expect(toggled({ ids: ['a'], robot: false }, only('b'))).toEqual({ ids: ['a', 'b'], robot: false });
+    expect(toggled({ ids: ['a'], robot: true }, only(null))).toEqual({ ids: ['a'], robot: false });
   });
 
   it('removes its objects but never the start of the robot', () => {

@@ -23,11 +23,11 @@ export const includes = (selection: Selection, thing: Thing): boolean =>
 /** How many things are selected. */
 export const countOf = ({ ids, robot }: Selection): number => ids.length + (robot ? 1 : 0);
 
-/** A selection with one thing more, or less if it was selected. */
-export function toggled(selection: Selection, thing: Thing): Selection {
-  if (thing === null) return { ...selection, robot: !selection.robot };
-  const ids = selection.ids.includes(thing) ? selection.ids.filter((id) => id !== thing) : [...selection.ids, thing];
-  return { ...selection, ids };
+/** A selection with what a tap takes, or without it if all of it was selected. */
+export function toggled(selection: Selection, taken: Selection): Selection {
+  const isAll = taken.ids.every((id) => selection.ids.includes(id)) && (selection.robot || !taken.robot);
+  if (!isAll) return joined(selection, taken);
+  return { ids: selection.ids.filter((id) => !taken.ids.includes(id)), robot: selection.robot && !taken.robot };
 }
 
 /** Both selections together. */
@@ -43,21 +43,63 @@ export function selectedObjects(scene: Scene, { ids }: Selection): readonly Scen
   return scene.objects.filter(({ id }) => chosen.has(id));
 }
 
-/** All objects and the robot's start. `hasRobot`: there is a robot to select. */
+/** The selected objects that may be changed: those that are not locked. */
+export const freeObjects = (scene: Scene, selection: Selection): readonly SceneObject[] =>
+  selectedObjects(scene, selection).filter(isFree);
+
+const isFree = ({ lock }: SceneObject): boolean => lock === undefined;
+
+/**
+ * What a tap on a thing takes: it with those of its group that are locked or free as it is; where some of these are selected
+ * already but not all, somebody works within the group, and it takes the thing alone.
+ */
+export function takenBy(scene: Scene, thing: Thing, { ids }: Selection): Selection {
+  const members = thing === null ? [] : membersWith(scene, thing);
+  const chosen = new Set(ids);
+  const count = members.filter((id) => chosen.has(id)).length;
+  return members.length < 2 || (count > 0 && count < members.length) ? only(thing) : { ids: members, robot: false };
+}
+
+/** The ids of an object and of those of its group that are locked or free as it is, in the order of painting. */
+function membersWith({ objects }: Scene, id: string): readonly string[] {
+  const object = objects.find((one) => one.id === id);
+  if (object?.group === undefined) return [id];
+  return objects.flatMap((one) => (one.group === object.group && one.lock === object.lock ? [one.id] : []));
+}
+
+/** All free objects of these and of their groups. */
+function withGroups({ objects }: Scene, caught: readonly SceneObject[]): readonly string[] {
+  const free = caught.filter(isFree);
+  const groups = new Set(free.flatMap(({ group }) => group ?? []));
+  if (groups.size === 0) return free.map(({ id }) => id);
+  const chosen = new Set(free);
+  return objects.flatMap((one) =>
+    chosen.has(one) || (isFree(one) && one.group !== undefined && groups.has(one.group)) ? [one.id] : [],
+  );
+}
+
+/** The objects that something catches, as far as they are free, with all of their groups. */
+export const caughtBy = (scene: Scene, catches: (object: SceneObject) => boolean): readonly string[] =>
+  withGroups(scene, scene.objects.filter(catches));
+
+/** All objects that are not locked, and the robot's start. `hasRobot`: there is a robot to select. */
 export const selectAll = (scene: Scene, hasRobot = true): Selection => ({
-  ids: scene.objects.map(({ id }) => id),
+  ids: scene.objects.filter(isFree).map(({ id }) => id),
   robot: hasRobot,
 });
 
 /**
  * The things at a place, the best first: the robot, then things under it from top to bottom, then things within reach,
- * the nearest first. Zones come last, because they are large and things stand on them.
+ * the nearest first. Zones come last, because they are large and things stand on them. What is locked is not among them.
+ *
+ * @param isCaught left out: whatever is not locked
  */
 export function thingsAt(
   scene: Scene,
   place: Vec,
   reachMm: number,
   footprint: readonly Outline[] = [],
+  isCaught: (object: SceneObject) => boolean = isFree,
 ): readonly Thing[] {
   const hits: { thing: Thing; zone: number; mm: number; height: number }[] = [];
   const toRobot = Math.min(
@@ -66,6 +108,7 @@ export function thingsAt(
   );
   if (toRobot <= reachMm) hits.push({ thing: null, zone: 0, mm: toRobot, height: Infinity });
   scene.objects.forEach((object, index) => {
+    if (!isCaught(object)) return;
     const mm = distanceTo(object, place, reachMm);
     if (mm === null) return;
     const { layer } = kindOf(object);
@@ -74,12 +117,12 @@ export function thingsAt(
   return hits.sort((a, b) => a.zone - b.zone || a.mm - b.mm || b.height - a.height).map(({ thing }) => thing);
 }
 
-/** Everything that an upright frame between two corners touches. */
+/** Everything free that an upright frame between two corners touches, with all of its groups. */
 export function thingsIn(scene: Scene, from: Vec, to: Vec, footprint: readonly Outline[] = []): Selection {
   const frame = boundsOfOutline([from, to]);
   const outline = cornersOf(frame);
   return {
-    ids: scene.objects.filter((object) => meets(object, outline, frame)).map(({ id }) => id),
+    ids: caughtBy(scene, (object) => meets(object, outline, frame)),
     robot: robotOutlines(scene.robot, footprint).some(
       (part) => boundsMeet(boundsOfOutline(part), frame) && overlapMm(part, outline) >= 0,
     ),
@@ -98,6 +141,6 @@ export function boundsOfSelection(
   ]);
 }
 
-/** Takes the selected objects away; the robot's start stays. `null` when no object is selected. */
+/** Takes the selected objects away; the robot's start and what is locked stay. `null` when nothing goes. */
 export const removed = (scene: Scene, selection: Selection): SceneEdit | null =>
-  removing(selectedObjects(scene, selection).map(({ id }) => id));
+  removing(freeObjects(scene, selection).map(({ id }) => id));

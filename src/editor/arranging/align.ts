@@ -1,17 +1,16 @@
 import type { SceneEdit } from '#scene/edit';
-import { boundsOf } from '#scene/kinds/index';
 import type { Bounds, Outline } from '#scene/outline';
 import type { Scene } from '#scene/scene';
 import { moved } from '../arrange';
 import { boundsAll } from '../bounds';
 import { combined } from '../edits';
-import { boundsOfSelection, only, selectedObjects } from '../selection';
+import { boundsOfSelection, freeObjects, only, takenBy } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /** What is brought onto one line: left edges, middles from left to right, …; `level` and `upright` are the middles. */
 export type Alignment = 'left' | 'upright' | 'right' | 'top' | 'level' | 'bottom';
 
-/** Something that moves as a whole. */
+/** Something that moves as a whole: a thing, a group that is selected altogether, the robot. */
 interface Unit {
   readonly selection: Selection;
   readonly around: Bounds;
@@ -85,10 +84,15 @@ const movedApart = (
 ): SceneEdit | null => combined(units.map((unit) => moved(scene, unit.selection, step(unit), footprint)));
 
 function unitsOf(scene: Scene, selection: Selection, footprint: readonly Outline[]): readonly Unit[] {
-  const units: Unit[] = selectedObjects(scene, selection).map((object) => ({
-    selection: only(object.id),
-    around: boundsOf(object),
-  }));
+  const units: Unit[] = [];
+  const done = new Set<string>();
+  for (const { id } of freeObjects(scene, selection)) {
+    if (done.has(id)) continue;
+    const unit = takenBy(scene, id, selection);
+    const around = boundsOfSelection(scene, unit);
+    if (around) units.push({ selection: unit, around });
+    for (const member of unit.ids) done.add(member);
+  }
   const robot = selection.robot ? boundsOfSelection(scene, only(null), footprint) : null;
   return robot ? [...units, { selection: only(null), around: robot }] : units;
 }

@@ -5,7 +5,7 @@ import { changing, combined, startingAt } from '../edits';
 import { kindOf } from '../kinds/index';
 import { mirroredDeg, mirroredPoint, type Axis } from '../kinds/kind';
 import { placeInside } from '../robot-place';
-import { boundsOfSelection, selectedObjects } from '../selection';
+import { boundsOfSelection, freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /** Mirrors what is selected at its middle: `x` swaps left and right, `y` up and down. `null` when nothing is selected. */
@@ -21,7 +21,7 @@ export function mirrored(
   const { robot, size } = scene;
   const turned = { at: mirroredPoint(robot.at, axis, atMm), heading: mirroredDeg(robot.heading, axis) };
   return combined([
-    changing(selectedObjects(scene, selection).map((object) => kindOf(object).mirrored(object, axis, atMm))),
+    changing(freeObjects(scene, selection).map((object) => kindOf(object).mirrored(object, axis, atMm))),
     selection.robot
       ? startingAt(scene, { ...turned, at: placeInside({ ...robot, ...turned }, size, footprint) })
       : null,

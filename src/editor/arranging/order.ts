@@ -3,6 +3,7 @@ import { boundsOf } from '#scene/kinds/index';
 import { boundsMeet } from '#scene/outline';
 import type { Scene, SceneObject } from '#scene/scene';
 import { kindOf } from '../kinds/index';
+import { freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /** Where something goes in the order of painting: over or under the next thing that it touches, or over or under all. */
@@ -14,8 +15,8 @@ export type Order = 'front' | 'forward' | 'backward' | 'back';
  *
  * @returns `null` when that changes nothing that can be seen
  */
-export function reordered(scene: Scene, { ids }: Selection, order: Order): SceneEdit | null {
-  const chosen = new Set(ids);
+export function reordered(scene: Scene, selection: Selection, order: Order): SceneEdit | null {
+  const chosen = new Set(freeObjects(scene, selection).map(({ id }) => id));
   const isUp = order === 'front' || order === 'forward';
   const isFar = order === 'front' || order === 'back';
   // Seen from the side to which the things go: each passes what lies between it and its new neighbour.

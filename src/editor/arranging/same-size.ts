@@ -5,7 +5,7 @@ import { changing } from '../edits';
 import { isLargeEnough } from '../kinds/box';
 import { kindOf } from '../kinds/index';
 import { distanceMm, toVec } from '../plane';
-import { selectedObjects } from '../selection';
+import { freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 
 /**
@@ -13,7 +13,7 @@ import type { Selection } from '../tools/tool';
  * words its height. `null` when nothing of its sort is selected with it, or all have that size.
  */
 export function sizedAlike(scene: Scene, selection: Selection): SceneEdit | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const model = objects.find(({ id }) => id === selection.ids[0]);
   if (!model) return null;
   return changing(

@@ -6,7 +6,7 @@ import { changing, combined, startingAt } from '../edits';
 import { kindOf } from '../kinds/index';
 import { scaledPoint } from '../kinds/kind';
 import { placeInside } from '../robot-place';
-import { boundsOfSelection, selectedObjects } from '../selection';
+import { boundsOfSelection, freeObjects } from '../selection';
 import { snappedPlace } from '../snap';
 import type { Drag, Selection, ToolContext } from '../tools/tool';
 
@@ -22,7 +22,7 @@ export function scaledBy(
   footprint: readonly Outline[] = [],
 ): SceneEdit | null {
   if (factor.x === 1 && factor.y === 1) return null;
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const { robot, size } = scene;
   const at = scaledPoint(robot.at, about, factor);
   return combined([

@@ -16,12 +16,12 @@ export function openEnds({ points }: Pick<Stroke, 'points'>): readonly [Point, P
   return !first || !last || points.length < 2 || isSame(first, last) ? null : [first, last];
 }
 
-/** The open end of a line of this look that is nearest to a place and at most so far away, or `null`. */
+/** The open end of a free line of this look that is nearest to a place and at most so far away, or `null`. */
 export function endNear(scene: Scene, look: Look, place: Vec, reachMm: number, without = ''): Point | null {
   let best: Point | null = null;
   let bestMm = reachMm;
   for (const object of scene.objects) {
-    if (object.type !== 'stroke' || object.id === without || !looksLike(object, look)) continue;
+    if (object.type !== 'stroke' || object.lock || object.id === without || !looksLike(object, look)) continue;
     for (const end of openEnds(object) ?? []) {
       const mm = distanceMm(toVec(end), place);
       if (mm > bestMm) continue;
@@ -33,7 +33,7 @@ export function endNear(scene: Scene, look: Look, place: Vec, reachMm: number, w
 }
 
 /**
- * Puts a line into the course. With each line of the same look on whose open end it begins or ends it becomes one, in the
+ * Puts a line into the course. With each free line of the same look on whose open end it begins or ends it becomes one, in the
  * place of the first of them; a changed line keeps its own.
  *
  * @param stroke a new line, or one of the course as it is to be
@@ -47,7 +47,10 @@ export function puttingJoined(scene: Scene, stroke: Stroke): SceneEdit | null {
   const id = isNew ? first : stroke.id;
   if (isNew && stroke.points.length > roomIn(scene).points) return null;
   const gone = (isNew ? [second] : [first, second]).filter((one) => one !== undefined);
-  return replacing([{ id, by: [{ ...stroke, id, points }] }, ...gone.map((one) => ({ id: one, by: [] }))]);
+  // What goes on from a line of a group belongs to it.
+  const { group } = (isNew ? scene.objects.find((object) => object.id === first) : null) ?? stroke;
+  const line = { ...stroke, id, points, ...(group === undefined ? {} : { group }) };
+  return replacing([{ id, by: [line] }, ...gone.map((one) => ({ id: one, by: [] }))]);
 }
 
 /** The points of a line with those of the lines on whose ends it lies, and the ids of these. */
@@ -72,7 +75,7 @@ function joinedWithOthers(
 
 function otherAt(scene: Scene, stroke: Stroke, place: Point, without: readonly string[]): Stroke | null {
   for (const object of scene.objects) {
-    if (object.type !== 'stroke' || object.id === stroke.id || without.includes(object.id)) continue;
+    if (object.type !== 'stroke' || object.lock || object.id === stroke.id || without.includes(object.id)) continue;
     if (looksLike(object, stroke) && openEnds(object)?.some((end) => isSame(end, place)) === true) return object;
   }
   return null;

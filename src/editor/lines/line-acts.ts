@@ -4,14 +4,14 @@ import type { Point, Scene, Stroke } from '#scene/scene';
 import { FINGER_TOLERANCE_MM, simplified } from '#scene/simplify';
 import { changing, replacing } from '../edits';
 import { toVec } from '../plane';
-import { selectedObjects } from '../selection';
+import { freeObjects } from '../selection';
 import { smooth } from '../tools/smooth';
 import type { Selection } from '../tools/tool';
 import { bridged, closed, type Look } from './join-lines';
 
 /** The selected lines, in the order of painting. */
 export const selectedLines = (scene: Scene, selection: Selection): readonly Stroke[] =>
-  selectedObjects(scene, selection).filter((object) => object.type === 'stroke');
+  freeObjects(scene, selection).filter((object) => object.type === 'stroke');
 
 /** Gives all selected lines a width, a colour, or both; `null` when they have them. */
 export const restyled = (scene: Scene, selection: Selection, look: Partial<Look>): SceneEdit | null =>

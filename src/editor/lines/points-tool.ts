@@ -60,11 +60,11 @@ export function pointRemoved(context: ToolContext, place: Vec, reachMm: number):
   return line && left && changing([{ ...line, points: pointsOfBent(left) }]);
 }
 
-/** The line that is bent: the only thing selected. */
+/** The line that is bent: the only thing selected, if it is not locked. */
 function lineOf({ scene, selection }: { readonly scene: Scene; readonly selection: Selection }): Stroke | null {
   const [id, ...more] = selection.ids;
   const object = more.length > 0 || selection.robot ? undefined : scene.objects.find((one) => one.id === id);
-  return object?.type === 'stroke' && object.points.length > 1 ? object : null;
+  return object?.type === 'stroke' && !object.lock && object.points.length > 1 ? object : null;
 }
 
 /** What a drag has taken hold of: a control, or the middle of the part after one. */

@@ -1,4 +1,4 @@
-import { applyEdit, type SceneEdit } from '#scene/edit';
+import { applyEdit, singleEdits, type SceneEdit } from '#scene/edit';
 import { boundsOf, solidParts } from '#scene/kinds/index';
 import { isZone } from '#scene/kinds/zone';
 import type { Outline } from '#scene/outline';
@@ -44,11 +44,26 @@ const TIME_LIMIT_S = 60;
 const ROOM_IN_TARGET_MM = 20;
 
 /**
- * What can be done about a problem by one tap; `null`: nothing that would not be a guess.
+ * What can be done about a problem by one tap; `null`: nothing that would not be a guess, or it would change what is locked.
  *
  * @param footprint convex parts of the robot at scale 1, in its own frame; empty: no robot
  */
 export function mendOf(scene: Scene, problem: RuleProblem, footprint: readonly Outline[]): Mend | null {
+  const mend = wayOut(scene, problem, footprint);
+  return mend && isAllowed(scene, mend.edit) ? mend : null;
+}
+
+/** Whether an edit leaves all that is locked as it is. */
+function isAllowed({ objects }: Scene, edit: SceneEdit): boolean {
+  const locked = new Set(objects.flatMap(({ id, lock }) => (lock ? [id] : [])));
+  const changed = singleEdits(edit).flatMap((one) => {
+    if (one.type === 'remove') return one.ids;
+    return one.type === 'replace' ? one.changes.map(({ id }) => id) : [];
+  });
+  return !changed.some((id) => locked.has(id));
+}
+
+function wayOut(scene: Scene, problem: RuleProblem, footprint: readonly Outline[]): Mend | null {
   const objects = scene.objects.filter(({ id }) => problem.ids.includes(id));
   const mend = (kind: MendKind, edit: SceneEdit | null): Mend | null => edit && { kind, edit };
   switch (problem.code) {
@@ -141,9 +156,9 @@ function robotFreed(scene: Scene, about: readonly SceneObject[], footprint: read
   return edit && { kind: 'robot-aside', edit };
 }
 
-/** The first movable block among these at the nearest free place, clear of the robot. */
+/** The first movable block among these that is not locked at the nearest free place, clear of the robot. */
 function blockAside(scene: Scene, about: readonly SceneObject[], footprint: readonly Outline[]): SceneEdit | null {
-  const block = about.find((object): object is Block => object.type === 'block');
+  const block = about.find((object): object is Block => object.type === 'block' && !object.lock);
   if (!block) return null;
   const way = wayToRoom(solidParts(block), around(scene, block, footprint), scene.size);
   return way && changing([movedBy(block, way[0], way[1])]);

@@ -3,7 +3,7 @@ import type { SceneObject } from '#scene/scene';
 import { movedBy, placeOf } from '../kinds/index';
 import { distanceMm, minus, plus, toPoint, toVec } from '../plane';
 import { ATTRACTS_MM, gridMm, intoArena } from '../snap';
-import { selectedObjects, type Thing } from '../selection';
+import { freeObjects, type Thing } from '../selection';
 import { nothingSelected, type Drag, type Lure, type Selection, type ToolContext } from '../tools/tool';
 import { endsOf, frameAround, frameOf, frameOfRobot, shiftedFrame, type Axis, type Frame } from './frames';
 import { luresNear, luresOf, type AxisLures, type Lures } from './lures';
@@ -26,7 +26,7 @@ const FEW = 12;
 
 /** What moves when a thing is dragged with all that is selected; `null`: nothing does. */
 export function movingOf(held: Thing, selection: Selection, { scene, footprint }: ToolContext): Moving | null {
-  const objects = selectedObjects(scene, selection);
+  const objects = freeObjects(scene, selection);
   const robot = selection.robot ? frameOfRobot(scene, footprint) : null;
   const frame = frameAround([...objects.map(frameOf), ...(robot === null ? [] : [robot])]);
   const heldObject = objects.find(({ id }) => id === held);

@@ -1,7 +1,7 @@
 import type { Vec } from '#core/geometry';
 import type { Outline } from '#scene/outline';
 import type { Scene, SceneObject } from '#scene/scene';
-import { selectedObjects } from '../selection';
+import { freeObjects } from '../selection';
 import type { Selection } from '../tools/tool';
 import { axes, endsOf, frameOf, frameOfArena, frameOfRobot, type Axis, type Frame } from './frames';
 
@@ -38,7 +38,7 @@ const known = new WeakMap<Scene, Known>();
 
 /** What attracts something in a course: all things but those that are moved themselves, and the arena. */
 export function luresOf(scene: Scene, selection: Selection, footprint: readonly Outline[]): Lures {
-  const moved = selectedObjects(scene, selection);
+  const moved = freeObjects(scene, selection);
   const { robot } = selection;
   const before = known.get(scene);
   if (before?.footprint === footprint && before.robot === robot && areSame(before.moved, moved)) return before.lures;

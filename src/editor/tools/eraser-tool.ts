@@ -16,7 +16,7 @@ import { alongPath } from './path-fold';
 import { thingsAt } from '../selection';
 import type { Drag, Mark, Tool, ToolContext } from './tool';
 
-/** Cuts strokes where it passes, and takes away all else that it passes over, unless only lines are wanted. */
+/** Cuts strokes where it passes, and takes away all else that it passes over, unless only lines are wanted; what is locked stays. */
 export const eraserTool: Tool = {
   id: 'eraser',
   cursor: 'cell',
@@ -48,7 +48,7 @@ const cutsAlong = alongPath<Cuts>({
     const around = grown(boundsOfOutline(places), radiusMm);
     const next = new Map(cuts);
     for (const object of scene.objects) {
-      if (object.type !== 'stroke' || !boundsMeet(boundsOf(object), around)) continue;
+      if (object.type !== 'stroke' || object.lock || !boundsMeet(boundsOf(object), around)) continue;
       const before = cuts.get(object.id) ?? [object];
       const after = before.flatMap((piece) => piecesLeft(piece, eraser, around));
       if (after.length !== before.length || after.some((piece, index) => piece !== before[index]))
@@ -130,7 +130,8 @@ const passedAlong = alongPath<ReadonlySet<string>>({
     const places = fewer(path);
     const around = boundsOfOutline(places);
     for (const object of scene.objects) {
-      if (object.type === 'stroke' || next.has(object.id) || !boundsMeet(boundsOf(object), around)) continue;
+      if (object.type === 'stroke' || object.lock || next.has(object.id)) continue;
+      if (!boundsMeet(boundsOf(object), around)) continue;
       if (isPassed(object, places)) next.add(object.id);
     }
     return next;

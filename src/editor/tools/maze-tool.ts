@@ -145,8 +145,8 @@ function built(scene: Scene, edges: readonly GridEdge[], cellMm: number, thickne
       .map((one) => spanOf(one, cellMm, scene.size))
       .filter((span) => !isTaken(span, there))
       .map(({ from, to }) => ({ from: Math.max(0, from - out), to: Math.min(length, to + out) }));
-    // Only walls that fit exactly can go on as one.
-    const alike = there.filter(({ wall }) => wall.thickness === thickness && liesAt(wall, edge, at));
+    // Only free walls that fit exactly can go on as one.
+    const alike = there.filter(({ wall }) => !wall.lock && wall.thickness === thickness && liesAt(wall, edge, at));
     for (const { span, joins } of joinedSpans(added, alike)) {
       const ends = wallEndsAlong(edge, at, span);
       const [first, ...rest] = joins;
@@ -196,7 +196,7 @@ function taken(scene: Scene, edges: readonly GridEdge[], cellMm: number): SceneE
     const [edge] = line;
     const spans = line.map((one) => spanOf(one, cellMm, scene.size));
     for (const there of wallsOn(scene, edge, cellMm)) {
-      const rest = withoutSpans(there, spans);
+      const rest = there.wall.lock ? null : withoutSpans(there, spans);
       if (rest === null) continue;
       changes.push({ id: there.wall.id, by: pieces(there, rest, edge, freeId) });
       more += rest.length - 1;

@@ -2,7 +2,7 @@ import type { SceneEdit } from '#scene/edit';
 import { turned, turnedBy } from '../arrange';
 import { isTap, startOf } from '../drag';
 import { draggedAngle, draggedTurn } from '../handle-drag';
-import { includes, only, thingsAt } from '../selection';
+import { includes, takenBy, thingsAt } from '../selection';
 import type { Drag, Selection, Tool, ToolContext, Turn } from './tool';
 
 /**
@@ -27,10 +27,10 @@ export const rotateTool: Tool = {
   select: (drag, context) => meantBy(drag, context) ?? context.selection,
 };
 
-/** The selection if the drag began on a part of it, else the topmost thing there; `null` when it began on nothing. */
+/** The selection if the drag began on a part of it, else what a tap on the topmost thing there takes; `null` when it began on nothing. */
 function meantBy(drag: Drag, { scene, selection, footprint }: ToolContext): Selection | null {
   const things = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
   const [topmost] = things;
   if (topmost === undefined) return null;
-  return things.some((thing) => includes(selection, thing)) ? selection : only(topmost);
+  return things.some((thing) => includes(selection, thing)) ? selection : takenBy(scene, topmost, selection);
 }

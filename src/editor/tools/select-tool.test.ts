@@ -78,6 +78,34 @@ describe('selecting', () => {
     expect(selectTool.select?.(around, context, scene)).toEqual(selectionOf([], true));
   });
 
+  it('takes a group at a tap, what lies below it at the next, and one of it at a double tap', () => {
+    const inGroup = (object: SceneObject): SceneObject => ({ ...object, group: 'g' });
+    const scene = course(target('t', [300, 300]), inGroup(block('b', [300, 300])), inGroup(stroke('s', [100, 320], [500, 320]))); // prettier-ignore
+    const group = selectionOf(['b', 's']);
+    expect(chosen(scene, drag([300, 300]))).toEqual(group);
+    expect(chosen(scene, drag([300, 300]), group)).toEqual(selectionOf(['t']));
+    expect(chosen(scene, adding(drag([300, 300])), selectionOf(['t']))).toEqual(selectionOf(['t', 'b', 's']));
+    expect(chosen(scene, adding(drag([300, 300])), selectionOf(['t', 'b', 's']))).toEqual(selectionOf(['t']));
+    const opened = (one: Drag, before: Selection) => selectTool.opens?.(one, contextOf(scene, {}, before));
+    expect(opened(drag([300, 300]), group)).toEqual({ part: 'thing', id: 'b' });
+    expect(opened(drag([200, 320]), group)).toEqual({ part: 'thing', id: 's' });
+    expect(opened(drag([200, 320]), selectionOf(['s']))).toEqual({ part: 'points', id: 's' });
+    expect(chosen(scene, drag([200, 320]), selectionOf(['b']))).toEqual(selectionOf(['s']));
+  });
+
+  it('drags a group as one, and one of it alone where that is selected', () => {
+    const scene = course(...[block('a', [300, 300]), block('b', [500, 300])].map((one) => ({ ...one, group: 'g' })));
+    const places = (moved: Scene) => moved.objects.map((object) => 'at' in object && object.at);
+    expect(places(after(scene, drag([300, 300], [300, 500])))).toEqual([[300, 500], [500, 500]]); // prettier-ignore
+    expect(places(after(scene, drag([300, 300], [300, 500]), selectionOf(['a'])))).toEqual([[300, 500], [500, 300]]); // prettier-ignore
+  });
+
+  it('begins a frame on what is locked', () => {
+    const scene = course({ ...block('a', [300, 300]), lock: true }, block('b', [400, 300]));
+    expect(after(scene, drag([300, 300], [420, 320]))).toBe(scene);
+    expect(chosen(scene, drag([300, 300], [420, 320]))).toEqual(selectionOf(['b']));
+  });
+
   it('moves nothing when a finger trembles', () => {
     expect(after(pile, drag([300, 300], [303, 301]))).toBe(pile);
   });

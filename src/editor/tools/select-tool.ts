@@ -7,7 +7,7 @@ import { draggedTurn, handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
 import { thingsInLasso } from '../lasso';
 import { minus } from '../plane';
-import { countOf, includes, joined, only, thingsAt, thingsIn, toggled, type Thing } from '../selection';
+import { includes, joined, takenBy, thingsAt, thingsIn, toggled, type Thing } from '../selection';
 import { movingOf, snappedStep } from '../snap/attract';
 import { luresOf } from '../snap/lures';
 import {
@@ -23,7 +23,7 @@ import {
 } from './tool';
 
 /**
- * Selects, moves, sizes and turns. A tap selects the topmost thing, again on the same place the next below; a drag moves
+ * Selects, moves, sizes and turns. A tap selects the topmost thing or its group, again on the same place the next below; a drag moves
  * what it began on, or what is selected if that is part of it, or with Alt copies of it; a drag from nothing catches what
  * its frame or lasso touches.
  */
@@ -70,9 +70,10 @@ export const selectTool: Tool = {
   opens: opened,
 };
 
-/** Labels open their words, lines their points. */
-function opened(drag: Drag, { scene, footprint }: ToolContext): Opened | null {
+/** A group opens the thing in it; then labels open their words, lines their points. */
+function opened(drag: Drag, { scene, selection, footprint }: ToolContext): Opened | null {
   const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
+  if (topmost && takenBy(scene, topmost, selection).ids.length > 1) return { part: 'thing', id: topmost };
   const object = scene.objects.find(({ id }) => id === topmost);
   if (object?.type === 'label') return { part: 'words', id: object.id };
   return object?.type === 'stroke' ? { part: 'points', id: object.id } : null;
@@ -129,11 +130,8 @@ function findGrip(drag: Drag, context: ToolContext): Grip {
   if (topmost === undefined) return { type: 'floor' };
   const held = things.find((thing) => includes(selection, thing));
   if (held !== undefined) return { type: 'things', held, selection };
-  return {
-    type: 'things',
-    held: topmost,
-    selection: adds(drag, context) ? joined(selection, only(topmost)) : only(topmost),
-  };
+  const taken = takenBy(scene, topmost, selection);
+  return { type: 'things', held: topmost, selection: adds(drag, context) ? joined(selection, taken) : taken };
 }
 
 /** The displacement of a drag, with what it snaps to. */
@@ -147,9 +145,18 @@ function stepOf(drag: Drag, { held, selection }: Extract<Grip, { type: 'things' 
 function tapped(drag: Drag, context: ToolContext, isOnHandle: boolean): Selection {
   const { scene, selection, footprint } = context;
   const things = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
-  const [topmost] = things;
+  // Those of one group are one: the next below is another one.
+  const units = distinct(things.map((thing) => takenBy(scene, thing, selection)));
+  const [topmost] = units;
   if (topmost === undefined) return adds(drag, context) || isOnHandle ? selection : nothingSelected;
   if (adds(drag, context)) return toggled(selection, topmost);
-  const now = countOf(selection) === 1 ? things.findIndex((thing) => includes(selection, thing)) : -1;
-  return only(things[(now + 1) % things.length] ?? topmost);
+  const now = units.findIndex((unit) => isJust(selection, unit));
+  return units[(now + 1) % units.length] ?? topmost;
 }
+
+/** Whether nothing more and nothing less is selected. */
+const isJust = (selection: Selection, { ids, robot }: Selection): boolean =>
+  selection.robot === robot && selection.ids.length === ids.length && ids.every((id) => selection.ids.includes(id));
+
+const distinct = (units: readonly Selection[]): readonly Selection[] =>
+  units.filter((unit, index) => units.findIndex((other) => isJust(other, unit)) === index);

@@ -179,8 +179,8 @@ export interface Tool {
   opens?(drag: Drag, context: ToolContext): Opened | null;
 }
 
-/** What can be opened to change what is inside: the words of a label, the points of a line. */
+/** What can be opened to change what is inside: a thing in a group, the words of a label, the points of a line. */
 export interface Opened {
-  readonly part: 'words' | 'points';
+  readonly part: 'thing' | 'words' | 'points';
   readonly id: string;
 }

@@ -4,12 +4,14 @@ import type { Rng } from '#core/rng';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { parseScene } from '#scene/parse';
+import { inverse } from '#scene/inverse';
 import type { Scene } from '#scene/scene';
 import { asKept } from '#scene/groups';
 import { serializeScene } from '#scene/serialize';
 import { forManySeeds, fuzzRuns, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { nudged, turned } from '../arrange';
 import { aligned, distributed } from '../arranging/align';
+import { grouped, locked, ungrouped, unlocked, withoutLock } from '../arranging/hold';
 import { mirrored } from '../arranging/mirror';
 import { reordered } from '../arranging/order';
 import { sizedAlike } from '../arranging/same-size';
@@ -33,7 +35,7 @@ function withTool(rng: Rng, scene: Scene, selection: Selection): SceneEdit | nul
 }
 
 function withKeys(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
-  switch (wholeFrom(rng, 0, 7)) {
+  switch (wholeFrom(rng, 0, 8)) {
     case 0:
       return nudged(scene, selection, wholeFrom(rng, -500, 500), wholeFrom(rng, -500, 500), footprint);
     case 1:
@@ -47,11 +49,16 @@ function withKeys(rng: Rng, scene: Scene, selection: Selection): SceneEdit | nul
     case 5:
       return changedTogether(rng, scene, selection);
     case 6:
+      return held(rng, scene, selection);
+    case 7:
       return resized(scene, oneOf(rng, [1, -1] as const), footprint);
     default:
       return withSize(scene, [wholeFrom(rng, 100, 3000), wholeFrom(rng, 100, 3000)], footprint);
   }
 }
+
+const held = (rng: Rng, scene: Scene, selection: Selection): SceneEdit | null =>
+  oneOf(rng, [locked, unlocked, grouped, ungrouped])(scene, selection);
 
 function copies(rng: Rng, scene: Scene, selection: Selection): SceneEdit | null {
   const place = { x: wholeFrom(rng, -300, 1500), y: wholeFrom(rng, -300, 1200) };
@@ -92,6 +99,21 @@ function changedTogether(rng: Rng, scene: Scene, selection: Selection): SceneEdi
   return withCommonField(scene, selection, field.name, field.kind === 'switch' ? inPercent(rng, 50) : value);
 }
 
+/** What is locked stays as it is but for its lock, and for its place in the order. */
+function assertLocksHold(before: Scene, { objects }: Scene): void {
+  const now = new Map(objects.map((object) => [object.id, object]));
+  for (const object of before.objects) {
+    if (!object.lock || isDeepStrictEqual(now.get(object.id), object)) continue;
+    if (isDeepStrictEqual(now.get(object.id), withoutLock(object))) continue;
+    throw new Error(`a locked object was changed: ${JSON.stringify(object)}`);
+  }
+}
+
+function assertTakenBack(before: Scene, edit: SceneEdit, after: Scene): void {
+  if (!isDeepStrictEqual(applyEdit(after, inverse(before, edit)), before))
+    throw new Error(`not taken back: ${JSON.stringify(edit)}`);
+}
+
 /** One course after the other, each edited for a while in any way. */
 function play(rng: Rng): void {
   let scene = randomCourse(rng, wholeFrom(rng, 0, 12));
@@ -102,7 +124,10 @@ function play(rng: Rng): void {
     const problem = editProblem(scene, edit);
     if (problem) throw new Error(`${problem.message} ${JSON.stringify(edit)}`);
     describeEdit(scene, edit);
-    scene = applyEdit(scene, edit);
+    const after = applyEdit(scene, edit);
+    assertLocksHold(scene, after);
+    assertTakenBack(scene, edit, after);
+    scene = after;
   }
   const parsed = parseScene(serializeScene(scene));
   if ('problem' in parsed) throw new Error(parsed.problem);

@@ -66,6 +66,31 @@ describe('the menu of what is selected', () => {
     expect([named.length, named.every((name) => name !== null && name.length > 5)]).toEqual([15, true]);
   });
 
+  it('groups, and dissolves what is a group', async () => {
+    const { choose, object, open, steps } = await opened(['block', 'other']);
+    await choose('group');
+    expect([object('block', 'block').group, object('block', 'other').group, steps()]).toEqual([
+      'group-1',
+      'group-1',
+      1,
+    ]);
+    await open();
+    expect(entry('group')).toBeNull();
+    await choose('ungroup');
+    expect([object('block', 'block').group, steps()]).toEqual([undefined, 2]);
+  });
+
+  it('locks; what is locked can be unlocked and copied, and nothing else', async () => {
+    const { choose, object, open, ids } = await opened(['block']);
+    await choose('lock');
+    expect(object('block', 'block').lock).toBe(true);
+    await open();
+    const names = [...menu()!.querySelectorAll('[role="menuitem"]')].map((item) => item.getAttribute('data-testid'));
+    expect(names).toEqual(['menu-unlock', 'menu-copy', 'menu-paste', 'menu-duplicate', 'menu-keep']);
+    await choose('unlock');
+    expect([object('block', 'block').lock, ids()]).toEqual([undefined, ['wall', 'block', 'other']]);
+  });
+
   it('of the floor pastes there, selects all, shows the whole arena', async () => {
     const { choose, fit, editor, ids, object } = await opened(['block'], 'floor');
     expect(entry('cut')).toBeNull();

@@ -510,6 +510,15 @@ describe('the keys for what is selected, after a press beside the arena', () => 
     return { ...page, key, selected: () => page.editor.selection.value.ids };
   }
 
+  it('group it with Ctrl+G, and dissolve the group with Shift', async () => {
+    const { key, object, editor, steps } = await selecting('<button>Save</button>');
+    editor.select({ ids: ['wall', 'block'], robot: false });
+    expect((await key('g', control)).defaultPrevented).toBe(true); // the browser does not search
+    await vi.waitFor(() => expect(object('wall', 'wall').group).toBe('group-1'));
+    await key('G', { ...control, shiftKey: true });
+    await vi.waitFor(() => expect([object('wall', 'wall').group, steps()]).toEqual([undefined, 2]));
+  });
+
   it.each(['<button>Save</button>', '<div class="pane"><button>LED</button></div>'])(
     'duplicate, copy, paste and remove it: %s',
     async (place) => {

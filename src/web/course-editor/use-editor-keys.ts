@@ -14,7 +14,7 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
  * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
  * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
  * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
- * elsewhere on the page Delete, the arrows and Ctrl with D and A are handled here, as long as the selection is visible,
+ * elsewhere on the page Delete, the arrows and Ctrl with D, G and A are handled here, as long as the selection is visible,
  * and those of the clipboard for the whole page.
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
@@ -44,7 +44,7 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
 
   function besideArena(event: KeyboardEvent, key: string, control: boolean): boolean {
     if (!control && isArrow(key)) return toArena(event, editor);
-    const act = control ? commandOf(key, editor, last.value) : removes(key, editor) ? 'remove' : null;
+    const act = control ? commandOf(key, event.shiftKey, editor, last.value) : removes(key, editor) ? 'remove' : null;
     if (act === null) return false;
     withActs((acts) => acts[act]());
     return true;
@@ -60,7 +60,10 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
     if (isForSelection && control && !event.shiftKey) clipboardKey(key, event.target);
     const done =
       (control && undoes(key, event.shiftKey, editor)) ||
-      (isForSelection && !isInArena && (!event.shiftKey || isArrow(key)) && besideArena(event, key, control)) ||
+      (isForSelection &&
+        !isInArena &&
+        (!event.shiftKey || isArrow(key) || key === 'g') &&
+        besideArena(event, key, control)) ||
       (editor.isOpen.value && place !== null && !control && !event.shiftKey && !event.repeat && letter(key));
     if (!done) return;
     event.preventDefault();
@@ -105,7 +108,13 @@ const removes = (key: string, editor: Editor): boolean =>
 const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
 
 /** What a key does together with Ctrl, besides the clipboard; `null` leaves it to the browser. */
-function commandOf(key: string, editor: Editor, last: Place): 'selectAll' | 'duplicate' | null {
+function commandOf(
+  key: string,
+  shift: boolean,
+  editor: Editor,
+  last: Place,
+): 'selectAll' | 'duplicate' | 'group' | 'ungroup' | null {
+  if (key === 'g' && hasSelection(editor)) return shift ? 'ungroup' : 'group';
   if (key === 'a' && last === 'arena') return 'selectAll';
   return key === 'd' && hasSelection(editor) ? 'duplicate' : null;
 }

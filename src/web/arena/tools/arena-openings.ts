@@ -1,5 +1,5 @@
 import type { Vec } from '#core/geometry';
-import { boundsOfSelection, countOf, includes, only, thingsAt } from '#editor/selection';
+import { boundsOfSelection, countOf, includes, only, takenBy, thingsAt } from '#editor/selection';
 import type { Opened, ToolContext } from '#editor/tools/tool';
 import type { Scene } from '#scene/scene';
 import type { CourseEditorModel } from '../../course-editor/state/course-editor-model';
@@ -45,14 +45,15 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     editor.menu.value = { xPx, yPx, atMm, on, host: host(), fit: () => picture.fit() };
   }
 
-  /** Selects what is under a place, unless it is selected already. */
+  /** Selects what is under a place, locked or not, unless it is selected already. */
   function take(atMm: Vec, reachMm: number): 'things' | 'floor' {
-    const things = thingsAt(sources.course(), atMm, reachMm, sources.footprint());
+    const selection = editor.selection.value;
+    const things = thingsAt(sources.course(), atMm, reachMm, sources.footprint(), () => true);
     const [topmost] = things;
     if (topmost === undefined) return 'floor';
-    if (things.some((thing) => includes(editor.selection.value, thing))) return 'things';
+    if (things.some((thing) => includes(selection, thing))) return 'things';
     editor.choose('select');
-    editor.select(only(topmost));
+    editor.select(takenBy(sources.course(), topmost, selection));
     return 'things';
   }
 

@@ -54,6 +54,17 @@ describe('keys on what is selected', () => {
     expect([blocks(), now.steps]).toEqual([[[350, 301]], 1]);
   });
 
+  it('group it with Ctrl+G and dissolve the group with Shift; alone, G is no key of theirs', () => {
+    const { keys, now } = keysOverArena({ ids: ['b', 'c'], robot: false });
+    now.scene = { ...now.scene, objects: [block, { ...block, id: 'c', at: [500, 300] }] };
+    const groups = () => now.scene.objects.map(({ group }) => group);
+    expect(keys.keyDown('g', false, true)).toBe(true);
+    expect(groups()).toEqual(['group-1', 'group-1']);
+    keys.keyDown('G', true, true);
+    expect([groups(), now.steps]).toEqual([[undefined, undefined], 2]);
+    expect(keys.keyDown('g', false, false)).toBe(false);
+  });
+
   it('turn it by 45°', () => {
     const { keys, now } = keysOverArena();
     keys.keyDown('q', false, false);

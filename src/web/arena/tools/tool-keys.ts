@@ -29,7 +29,7 @@ export interface SelectionKeys {
 export interface SelectionKeyPorts {
   readonly context: () => ToolContext;
   readonly commit: (edit: SceneEdit, select?: Selection) => void;
-  readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'remove' | 'turn'>;
+  readonly acts: Pick<SelectionActs, 'selectAll' | 'duplicate' | 'group' | 'ungroup' | 'remove' | 'turn'>;
   /** Where the mouse or the crosshair of the keyboard is, and how near counts as on a handle; `null`: nowhere. */
   readonly pointed: () => { readonly at: Vec; readonly reachMm: number } | null;
   /** Something looks different now. */
@@ -45,7 +45,7 @@ export function arrowOf(key: string): Vec | null {
   return null;
 }
 
-/** Makes the keys: arrows, Q and E, Delete, and Ctrl with A and D. The clipboard has keys on the whole page. */
+/** Makes the keys: arrows, Q and E, Delete, and Ctrl with A, D and G. The clipboard has keys on the whole page. */
 export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
   const { acts } = ports;
   const nudges = createNudges(ports);
@@ -58,6 +58,7 @@ export function createSelectionKeys(ports: SelectionKeyPorts): SelectionKeys {
       const letter = key.toLowerCase();
       if (command && letter === 'a') acts.selectAll();
       else if (command && letter === 'd' && selection.ids.length > 0) acts.duplicate();
+      else if (command && letter === 'g' && selection.ids.length > 0) acts[fine ? 'ungroup' : 'group']();
       else if (command || countOf(selection) === 0) return false;
       else return onSelected(key, letter, fine);
       return true;

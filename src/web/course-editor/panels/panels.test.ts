@@ -256,6 +256,26 @@ describe('the list of objects', () => {
     ]);
   });
 
+  it('shows what is locked with a lock, and offers to unlock it instead of changing it', async () => {
+    const { mounted, row, open, object, steps } = await list([samples.wall, samples.block]);
+    await open('block');
+    await press('Block 1 sperren');
+    expect([object('block', 'block').lock, steps()]).toEqual([true, 1]);
+    expect(row('block').get('[role="img"]').attributes('aria-label')).toBe('gesperrt');
+    expect(row('wall').find('[role="img"]').exists()).toBe(false);
+    expect(mounted.findAll('.detail input, .detail .remove')).toHaveLength(0);
+    await press('Block 1 entsperren');
+    expect([object('block', 'block').lock, steps()]).toEqual([undefined, 2]);
+    expect(mounted.findAll('.detail .remove')).toHaveLength(1);
+  });
+
+  it('says which things are one group', async () => {
+    const inGroup = { group: 'g' };
+    const { row } = await list([{ ...samples.wall, ...inGroup }, { ...samples.block, ...inGroup }, samples.target]);
+    expect(['wall', 'block'].map((id) => row(id).get('.num').text().endsWith(' · Gruppe 1'))).toEqual([true, true]);
+    expect(row('target').get('.num').text()).not.toContain('Gruppe');
+  });
+
   it('leads from row to row with the arrow keys, and takes away what the keyboard is at with Delete', async () => {
     const { row, ids, editor } = await list([samples.wall, samples.block, samples.target]);
     (row('wall').element as HTMLElement).focus();

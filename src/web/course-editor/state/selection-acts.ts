@@ -1,5 +1,6 @@
 import type { Vec } from '#core/geometry';
 import { turned } from '#editor/arrange';
+import { grouped, locked, ungrouped, unlocked } from '#editor/arranging/hold';
 import { aligned, distributed, type Alignment } from '#editor/arranging/align';
 import { mirrored } from '#editor/arranging/mirror';
 import { reordered, type Order } from '#editor/arranging/order';
@@ -7,7 +8,7 @@ import { sizedAlike } from '#editor/arranging/same-size';
 import { clipOf, clipText } from '#editor/clip-text';
 import { copied, duplicated, pasted, type Clip, type Pasted } from '#editor/clipboard';
 import { removed, selectAll } from '#editor/selection';
-import { nothingSelected, type ToolContext } from '#editor/tools/tool';
+import { nothingSelected, type Selection, type ToolContext } from '#editor/tools/tool';
 import type { SceneEdit } from '#scene/edit';
 
 import type { CourseEditorModel } from './course-editor-model';
@@ -76,10 +77,19 @@ export function createSelectionActs(editor: ActsEditor, course: () => ActsCourse
       editor.choose('select');
       editor.select(selectAll(scene(), course().footprint.length > 0));
     },
-    reorder: (order: Order): void => commit(reordered(scene(), selection(), order)),
-    align: (to: Alignment): void => commit(aligned(scene(), selection(), to, course().footprint)),
-    distribute: (axis: 'x' | 'y'): void => commit(distributed(scene(), selection(), axis, course().footprint)),
-    mirror: (axis: 'x' | 'y'): void => commit(mirrored(scene(), selection(), axis, course().footprint)),
-    sizeAlike: (): void => commit(sizedAlike(scene(), selection())),
+    ...arranging(selection, course, commit),
   };
 }
+
+/** What changes how the selected things lie to each other, and what holds them. */
+const arranging = (selection: () => Selection, course: () => ActsCourse, commit: (edit: SceneEdit | null) => void) => ({
+  reorder: (order: Order): void => commit(reordered(course().scene, selection(), order)),
+  align: (to: Alignment): void => commit(aligned(course().scene, selection(), to, course().footprint)),
+  distribute: (axis: 'x' | 'y'): void => commit(distributed(course().scene, selection(), axis, course().footprint)),
+  mirror: (axis: 'x' | 'y'): void => commit(mirrored(course().scene, selection(), axis, course().footprint)),
+  group: (): void => commit(grouped(course().scene, selection())),
+  ungroup: (): void => commit(ungrouped(course().scene, selection())),
+  lock: (): void => commit(locked(course().scene, selection())),
+  unlock: (): void => commit(unlocked(course().scene, selection())),
+  sizeAlike: (): void => commit(sizedAlike(course().scene, selection())),
+});

@@ -55,6 +55,10 @@ function descriptionWords(it: EditDescription): string {
         : say(texts.addedAt, { what: countText(it.kind, it.count), at: placeText(it.at) });
     case 'removed':
     case 'changed':
+    case 'locked':
+    case 'unlocked':
+    case 'grouped':
+    case 'ungrouped':
       return say(texts[it.type], { what: countText(it.kind, it.count) });
     case 'moved':
       return it.at === null
@@ -89,5 +93,10 @@ function selectionWords(scene: Scene, { ids, robot }: Selection): string {
   if (robot) return say(texts.selected, { what: say(texts.robotStart, { at: placeText(scene.robot.at) }) });
   const object = scene.objects.find(({ id }) => id === ids[0]);
   if (object === undefined) return say(texts.deselected);
-  return say(texts.selected, { what: `${namesOf(scene).get(object.id) ?? ''}, ${whereText(object)}` });
+  const what = [
+    namesOf(scene).get(object.id),
+    whereText(object),
+    ...(object.lock ? [say(editingWords.list.locked)] : []),
+  ];
+  return say(texts.selected, { what: what.join(', ') });
 }

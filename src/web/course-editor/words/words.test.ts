@@ -52,6 +52,18 @@ describe('what is said of an edit', () => {
     ));
   it('names what is taken back, not its reverse', () =>
     expect(said({ type: 'remove', ids: ['a'] }, 'undo')).toBe('Rückgängig: Wand gelöscht'));
+  it('tells what is locked, and what was grouped', () => {
+    const locked = { ...wall('a'), lock: true } as const;
+    expect(said({ type: 'replace', changes: [{ id: 'a', by: [locked] }] })).toBe('Wand gesperrt');
+    const groups = ['a', 'b'].map((id) => ({ id, by: [{ ...wall(id), group: 'g' }] }));
+    expect(said({ type: 'replace', changes: groups })).toBe('2 Wände gruppiert');
+    const chosen = {
+      type: 'selected',
+      scene: { ...scene, objects: [locked] },
+      selection: { ids: ['a'], robot: false },
+    };
+    expect(wordsFor(chosen as never)).toBe('Gewählt: Wand 1, von 10 | 20 bis 40.5 | 20 cm, gesperrt');
+  });
   it('tells what is selected', () =>
     expect(wordsFor({ type: 'selected', scene, selection: { ids: ['b'], robot: false } })).toBe(
       'Gewählt: Wand 2, von 10 | 20 bis 40.5 | 20 cm',

@@ -237,6 +237,7 @@ export const keysOf: Readonly<Record<KeyId, readonly string[]>> = {
   'key-turn': ['Q', 'E'],
   'key-delete': ['Delete'],
   'key-copy': ['Ctrl', 'C', 'X', 'V', 'D'],
+  'key-group': ['Ctrl', 'G'],
   'key-menu': ['Shift', 'F10'],
   'key-all': ['Ctrl', 'A'],
   'key-explore': ['N'],

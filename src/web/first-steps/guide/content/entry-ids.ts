@@ -131,6 +131,7 @@ export const KEY_IDS = [
   'key-turn',
   'key-delete',
   'key-copy',
+  'key-group',
   'key-menu',
   'key-all',
   'key-explore',
