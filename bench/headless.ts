@@ -1,4 +1,5 @@
 import { spawn } from 'node:child_process';
+import { once } from 'node:events';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -28,6 +29,9 @@ while True:
 `;
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
 
+/** Hand-ins of a class. */
+const CLASS = 24;
+
 /** What happens without a browser. Measured in the project's folder after set-up. */
 export const headlessSubjects: readonly Subject<undefined>[] = [
   speed('headless, line follower with delay(10)', { atLeast: 100, of: 'real time' }, () =>
@@ -51,6 +55,21 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
       simulation.watch(atBreakPoints([{ file: 'main.py', line: 99 }]), 0),
     ),
   ),
+  {
+    budgets: [
+      { what: `CLI, check of ${CLASS} hand-ins, 20 s of a line follower each`, budget: '<= 3 s' },
+      { what: 'CLI, check, hand-ins a second and core once warm', budget: '>= 15' },
+    ],
+    async measure() {
+      const classS = await checkSeconds(CLASS, 'all');
+      // What more hand-ins take on one thread, without its start.
+      const perHandIn = ((await checkSeconds(4 * CLASS, 1)) - (await checkSeconds(CLASS, 1))) / (3 * CLASS);
+      return [
+        { text: `${classS.toFixed(1)} s`, met: classS <= 3 },
+        { text: (1 / perHandIn).toFixed(1), met: perHandIn <= 1 / 15 },
+      ];
+    },
+  },
   {
     budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
     async measure() {
@@ -133,6 +152,22 @@ async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: S
     best = Math.max(best, seconds / wallS);
   }
   return best;
+}
+
+/** Checks so many hand-ins of the ready course's solution. */
+async function checkSeconds(count: number, jobs: number | 'all'): Promise<number> {
+  const folder = mkdtempSync(join(tmpdir(), 'parcours-bench-'));
+  try {
+    const program = readFileSync('courses/closed-line/main.py', 'utf8');
+    for (let place = 0; place < count; place++) writeFileSync(join(folder, `${place}.py`), `# ${place}\n${program}`);
+    const words = ['check', 'closed-line', folder, '--quiet', ...(jobs === 'all' ? [] : ['--jobs', String(jobs)])];
+    const startMs = performance.now();
+    const [code] = (await once(spawn(process.execPath, ['dist/cli/main.mjs', ...words]), 'exit')) as [number];
+    if (code !== 0) throw new Error(`The check ended with ${code}.`);
+    return (performance.now() - startMs) / 1000;
+  } finally {
+    rmSync(folder, { recursive: true });
+  }
 }
 
 /** From the start of the process to the first thing that the program prints. */

@@ -8,7 +8,7 @@ export const sameWords = {
   fr: new Set(
     (
       'apostrophe auto bot buzzer calli code console distance firmware max menu message messages missions module modules obstacles parcours ' +
-      'pause place png radio rectangle repl robot servos simulation slalom suggestions svg variable variables zone'
+      'pause place png points radio rectangle repl robot servos simulation slalom suggestions svg variable variables zone'
     ).split(' '),
   ),
   it: new Set(

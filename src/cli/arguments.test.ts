@@ -32,6 +32,7 @@ describe('the command line', () => {
       trace: null,
       record: null,
       log: null,
+      untilVerdict: false,
       strict: false,
       lang: 'en',
       json: false,
@@ -41,7 +42,7 @@ describe('the command line', () => {
 
   it('takes every option, before and after the program, and --file several times', () => {
     const line =
-      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --strict --lang de --quiet';
+      'run --json --file a.py --device remote=r.py,robot=none,file=c.py --device two=t.py main.py --file=b.py --scene s.json --robot none --board microbit-v2 --firmware newest --for 1.5s --seed 7 --reality 0.5 --option S1=claw --option S1=push --option=model=2E --my-robot p.json --input i.json --trace t.csv --record r.json --log l.csv --until-verdict --strict --lang de --quiet';
     expect(optionsOf(line)).toEqual({
       program: 'main.py',
       files: ['a.py', 'b.py'],
@@ -62,6 +63,7 @@ describe('the command line', () => {
       trace: 't.csv',
       record: 'r.json',
       log: 'l.csv',
+      untilVerdict: true,
       strict: true,
       lang: 'de',
       json: true,

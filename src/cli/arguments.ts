@@ -1,6 +1,7 @@
 import { parseArgs } from 'node:util';
 import type { OptionValues } from '#core/option';
 import { LANGUAGES, type Language } from '#core/languages';
+import { checkTexts, parseCheck, type CheckOptions } from './check/check-arguments';
 import { parseDevice, type DeviceOption } from './device-option';
 import { parseDuration } from './duration';
 
@@ -31,6 +32,8 @@ export interface RunOptions {
   readonly record: string | null;
   /** Where the board's data log goes as CSV. */
   readonly log: string | null;
+  /** Ends when the course's task is decided. */
+  readonly untilVerdict: boolean;
   /** Refuses what the real board would not understand. */
   readonly strict: boolean;
   /** The language in which `--strict` explains. */
@@ -67,6 +70,7 @@ export interface ReplayOptions {
 export type Command =
   | { readonly type: 'run'; readonly options: RunOptions }
   | { readonly type: 'replay'; readonly options: ReplayOptions }
+  | { readonly type: 'check'; readonly options: CheckOptions }
   | { readonly type: 'probe'; readonly options: ProbeOptions }
   | { readonly type: 'help' }
   | { readonly type: 'version' }
@@ -90,12 +94,12 @@ const texts = [
     'record',
     'log',
   ] as const),
-  'lang',
   'at',
   'line',
   'hit',
+  ...checkTexts,
 ] as const;
-const flags = ['strict', 'json', 'quiet', 'help', 'version'] as const;
+const flags = ['until-verdict', 'strict', 'json', 'quiet', 'help', 'version'] as const;
 
 type Text = (typeof texts)[number];
 type Flag = (typeof flags)[number];
@@ -145,6 +149,14 @@ function commandOf(
   if (command === undefined) return bad('What shall it do? For example: parcours run main.py');
   if (command === 'probe') return probeCommand(program, more);
   if (command === 'replay') return replayCommand(program, more, given, set);
+  if (command === 'check') {
+    const words = program === undefined ? [] : [program, ...more];
+    const options = parseCheck(words, given, set, process.env);
+    return 'problem' in options ? bad(options.problem) : { type: 'check', options };
+  }
+  const ofCheck = checkTexts.find((name) => name !== 'lang' && given.has(name));
+  if (ofCheck !== undefined)
+    return bad(`--${ofCheck} is for hand-ins: parcours check closed-line class/ --${ofCheck} …`);
   const [ofReplay] = ['at', 'line', 'hit'].filter((name) => isText(name) && given.has(name));
   if (ofReplay !== undefined)
     return bad(`--${ofReplay} is for a recorded run: parcours replay run.json --${ofReplay} …`);
@@ -240,6 +252,7 @@ function runCommand(program: string, given: ReadonlyMap<Text, string[]>, set: Re
       trace: last('trace') ?? null,
       record: last('record') ?? null,
       log: last('log') ?? null,
+      untilVerdict: set.has('until-verdict'),
       strict: set.has('strict'),
       lang,
       json: set.has('json'),

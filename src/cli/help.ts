@@ -12,6 +12,9 @@ export const help = `Parcours runs a micro:bit program with a simulated robot, w
 
   npx parcours run MAIN.py [options]
   npx parcours run PROJECT.json|LINK [options]
+  npx parcours check TASK HAND-INS… [--jobs N] [--report REPORT.html] [--junit R.xml]
+                     [--csv R.csv] [--json] [--lang NAME] [--shard I/N] [--resume DIR]
+  npx parcours check --merge DIR [--report …] [--junit …] [--csv …] [--json]
   npx parcours replay RUN.json [--at TIME | --line FILE:LINE [--hit N]] [--device NAME] [--json]
   npx parcours probe compare BOARD.csv [OTHER.csv]
 
@@ -21,7 +24,8 @@ The program drives exactly as in the browser, only as fast as this computer can.
 prints appears here. Two runs with the same files, options and seed are the same.
 
 Which course, which robot
-  --scene FILE.json   the course; without it: an empty arena of 1200 x 900 mm,
+  --scene COURSE      the course: its file, a project or a link that has one, the id of a ready one
+                      such as closed-line; without it: an empty arena of 1200 x 900 mm,
                       the robot in its centre, heading to the right
   --robot NAME        ${robotNames}
                       (default: the course's, else by what the program imports)
@@ -42,6 +46,8 @@ How long, and what happens
   --for TIME          run for exactly this long, for example 500ms, 20s or 2min; the world
                       goes on when the program ends (default: until the program ends,
                       at most 10 minutes of simulated time)
+  --until-verdict     run until the task of the course is decided, or nothing more can happen;
+                      exit code 0 if it is passed, 3 if it is not
   --input FILE.json   buttons, sensors, typed text, the hand and changes of the course, each
                       at its time:
                       [ { "at": "1s", "button": "a", "down": true },
@@ -73,6 +79,22 @@ What you get
 
   --help, --version
 
+check: runs hand-ins against a task, and says who has passed. TASK is a task file, a project or a
+course, a link, or the id of a ready course such as closed-line. HAND-INS are programs, project
+files, links, texts with links in them (.txt, .eml), folders and zips: there each file is a hand-in
+with its name, each sub-folder one whose program is main.py. What cannot be read is told and the
+rest goes on. Course, robot and chance are the task's; only the programs are the pupils'.
+  --jobs N            so many threads (default: as many as this computer has)
+  --report, --csv, --junit
+                      a page with drawings to print, a table for a spreadsheet, test results
+  --json              one line at the end for other programs, the same for the same work
+  --lang NAME         the language of reports and reasons
+  --shard 2/7         the second of seven parts; auto: the part of this job of Slurm, Kubernetes
+                      (auto/7), GitLab, CircleCI or Buildkite
+  --resume DIR        keeps each result in DIR, and runs only what is missing there
+  --merge DIR         runs nothing: joins what is in DIR
+Exit code: 0 all have passed; 3 some have not; 2 something is wrong with the command.
+
 replay: runs a recorded run again and compares way, output, memory and time with the recording.
 With --at 3.2s, or with --line main.py:14 --hit 3, it stops there instead and shows line, call
 stack, variables and robot, with --json as one line; --device names one of several devices.
@@ -90,4 +112,5 @@ Examples
   npx parcours run main.py --file my_driver.py --for 20s --trace way.csv
   npx parcours run main.py --record run.json
   npx parcours replay run.json --line main.py:14 --hit 3
+  npx parcours check closed-line class.zip --report report.html --lang de
 `;

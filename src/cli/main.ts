@@ -1,6 +1,7 @@
 /** The command line's entry: reads the words, runs, sets the exit code. */
 import { version } from '../../package.json';
 import { parseCommand } from './arguments';
+import { checkHandIns } from './check/check-command';
 import { help } from './help';
 import { compareProbes } from './probe/compare-command';
 import { replay } from './replay/replay';
@@ -36,6 +37,12 @@ switch (command.type) {
       command.options,
       // A moment is shown alone, without what the program has printed until then.
       createTerminal(process.stdout, process.stderr, command.options.quiet || command.options.stop !== null),
+    );
+    break;
+  case 'check':
+    process.exitCode = await checkHandIns(
+      command.options,
+      createTerminal(process.stdout, process.stderr, command.options.quiet),
     );
     break;
   case 'probe':

@@ -1,14 +1,15 @@
-import { closeSync, openSync, readSync, statSync } from 'node:fs';
+import { closeSync, existsSync, openSync, readSync, statSync } from 'node:fs';
 import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
+import { openJson } from '#project/open-json';
 import { projectLimits } from '#project/project';
 import { parseScene } from '#scene/parse';
-import { defaultScene, sceneLimits, type Scene } from '#scene/scene';
+import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { RunOptions } from './arguments';
 import { parseInputs } from './input-file';
-import { isAddress, onlyProgram, workOfAddress, workOfJson, type Work } from './read-work';
+import { isAddress, onlyProgram, openAddress, workOfAddress, workOfJson, type Work } from './read-work';
 import { reasonOf } from './reason-of';
 
 /** The files of a run, read and checked. */
@@ -35,7 +36,7 @@ export async function readRunFiles(options: RunOptions): Promise<RunFiles | { re
     const work = await readWork(options);
     return {
       ...work,
-      scene: options.scene === null ? (work.scene ?? defaultScene()) : readScene(options.scene),
+      scene: options.scene === null ? (work.scene ?? defaultScene()) : await readScene(options.scene),
       deviceFiles: options.devices.map(readBoard),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
@@ -104,10 +105,23 @@ function addFile(files: Record<string, string>, path: string): void {
   files[name] = readText(path, MAX_PROGRAM_BYTES);
 }
 
-function readScene(path: string): Scene {
-  const parsed = parseScene(readText(path, sceneLimits.textCharacters * 4));
+/** A course, that of a project or of a link, or a ready one by its id. */
+async function readScene(word: string): Promise<Scene> {
+  if (isAddress(word)) return sceneOfAddress(word);
+  const ready = existsSync(word) ? null : (await import('./ready-courses')).readyCourse(word);
+  if (ready !== null) return ready;
+  const text = readText(word, projectLimits.textCharacters * 4);
+  const opened = openJson(text);
+  if (opened.kind === 'project') return opened.project.scene;
+  const parsed = parseScene(text);
   if ('scene' in parsed) return parsed.scene;
-  return refuse(path, parsed.problems.map((problem) => problem.message).join(`\n${path}: `));
+  return refuse(word, parsed.problems.map((problem) => problem.message).join(`\n${word}: `));
+}
+
+async function sceneOfAddress(address: string): Promise<Scene> {
+  const opened = await openAddress(address);
+  if ('problem' in opened) return refuse(shortened(address), opened.problem);
+  return 'project' in opened ? opened.project.scene : refuse(shortened(address), 'is a program without a course.');
 }
 
 function readInputs(path: string): readonly InputEvent[] {

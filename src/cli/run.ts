@@ -16,6 +16,7 @@ import {
 import { boardOf } from '#board/boards/board-of-device';
 import type { InputEvent } from '#simulation/input';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
+import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
 import { readRunFiles, type RunFiles } from './read-files';
@@ -31,9 +32,10 @@ const DEFAULT_LIMIT_US = 600_000_000;
 /**
  * Carries out `parcours run`.
  *
- * @returns the exit code: 0 success, 1 the program ended with an error, 2 bad usage or a bad file
+ * @returns the exit code: 0 success, 1 the program ended with an error, 2 bad usage or a bad file, 3 the task is not passed
+ *   (only with `--until-verdict`)
  */
-export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 | 2> {
+export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 | 2 | 3> {
   const read = await readRunFiles(asked);
   if ('problem' in read) return refuse(read.problem, terminal);
   const options = withProject(asked, read);
@@ -49,6 +51,8 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   }
   const setup = setupOf(options, read, chosen);
   if ('problem' in setup) return refuse(setup.problem, terminal);
+  if (options.untilVerdict && !hasTask(setup.scene))
+    return refuse('--until-verdict: the course has no task. Choose a course with a target: --scene', terminal);
   const results = openResults(options);
   if ('problem' in results) return refuse(results.problem, terminal);
   const { trace, log, record } = results;
@@ -57,7 +61,8 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
     {
       setup: { ...setup, keepTrace: trace !== null },
       untilUs: options.forUs ?? DEFAULT_LIMIT_US,
-      untilProgramEnds: options.forUs === null,
+      untilProgramEnds: options.forUs === null && !options.untilVerdict,
+      untilVerdict: options.untilVerdict,
       traceFile: trace,
       logFile: log,
       tapeFile: record,
@@ -76,9 +81,12 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
       tellEnd(outcome.report, options, terminal);
       if (!options.json && !options.quiet) tellVerdict(outcome.report, terminal);
       if (options.json) terminal.line(jsonLine(outcome.report, outcome.consoles));
-      return exitCodeOf(runEnding(outcome.report));
+      return options.untilVerdict ? verdictCodeOf(outcome.report) : exitCodeOf(runEnding(outcome.report));
   }
 }
+
+/** 0 for a task that is passed, 3 for one that is not: the codes of `check`. */
+const verdictCodeOf = ({ verdict }: Report): 0 | 3 => (verdict?.state === 'passed' ? 0 : 3);
 
 /** The first device has the name of its program. */
 const firstName = ({ program }: RunOptions): string =>
@@ -280,7 +288,7 @@ function tellVerdict({ verdict }: Report, terminal: Terminal): void {
 function tellEnd({ ended, exception, simulatedMs }: Report, { quiet, forUs }: RunOptions, terminal: Terminal): void {
   if (ended === 'stuck') {
     terminal.message('parcours: no sign of life for 10 s: the program is inside one call that does not end. Stopped.');
-  } else if (ended === 'time-limit' && forUs === null && !quiet) {
+  } else if (ended === 'time-limit' && forUs === null && simulatedMs * 1000 >= DEFAULT_LIMIT_US && !quiet) {
     terminal.message(
       `parcours: stopped after ${Math.round(simulatedMs / 60_000)} simulated minutes. A longer run: --for 30min`,
     );

@@ -8,6 +8,10 @@ export interface Terminal {
   message(text: string): void;
   /** Shows the progress of the run, in one line that is replaced; only on a terminal. */
   progress(simulatedMs: number, realTimeFactor: number): void;
+  /** Shows how many of several things are done, in such a line with a bar. */
+  count(done: number, of: number, passed: number): void;
+  /** Whether progress is shown: on a terminal, unless quiet. */
+  readonly showsProgress: boolean;
   /** Removes the progress line. */
   clearProgress(): void;
 }
@@ -17,6 +21,9 @@ export interface Stream {
   write(text: string): unknown;
   readonly isTTY?: boolean | undefined;
 }
+
+/** Length of the bar. */
+const BAR_SIGNS = 30;
 
 const CLEAR_LINE = '\r\u001b[K';
 
@@ -36,8 +43,15 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
     if (shown) err.write(CLEAR_LINE);
     shown = false;
   };
+  // Half a line of the program's output would be overwritten: progress waits for the end of the line.
+  const replace = (text: string): void => {
+    if (!showsProgress || (out.isTTY === true && !atLineStart)) return;
+    shown = true;
+    err.write(CLEAR_LINE + text);
+  };
   return {
     clearProgress,
+    showsProgress,
     program(text) {
       if (quiet || text === '') return;
       clearProgress();
@@ -53,13 +67,11 @@ export function createTerminal(out: Stream, err: Stream, quiet: boolean): Termin
       clearProgress();
       err.write(`${printable(text)}\n`);
     },
-    progress(simulatedMs, realTimeFactor) {
-      // Half a line of the program's output would be overwritten: progress waits for the end of the line.
-      if (!showsProgress || (out.isTTY === true && !atLineStart)) return;
-      shown = true;
-      err.write(
-        `${CLEAR_LINE}${(simulatedMs / 1000).toFixed(1)} s simulated, ${Math.round(realTimeFactor)} × real time`,
-      );
+    progress: (simulatedMs, realTimeFactor) =>
+      replace(`${(simulatedMs / 1000).toFixed(1)} s simulated, ${Math.round(realTimeFactor)} × real time`),
+    count(done, of, passed) {
+      const full = Math.round((BAR_SIGNS * done) / of);
+      replace(`${'█'.repeat(full)}${'░'.repeat(BAR_SIGNS - full)} ${done} of ${of}, ${passed} passed`);
     },
   };
 }

@@ -2,6 +2,7 @@
 import { fstatSync, ftruncateSync, writeSync } from 'node:fs';
 import { parentPort, workerData } from 'node:worker_threads';
 import type { LogEvent } from '#board/data-log';
+import { stillness } from '#check/run/stillness';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
 import type { RunOutlets } from '#simulation/outlets';
 import { packetReport, type PacketReport } from '#simulation/report';
@@ -127,13 +128,16 @@ function runToStop(
 }
 
 function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (readonly PacketReport[])[]): Report {
-  const { shared, untilUs, untilProgramEnds } = task;
+  const { shared, untilUs, untilProgramEnds, untilVerdict } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile, task.setup.devices.length);
   const startMs = performance.now();
   let toldMs = startMs;
   let isInterrupted = false;
   const hasEnded = (): boolean => simulation.hasEnded || simulation.isOff;
-  const isOver = (): boolean => simulation.nowUs >= untilUs || (hasEnded() && (untilProgramEnds || isInterrupted));
+  const isStill = stillness(simulation);
+  const isDecided = (): boolean => simulation.isOff || isStill() || ![null, undefined, 'open'].includes(simulation.verdict?.state); // prettier-ignore
+  const isOver = (): boolean =>
+    simulation.nowUs >= untilUs || (untilVerdict && isDecided()) || (hasEnded() && (untilProgramEnds || isInterrupted));
   // A program that is stuck in its very first call is reported in its state at that moment.
   post({ type: 'progress', report: reportOf(simulation, sent, 0) });
   while (!isOver()) {

@@ -37,3 +37,7 @@ function together(catalogues: Readonly<Record<Language, Catalogue>>): Words<Cata
 /** One value per language. */
 export const inEvery = <T>(make: (language: Language) => T): Readonly<Record<Language, T>> =>
   Object.fromEntries(LANGUAGES.map((language) => [language, make(language)])) as Record<Language, T>;
+
+/** A text with its values in the braces; braces without a value are empty. */
+export const filledIn = (text: string, values: Readonly<Record<string, string | number>>): string =>
+  text.replace(/\{(\w+)\}/g, (_whole, name: string) => String(values[name] ?? ''));

@@ -1,3 +1,4 @@
+import { filledIn } from '#core/words';
 import type { Finding } from './finding';
 import type { RuleTexts } from './rule-texts';
 
@@ -8,6 +9,5 @@ import type { RuleTexts } from './rule-texts';
  * @param texts the sentences in the pupil's language, see `loadRuleTexts`
  */
 export function explain({ rule, name, instead }: Finding, board: string, texts: RuleTexts): string {
-  const values: Readonly<Record<string, string>> = { board, name, instead };
-  return texts[rule].replace(/\{(\w+)\}/g, (_whole, key: string) => values[key] ?? '');
+  return filledIn(texts[rule], { board, name, instead });
 }

@@ -6,15 +6,13 @@ import { Simulation } from '#simulation/simulation';
 import type { Reason, WorldResult } from '../result';
 import { isFact, USUAL_SECONDS, type ClassTask, type WorldVariant } from '../task/task';
 import { setupOf } from './setup';
+import { STILL_US, stillness } from './stillness';
 import { TrailKeeper } from './trail';
 import { watcherOf, type RunCheck } from './watchers';
 import type { Glance, Watcher } from './watcher';
 
 /** Simulated time between two looks at a run. Chosen: some ms of wall time, few suspensions of the program. */
 const SLICE_US = 100_000;
-
-/** So long a run must stand still after its program's end until it is over, unless a check waits longer for a stop. */
-const STILL_US = 500_000;
 
 /** A check and who watches for it. */
 interface Watched {
@@ -148,19 +146,7 @@ function isDecided(watched: readonly Watched[]): boolean {
   );
 }
 
-/** Tells whether nothing more can happen: the programs have ended, nothing is set for later, nothing moves. */
-function stillness(simulation: Simulation, longUs: number): () => boolean {
-  const canMove = simulation.scene.objects.some(({ type }) => type === 'mover');
-  let [place, sinceUs] = ['', 0];
-  return () => {
-    if (canMove || !simulation.hasEnded || !simulation.isIdle) return false;
-    const { robot, others, blocks } = simulation.snapshot();
-    const now = JSON.stringify([robot?.pose, others.map((other) => other.robot?.pose), blocks]);
-    if (now !== place) [place, sinceUs] = [now, simulation.nowUs];
-    return simulation.nowUs - sinceUs >= longUs;
-  };
-}
-
+/** As long as usual, or as a check waits for a stop. */
 const stillUs = (watched: readonly Watched[]): number =>
   Math.max(STILL_US, ...watched.map(({ check }) => (check.type === 'stop' ? check.seconds * 1_000_000 + SLICE_US : 0)));
 

@@ -35,6 +35,6 @@ export function linksIn(text: string): readonly NamedLink[] {
 
 /** The words without what parts them from the link. */
 function nameIn(text: string): string {
-  const words = text.replace(/^[\s\-*•>|"'([{,;]+|[\s\-–:=>|"'([{,;]+$/g, '').trim();
+  const words = text.replace(/^[\s\-*•<>|"'([{,;]+|[\s\-–:=<>|"'([{,;]+$/g, '').trim();
   return words.length > NAME_CHARACTERS ? '' : words;
 }

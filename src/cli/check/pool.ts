@@ -18,6 +18,8 @@ type Ending = { readonly result: CheckResult } | { readonly reason: Reason; read
 /** A thread that checks, and is replaced when a hand-in has broken it or is stuck in it. */
 export class Lane {
   private worker: Worker | null = null;
+  /** Takes the answer to what the thread is asked; `null`: it is asked nothing. */
+  private end: ((ending: Ending) => void) | null = null;
   private readonly shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
 
   constructor(
@@ -45,33 +47,41 @@ export class Lane {
   private ask(request: CheckRequest): Promise<Ending> {
     const worker = (this.worker ??= this.start());
     return new Promise((resolve) => {
-      const end = (ending: Ending): void => {
+      const watch = this.watch(() => this.lose('stuck', {}));
+      this.end = (ending) => {
         clearInterval(watch);
-        worker.removeAllListeners();
+        this.end = null;
         if ('reason' in ending) this.stop();
         resolve(ending);
       };
-      const lost = (code: 'stuck' | 'broken', params: Reason['params']): void =>
-        end({ reason: { code, params }, world: Atomics.load(this.shared, WORLD) });
-      const watch = this.watch(() => lost('stuck', {}));
-      worker.on('message', (answer: CheckAnswer) => {
-        if ('result' in answer) end(answer);
-        else lost('broken', { problem: answer.broken });
-      });
-      worker.on('error', (error: Error) => lost('broken', { problem: error.message }));
-      worker.on('exit', () => lost('broken', { problem: 'The thread has ended.' }));
       Atomics.store(this.shared, WORLD, 0);
       worker.postMessage(request);
     });
   }
 
+  /** The thread has no answer to what it is asked. */
+  private lose(code: 'stuck' | 'broken', params: Reason['params']): void {
+    this.end?.({ reason: { code, params }, world: Atomics.load(this.shared, WORLD) });
+  }
+
   private start(): Worker {
     const { task, firmware, shared } = this;
     const workerData: CheckerData = { task: projectOfTask(task), firmware, shared };
-    return new Worker(fileURLToPath(new URL('./check-worker.mjs', import.meta.url)), {
+    const worker = new Worker(fileURLToPath(new URL('./check-worker.mjs', import.meta.url)), {
       workerData,
       resourceLimits: { stackSizeMb: STACK_MB, maxOldGenerationSizeMb: HEAP_MB },
     });
+    // One that was stopped may still have said something.
+    const broken = (problem: string): void => {
+      if (this.worker === worker) this.lose('broken', { problem });
+    };
+    worker.on('message', (answer: CheckAnswer) => {
+      if ('broken' in answer) broken(answer.broken);
+      else if (this.worker === worker) this.end?.(answer);
+    });
+    worker.on('error', (error: Error) => broken(error.message));
+    worker.on('exit', () => broken('The thread has ended.'));
+    return worker;
   }
 
   /** Calls `stuck` when the thread shows no sign of life for `STUCK_MS`. */

@@ -65,6 +65,7 @@ async function runHere(tables: readonly ProbeTable[]): Promise<Read> {
       setup,
       untilUs: MOST_US,
       untilProgramEnds: true,
+      untilVerdict: false,
       traceFile: null,
       logFile: null,
       tapeFile: null,

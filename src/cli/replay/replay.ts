@@ -46,7 +46,7 @@ export async function replay(options: ReplayOptions, terminal: Terminal): Promis
 }
 
 const taskOf = ({ setup, untilUs, untilProgramEnds }: Tape, { stop }: ReplayOptions, device: number) => ({
-  ...{ setup, untilUs, untilProgramEnds },
+  ...{ setup, untilUs, untilProgramEnds, untilVerdict: false },
   ...{ traceFile: null, logFile: null, tapeFile: null },
   replay: { stop, device },
 });

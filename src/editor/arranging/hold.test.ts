@@ -2,11 +2,12 @@ import { describe, expect, it } from 'vitest';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { inverse } from '#scene/inverse';
 import type { RuleProblem } from '#scene/rules';
-import type { Scene, SceneObject } from '#scene/scene';
+import type { Scene, SceneObject, Stroke } from '#scene/scene';
 import { moved, turnedBy } from '../arrange';
 import { copied, duplicated, pasted } from '../clipboard';
 import { describeEdit } from '../describe-edit';
 import { handlesOf } from '../handles';
+import { middleOf } from '../kinds/index';
 import { thingsInLasso } from '../lasso';
 import { puttingJoined } from '../lines/join-lines';
 import { mendOf } from '../mends/mends';
@@ -23,6 +24,8 @@ import { reordered } from './order';
 
 const selectionOf = (...ids: readonly string[]): Selection => ({ ids, robot: false });
 const fixed = (object: SceneObject): SceneObject => ({ ...object, lock: true });
+/** A stroke that is being drawn. */
+const drawn = (...line: Parameters<typeof stroke>): Stroke => stroke(...line) as Stroke;
 const inGroup = (group: string, object: SceneObject): SceneObject => ({ ...object, group });
 const after = (scene: Scene, edit: SceneEdit | null): readonly SceneObject[] =>
   (edit ? applyEdit(scene, edit) : scene).objects;
@@ -101,7 +104,7 @@ describe('what is locked', () => {
   });
 
   it('becomes no part of a new line or wall', () => {
-    expect(after(held, puttingJoined(held, stroke('new', [800, 600], [900, 700])))).toHaveLength(4);
+    expect(after(held, puttingJoined(held, drawn('new', [800, 600], [900, 700])))).toHaveLength(4);
     const maze = course(fixed(wall('w', [200, 200], [400, 200])));
     const [first] = used(mazeTool, drag([500, 200]), contextOf(maze, { mazeCell: 200 })).objects;
     expect(first).toEqual(maze.objects[0]);
@@ -166,8 +169,8 @@ describe('a group', () => {
       ...[inGroup('g', block('a', [100, 300])), inGroup('g', block('b', [200, 400]))],
       ...[block('c', [500, 200]), block('d', [900, 600])],
     );
-    const [a, b, c, d] = after(three, aligned(three, selectionOf('a', 'b', 'c', 'd'), 'top')) as { at: [number, number] }[]; // prettier-ignore
-    expect([a?.at, b?.at, c?.at, d?.at]).toEqual([[100, 500], [200, 600], [500, 600], [900, 600]]); // prettier-ignore
+    const places = after(three, aligned(three, selectionOf('a', 'b', 'c', 'd'), 'top')).map(middleOf);
+    expect(places).toEqual([{ x: 100, y: 500 }, { x: 200, y: 600 }, { x: 500, y: 600 }, { x: 900, y: 600 }]); // prettier-ignore
     expect(distributed(three, selectionOf('a', 'b', 'c'), 'x')).toBeNull();
   });
 
@@ -179,6 +182,6 @@ describe('a group', () => {
 
   it('keeps a line of it that is drawn on', () => {
     const lines = course(inGroup('g', stroke('s', [100, 100], [300, 100])), inGroup('g', block('b', [500, 500])));
-    expect(after(lines, puttingJoined(lines, stroke('new', [300, 100], [400, 200])))[0]).toMatchObject({ id: 's', group: 'g' }); // prettier-ignore
+    expect(after(lines, puttingJoined(lines, drawn('new', [300, 100], [400, 200])))[0]).toMatchObject({ id: 's', group: 'g' }); // prettier-ignore
   });
 });

@@ -1,0 +1,46 @@
+import type { CheckResult, Remark } from '../result';
+
+/** What became of somebody's hand-in. */
+export interface NamedResult {
+  /** Unlike the others. */
+  readonly name: string;
+  readonly result: CheckResult;
+}
+
+/** What became of a class. */
+export interface ClassResult {
+  /** Name of the task. */
+  readonly task: string;
+  /** In the order in which they were handed in. */
+  readonly handIns: readonly NamedResult[];
+}
+
+/** Puts the results of a class together: those with the same program are told. */
+export function classResult(task: string, handIns: readonly NamedResult[]): ClassResult {
+  const byTwin = new Map<string, string[]>();
+  for (const { name, result } of handIns)
+    if (result.twin !== '') byTwin.set(result.twin, [...(byTwin.get(result.twin) ?? []), name]);
+  return {
+    task,
+    handIns: handIns.map(({ name, result }) => {
+      const names = (byTwin.get(result.twin) ?? []).filter((other) => other !== name);
+      return { name, result: names.length === 0 ? result : withRemark(result, twins(names)) };
+    }),
+  };
+}
+
+/** Number of hand-ins that have passed. */
+export const passedOf = ({ handIns }: ClassResult): number => handIns.filter(({ result }) => result.passed).length;
+
+/** A class may share one program: so many names are told. */
+const MOST_NAMES = 10;
+
+const twins = (names: readonly string[]): Remark => ({
+  code: 'twins',
+  params: { names: names.slice(0, MOST_NAMES).join(', ') + (names.length > MOST_NAMES ? ', …' : '') },
+});
+
+const withRemark = (result: CheckResult, remark: Remark): CheckResult => ({
+  ...result,
+  remarks: [...result.remarks, remark],
+});

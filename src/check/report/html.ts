@@ -1,0 +1,147 @@
+import type { Language } from '#core/languages';
+import { filledIn } from '#core/words';
+import type { CheckResult, WorldResult } from '../result';
+import type { ClassTask } from '../task/task';
+import { courseOfWorld } from '../task/world-course';
+import { passedOf, type ClassResult, type NamedResult } from './class-result';
+import { courseDrawing, wayDrawing } from './drawing';
+import { remarkText, reportWords } from './say';
+import styles from './report.css?raw';
+import { escaped, isUnread, reasonsAgainst } from './texts';
+
+/**
+ * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
+ * each sheet is a page.
+ */
+export function htmlOf(found: ClassResult, task: ClassTask, language: Language): string {
+  const { handIns } = found;
+  const words = reportWords.report;
+  const drawings = new Drawings(task);
+  const title = escaped(found.task);
+  const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
+  const hasStars = handIns.some(({ result }) => result.stars !== null);
+  const columns = ['way', 'name', 'result', 'points', ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
+  const head = columns
+    .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
+    .join('');
+  const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
+  const sheets = handIns.map((one, place) => sheetOf(one, place, { drawings, title, language })).join('\n');
+  return `<!doctype html>
+<html lang="${language}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<title>${title}</title>
+<style>${styles}</style>
+</head>
+<body>
+<svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
+<main>
+<h1>${title}</h1>
+<p class="summary">${handIns.length === 0 ? words.nobody[language] : summary}</p>
+<table>
+<thead><tr>${head}</tr></thead>
+<tbody>
+${rows}
+</tbody>
+</table>
+${sheets}
+</main>
+</body>
+</html>
+`;
+}
+
+/** Columns of figures. */
+const numbers: readonly string[] = ['points', 'time', 'touches'];
+
+/** The courses of the task's worlds, each drawn once. */
+class Drawings {
+  private readonly courses: ReadonlyMap<string, { readonly inside: string; readonly size: readonly [number, number] }>;
+
+  constructor(task: ClassTask) {
+    this.courses = new Map(
+      task.worlds.map((world) => {
+        const course = courseOfWorld(task.project.scene, world);
+        const scene = 'problem' in course ? task.project.scene : course.scene;
+        return [world.id, { inside: courseDrawing(scene), size: scene.size }];
+      }),
+    );
+  }
+
+  /** What all drawings refer to. */
+  shared(): string {
+    return [...this.courses.values()].map(({ inside }, place) => `<g id="course-${place}">${inside}</g>`).join('');
+  }
+
+  /** The way in a world over its course. */
+  way(world: WorldResult, label: string): string {
+    const course = this.courses.get(world.id);
+    if (course === undefined) return '';
+    const [width, height] = course.size;
+    const place = [...this.courses.keys()].indexOf(world.id);
+    const name = label === '' ? 'aria-hidden="true"' : `role="img" aria-label="${escaped(label)}"`;
+    return `<svg viewBox="0 0 ${width} ${height}" ${name}><use href="#course-${place}"/>${wayDrawing(world, height)}</svg>`;
+  }
+}
+
+interface Sheet {
+  readonly drawings: Drawings;
+  readonly language: Language;
+}
+
+const markOf = (passed: boolean): string =>
+  passed ? '<b class="yes" aria-hidden="true">✓</b>' : '<b class="no" aria-hidden="true">✗</b>';
+
+function verdictOf(result: CheckResult, language: Language): string {
+  const { passed, unread, missed } = reportWords.report;
+  const word = isUnread(result) ? unread : result.passed ? passed : missed;
+  return `${markOf(result.passed)} ${word[language]}`;
+}
+
+const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : `${(atMs / 1000).toFixed(1)} s`);
+
+function rowOf(
+  { name, result }: NamedResult,
+  place: number,
+  { drawings, hasStars, language }: Sheet & { readonly hasStars: boolean },
+): string {
+  const [first] = result.worlds;
+  const said = [
+    ...(result.passed ? [] : reasonsAgainst(result, language)),
+    ...result.remarks.map((remark) => remarkText(remark, language)),
+  ];
+  const touches = result.worlds.reduce((sum, world) => sum + world.touches, 0);
+  return [
+    `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
+    `<th scope="row"><a href="#hand-in-${place}">${escaped(name)}</a></th>`,
+    `<td>${verdictOf(result, language)}</td><td class="number">${result.points}</td>`,
+    hasStars ? `<td>${'★'.repeat(result.stars ?? 0)}</td>` : '',
+    `<td class="number">${first === undefined ? '' : secondsOf(first)}</td><td class="number">${touches}</td>`,
+    `<td>${said.map(escaped).join('<br>')}</td></tr>`,
+  ].join('');
+}
+
+function sheetOf(
+  { name, result }: NamedResult,
+  place: number,
+  { drawings, title, language }: Sheet & { readonly title: string },
+): string {
+  const words = reportWords.report;
+  const facts = result.checks.map(
+    ({ id, passed, reason }) =>
+      `<li>${markOf(passed)} ${escaped(id)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
+  );
+  const remarks = result.remarks.map((remark) => `<li>${escaped(remarkText(remark, language))}</li>`);
+  const figures = result.worlds.map((world) => {
+    const label = filledIn(words.world[language], { id: world.id });
+    const seconds = secondsOf(world);
+    return `<figure>${drawings.way(world, `${name}, ${label}`)}<figcaption>${markOf(world.passed)} ${escaped(label)}${seconds === '' ? '' : ` · ${seconds}`}</figcaption></figure>`;
+  });
+  return `<section id="hand-in-${place}">
+<h2>${escaped(name)}</h2>
+<p>${title} · ${verdictOf(result, language)} · ${words.points[language]}: ${result.points}</p>
+<ul>${[...facts, ...remarks].join('')}</ul>
+<div class="ways">${figures.join('')}</div>
+</section>`;
+}

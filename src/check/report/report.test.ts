@@ -1,0 +1,91 @@
+import { describe, expect, it } from 'vitest';
+import { LANGUAGES } from '#core/languages';
+import { reasonCodes, remarkCodes, unreadable } from '../result';
+import { ahead, checked, sceneWith, targetAt, taskWith } from '../testing/tasks';
+import { classResult, type NamedResult } from './class-result';
+import { htmlOf } from './html';
+import { reasonText, remarkText } from './say';
+import { csvOf, jsonOf, junitOf } from './texts';
+
+/** Checks that each tag is closed. */
+function wellFormed(xml: string): string {
+  const open: string[] = [];
+  for (const [, end, name = '', alone] of xml.matchAll(/<(\/?)([a-z]+)[^>]*?(\/?)>/g)) {
+    if (end) expect(open.pop()).toBe(name);
+    else if (!alone) open.push(name);
+  }
+  expect(open).toEqual([]);
+  return xml;
+}
+
+const task = taskWith(sceneWith([targetAt(600, 450)]));
+
+/** Three results: of a program that arrives, of one that does not, of something that is no program. */
+async function results(): Promise<readonly NamedResult[]> {
+  return [
+    { name: 'Anna', result: await checked(task, ahead(3000)) },
+    { name: '=Ben "<b>"', result: await checked(task, 'x = 1\n') },
+    { name: 'Cem', result: unreadable(task.checks, 'is damaged.') },
+  ];
+}
+
+describe('the result of a class', () => {
+  it('tells who has the same program, but not of programs that cannot be read', async () => {
+    const [anna, , cem] = (await results()) as [NamedResult, NamedResult, NamedResult];
+    const found = classResult('t', [anna, { ...anna, name: 'Dora' }, cem, { ...cem, name: 'Eli' }]);
+    const remarks = found.handIns.map(({ result }) => result.remarks.map((one) => remarkText(one, 'en')));
+    expect(remarks[0]).toEqual(['Same program as: Dora']);
+    expect(remarks[1]).toEqual(['Same program as: Anna']);
+    expect(remarks[2]).toEqual(['cannot be read: is damaged.']);
+  });
+
+  it('is a line of JSON without the time of this computer', async () => {
+    const found = classResult('t', await results());
+    expect(JSON.parse(jsonOf(found, 'en'))).toMatchObject({
+      task: 't',
+      passed: 1,
+      of: 3,
+      handIns: [
+        { name: 'Anna', passed: true, points: 1, worlds: [{ id: 'visible', reason: null, touches: 0 }], remarks: [] },
+        { passed: false, worlds: [{ passed: false, reason: 'The goal was not reached (0 of 1).', atMs: null }] },
+        { name: 'Cem', passed: false, worlds: [], remarks: ['cannot be read: is damaged.'] },
+      ],
+    });
+  });
+
+  it('is a table in which no name becomes a formula', async () => {
+    const [head, ...rows] = csvOf(classResult('t', await results()), 'de').split('\r\n');
+    expect(head).toBe('Name,bestanden,Punkte,Sterne,goals,visible: bestanden,visible: ms,visible: Berührungen,nicht bestanden,Bemerkungen'); // prettier-ignore
+    expect(rows[0]).toMatch(/^Anna,1,1,,1,1,\d+(\.\d+)?,0,,$/);
+    expect(rows[1]).toBe(`"'=Ben ""<b>""",0,0,,0,0,,0,Das Ziel ist nicht erreicht (0 von 1).,`);
+  });
+
+  it('is XML in which what cannot be read is an error, and what has not passed a failure', async () => {
+    const xml = wellFormed(junitOf(classResult('t <1>', await results()), 'en'));
+    expect(xml).toContain('tests="3" failures="1" errors="1"');
+    expect(xml).toContain('name="=Ben &quot;&lt;b&gt;&quot;"');
+    expect(xml).toContain('<error message="cannot be read: is damaged.">');
+  });
+
+  it('is a page that needs nothing else, with the ways drawn and no tags from names', async () => {
+    const html = htmlOf(classResult('t', await results()), task, 'de');
+    expect(html).not.toMatch(/<script|src=|href="http|<b>"/);
+    expect(html).toContain('1 von 3 bestanden');
+    expect(html.match(/<section /g)).toHaveLength(3);
+    expect(html.match(/class="way"/g)?.length).toBeGreaterThan(1);
+  });
+});
+
+describe('sentences', () => {
+  it('are there for every reason and every remark, in every language', () => {
+    for (const language of LANGUAGES) {
+      for (const code of reasonCodes) expect(reasonText({ code, params: {} }, language)).not.toBe('');
+      for (const code of remarkCodes) expect(remarkText({ code, params: {} }, language)).not.toBe('');
+    }
+  });
+
+  it('name the place and the value', () => {
+    const reason = { code: 'delay', params: { line: 7, found: 5000, most: 2000 } } as const;
+    expect(reasonText(reason, 'de')).toBe('Zeile 7: eine Pause von 5000 ms, erlaubt sind 2000 ms.');
+  });
+});

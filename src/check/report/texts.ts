@@ -1,0 +1,105 @@
+import type { Language } from '#core/languages';
+import type { CheckResult } from '../result';
+import { passedOf, type ClassResult } from './class-result';
+import { reasonText, remarkText, reportWords } from './say';
+
+/**
+ * The result of a class as one line of JSON, without wall times: equal work gives equal text. `docs/check.md` describes it.
+ *
+ * @param language of the sentences in `reason` and `remarks`
+ */
+export function jsonOf(found: ClassResult, language: Language): string {
+  const { task, handIns } = found;
+  return JSON.stringify({
+    task,
+    handIns: handIns.map(({ name, result }) => {
+      const { passed, points, stars, checks, worlds, remarks } = result;
+      return {
+        ...{ name, passed, points },
+        ...(stars !== null && { stars }),
+        checks: checks.map((check) => ({
+          ...{ id: check.id, passed: check.passed },
+          reason: check.reason && reasonText(check.reason, language),
+        })),
+        worlds: worlds.map((world) => ({
+          ...{ id: world.id, passed: world.passed },
+          reason: world.reason && reasonText(world.reason, language),
+          ...{ atMs: world.atMs, touches: world.touches },
+        })),
+        remarks: remarks.map((remark) => remarkText(remark, language)),
+      };
+    }),
+    passed: passedOf(found),
+    of: handIns.length,
+  });
+}
+
+/** Everything that speaks against a hand-in, each sentence once. */
+export function reasonsAgainst({ checks, worlds }: CheckResult, language: Language): readonly string[] {
+  const reasons = [...worlds.map(({ reason }) => reason), ...checks.map(({ reason }) => reason)];
+  return [...new Set(reasons.flatMap((reason) => (reason === null ? [] : [reasonText(reason, language)])))];
+}
+
+/** The result of a class as a table for a spreadsheet, a row for each hand-in; RFC 4180. */
+export function csvOf({ handIns }: ClassResult, language: Language): string {
+  const words = reportWords.report;
+  const say = (name: keyof typeof words): string => words[name][language];
+  const [worlds, checks] = [idsOf(handIns.map(({ result }) => result.worlds)), idsOf(handIns.map(({ result }) => result.checks))]; // prettier-ignore
+  const headings = [
+    ...[say('name'), say('passed'), say('points'), say('stars')],
+    ...checks,
+    ...worlds.flatMap((id) => [`${id}: ${say('passed')}`, `${id}: ms`, `${id}: ${say('touches')}`]),
+    ...[say('missed'), say('remarks')],
+  ];
+  const rows = handIns.map(({ name, result }) => [
+    ...[name, yes(result.passed), String(result.points), String(result.stars ?? '')],
+    ...checks.map((id) => yes(result.checks.find((check) => check.id === id)?.passed ?? false)),
+    ...worlds.flatMap((id) => {
+      const world = result.worlds.find((one) => one.id === id);
+      return world === undefined ? ['', '', ''] : [yes(world.passed), String(world.atMs ?? ''), String(world.touches)];
+    }),
+    result.passed ? '' : reasonsAgainst(result, language).join(' '),
+    result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
+  ]);
+  return [headings, ...rows].map((cells) => `${cells.map(cell).join(',')}\r\n`).join('');
+}
+
+const yes = (is: boolean): string => (is ? '1' : '0');
+
+const idsOf = (lists: readonly (readonly { readonly id: string }[])[]): readonly string[] => [
+  ...new Set(lists.flat().map(({ id }) => id)),
+];
+
+/** A text that a spreadsheet would take for a formula is kept from being one. */
+function cell(text: string): string {
+  const safe = /^[=+\-@\t\r]/.test(text) && !/^-?\d+(\.\d+)?$/.test(text) ? `'${text}` : text;
+  return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+}
+
+/** The result of a class as JUnit's XML: a test case for each hand-in, its simulated time as time. */
+export function junitOf(found: ClassResult, language: Language): string {
+  const { task, handIns } = found;
+  const errors = handIns.filter(({ result }) => isUnread(result)).length;
+  const failures = handIns.length - passedOf(found) - errors;
+  const counts = `tests="${handIns.length}" failures="${failures}" errors="${errors}"`;
+  const cases = handIns.map(({ name, result }) => {
+    const seconds = result.worlds.reduce((sum, { atMs }) => sum + (atMs ?? 0), 0) / 1000;
+    const open = `    <testcase classname="${escaped(task)}" name="${escaped(name)}" time="${seconds}"`;
+    if (result.passed) return `${open}/>\n`;
+    const said = [...reasonsAgainst(result, language), ...result.remarks.map((one) => remarkText(one, language))];
+    const kind = isUnread(result) ? 'error' : 'failure';
+    return `${open}>\n      <${kind} message="${escaped(said[0] ?? '')}">${escaped(said.join('\n'))}</${kind}>\n    </testcase>\n`;
+  });
+  return `<?xml version="1.0" encoding="UTF-8"?>\n<testsuites ${counts}>\n  <testsuite name="${escaped(task)}" ${counts}>\n${cases.join('')}  </testsuite>\n</testsuites>\n`;
+}
+
+/** Whether it is no hand-in at all. */
+export const isUnread = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'unreadable');
+
+const entities: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
+
+/** A text for XML and HTML, without the signs that XML does not allow. */
+export const escaped = (text: string): string =>
+  text
+    .replace(/[&<>"]/g, (sign) => entities[sign] ?? sign)
+    .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ud800-\udfff\ufffe\uffff]/gu, '\ufffd');

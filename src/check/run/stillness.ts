@@ -1,0 +1,17 @@
+import type { Simulation } from '#simulation/simulation';
+
+/** So long a run must stand still after its program's end until it is over. Chosen: a robot that rolls out has stopped. */
+export const STILL_US = 500_000;
+
+/** Tells whether nothing more can happen: the programs have ended, nothing is set for later, nothing moves for so long. */
+export function stillness(simulation: Simulation, longUs = STILL_US): () => boolean {
+  const canMove = simulation.scene.objects.some(({ type }) => type === 'mover');
+  let [place, sinceUs] = ['', 0];
+  return () => {
+    if (canMove || !simulation.hasEnded || !simulation.isIdle) return false;
+    const { robot, others, blocks } = simulation.snapshot();
+    const now = JSON.stringify([robot?.pose, others.map((other) => other.robot?.pose), blocks]);
+    if (now !== place) [place, sinceUs] = [now, simulation.nowUs];
+    return simulation.nowUs - sinceUs >= longUs;
+  };
+}

@@ -1,0 +1,204 @@
+import { writeFileSync } from 'node:fs';
+import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
+import { htmlOf } from '#check/report/html';
+import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst } from '#check/report/texts';
+import { remarkText } from '#check/report/say';
+import { unreadable, type CheckResult } from '#check/result';
+import type { ClassTask } from '#check/task/task';
+import { readFirmware } from '../firmware';
+import { reasonOf } from '../reason-of';
+import type { Terminal } from '../terminal';
+import type { CheckOptions } from './check-arguments';
+import type { Content } from './contents';
+import { Lane } from './pool';
+import { readTask } from './read-task';
+import { ResultsFolder } from './results-folder';
+import { isInShard } from './shard';
+import { findHandIns, type Source } from './sources';
+
+/** Results as they come, in the order of the hand-ins, with the task that they are of. */
+interface Checked {
+  readonly name: string;
+  readonly task: ClassTask;
+  readonly results: readonly NamedResult[];
+}
+
+type Problem = { readonly problem: string };
+
+/**
+ * Carries out `parcours check`.
+ *
+ * @returns the exit code: 0 all hand-ins have passed, 3 some have not, 2 bad usage
+ */
+export async function checkHandIns(options: CheckOptions, terminal: Terminal): Promise<0 | 2 | 3> {
+  const { work } = options;
+  const checked = work === null ? joined(options) : await runAll(work, options, terminal);
+  if ('problem' in checked) return refuse(checked.problem, terminal);
+  const found = classResult(checked.name, checked.results);
+  const problem = writeReports(found, checked.task, options);
+  if (problem !== null) return refuse(problem, terminal);
+  const [passed, of] = [passedOf(found), found.handIns.length];
+  if (options.json) terminal.line(jsonOf(found, options.lang));
+  else if (!options.quiet) {
+    for (const one of found.handIns) terminal.line(lineOf(one, options));
+    terminal.line(`${checked.name}: ${passed} of ${of} passed`);
+  }
+  return passed === of ? 0 : 3;
+}
+
+function refuse(problem: string, terminal: Terminal): 2 {
+  terminal.message(`parcours: ${problem}`);
+  return 2;
+}
+
+/** The results of a folder, without running anything. */
+function joined({ folder }: CheckOptions): Checked | Problem {
+  const read = ResultsFolder.read(folder ?? '');
+  if ('problem' in read) return read;
+  const { name, task, names } = read.contents;
+  const results: NamedResult[] = [];
+  const missing: string[] = [];
+  for (const one of names) {
+    const result = read.folder.latest(one);
+    if (result === null) missing.push(one);
+    else results.push({ name: one, result });
+  }
+  if (missing.length === 0) return { name, task, results };
+  const some = missing.slice(0, 5).join(', ') + (missing.length > 5 ? ', …' : '');
+  return {
+    problem: `${folder ?? ''}: ${missing.length} of ${names.length} hand-ins have no result yet: ${some}. Run their shards once more with --resume.`,
+  };
+}
+
+/** Runs what is missing. */
+async function runAll(
+  work: NonNullable<CheckOptions['work']>,
+  { folder: path, report, quiet, json }: CheckOptions,
+  terminal: Terminal,
+): Promise<Checked | Problem> {
+  const read = await readTask(work.task);
+  if ('problem' in read) return read;
+  const { name, task } = read;
+  const found = await findHandIns(work.handIns);
+  if ('problem' in found) return found;
+  if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
+  const names = found.sources.map((source) => source.name);
+  const folder = path === null ? null : ResultsFolder.open(path, { name, task, names });
+  if (folder !== null && 'problem' in folder) return folder;
+  const mine = found.sources.filter((_, place) => isInShard(work.shard, place));
+  const progress = new Progress(terminal, mine.length, quiet || json);
+  const results = await inLanes(task, mine, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
+  terminal.clearProgress();
+  return { name, task, results };
+}
+
+/** Says how far it is: on a terminal in one line that is replaced, elsewhere now and then. */
+class Progress {
+  private done = 0;
+  private passed = 0;
+  private toldMs = performance.now();
+
+  constructor(
+    private readonly terminal: Terminal,
+    private readonly of: number,
+    private readonly isQuiet: boolean,
+  ) {}
+
+  add({ passed }: CheckResult): void {
+    this.done += 1;
+    if (passed) this.passed += 1;
+    if (!this.isQuiet) this.terminal.count(this.done, this.of, this.passed);
+    const nowMs = performance.now();
+    if (this.isQuiet || this.terminal.showsProgress || nowMs - this.toldMs < TELL_MS) return;
+    this.toldMs = nowMs;
+    this.terminal.message(`${this.done} of ${this.of}, ${this.passed} passed`);
+  }
+}
+
+/** Chosen: a log of ten thousand hand-ins stays readable. */
+const TELL_MS = 10_000;
+
+interface Running {
+  readonly jobs: number;
+  readonly folder: ResultsFolder | null;
+  /** Only reports draw ways: ten thousand of them would fill the memory. */
+  readonly keepsWays: boolean;
+  readonly progress: Progress;
+}
+
+/** Each lane takes the next hand-in when it is free; what comes out does not depend on which. */
+async function inLanes(task: ClassTask, sources: readonly Source[], running: Running): Promise<readonly NamedResult[]> {
+  const { jobs, keepsWays, progress } = running;
+  const firmware = await WebAssembly.compile(readFirmware());
+  const results: NamedResult[] = [];
+  let next = 0;
+  const work = async (lane: Lane): Promise<void> => {
+    for (let place = next++; place < sources.length; place = next++) {
+      const source = sources[place];
+      if (source === undefined) break;
+      const result = await resultOf(task, source, lane, running);
+      results[place] = { name: source.name, result: keepsWays ? result : withoutWays(result) };
+      progress.add(result);
+    }
+    lane.stop();
+  };
+  const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task, firmware));
+  await Promise.all(lanes.map(work));
+  return results;
+}
+
+const withoutWays = (result: CheckResult): CheckResult => ({
+  ...result,
+  worlds: result.worlds.map((world) => ({ ...world, trail: [] })),
+});
+
+async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }: Running): Promise<CheckResult> {
+  const content = await read(source);
+  const key = folder?.keyFor(content) ?? '';
+  const kept = folder?.find(source.name, key) ?? null;
+  if (kept !== null) return kept;
+  const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
+  folder?.keep(source.name, key, result);
+  return result;
+}
+
+/** A file that vanishes meanwhile is one that cannot be read. */
+async function read(source: Source): Promise<Content> {
+  try {
+    return await source.read();
+  } catch (error) {
+    return { problem: reasonOf(error) };
+  }
+}
+
+/** @returns what is wrong with one of the files */
+function writeReports(found: ClassResult, task: ClassTask, options: CheckOptions): string | null {
+  const { report, junit, csv, lang } = options;
+  const files = [
+    [report, () => htmlOf(found, task, lang)],
+    [junit, () => junitOf(found, lang)],
+    // Spreadsheets take a file for UTF-8 only if it begins with this sign.
+    [csv, () => `\ufeff${csvOf(found, lang)}`],
+  ] as const;
+  for (const [path, textOf] of files) {
+    if (path === null) continue;
+    try {
+      writeFileSync(path, textOf());
+    } catch (error) {
+      return `${path}: ${reasonOf(error)}`;
+    }
+  }
+  return null;
+}
+
+function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
+  const { passed, points, worlds, remarks } = result;
+  const word = isUnread(result) ? 'unread' : passed ? 'passed' : 'failed';
+  const time = worlds[0]?.atMs ?? null;
+  const told = [
+    ...(time === null ? [] : [`${(time / 1000).toFixed(1)} s`]),
+    ...(passed ? [] : reasonsAgainst(result, lang)),
+    ...remarks.map((remark) => remarkText(remark, lang)),
+  ];
+  return `${word}  ${name}  ${points}  ${told.join(' · ')}`.trimEnd();
+}

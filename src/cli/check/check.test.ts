@@ -1,0 +1,186 @@
+import { spawnSync } from 'node:child_process';
+import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import { strToU8, zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { parcours, useFolder } from '../testing/parcours';
+
+const { folder, file } = useFolder();
+
+const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
+/** Touches nothing, reaches nothing, and never ends. */
+const ENDLESS = 'while True:\n    pass\n';
+
+/** A class in a folder of its own, each program by its name. */
+function classOf(name: string, programs: Readonly<Record<string, string>>): string {
+  mkdirSync(join(folder, name), { recursive: true });
+  for (const [path, text] of Object.entries(programs)) {
+    mkdirSync(join(folder, name, path, '..'), { recursive: true });
+    writeFileSync(join(folder, name, path), text);
+  }
+  return join(folder, name);
+}
+
+interface Json {
+  readonly task: string;
+  readonly passed: number;
+  readonly of: number;
+  readonly handIns: readonly {
+    readonly name: string;
+    readonly passed: boolean;
+    readonly points: number;
+    readonly worlds: readonly { readonly id: string; readonly passed: boolean; readonly reason: string | null }[];
+    readonly remarks: readonly string[];
+  }[];
+}
+
+const jsonOf = (text: string): Json => JSON.parse(text) as Json;
+
+describe('parcours check', () => {
+  const pupils = {
+    'anna.py': RIGHT,
+    'ben.py': ENDLESS,
+    'cem.py': 'while True: print("x" * 1000)\n',
+    'dora/main.py': `# mine\n${RIGHT.replaceAll('left_bright', 'l')}`,
+    'eli.py': 'x = (\n',
+    'fritz.py': 'a = []\nwhile True: a.append(bytearray(100))\n',
+    'gina.txt.bin': 'hello',
+    'hugo/other.py': 'x = 1\n',
+    'hugo/more.py': 'x = 2\n',
+  };
+
+  it('says of each hand-in of a class whether it has passed, and why not', () => {
+    const { code, out } = parcours('check', 'closed-line', classOf('class', pupils), '--json');
+    const { task, handIns, passed, of } = jsonOf(out);
+    expect([code, task, passed, of]).toEqual([3, 'closed-line', 2, 8]);
+    expect(handIns.map((one) => [one.name, one.passed, one.points])).toEqual([
+      ...[['anna', true, 1], ['ben', false, 0], ['cem', false, 0], ['dora', true, 1]], // prettier-ignore
+      ...[['eli', false, 0], ['fritz', false, 0], ['gina.txt', false, 0], ['hugo', false, 0]], // prettier-ignore
+    ]);
+    expect(handIns[0]?.worlds).toEqual([{ id: 'visible', passed: true, reason: null, atMs: 19508, touches: 0 }]);
+    expect(handIns[0]?.remarks).toEqual(['Same program as: dora']);
+    expect(handIns[4]?.worlds[0]?.reason).toContain('SyntaxError');
+    expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
+    expect([handIns[6]?.remarks[0], handIns[7]?.remarks[0]]).toEqual([
+      'cannot be read: is neither a program (.py) nor a project (.json).',
+      'cannot be read: has no main.py.',
+    ]);
+  });
+
+  it('prints lines for people, in their language, without --json', () => {
+    const { code, out } = parcours('check', 'closed-line', classOf('two', { 'anna.py': RIGHT, 'ben.py': ENDLESS }), '--lang', 'de'); // prettier-ignore
+    expect(code).toBe(3);
+    expect(out.split('\n')).toEqual([
+      'passed  anna  1  19.5 s',
+      'failed  ben  0  Das Ziel ist nicht erreicht (0 von 4).',
+      'closed-line: 1 of 2 passed',
+      '',
+    ]);
+  });
+
+  it('ends with 0 when all have passed', () => {
+    expect(parcours('check', 'closed-line', file('right.py', RIGHT), '--quiet')).toEqual({ code: 0, out: '', err: '' });
+  });
+
+  it('takes a zip like its folder, and gives the same text with any number of threads', () => {
+    const zip = zipSync(Object.fromEntries(Object.entries(pupils).map(([path, text]) => [`class/${path}`, strToU8(text)]))); // prettier-ignore
+    const path = join(folder, 'class.zip');
+    writeFileSync(path, zip);
+    const [one, four] = ['1', '4'].map((jobs) => parcours('check', 'closed-line', path, '--json', '--jobs', jobs).out);
+    expect(one).toBe(four);
+    expect(one).toBe(parcours('check', 'closed-line', classOf('class', pupils), '--json').out);
+  });
+
+  it.each([
+    [['check'], 'Which task?'],
+    [['check', 'closed-line'], 'Which hand-ins?'],
+    [['check', 'closed-line', 'nowhere/'], 'nowhere/: there is no such file.'],
+    [['check', 'no-such-course', 'package.json'], 'There is no ready course "no-such-course" either.'],
+    [['check', 'package.json', 'README.md'], 'package.json: '],
+    [['check', 'closed-line', 'bin', '--jobs', '0'], '--jobs: "0" is not a whole number from 1 to 256.'],
+    [['check', 'closed-line', 'bin', '--shard', '8/7'], '--shard: "8/7" is not like 2/7'],
+    [['check', 'closed-line', 'bin', '--shard', 'auto'], '--shard auto: none of SLURM_ARRAY_TASK_ID'],
+    [['check', 'closed-line', 'bin', '--reality', '1'], '--reality is not for check.'],
+    [['check', '--merge', 'src'], 'src: is no folder of results'],
+    [['check', 'closed-line', '--merge', 'src'], '--merge runs nothing: what is "closed-line"?'],
+    [['check', 'closed-line', 'bin', '--csv', 'a', '--junit', 'a'], 'a can be only one of the reports.'],
+    [['run', 'main.py', '--jobs', '2'], '--jobs is for hand-ins'],
+  ])('refuses %j', (words, problem) => {
+    const { code, out, err } = parcours(...words);
+    expect([code, out]).toEqual([2, '']);
+    expect(err).toContain(problem);
+  });
+
+  it('goes on with the others when a thread gives no sign of life', () => {
+    const copy = join(folder, 'hung');
+    cpSync('dist/cli', copy, { recursive: true });
+    const worker = join(copy, 'check-worker.mjs');
+    // The first program that is asked for hangs in its world; asked once more, without that world, it has a result.
+    const hang = "import { parentPort as port } from 'node:worker_threads';\nport.on('message', ({ handIn, lost }) => { if (!lost && handIn.project.files[0].text.includes('hang')) for (;;); });\n"; // prettier-ignore
+    writeFileSync(worker, hang + readFileSync(worker, 'utf8'));
+    const pupilsHere = classOf('hanging', { 'a.py': '# hang\n', 'b.py': RIGHT });
+    const { status, stdout } = spawnSync(process.execPath, [join(copy, 'main.mjs'), 'check', 'closed-line', pupilsHere, '--json', '--jobs', '1'], { encoding: 'utf8' }); // prettier-ignore
+    const { handIns } = jsonOf(stdout);
+    expect(status).toBe(3);
+    expect(handIns[0]?.worlds[0]?.reason).toBe('The program is stuck in a single call that does not end.');
+    expect(handIns[1]?.passed).toBe(true);
+  });
+});
+
+describe('results that are kept', () => {
+  const pupils = classOf('kept', { 'a.py': RIGHT, 'b.py': ENDLESS, 'c.py': 'from mbrobot import *\nforward()\n', 'd.py': 'x' }); // prettier-ignore
+  const results = join(folder, 'results');
+
+  it('of seven shards, joined, are byte for byte those of one machine', () => {
+    for (let place = 1; place <= 7; place++)
+      parcours('check', 'closed-line', pupils, '--resume', results, '--shard', `${place}/7`, '--quiet');
+    const whole = ['report', 'csv', 'junit'].map((kind) => join(folder, `whole.${kind}`));
+    const joined = ['report', 'csv', 'junit'].map((kind) => join(folder, `joined.${kind}`));
+    const files = (paths: readonly string[]) => ['report', 'csv', 'junit'].flatMap((kind, at) => [`--${kind}`, paths[at] ?? '']); // prettier-ignore
+    const one = parcours('check', 'closed-line', pupils, '--json', ...files(whole));
+    expect(parcours('check', '--merge', results, '--json', ...files(joined))).toEqual(one);
+    const read = (paths: readonly string[]) => paths.map((path) => readFileSync(path, 'utf8'));
+    expect(read(joined)).toEqual(read(whole));
+  });
+
+  it('are not run again, but those of a program that has changed are', () => {
+    const kept = readdirSync(join(results, 'results'));
+    const path = join(results, 'results', kept[0] ?? '');
+    const before = JSON.parse(readFileSync(path, 'utf8')) as { name: string; result: { points: number } };
+    // A mark that no run would make.
+    writeFileSync(path, JSON.stringify({ ...before, result: { ...before.result, points: 77 } }));
+    const run = () => jsonOf(parcours('check', 'closed-line', pupils, '--resume', results, '--json').out).handIns;
+    expect(run().find(({ name }) => name === before.name)?.points).toBe(77);
+    writeFileSync(join(pupils, `${before.name}.py`), '# new\n');
+    expect(run().find(({ name }) => name === before.name)?.points).toBe(0);
+  });
+
+  it('of which some are missing are not joined, and it is said which', () => {
+    const some = join(folder, 'some');
+    parcours('check', 'closed-line', pupils, '--resume', some, '--shard', '1/2', '--quiet');
+    const { code, err } = parcours('check', '--merge', some);
+    expect(code).toBe(2);
+    expect(err).toContain('2 of 4 hand-ins have no result yet: b, d.');
+  });
+
+  it('of another task are refused', () => {
+    const { code, err } = parcours('check', 'small-maze', pupils, '--resume', results);
+    expect(code).toBe(2);
+    expect(err).toContain('holds the results of another task');
+  });
+});
+
+describe('parcours run --until-verdict', () => {
+  it('ends with the verdict: 0 for a task that is passed, 3 for one that is not', () => {
+    const right = parcours('run', 'courses/closed-line/main.py', '--scene', 'closed-line', '--until-verdict');
+    expect(right).toMatchObject({ code: 0, err: 'Task: passed after 19.5 s.\n' });
+    const early = parcours('run', file('early.py', 'x = 1\n'), '--scene', 'closed-line', '--until-verdict');
+    expect(early).toMatchObject({ code: 3, err: expect.stringContaining('Task: not done') as string });
+  });
+
+  it('is refused in a course without a task', () => {
+    const { code, err } = parcours('run', file('free.py', 'x = 1\n'), '--until-verdict');
+    expect(code).toBe(2);
+    expect(err).toContain('the course has no task');
+  });
+});

@@ -1,0 +1,136 @@
+import { createHash } from 'node:crypto';
+import { existsSync, mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import type { HandIn } from '#check/hand-in/hand-in';
+import { projectOfHandIn } from '#check/hand-in/hand-in';
+import type { CheckResult } from '#check/result';
+import { taskOf } from '#check/task/read-task';
+import type { ClassTask } from '#check/task/task';
+import { projectOfTask } from '#check/task/write-task';
+import { isRecord } from '#core/record';
+import { openJson } from '#project/open-json';
+import { projectToText } from '#project/file';
+import { version } from '../../../package.json';
+import { reasonOf } from '../reason-of';
+
+/** The task of a folder of results, and who has handed in, in order. */
+export interface FolderContents {
+  readonly name: string;
+  readonly task: ClassTask;
+  readonly names: readonly string[];
+}
+
+type Problem = { readonly problem: string };
+
+/** The task as a file that the page opens, too; who has handed in; and beside them a file for each result. */
+const [TASK, LIST, RESULTS] = ['task.json', 'hand-ins.json', 'results'];
+
+/** A folder with a file for each result. Several processes may write into it: each file is written whole, or not at all. */
+export class ResultsFolder {
+  private constructor(
+    private readonly path: string,
+    private readonly taskKey: string,
+  ) {}
+
+  /** Opens a folder for a task and its hand-ins; makes it where there is none. */
+  static open(path: string, { name, task, names }: FolderContents): ResultsFolder | Problem {
+    try {
+      mkdirSync(join(path, RESULTS), { recursive: true });
+      const text = taskText(task);
+      const here = join(path, TASK);
+      if (existsSync(here) && readFileSync(here, 'utf8') !== text)
+        return { problem: `${path}: holds the results of another task. Choose another folder.` };
+      writeWhole(here, text);
+      writeWhole(join(path, LIST), `${JSON.stringify({ task: name, names })}\n`);
+      return new ResultsFolder(path, keyOf(version, text));
+    } catch (error) {
+      return { problem: `${path}: ${reasonOf(error)}` };
+    }
+  }
+
+  /** The results of a folder, those of all shards. */
+  static read(path: string): { readonly folder: ResultsFolder; readonly contents: FolderContents } | Problem {
+    try {
+      if (!statSync(path).isDirectory()) return { problem: `${path}: is no folder.` };
+      const text = readFileSync(join(path, TASK), 'utf8');
+      const opened = openJson(text);
+      const read = opened.kind === 'project' ? taskOf(opened.project) : { problem: `${TASK} holds no task.` };
+      if ('problem' in read) return { problem: `${path}: ${read.problem}` };
+      const list: unknown = JSON.parse(readFileSync(join(path, LIST), 'utf8'));
+      if (!isList(list)) return { problem: `${path}: ${LIST} is damaged.` };
+      const contents = { name: list.task, task: read.task, names: list.names };
+      return { folder: new ResultsFolder(path, keyOf(version, text)), contents };
+    } catch (error) {
+      return { problem: `${path}: is no folder of results: ${error instanceof SyntaxError ? `${LIST} is damaged.` : reasonOf(error)}` }; // prettier-ignore
+    }
+  }
+
+  /** The result of a hand-in, if it was kept by this version, for this task and this program; else `null`. */
+  find(name: string, key: string): CheckResult | null {
+    const kept = this.kept(name);
+    return kept !== null && kept.key === key ? kept.result : null;
+  }
+
+  /** The result of somebody's hand-in, whatever it was; `null`: there is none, or of another version or task. */
+  latest(name: string): CheckResult | null {
+    const kept = this.kept(name);
+    return kept !== null && kept.taskKey === this.taskKey ? kept.result : null;
+  }
+
+  keep(name: string, key: string, result: CheckResult): void {
+    writeWhole(this.fileOf(name), `${JSON.stringify({ name, key, taskKey: this.taskKey, result })}\n`);
+  }
+
+  /** What the result of a hand-in depends on. @param problem why it cannot be read */
+  keyFor(content: { readonly handIn: HandIn } | Problem): string {
+    return 'problem' in content
+      ? keyOf(this.taskKey, content.problem)
+      : keyOf(this.taskKey, projectToText(projectOfHandIn(content.handIn)), String(content.handIn.hasCourse));
+  }
+
+  private fileOf(name: string): string {
+    return join(this.path, RESULTS, `${keyOf(name).slice(0, 32)}.json`);
+  }
+
+  /** What is damaged is not there. */
+  private kept(name: string): Kept | null {
+    try {
+      const kept: unknown = JSON.parse(readFileSync(this.fileOf(name), 'utf8'));
+      return isKept(kept) && kept.name === name ? kept : null;
+    } catch {
+      return null;
+    }
+  }
+}
+
+/** The file of a result. */
+interface Kept {
+  readonly name: string;
+  readonly key: string;
+  readonly taskKey: string;
+  readonly result: CheckResult;
+}
+
+const isKept = (value: unknown): value is Kept =>
+  isRecord(value) &&
+  typeof value['name'] === 'string' &&
+  typeof value['key'] === 'string' &&
+  typeof value['taskKey'] === 'string' &&
+  isRecord(value['result']);
+
+const isList = (value: unknown): value is { readonly task: string; readonly names: readonly string[] } =>
+  isRecord(value) &&
+  typeof value['task'] === 'string' &&
+  Array.isArray(value['names']) &&
+  value['names'].every((name) => typeof name === 'string');
+
+const taskText = (task: ClassTask): string => projectToText(projectOfTask(task));
+
+const keyOf = (...parts: readonly string[]): string => createHash('sha256').update(JSON.stringify(parts)).digest('hex');
+
+/** Nobody reads a half of it. */
+function writeWhole(path: string, text: string): void {
+  const draft = `${path}.${process.pid}.tmp`;
+  writeFileSync(draft, text);
+  renameSync(draft, path);
+}
