@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Point } from '#scene/scene';
 import { blockTool } from './block-tool';
 import { contextOf, course, drag, freely, newObjects, used } from '../testing/desk';
 import type { Drag, ToolOptions } from './tool';
@@ -84,9 +85,8 @@ describe('mover', () => {
     expect(put(freely(drag([300, 300], [320, 300], [301, 300])), mover)).toMatchObject([{ to: [500, 300] }]);
   });
 
-  it('is round or a triangle by a tap, where it is set so; a mover is never a triangle', () => {
+  it('is round by a tap, where it is set so; a mover is never a polygon', () => {
     expect(put(drag([300, 300]), { blockShape: 'round' })).toMatchObject([{ size: [50, 50], round: true }]);
-    expect(put(drag([300, 300]), { blockShape: 'polygon' })[0]).toHaveProperty('corners.length', 3);
     expect(put(drag([300, 300]), { block: 'mover', blockShape: 'round' })).toMatchObject([{ round: true }]);
     expect(put(drag([300, 300]), { block: 'mover', blockShape: 'polygon' })[0]).not.toHaveProperty('corners');
   });
@@ -108,5 +108,36 @@ describe('mover', () => {
     expect(put(drag([100, 100], [200, 160]), { blockShape: 'polygon' })).toMatchObject([
       { at: [150, 130], size: [100, 60], corners: [[0, 0], [2, 0], [1, 2]] }, // prettier-ignore
     ]);
+  });
+
+  describe('as a polygon that is set corner by corner', () => {
+    const square = [[100, 100], [300, 100], [300, 300], [100, 300]] as const; // prettier-ignore
+    const byTaps = (...places: readonly Point[]) => ({ ...drag(...places), corners: places.length - 1 });
+    const context = contextOf(course(), { blockShape: 'polygon' });
+
+    it('goes on from a tap to the tap on its first corner', () => {
+      expect(blockTool.goesOn?.(drag([100, 100]), context)).toBe(true);
+      expect(blockTool.goesOn?.(byTaps(...square), context)).toBe(true);
+      expect(blockTool.goesOn?.(byTaps(...square, [100, 100]), context)).toBe(false);
+    });
+
+    it('is the polygon through the corners, however far it has come', () => {
+      expect(put(byTaps(...square, [100, 100]), { blockShape: 'polygon' })).toMatchObject([
+        { at: [200, 200], size: [200, 200], corners: [[0, 0], [200, 0], [200, 200], [0, 200]] }, // prettier-ignore
+      ]);
+      expect(put(byTaps(...square.slice(0, 3)), { blockShape: 'polygon' })[0]).toHaveProperty('corners.length', 3);
+      expect(put(drag([100, 100]), { blockShape: 'polygon' })).toEqual([]);
+      expect(put(byTaps([100, 100], [300, 100]), { blockShape: 'polygon' })).toEqual([]);
+    });
+
+    it('shows its line meanwhile, and where a tap ends it', () => {
+      const marks = blockTool.marks?.(byTaps(...square), context, false) ?? [];
+      expect(marks.map(({ type }) => type)).toEqual(['lasso', 'snap', 'snap']);
+    });
+
+    it('is drawn in one go by a drag, and never by a mover', () => {
+      expect(blockTool.goesOn?.(drag([100, 100], [300, 100]), context)).toBe(false);
+      expect(blockTool.goesOn?.(drag([100, 100]), contextOf(course(), { block: 'mover', blockShape: 'polygon' }))).toBe(false); // prettier-ignore
+    });
   });
 });

@@ -1,0 +1,44 @@
+import type { SceneEdit } from '#scene/edit';
+import type { SceneObject, Shaped } from '#scene/scene';
+import type { ShapeName } from '#scene/shape/shape';
+import { isTap } from '../drag';
+import { addingOnce } from '../edits';
+import { newObject } from '../kinds/index';
+import { drawnPolygon } from '../kinds/shapes';
+import { chainMarks, chainOf, type Chain } from '../lines/corners';
+import { toVec } from '../plane';
+import type { Attractors } from '../snap';
+import type { Drag, Mark, Tool, ToolContext } from './tool';
+
+/** What a polygon tool puts down. */
+export interface Wish {
+  readonly type: SceneObject['type'];
+  readonly shape: ShapeName;
+}
+
+/** The grid and what lies near attract corners; lines do not. */
+const nothingElse: Attractors = { ends: [], walls: [] };
+
+const chain = (drag: Drag, context: ToolContext): Chain => chainOf(drag, context, nothingElse);
+
+/** Whether a gesture sets the corners of a polygon one by one: it began with a tap. A drag draws the outline in one go. */
+export const setsCorners = ({ type, shape }: Wish, drag: Drag): boolean =>
+  shape === 'polygon' && type !== 'mover' && (drag.corners !== undefined || isTap(drag));
+
+/** The polygon through the corners so far; `null`: they enclose nothing. */
+export function cornerPolygon({ type }: Wish, drag: Drag, context: ToolContext): SceneEdit | null {
+  const { scene, options } = context;
+  const polygon = drawnPolygon(chain(drag, context).corners.map(toVec), scene.size);
+  const object = polygon && newObject(scene, type, polygon.at, options);
+  return object && addingOnce(scene, { ...(object as SceneObject & Shaped), ...polygon });
+}
+
+/** How a tool whose options name such a wish goes on from corner to corner, and what is seen meanwhile. */
+export const cornerByCorner = (wishOf: (context: ToolContext) => Wish): Required<Pick<Tool, 'goesOn' | 'marks'>> => ({
+  goesOn: (drag, context) => setsCorners(wishOf(context), drag) && !chain(drag, context).isDone,
+  marks(drag, context): readonly Mark[] {
+    if (drag.corners === undefined || !setsCorners(wishOf(context), drag)) return [];
+    const found = chain(drag, context);
+    return [{ type: 'lasso', path: found.corners.map(toVec) }, ...chainMarks(drag, found)];
+  },
+});
