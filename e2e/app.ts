@@ -27,6 +27,9 @@ export interface Place {
   readonly y: number;
 }
 
+/** The mouse's main button, or the one that opens menus. */
+export type MouseButton = 'left' | 'right';
+
 /** What a test can do with a page in any of the three engines. Elements are named by CSS selectors. */
 export interface App {
   readonly engine: string;
@@ -55,7 +58,7 @@ export interface App {
   grab(css: string): Promise<void>;
   letGo(): Promise<void>;
   /** Draws with the mouse: down at the first place of the window (CSS px), through the others, up at the last. */
-  draw(places: readonly Place[]): Promise<void>;
+  draw(places: readonly Place[], button?: MouseButton): Promise<void>;
   screenshot(): Promise<Buffer>;
 }
 
@@ -112,12 +115,12 @@ export function playwrightApp(engine: string, page: Page): App {
       await page.mouse.down();
     },
     letGo: () => page.mouse.up(),
-    draw: async ([first, ...others]) => {
+    draw: async ([first, ...others], button = 'left') => {
       if (first === undefined) return;
       await page.mouse.move(first.x, first.y);
-      await page.mouse.down();
+      await page.mouse.down({ button });
       for (const { x, y } of others) await page.mouse.move(x, y);
-      await page.mouse.up();
+      await page.mouse.up({ button });
     },
     screenshot: () => page.screenshot(),
   };
@@ -141,7 +144,7 @@ function webkitApp(session: WebKitSession, baseURL: string): App {
     type: (text) => session.type(text),
     grab: (css) => session.grab(css),
     letGo: () => session.letGo(),
-    draw: (places) => session.draw(places),
+    draw: (places, button) => session.draw(places, button === 'right' ? 2 : 0),
     screenshot: () => session.screenshot(),
   };
 }

@@ -2,6 +2,7 @@ import type { Point, Scene, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, type App } from './app';
 import { openedCourse } from './opened-course';
+import { isThere } from './page';
 import { by, until } from './parts';
 import { SIZE, toolButton, toolsCame } from './pupil';
 
@@ -104,10 +105,35 @@ export const comesTo = (
   app: App,
   figures: (objects: readonly SceneObject[]) => unknown,
   wanted: unknown,
-): Promise<void> => expect.poll(async () => figures(await objectsIn(app)), { timeout: 5000 }).toEqual(wanted);
+): Promise<void> => expect.poll(async () => figures(await objectsIn(app)), { timeout: 10_000 }).toEqual(wanted);
 
 /** The middles of all that have one. */
 export const places = (objects: readonly SceneObject[]): unknown => objects.map((one) => ('at' in one ? one.at : null));
 /** From where to where the walls go. */
 export const ends = (objects: readonly SceneObject[]): unknown =>
   objects.map((one) => (one.type === 'wall' ? [one.from, one.to] : null));
+
+/** Chooses the n-th, from 0, of what a tool's head offers under a label, whether in a row or in a card. */
+export async function chooseOption({ app }: Drawer, label: string, place: number): Promise<void> {
+  const row = `[role="radiogroup"][aria-label="${label}"]`;
+  if (!(await isThere(app, row))) await app.click(`.ctl.option[aria-label^="${label}"]`);
+  await until(app, row);
+  const choice = `${row} > [role="radio"]:nth-child(${String(place + 1)})`;
+  await app.click(choice);
+  // A card closes, a row shows it.
+  await expect
+    .poll(async () => !(await isThere(app, row)) || isThere(app, `${choice}[aria-checked="true"]`))
+    .toBe(true);
+}
+
+/** Waits for figures of the objects, and that one undo brings back those of before. */
+export async function isOneEdit(
+  app: App,
+  figures: (objects: readonly SceneObject[]) => unknown,
+  before: unknown,
+  after: unknown,
+): Promise<void> {
+  await comesTo(app, figures, after);
+  await app.click(by('undo'));
+  await comesTo(app, figures, before);
+}

@@ -150,7 +150,7 @@ export class WebKitSession {
   }
 
   /** Draws with the mouse through places of the window, in CSS px. */
-  async draw(places: readonly { readonly x: number; readonly y: number }[]): Promise<void> {
+  async draw(places: readonly { readonly x: number; readonly y: number }[], button = 0): Promise<void> {
     const moves = places.map(({ x, y }) => ({
       type: 'pointerMove',
       origin: 'viewport',
@@ -160,7 +160,7 @@ export class WebKitSession {
     }));
     const [first, ...others] = moves;
     if (first === undefined) return;
-    await this.mouse([first, { type: 'pointerDown', button: 0 }, ...others, { type: 'pointerUp', button: 0 }]);
+    await this.mouse([first, { type: 'pointerDown', button }, ...others, { type: 'pointerUp', button }]);
   }
 
   async screenshot(): Promise<Buffer> {
