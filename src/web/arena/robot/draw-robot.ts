@@ -32,7 +32,7 @@ export function paintedRadiusMm(drawing: RobotDrawing): number {
 /** Ratio of the radius of the light on the floor to the light's circle in the drawing. */
 const UNDERGLOW_REACH = 1.75;
 
-/** Draws the robot: shadow, light on the floor, body, and its animated parts. */
+/** Draws the robot: shadow, light on the floor, body, its lights, and the treads of its wheels. */
 export function drawRobot(
   context: CanvasRenderingContext2D,
   view: View,
@@ -61,22 +61,30 @@ export function drawRobot(
     drawUnderglow(around, drawing.rgb, robot.state);
     for (const half of bumper) drawInto(around, half.sprite.body, drawing.viewBox, half.pushedMm);
     drawInto(around, sprite.body, drawing.viewBox);
+    drawLights(around, drawing, robot, appearance.display);
     around.restore();
   };
-  const of = [sprite, appearance.held, ...bumper.flatMap((half) => [half.sprite, half.pushedMm]), ...lightsOf(robot)];
+  const lights = lightsOf(robot, appearance.display);
+  const of = [sprite, appearance.held, ...bumper.flatMap((half) => [half.sprite, half.pushedMm]), ...lights];
   const reachPx = paintedRadiusMm(drawing) * size;
   painting.turned.draw(context, at, reachPx, { headingRad: robot.pose.headingRad, size, ratio, of }, still);
   enter(context, at);
   if (sprite === null) drawPlainBody(context, look, palette);
-  else drawParts(context, drawing, robot, appearance.display);
+  else drawTreads(context, drawing, robot);
   context.restore();
   attachments?.drawFront(context, view, ratio, { robot, painting, ...appearance });
 }
 
 const HERE: Vec = { x: 0, y: 0 };
 
-/** The colours of the lights that shine on the floor. */
-const lightsOf = ({ state }: ArenaRobot): readonly number[] => state.rgb.flat();
+/** Everything that shines: glows cost as much as all the rest of a robot, so they are kept with its body. */
+const lightsOf = ({ state }: ArenaRobot, display: ArrayLike<number>): readonly unknown[] => [
+  ...state.rgb.flat(),
+  ...state.lineSensors.map(({ bright }) => bright),
+  state.leds.left,
+  state.leds.right,
+  ...Array.from(display),
+];
 
 /** Shadows lie a little to the right and below, however the robot is turned. */
 function drawShadows(
@@ -94,21 +102,24 @@ function drawShadows(
   context.restore();
 }
 
-function drawParts(
+function drawLights(
   context: CanvasRenderingContext2D,
   drawing: RobotDrawing,
-  robot: ArenaRobot,
+  { state }: ArenaRobot,
   display: ArrayLike<number>,
 ): void {
-  if (drawing.wheels.left !== null) drawTread(context, drawing.wheels.left, robot.wheelTurnRad[0]);
-  if (drawing.wheels.right !== null) drawTread(context, drawing.wheels.right, robot.wheelTurnRad[1]);
-  for (const sensor of robot.state.lineSensors) {
+  for (const sensor of state.lineSensors) {
     const spot = sensor.bright ? drawing.line.get(sensor.name) : undefined;
     if (spot !== undefined) drawLineLight(context, spot);
   }
   drawDisplay(context, drawing.display, display);
-  drawRedLight(context, drawing.leds.left, robot.state.leds.left);
-  drawRedLight(context, drawing.leds.right, robot.state.leds.right);
+  drawRedLight(context, drawing.leds.left, state.leds.left);
+  drawRedLight(context, drawing.leds.right, state.leds.right);
+}
+
+function drawTreads(context: CanvasRenderingContext2D, { wheels }: RobotDrawing, robot: ArenaRobot): void {
+  if (wheels.left !== null) drawTread(context, wheels.left, robot.wheelTurnRad[0]);
+  if (wheels.right !== null) drawTread(context, wheels.right, robot.wheelTurnRad[1]);
 }
 
 function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, box: Box, backMm = 0): void {

@@ -16,8 +16,8 @@ export interface BodyLook {
 const SAME_RAD = 0.002;
 
 /**
- * A robot's body and shadow, turned once for as long as it keeps its heading: without a graphics card turning a picture is
- * most of what it costs to paint it, and robots drive straight most of the time.
+ * A robot's body with shadow and lights, turned once for as long as it keeps its heading: without a graphics card
+ * turning a picture and painting glows is most of what it costs, and robots drive straight most of the time.
  */
 export class TurnedBody {
   private last: BodyLook | null = null;
@@ -26,7 +26,7 @@ export class TurnedBody {
   /**
    * @param at the robot's place
    * @param reachPx how far `paint` reaches from there
-   * @param paint draws body and shadow in CSS px around the robot's place
+   * @param paint draws them in CSS px around the robot's place
    */
   draw(
     context: CanvasRenderingContext2D,
