@@ -49,15 +49,14 @@ export function taskOf(project: Project): ReadTask {
   ]);
   const solution = solutionIn(fields, reader);
   const worlds = worldsIn(fields['worlds'], reader);
+  const hiddenCount = worlds.filter(({ hidden }) => hidden).length;
   const task: ClassTask = {
     project: plain,
     id: reader.text(fields['id'], 'task.id', taskLimits.idCharacters, ''),
     checks: fields['checks'] === undefined ? [courseGoals] : readChecks(fields['checks'], reader),
-    worlds: worlds.some(({ hidden }) => !hidden) ? visibleFirst(worlds) : [plainWorld, ...worlds],
+    worlds,
     least:
-      fields['least'] === undefined
-        ? null
-        : reader.whole(fields['least'], 'task.least', { min: 0, max: worlds.length }),
+      fields['least'] === undefined ? null : reader.whole(fields['least'], 'task.least', { min: 0, max: hiddenCount }),
     seconds:
       fields['seconds'] === undefined ? null : reader.number(fields['seconds'], 'task.seconds', taskLimits.seconds),
     stars: fields['stars'] === undefined ? null : starsIn(fields['stars'], reader),
@@ -90,16 +89,18 @@ const visibleFirst = (worlds: readonly WorldVariant[]): ClassTask['worlds'] => {
   return [first, ...others, ...worlds.filter(({ hidden }) => hidden)];
 };
 
-function worldsIn(value: unknown, reader: Reader): readonly WorldVariant[] {
-  if (value === undefined) return [];
+/** The worlds, the visible ones first; where none is said, the course as it is. */
+function worldsIn(value: unknown, reader: Reader): ClassTask['worlds'] {
+  if (value === undefined) return [plainWorld];
   const list = reader.list(value, 'task.worlds', { min: 0, max: taskLimits.worlds });
   const worlds = list.map((world, index) => worldIn(world, `task.worlds[${String(index)}]`, reader));
+  const all = worlds.some(({ hidden }) => !hidden) ? visibleFirst(worlds) : ([plainWorld, ...worlds] as const);
   for (const [index, { id }] of worlds.entries()) {
-    if (worlds.findIndex((other) => other.id === id) === index) continue;
+    if (all.findIndex((other) => other.id === id) === all.findIndex((other) => other === worlds[index])) continue;
     const path = `task.worlds[${String(index)}].id`;
     reader.report('duplicate-id', path, id, `another world has the id ${JSON.stringify(id)}.`);
   }
-  return worlds;
+  return all;
 }
 
 function worldIn(value: unknown, path: string, reader: Reader): WorldVariant {

@@ -3,6 +3,8 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'nod
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { linkOf } from '#project/link/link';
+import { readyCourse, readyProject } from '../ready-courses';
 import { parcours, useFolder } from '../testing/parcours';
 
 const { folder, file } = useFolder();
@@ -109,6 +111,21 @@ describe('parcours check', () => {
     const { code, out, err } = parcours(...words);
     expect([code, out]).toEqual([2, '']);
     expect(err).toContain(problem);
+  });
+
+  it('finds links in an e-mail, and tells of one that is damaged', () => {
+    const project = readyProject('closed-line');
+    if (project === null) throw new Error('There is no such course.');
+    const handedIn = { ...project, files: [{ name: 'main.py', text: RIGHT }] };
+    const { fragment = '' } = linkOf(handedIn, { courses: readyCourse, program: true }) ?? {};
+    const address = `https://parcours.example/${fragment.replace(/^#?/, '#')}`;
+    const mail = file(
+      'mail.eml',
+      `Good morning\n\nAnna: ${address}\nBen: ${address.slice(0, -40)}\nhttps://example.org\n`,
+    );
+    const { handIns } = jsonOf(parcours('check', 'closed-line', mail, '--json').out);
+    expect(handIns.map(({ name, passed }) => [name, passed])).toEqual([['Anna', true], ['Ben', false]]); // prettier-ignore
+    expect(handIns[1]?.remarks[0]).toContain('cannot be read: The link cannot be opened.');
   });
 
   it('goes on with the others when a thread gives no sign of life', () => {
