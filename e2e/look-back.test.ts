@@ -1,7 +1,7 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
-import { on, openApp, pasteProgram, robotIn } from './page';
+import { keepDown, on, openApp, pasteProgram, robotIn } from './page';
 import { by, gone, until } from './parts';
 
 const PROGRAM = `from mbrobot import *
@@ -40,4 +40,25 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   await gone(app, by('time-rail'));
   // It has forgotten what came later, drives on from there, and prints it again.
   await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(far.xMm);
+});
+
+test('what was left drives along as a ghost as soon as something goes another way', IN_ONE_ENGINE, async ({ app }) => {
+  await openApp(app);
+  await pasteProgram(
+    app,
+    'from mbrobot import *\nfrom microbit import button_a\nsetSpeed(30)\nforward()\nwhile not button_a.was_pressed(): delay(20)\nstop()\nprint("stopped")\n',
+  );
+  await app.click(on('run'));
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(400);
+  await app.click(by('look-back-open'));
+  await until(app, by('time-rail'));
+  await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
+  await app.press('Home');
+  await app.click(by('go-on'));
+  await gone(app, by('time-rail'));
+  await keepDown(app, { down: () => app.hold('a'), up: () => app.release('a') }, 'stopped'); // another way
+  await until(app, by('ghost'));
+  await expect.poll(() => output(app)).toContain('stopped');
+  await app.click(by('ghost-away'));
+  await gone(app, by('ghost'));
 });

@@ -1,8 +1,7 @@
 import { filesOfDevice } from '#project/devices';
 import type { Ended } from '#simulation/simulation';
 
-import { fetchAdvice } from '../console/advice/explain';
-import { errorText, placeIn, sourceAt } from '../console/error-text';
+import { placeIn, sourceAt } from '../console/error-text';
 import type { ConsoleParts } from '../console/parts';
 import type { LayoutParts } from '../layout/parts';
 import type { PageParts } from '../page/parts';
@@ -63,20 +62,16 @@ export function showEnd(parts: RunMessages, ended: Ended, run: RunModel, device:
   );
   if (drives) console.addNote('console.motorsOn', device);
   if (device === run.device) console.isTogether.value = false; // the explanation is there
-  if (device === run.device) showErrorOnPhone(parts, ended, run);
+  if (device === run.device && isHidden(parts))
+    void import('./error-on-phone').then(
+      ({ showErrorOnPhone }) => showErrorOnPhone(parts, ended, run),
+      () => undefined, // without a connection it stands in the console alone
+    );
 }
 
 /** A phone shows one pane: an error must not stay hidden behind a tab. Where a host has no console here, it shows its own. */
-function showErrorOnPhone(parts: RunMessages, ended: Ended, run: RunModel): void {
-  const { layout, notices } = parts;
-  if (layout.kind.value !== 'phone' || layout.isShown.value.console || !layout.tabs.value.includes('console')) return;
-  const show = (): void => void (layout.tab.value = 'console');
-  void fetchAdvice().then(() => {
-    const text = errorText(ended, parts);
-    if (text !== null && run.ended.value === ended)
-      notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
-  });
-}
+const isHidden = ({ layout }: RunMessages): boolean =>
+  layout.kind.value === 'phone' && !layout.isShown.value.console && layout.tabs.value.includes('console');
 
 /** Whether the motors turn: they go on when the program is over, as on the real robot. */
 function isDriving(run: RunModel, device: number): boolean {

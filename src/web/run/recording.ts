@@ -34,8 +34,16 @@ export class Recording {
   /** The run can be run again. */
   readonly canGoOn = computed(() => this.setup !== null && this.inputs.value !== null);
 
+  /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */
+  readonly ghost: ShallowRef<Recording | null>;
+
   /** @param setup of the run; `null`: there is none */
-  constructor(readonly setup: RunSetup | null) {}
+  constructor(
+    readonly setup: RunSetup | null,
+    left: Recording | null = null,
+  ) {
+    this.ghost = shallowRef(left);
+  }
 
   hear(message: Extract<FromWorker, { type: 'tape' | 'inputs' }>): void {
     if (message.type === 'inputs') this.inputs.value = message.inputs;

@@ -241,4 +241,21 @@ describe('a run that is looked back at', () => {
     say({ type: 'events', events, device: 0 });
     expect([run.nowUs.value, heard]).toEqual([1_504_000, [0, 1]]);
   });
+
+  it('goes on from its very beginning at once', async () => {
+    const { run } = await atThreeSeconds();
+    run.past.value = { timeUs: 0 } as Snapshot;
+    await run.goOn(0);
+    expect(run.past.value).toBeNull();
+    await aMoment(); // its next worker is there
+  });
+
+  it('has the run that was left as its ghost, until another run begins', async () => {
+    const { run } = await atThreeSeconds();
+    const left = run.recording.value;
+    await run.goOn(1_500_000);
+    expect([run.recording.value === left, run.recording.value.ghost.value === left]).toEqual([false, true]);
+    await run.reset();
+    expect(run.recording.value.ghost.value).toBeNull();
+  });
 });

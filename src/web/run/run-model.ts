@@ -44,6 +44,8 @@ interface Beginning {
   readonly paused: boolean;
   /** Until this simulated time it runs as fast as it can. */
   readonly catchUpUs?: number;
+  /** The run that is left for this one. */
+  readonly left?: Recording | null;
 }
 
 /**
@@ -139,12 +141,12 @@ export class RunModel {
     const moment = this.past.value;
     if (setup === null || inputs.value === null) return Promise.resolve();
     const again = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
-    const begun = this.begin({ setup: () => again, paused: false, catchUpUs: fromUs });
-    this.past.value = moment; // shown until the run is there
+    const begun = this.begin({ setup: () => again, paused: false, catchUpUs: fromUs, left: this.recording.value });
+    if (fromUs > 0) this.past.value = moment; // shown until the run is there
     return begun;
   }
 
-  private async begin({ setup: make, paused, catchUpUs = 0 }: Beginning): Promise<void> {
+  private async begin({ setup: make, paused, catchUpUs = 0, left = null }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
     this.client.expect();
@@ -160,7 +162,7 @@ export class RunModel {
     if (!isWanted()) return; // a listener of the start has stopped it
     try {
       const setup = make();
-      this.recording.value = new Recording(setup);
+      this.recording.value = new Recording(setup, left);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
       await this.client.start(setup, { speed: this.speed, paused, catchUpUs });

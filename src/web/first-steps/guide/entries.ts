@@ -175,6 +175,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
     'arena.lookBack',
     'look-back-open',
     'go-on',
+    'ghost-away',
     'look-back-close',
     'time-play',
     'time-rail',

@@ -1,0 +1,21 @@
+import type { Ended } from '#simulation/simulation';
+
+import { fetchAdvice } from '../console/advice/explain';
+import { errorText } from '../console/error-text';
+import type { LayoutParts } from '../layout/parts';
+import type { PageParts } from '../page/parts';
+import type { RunModel } from '../run/run-model';
+import type { WorkParts } from '../work/model/parts';
+
+/** What is told of, and where. */
+type PhoneParts = WorkParts & Pick<PageParts, 'notices'> & Pick<LayoutParts, 'layout'>;
+
+/** Tells of an error at the foot of a phone's page, with the way to the console. */
+export async function showErrorOnPhone(parts: PhoneParts, ended: Ended, run: RunModel): Promise<void> {
+  const { layout, notices } = parts;
+  const show = (): void => void (layout.tab.value = 'console');
+  await fetchAdvice();
+  const text = errorText(ended, parts);
+  if (text !== null && run.ended.value === ended)
+    notices.show({ kind: 'error', ...text, action: { key: 'nav.console', run: show } });
+}
