@@ -1,7 +1,7 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
-import { keepDown, on, openApp, pasteProgram, robotIn } from './page';
+import { keepDown, on, openApp, pasteProgram, robotIn, type Shown } from './page';
 import { by, gone, until } from './parts';
 
 const PROGRAM = `from mbrobot import *
@@ -17,6 +17,22 @@ const output = (app: App): Promise<string> =>
 const at = async (app: App): Promise<number> =>
   Number(await app.evaluate(() => document.querySelector('[data-testid="time-rail"]')?.getAttribute('aria-valuenow')));
 
+/** Where the robot stands when the words about it, which are renewed once a second, change no more. */
+async function robotAtRest(app: App): Promise<Shown> {
+  let last = await robotIn(app);
+  await expect
+    .poll(
+      async () => {
+        const before = last;
+        last = await robotIn(app);
+        return last.xMm === before.xMm;
+      },
+      { intervals: [1200] },
+    )
+    .toBe(true);
+  return last;
+}
+
 test('a run is looked back at by keys, and goes on from an earlier moment', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await pasteProgram(app, PROGRAM);
@@ -25,7 +41,7 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   await expect.poll(() => output(app)).toContain('number 12');
   await app.click(by('look-back-open'));
   await until(app, by('time-rail'));
-  const far = await robotIn(app);
+  const far = await robotAtRest(app);
   expect(await violationsOn(app)).toEqual([]);
   await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
   await app.press('Home');
@@ -35,7 +51,7 @@ test('a run is looked back at by keys, and goes on from an earlier moment', IN_O
   await app.press('ArrowLeft');
   await expect.poll(() => at(app)).toBe(980);
   await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(start.xMm + 10);
-  expect((await robotIn(app)).xMm).toBeLessThan(far.xMm);
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(far.xMm);
   await app.click(by('go-on'));
   await gone(app, by('time-rail'));
   // It has forgotten what came later, drives on from there, and prints it again.

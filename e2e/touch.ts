@@ -48,7 +48,8 @@ export async function fingersOn(page: Page): Promise<Fingers> {
   };
   return {
     tap: (css) => page.tap(css),
-    tapAt: (place) => along([[place]]),
+    // One touch without a rest: on a busy machine a longer one would be a finger that rests, and open a menu.
+    tapAt: ({ x, y }) => page.touchscreen.tap(x, y),
     draw: (places) => along([places]),
     drawTwo: (one, other, late) => along([one, other], late),
     async rest(css) {
@@ -80,7 +81,10 @@ export async function withFingers(page: Page): Promise<Pupil & { readonly finger
       });
     },
     ...{ type: none, hold: none, release: none, grab: none, letGo: none },
-    draw: (places) => fingers.draw(places),
+    async draw(places) {
+      const [only] = places;
+      await (places.length === 1 && only !== undefined ? fingers.tapAt(only) : fingers.draw(places));
+    },
   };
   return {
     app,
