@@ -16,6 +16,7 @@ const tests = [
   'src/**/testing/**/*.ts',
   'e2e/**/*.ts',
   'scripts/**/*.test.mjs',
+  'examples/**/*.test.mjs',
 ];
 const buildCode = ['src/vm/firmware/**'];
 const inNode = ['scripts/**/*.mjs', 'bin/**/*.mjs', '*.mjs', 'src/vm/firmware/**/*.mjs', 'e2e/**/*.mjs'];

@@ -21,7 +21,13 @@ export default defineConfig({
         extends: true,
         test: {
           name: 'rooms',
-          include: ['src/**/*.test.ts', 'scripts/**/*.test.mjs', 'build/**/*.test.ts', 'examples/dev/*.test.ts'],
+          include: [
+            'src/**/*.test.ts',
+            'scripts/**/*.test.mjs',
+            'build/**/*.test.ts',
+            'examples/dev/*.test.ts',
+            'examples/scale/*.test.mjs',
+          ],
           exclude: [PAGE],
           isolate: false, // they leave nothing behind, and loading each module once saves a third of the time
         },
