@@ -19,7 +19,14 @@ const tests = [
   'examples/**/*.test.mjs',
 ];
 const buildCode = ['src/vm/firmware/**'];
-const inNode = ['scripts/**/*.mjs', 'bin/**/*.mjs', '*.mjs', 'src/vm/firmware/**/*.mjs', 'e2e/**/*.mjs'];
+const inNode = [
+  'scripts/**/*.mjs',
+  'bin/**/*.mjs',
+  '*.mjs',
+  'src/vm/firmware/**/*.mjs',
+  'e2e/**/*.mjs',
+  'examples/**/*.mjs',
+];
 
 const own = 'See CONTRIBUTING.md, "The same run everywhere".';
 const clocks = ['Date', 'performance', 'setTimeout', 'setInterval', 'setImmediate', 'clearTimeout', 'clearInterval'];

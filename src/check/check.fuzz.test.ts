@@ -86,7 +86,12 @@ describe('randomly changed tasks and hand-ins', () => {
         const result = await check(short, handed.handIn, { firmware: firmware() });
         expect(result.worlds, `seed ${String(seed)}`).toHaveLength(short.worlds.length);
         const found = { task: short.id, handIns: [{ name: 'Anna', result }] };
-        for (const text of [jsonOf(found, 'de'), csvOf(found, 'fr'), junitOf(found, 'it'), htmlOf(found, short, 'en')])
+        for (const text of [
+          jsonOf(found, short, 'de'),
+          csvOf(found, 'fr'),
+          junitOf(found, 'it'),
+          htmlOf(found, short, 'en'),
+        ])
           expect(text).not.toContain('undefined');
       }
       for (const count of [counts.read, counts.refused]) expect(count).toBeGreaterThan(RUNS / 100);

@@ -12,7 +12,8 @@ PARTS=${PARTS:-7}
 task=$1 hand_ins=$2 results=$3
 shift 3
 mkdir -p "$results"
-# One part at a time uses all threads of a computer; one that breaks is tried three times. 3: some have not passed. That is a result, and no failure.
+# One part at a time uses all threads of a computer; one that breaks is tried three times.
+# 3: some have not passed. That is a result, and no failure.
 parallel --quote --jobs 1 --joblog "$results/parts.log" --retries 3 "$@" \
   bash -c 'node "$1" check "$2" "$3" --resume "$4" --shard "$5" --quiet || [ $? -eq 3 ]' \
   check-class "$PARCOURS/bin/parcours.mjs" "$task" "$hand_ins" "$results" "{}/$PARTS" ::: $(seq "$PARTS")

@@ -41,12 +41,19 @@ describe('the result of a class', () => {
 
   it('is a line of JSON without the time of this computer', async () => {
     const found = classResult('t', await results());
-    expect(JSON.parse(jsonOf(found, 'en'))).toMatchObject({
+    expect(JSON.parse(jsonOf(found, task, 'en'))).toMatchObject({
       task: 't',
+      maxPoints: 1,
       passed: 1,
       of: 3,
       handIns: [
-        { name: 'Anna', passed: true, points: 1, worlds: [{ id: 'visible', reason: null, touches: 0 }], remarks: [] },
+        {
+          name: 'Anna',
+          passed: true,
+          points: 1,
+          worlds: [{ id: 'visible', hidden: false, reason: null, touches: 0 }],
+          remarks: [],
+        },
         { passed: false, worlds: [{ passed: false, reason: 'The goal was not reached (0 of 1).', atMs: null }] },
         { name: 'Cem', passed: false, worlds: [], remarks: ['cannot be read: is damaged.'] },
       ],

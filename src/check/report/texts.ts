@@ -1,28 +1,32 @@
 import type { Language } from '#core/languages';
 import type { CheckResult } from '../result';
+import type { ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
 import { reasonText, remarkText, reportWords } from './say';
 
 /**
- * The result of a class as one line of JSON, without wall times: equal work gives equal text. `docs/check.md` describes it.
+ * The result of a class as one line of JSON, without wall times: equal work gives equal text.
+ * `schemas/check-result.schema.json` describes it.
  *
  * @param language of the sentences in `reason` and `remarks`
  */
-export function jsonOf(found: ClassResult, language: Language): string {
+export function jsonOf(found: ClassResult, { checks: asked }: ClassTask, language: Language): string {
   const { task, handIns } = found;
+  const pointsOf = (id: string): number => asked.find((check) => check.id === id)?.points ?? 0;
   return JSON.stringify({
     task,
+    maxPoints: asked.reduce((sum, { points }) => sum + points, 0),
     handIns: handIns.map(({ name, result }) => {
       const { passed, points, stars, checks, worlds, remarks } = result;
       return {
         ...{ name, passed, points },
         ...(stars !== null && { stars }),
         checks: checks.map((check) => ({
-          ...{ id: check.id, passed: check.passed },
+          ...{ id: check.id, passed: check.passed, points: pointsOf(check.id) },
           reason: check.reason && reasonText(check.reason, language),
         })),
         worlds: worlds.map((world) => ({
-          ...{ id: world.id, passed: world.passed },
+          ...{ id: world.id, hidden: world.hidden, passed: world.passed },
           reason: world.reason && reasonText(world.reason, language),
           ...{ atMs: world.atMs, touches: world.touches },
         })),

@@ -38,7 +38,7 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const problem = writeReports(found, checked.task, options);
   if (problem !== null) return refuse(problem, terminal);
   const [passed, of] = [passedOf(found), found.handIns.length];
-  if (options.json) terminal.line(jsonOf(found, options.lang));
+  if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
   else if (!options.quiet) {
     for (const one of found.handIns) terminal.line(lineOf(one, options));
     terminal.line(`${checked.name}: ${passed} of ${of} passed`);

@@ -59,7 +59,7 @@ describe('parcours check', () => {
       ...[['anna', true, 1], ['ben', false, 0], ['cem', false, 0], ['dora', true, 1]], // prettier-ignore
       ...[['eli', false, 0], ['fritz', false, 0], ['gina.txt', false, 0], ['hugo', false, 0]], // prettier-ignore
     ]);
-    expect(handIns[0]?.worlds).toEqual([{ id: 'visible', passed: true, reason: null, atMs: 19508, touches: 0 }]);
+    expect(handIns[0]?.worlds).toEqual([{ id: 'visible', hidden: false, passed: true, reason: null, atMs: 19508, touches: 0 }]); // prettier-ignore
     expect(handIns[0]?.remarks).toEqual(['Same program as: dora']);
     expect(handIns[4]?.worlds[0]?.reason).toContain('SyntaxError');
     expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
@@ -126,6 +126,25 @@ describe('parcours check', () => {
     const { handIns } = jsonOf(parcours('check', 'closed-line', mail, '--json').out);
     expect(handIns.map(({ name, passed }) => [name, passed])).toEqual([['Anna', true], ['Ben', false]]); // prettier-ignore
     expect(handIns[1]?.remarks[0]).toContain('cannot be read: The link cannot be opened.');
+  });
+
+  it('finds a link that somebody has handed in as a text', () => {
+    const project = readyProject('closed-line');
+    if (project === null) throw new Error('There is no such course.');
+    const handedIn = { ...project, files: [{ name: 'main.py', text: RIGHT }] };
+    const { fragment = '' } = linkOf(handedIn, { courses: readyCourse, program: true }) ?? {};
+    const address = `https://parcours.example/${fragment.replace(/^#?/, '#')}`;
+    const texts = classOf('texts', {
+      // As Moodle packs what is typed into it.
+      'Anna Weber_17_assignsubmission_onlinetext/onlinetext.html': `<p>Mine: <a href="${address}">${address}</a></p>`,
+      'ben.url': `[InternetShortcut]\r\nURL=${address}\r\n`,
+      'cem.txt': `${address}\n${address.slice(0, -9)}\n`,
+      'dora.txt': 'I was ill.\n',
+    });
+    const { handIns } = jsonOf(parcours('check', 'closed-line', texts, '--json').out);
+    expect(handIns.map(({ passed }) => passed)).toEqual([true, true, false, false]);
+    expect(handIns[2]?.remarks).toEqual(['cannot be read: has several links in it. A hand-in is one.']);
+    expect(handIns[3]?.remarks).toEqual(['cannot be read: has no link in it.']);
   });
 
   it('goes on with the others when a thread gives no sign of life', () => {

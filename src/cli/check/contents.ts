@@ -3,6 +3,7 @@ import { handInOf, handInOfFiles } from '#check/hand-in/read-hand-in';
 import { openJson } from '#project/open-json';
 import { FILE_BYTES, MAIN, nameProblem, projectLimits, type SourceFile } from '#project/project';
 import { openAddress } from '../read-work';
+import { isTextWithLinks, linksInFile } from './links';
 import { readZip } from './zip';
 
 /** What a source holds: a hand-in, or why there is none. */
@@ -17,21 +18,33 @@ export interface NamedBytes {
 /** Largest file that is opened. Chosen: more than the largest project. */
 export const MOST_FILE_BYTES = 4 * projectLimits.textCharacters;
 
-/** The hand-in of a file: a program, a project, or a zip of one. Never throws. */
-export function handInOfBytes(name: string, bytes: Uint8Array): Content {
+/** A link takes a moment to be opened. */
+type Opened = Content | Promise<Content>;
+
+/** The hand-in of a file: a program, a project, a text with a link to one, or a zip of one. Never throws. */
+export function handInOfBytes(name: string, bytes: Uint8Array): Opened {
   if (/\.zip$/i.test(name)) return handInOfZip(bytes);
   const text = textOf(bytes);
   if (text === null) return { problem: 'is neither a program nor a project.' };
   if (/\.json$/i.test(name)) return handInOfJson(text);
+  if (isTextWithLinks(name)) return handInOfText(name, text);
   if (!/\.py$/i.test(name)) return { problem: 'is neither a program (.py) nor a project (.json).' };
   return handInOfPrograms([{ name: MAIN, text }]);
 }
 
-/** The hand-in of a folder: its main.py with the files beside it; without one its only program or project. */
-export function folderHandIn(files: readonly NamedBytes[]): Content {
+/** What is somebody's one link, such as a text that was typed into a learning platform. */
+function handInOfText(name: string, text: string): Opened {
+  const [first, second] = new Set(linksInFile(name, text).map(({ address }) => address));
+  if (first === undefined) return { problem: 'has no link in it.' };
+  return second === undefined ? handInOfAddress(first) : { problem: 'has several links in it. A hand-in is one.' };
+}
+
+/** The hand-in of a folder: its main.py with the files beside it; without one its only program, project or text with a link. */
+export function folderHandIn(files: readonly NamedBytes[]): Opened {
   const main = files.find(({ name }) => name === MAIN);
   if (main === undefined) {
-    const likely = files.filter(({ name }) => /\.(py|json|zip)$/i.test(name));
+    const programs = files.filter(({ name }) => /\.(py|json|zip)$/i.test(name));
+    const likely = programs.length > 0 ? programs : files.filter(({ name }) => isTextWithLinks(name));
     const [only] = likely;
     if (only === undefined || likely.length > 1) return { problem: 'has no main.py.' };
     return handInOfBytes(only.name, only.bytes);
@@ -53,7 +66,7 @@ export async function handInOfAddress(address: string): Promise<Content> {
   return 'project' in opened ? handInOf(opened.project) : handInOfPrograms(opened.files);
 }
 
-function handInOfZip(bytes: Uint8Array): Content {
+function handInOfZip(bytes: Uint8Array): Opened {
   const zip = readZip(bytes);
   if ('problem' in zip) return zip;
   const files: NamedBytes[] = [];

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { linksIn } from './links';
+import { linksIn, linksInFile } from './links';
 
 const LINK = 'https://parcours.example/app/#p=4.abcdef-_';
 
@@ -19,5 +19,26 @@ describe('the links in a text', () => {
 
   it('are none where an address leads elsewhere', () => {
     expect(linksIn('https://example.org/ #p= #p=x')).toEqual([]);
+  });
+});
+
+describe('the links in a table', () => {
+  const named = (name: string, address = LINK) => ({ name, address });
+
+  it('have the name that stands in the cell before them', () => {
+    const answers = `"Timestamp","Name","Class","Link"\n"2026/11/20, 8:15","Anna ""Ann"" Weber","","${LINK}"\n"2026/11/20, 8:20","Ben","","${LINK}0"\n`;
+    expect(linksInFile('answers.csv', answers)).toEqual([named('Anna "Ann" Weber'), named('Ben', `${LINK}0`)]);
+  });
+
+  it('are found with semicolons and tabs, without a last line end, and with a line end in a cell', () => {
+    expect(linksInFile('a.csv', `Name;Link\r\nAnna;${LINK}`)).toEqual([named('Anna')]);
+    expect(linksInFile('a.csv', `Name\tLink\nAnna\t"My link:\n${LINK}"\n`)).toEqual([named('Anna')]);
+  });
+});
+
+describe('the links in a page', () => {
+  it('are there once, whether their address is shown or a name', () => {
+    const page = `<ul><li>Anna: <a class="x" href="${LINK}?a=1&amp;b=2">${LINK.slice(0, 20)}…</a></li><li><a href='${LINK}'>Ben</a></li></ul>`;
+    expect(linksInFile('page.html', page).map(({ name }) => name)).toEqual(['Anna', 'Ben']);
   });
 });

@@ -10,7 +10,7 @@ import {
   type Content,
   type NamedBytes,
 } from './contents';
-import { linksIn, type NamedLink } from './links';
+import { isTextWithLinks, linksInFile, type NamedLink } from './links';
 import { readZip, type ZipEntry } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
@@ -57,7 +57,7 @@ async function sourcesAt(path: string): Promise<readonly Source[] | { readonly p
     const status = statSync(path);
     if (status.isDirectory()) return inFolder(path);
     if (/\.zip$/i.test(path)) return inZipFile(path, status.size);
-    if (/\.(txt|eml|md|csv|html?)$/i.test(path)) return await inList(path, status.size);
+    if (isTextWithLinks(path)) return await inList(path, status.size);
     return [fileSource(path)];
   } catch (error) {
     return { problem: `${path}: ${reasonOf(error)}` };
@@ -164,7 +164,7 @@ const zipFolder = (name: string, entries: readonly ZipEntry[]): Source => ({
 async function inList(path: string, size: number): Promise<readonly Source[]> {
   const name = handInName(basename(path));
   if (size > MOST_LIST_BYTES) return [brokenSource(name, `has ${size} bytes; the limit is ${MOST_LIST_BYTES}.`)];
-  const links = linksIn(readFileSync(path, 'utf8'));
+  const links = linksInFile(path, readFileSync(path, 'utf8'));
   if (links.length === 0) return [brokenSource(name, 'has no link in it.')];
   return Promise.all(links.map(linkSource));
 }
