@@ -42,3 +42,12 @@ describe('the links in a page', () => {
     expect(linksInFile('page.html', page).map(({ name }) => name)).toEqual(['Anna', 'Ben']);
   });
 });
+
+describe('a megabyte of anything', () => {
+  // A pattern that looks at each sign again from each sign would not end within the time of a test.
+  it.each(['<', '<a href=x>', '"', '" ', ' ', '.', '&', `${LINK}.`, `a,"`])('of %j is read', (piece) => {
+    const much = piece.repeat(Math.ceil(1_000_000 / piece.length));
+    for (const kind of ['a.txt', 'a.csv', 'a.html'])
+      expect(linksInFile(kind, `${much}x\nAnna ${LINK}\n${much}${LINK}${much}x`)).toBeInstanceOf(Array);
+  });
+});

@@ -44,7 +44,7 @@ function addressesIn(
   line: string,
 ): readonly { readonly address: string; readonly start: number; readonly end: number }[] {
   return Array.from(line.matchAll(ADDRESS), (match) => ({
-    address: match[0].replace(/[.,;:)\]}!?]+$/, ''),
+    address: match[0].slice(0, lengthWithout(match[0], AFTER_ADDRESS)),
     start: match.index,
     end: match.index + match[0].length,
   })).filter(({ address }) => /[#?&](p=\d|code=)/.test(address));
@@ -52,8 +52,20 @@ function addressesIn(
 
 /** The words without what parts them from the link. */
 function nameIn(text: string): string {
-  const words = text.replace(/^[\s\-*•<>|"'([{,;]+|[\s\-–:=<>|"'([{,;]+$/g, '').trim();
-  return words.length > NAME_CHARACTERS ? '' : words;
+  const ended = text.slice(0, lengthWithout(text, AFTER_NAME));
+  let start = 0;
+  while (start < ended.length && BEFORE_NAME.test(ended.charAt(start))) start += 1;
+  return ended.length - start > NAME_CHARACTERS ? '' : ended.slice(start);
+}
+
+/** What ends a sentence or a bracket and not an address; what stands around names. */
+const [AFTER_ADDRESS, BEFORE_NAME, AFTER_NAME] = [/[.,;:)\]}!?]/, /[\s\-*•<>|"'([{,;]/, /[\s\-–:=<>|"'([{,;]/];
+
+/** Sign by sign: a pattern would take hours for a megabyte of spaces that somebody hands in. */
+function lengthWithout(text: string, sign: RegExp): number {
+  let end = text.length;
+  while (end > 0 && sign.test(text.charAt(end - 1))) end -= 1;
+  return end;
 }
 
 /** The links of a table, such as the answers to a form: the name is in the last cell before the link that is not empty. */
@@ -88,15 +100,29 @@ function rowsOf(text: string): readonly (readonly string[])[] {
 /** A cell and what ends it. */
 const cellOf = (sign: string): RegExp => new RegExp(`(?:"((?:[^"]|"")*)"|([^${sign}\\r\\n]*))(${sign}|\\r?\\n|$)`, 'g');
 
-/** What is read on a page, with the addresses of its links. */
+/** What is read on a page, with the addresses of its links; tag by tag, for the same reason. */
 function textOfPage(html: string): string {
-  return html
-    .replace(/<a\b[^>]*?\bhref\s*=\s*["']?([^"'\s>]+)[^>]*>([\s\S]*?)<\/a>/gi, (_, address: string, shown: string) =>
+  const parts: string[] = [];
+  let link: { readonly address: string; readonly from: number } | null = null;
+  let from = 0;
+  for (let open = html.indexOf('<'); open >= 0; open = html.indexOf('<', from)) {
+    const close = html.indexOf('>', open);
+    if (close < 0) break;
+    parts.push(html.slice(from, open));
+    from = close + 1;
+    const [, end, name = '', rest = ''] = /^<(\/?)([a-z\d]*)(.*)$/is.exec(html.slice(open, close)) ?? [];
+    const address = /\bhref\s*=\s*["']?([^"'\s]+)/i.exec(rest)?.[1];
+    if (/^a$/i.test(name) && link !== null) {
       // Where the address itself is shown it would be there twice.
-      /https?:|#p=/i.test(shown) ? ` ${address} ` : `${shown} ${address} `,
-    )
-    .replace(/<\/(?:p|div|li|tr|h\d)>|<br\b[^>]*>/gi, '\n')
-    .replace(/<[^>]*>/g, ' ')
+      const shown = parts.splice(link.from).join('');
+      parts.push(/https?:|#p=/i.test(shown) ? ` ${link.address} ` : ` ${shown} ${link.address} `);
+      link = null;
+    }
+    if (/^a$/i.test(name) && address !== undefined) link = { address, from: parts.length };
+    parts.push((end !== '' && /^(p|div|li|tr|h\d)$/i.test(name)) || /^br$/i.test(name) ? '\n' : ' ');
+  }
+  return [...parts, html.slice(from)]
+    .join('')
     .replace(/&(amp|lt|gt|quot|nbsp|#39);/g, (_, name: string) => entities[name] ?? ' ');
 }
 
