@@ -5,10 +5,7 @@ import { serializeScene } from '#scene/serialize';
 import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { readDevices, readInputs } from './read-setup';
 import { hashOfText, type TapeResult } from './result';
-import type { Tape } from './tape';
-
-/** The name of the format in the file. */
-export const TAPE_FORMAT = 'parcours-tape';
+import { isTapeFile, TAPE_FORMAT, type Tape } from './tape';
 
 /** The version that this app writes and the newest that it reads. The course within has a version of its own. */
 export const TAPE_VERSION = 1;
@@ -16,17 +13,30 @@ export const TAPE_VERSION = 1;
 /** Longest file that is read. Chosen: 100,000 inputs and eight devices with all their files. */
 const MOST_CHARACTERS = 40_000_000;
 
+/** Why a file gives no tape: it is something else, of a newer version, or not whole. */
+export type TapeFault = 'no-tape' | 'newer' | 'damaged';
+
 /** A tape, with what was changed in its file after the recording, a sentence each; or why there is none. */
-export type ParsedTape = { readonly tape: Tape; readonly changes: readonly string[] } | { readonly problem: string };
+export type ParsedTape =
+  | {
+      readonly tape: Tape;
+      readonly changes: readonly string[];
+      /** The devices whose program was changed. */
+      readonly changedPrograms: readonly string[];
+    }
+  | {
+      readonly problem: string;
+      readonly fault: TapeFault;
+      /** What was to be run, where that can be read all the same. */
+      readonly setup: RunSetup | null;
+    };
 
 type Fields = Readonly<Record<string, unknown>>;
 
 /** A tape as its file: JSON that ends in a newline. */
 export function tapeToText({ madeBy, setup, untilUs, untilProgramEnds, result }: Tape): string {
-  const { scene, devices, seed, reality, repl, inputs = [] } = setup;
-  const course: unknown = JSON.parse(serializeScene(scene));
-  const kept = { scene: course, devices, seed, reality, ...(repl && { repl }), inputs };
-  const hashes = { programs: programHashes(devices), setup: hashOfText(JSON.stringify(kept)) };
+  const kept = setupToValue(setup);
+  const hashes = { programs: programHashes(setup.devices), setup: hashOfText(JSON.stringify(kept)) };
   const lines = Object.entries({
     format: TAPE_FORMAT,
     version: TAPE_VERSION,
@@ -40,47 +50,53 @@ export function tapeToText({ madeBy, setup, untilUs, untilProgramEnds, result }:
   return `{\n${lines.map(([name, value]) => `  ${JSON.stringify(name)}: ${JSON.stringify(value)}`).join(',\n')}\n}\n`;
 }
 
+function setupToValue({ scene, devices, seed, reality, repl, inputs = [] }: RunSetup): object {
+  const course: unknown = JSON.parse(serializeScene(scene));
+  return { scene: course, devices, seed, reality, ...(repl && { repl }), inputs };
+}
+
+/** The set-up as it comes back from its file: what is recorded must be the run of that. */
+export const setupAsKept = (setup: RunSetup): RunSetup =>
+  readSetup(JSON.parse(JSON.stringify(setupToValue(setup))) as Fields);
+
 /** Reads a tape's file. Never throws. */
 export function parseTape(text: string): ParsedTape {
   const read = readJsonFile(text, 'recording', MOST_CHARACTERS);
-  if ('problem' in read) return { problem: read.problem.message };
+  if ('problem' in read) {
+    const isCut = read.problem.code === 'not-json' && isTapeFile(text);
+    return { problem: read.problem.message, fault: isCut ? 'damaged' : 'no-tape', setup: isCut ? setupIn(text) : null };
+  }
   const { value } = read;
-  if (!isRecord(value) || value.format !== TAPE_FORMAT)
-    return {
-      problem: `This is no recorded run: "format" is not "${TAPE_FORMAT}". Record one with parcours run … --record FILE.`,
-    };
+  if (!isRecord(value) || value.format !== TAPE_FORMAT) {
+    const problem = `This is no recorded run: "format" is not "${TAPE_FORMAT}". Record one with parcours run … --record FILE.`;
+    return { problem, fault: 'no-tape', setup: null };
+  }
   const version = versionProblem(value.version);
-  if (version !== null) return { problem: version };
+  if (version !== null) return { ...version, setup: setupOrNull(value.setup) };
   try {
     return parsed(value);
   } catch (error) {
-    if (error instanceof TypeError) return { problem: error.message };
+    if (error instanceof TypeError)
+      return { problem: error.message, fault: 'damaged', setup: setupOrNull(value.setup) };
     throw error;
   }
 }
 
-function versionProblem(version: unknown): string | null {
+function versionProblem(version: unknown): { readonly problem: string; readonly fault: TapeFault } | null {
   if (version === TAPE_VERSION) return null;
-  if (typeof version === 'number' && version > TAPE_VERSION)
-    return `The recording is of version ${version}, this Parcours reads up to ${TAPE_VERSION}. Update Parcours.`;
-  return `version: ${JSON.stringify(version) ?? 'nothing'} is no version of a recording.`;
+  if (typeof version === 'number' && version > TAPE_VERSION) {
+    const problem = `The recording is of version ${version}, this Parcours reads up to ${TAPE_VERSION}. Update Parcours.`;
+    return { problem, fault: 'newer' };
+  }
+  const problem = `version: ${JSON.stringify(version) ?? 'nothing'} is no version of a recording.`;
+  return { problem, fault: 'damaged' };
 }
 
 /** @throws TypeError with a sentence for what is not as it must be */
 function parsed(value: Fields): ParsedTape {
   const { setup, hashes } = value;
   if (!isRecord(setup)) throw new TypeError('setup: is missing; the recording is not whole.');
-  const course = parseSceneValue(setup.scene);
-  if (!('scene' in course)) return { problem: `setup.scene: ${summaryOf(course.problems)}` };
-  const devices = readDevices(setup.devices);
-  const run: RunSetup = {
-    scene: course.scene,
-    devices,
-    seed: numberIn(setup, 'seed'),
-    reality: numberIn(setup, 'reality'),
-    ...(setup.repl === 'at-once' && { repl: setup.repl }),
-    inputs: readInputs(setup.inputs),
-  };
+  const run = readSetup(setup);
   const tape: Tape = {
     madeBy: typeof value.madeBy === 'string' ? value.madeBy.slice(0, 40) : '?',
     setup: run,
@@ -88,18 +104,58 @@ function parsed(value: Fields): ParsedTape {
     untilProgramEnds: value.untilProgramEnds === true,
     result: readResult(value.result),
   };
-  return { tape, changes: changesOf(setup, devices, hashes) };
+  return { tape, ...changesOf(setup, run.devices, hashes) };
+}
+
+/** @throws TypeError with a sentence for what is not as it must be */
+function readSetup(setup: Fields): RunSetup {
+  const course = parseSceneValue(setup.scene);
+  if (!('scene' in course)) throw new TypeError(`setup.scene: ${summaryOf(course.problems)}`);
+  return {
+    scene: course.scene,
+    devices: readDevices(setup.devices),
+    seed: numberIn(setup, 'seed'),
+    reality: numberIn(setup, 'reality'),
+    ...(setup.repl === 'at-once' && { repl: setup.repl }),
+    inputs: readInputs(setup.inputs),
+  };
+}
+
+function setupOrNull(value: unknown): RunSetup | null {
+  try {
+    return isRecord(value) ? readSetup(value) : null;
+  } catch (error) {
+    if (error instanceof TypeError) return null;
+    throw error;
+  }
+}
+
+/** The set-up in a file that was cut off behind it: it has a line of its own. */
+function setupIn(text: string): RunSetup | null {
+  const [, line] = /^ *"setup": (.*),$/m.exec(text) ?? [];
+  try {
+    return setupOrNull(JSON.parse(line ?? 'null'));
+  } catch {
+    return null; // it is itself damaged
+  }
 }
 
 /** What is not any more as it was recorded. */
-function changesOf(setup: Fields, devices: readonly DeviceSetup[], hashes: unknown): readonly string[] {
+function changesOf(
+  setup: Fields,
+  devices: readonly DeviceSetup[],
+  hashes: unknown,
+): { readonly changes: readonly string[]; readonly changedPrograms: readonly string[] } {
   if (!isRecord(hashes) || !isRecord(hashes.programs))
     throw new TypeError('hashes: is missing; the recording is not whole.');
   const { programs } = hashes;
-  const changed = Object.entries(programHashes(devices)).filter(([name, hash]) => programs[name] !== hash);
-  if (changed.length > 0) return changed.map(([name]) => `The program of "${name}" was changed since the recording.`);
-  if (hashes.setup === hashOfText(JSON.stringify(setup))) return [];
-  return ['The set-up (course, settings or inputs) was changed since the recording.'];
+  const changedPrograms = Object.entries(programHashes(devices))
+    .filter(([name, hash]) => programs[name] !== hash)
+    .map(([name]) => name);
+  const changes = changedPrograms.map((name) => `The program of "${name}" was changed since the recording.`);
+  const isSetupChanged = changes.length === 0 && hashes.setup !== hashOfText(JSON.stringify(setup));
+  const ofSetup = 'The set-up (course, settings or inputs) was changed since the recording.';
+  return { changes: isSetupChanged ? [ofSetup] : changes, changedPrograms };
 }
 
 const programHashes = (devices: readonly DeviceSetup[]): Readonly<Record<string, string>> =>

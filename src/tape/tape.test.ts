@@ -1,8 +1,9 @@
 import { readFileSync } from 'node:fs';
 import { beforeAll, describe, expect, it } from 'vitest';
+import { isSame } from '#core/same';
 import { Simulation } from '#simulation/simulation';
 import { convoyOf } from '#simulation/testing/convoy';
-import { parseTape, tapeToText } from './file';
+import { parseTape, setupAsKept, tapeToText } from './file';
 import { momentOf } from './moment';
 import { differences, OutputHashes, resultOf, type TapeResult } from './result';
 import type { Tape } from './tape';
@@ -90,6 +91,21 @@ describe('a recorded run', () => {
       'setup.inputs[0].action.button: "c" does not belong here',
     );
     expect(problemOf(text.replace('"type":"button"', '"type":"fly"'))).toContain('setup.inputs[0].action.type: "fly"');
+  });
+
+  it('gives its set-up all the same where only what comes behind it is damaged, or newer', () => {
+    const whole = read().tape.setup;
+    const faultOf = (changed: string): readonly unknown[] => {
+      const parsed = parseTape(changed);
+      return 'problem' in parsed ? [parsed.fault, parsed.setup && isSame(parsed.setup, whole)] : [];
+    };
+    expect(faultOf(text.slice(0, text.indexOf('"result"') + 30))).toEqual(['damaged', true]);
+    expect(faultOf(text.replace(/"result": .*\n/, '"result": {},\n'))).toEqual(['damaged', true]);
+    expect(faultOf(text.replace('"version": 1', '"version": 2'))).toEqual(['newer', true]);
+    expect(faultOf(text.slice(0, 2000))).toEqual(['damaged', null]);
+    expect(faultOf(text.replace('"robot":"none"', '"robot":7'))).toEqual(['damaged', null]);
+    expect(faultOf('{"format": "parcours-project"}')).toEqual(['no-tape', null]);
+    expect(setupAsKept(whole)).toEqual(whole);
   });
 
   it('shows a moment: time, line, stack, variables, robot, of any device', async () => {
