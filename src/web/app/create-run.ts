@@ -35,8 +35,8 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
   const { hand, dataLog, sound } = around;
   const run: RunModel = new RunModel({
     ...engine,
-    setup: () => {
-      const setup = runSetup(around, (place) => sensors.startInputs(place));
+    setup: (kept) => {
+      const setup = kept ?? runSetup(around, (place) => sensors.startInputs(place));
       around.runStart.value = setup.scene;
       return setup;
     },

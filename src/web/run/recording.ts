@@ -37,10 +37,15 @@ export class Recording {
   /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */
   readonly ghost: ShallowRef<Recording | null>;
 
-  /** @param setup of the run; `null`: there is none */
+  /**
+   * @param setup of the run; `null`: there is none
+   * @param left the run that this one has left
+   * @param isBrought it was recorded before, maybe by somebody else, and is looked at from its beginning on
+   */
   constructor(
     readonly setup: RunSetup | null,
     left: Recording | null = null,
+    readonly isBrought = false,
   ) {
     this.ghost = shallowRef(left);
   }

@@ -6,6 +6,7 @@ import type { InputEvent } from '#simulation/input';
 import type { Snapshot } from '#simulation/snapshot';
 import type { FromWorker, RunEvents, ToWorker } from './worker/protocol';
 import type { WorkerPort } from './run-client';
+import { goOn } from './run-again';
 import { RunModel, type RunHost } from './run-model';
 import { soloRun } from '#simulation/run-setup';
 
@@ -33,7 +34,8 @@ const newRun = (host: Partial<RunHost> = {}): RunModel =>
   new RunModel({
     createWorker: () => new QuickWorker(),
     firmware: () => Promise.resolve({} as WebAssembly.Module),
-    setup: () =>
+    setup: (kept) =>
+      kept ??
       soloRun({
         scene: defaultScene(),
         files: { 'main.py': '' },
@@ -229,7 +231,7 @@ describe('a run that is looked back at', () => {
     const heard: number[] = [];
     const { run, say } = await atThreeSeconds({ onEvents: ({ sound }) => heard.push(sound.length) });
     run.past.value = { timeUs: 1_500_000 } as Snapshot;
-    await run.goOn(1_500_000);
+    await goOn(run, 1_500_000);
     await aMoment();
     const last = QuickWorker.sent.findLast((message) => message.type === 'run');
     expect(last).toMatchObject({ catchUpUs: 1_500_000, paused: false, setup: { inputs: [press(1_000_000)] } });
@@ -245,7 +247,7 @@ describe('a run that is looked back at', () => {
   it('goes on from its very beginning at once', async () => {
     const { run } = await atThreeSeconds();
     run.past.value = { timeUs: 0 } as Snapshot;
-    await run.goOn(0);
+    await goOn(run, 0);
     expect(run.past.value).toBeNull();
     await aMoment(); // its next worker is there
   });
@@ -253,7 +255,7 @@ describe('a run that is looked back at', () => {
   it('has the run that was left as its ghost, until another run begins', async () => {
     const { run } = await atThreeSeconds();
     const left = run.recording.value;
-    await run.goOn(1_500_000);
+    await goOn(run, 1_500_000);
     expect([run.recording.value === left, run.recording.value.ghost.value === left]).toEqual([false, true]);
     await run.reset();
     expect(run.recording.value.ghost.value).toBeNull();

@@ -18,7 +18,8 @@ const BUSY_AFTER_MS = 1000;
 
 /** What a run needs of the app around it. */
 export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
-  setup(): RunSetup;
+  /** The set-up of a run that starts now. @param kept that of a run that was kept, and is to be run again */
+  setup(kept?: RunSetup): RunSetup;
   /** Place of the device whose board and program are shown. Left out: the first. */
   device?(): number;
   /** Something was done to a board, whether a run takes it or not. */
@@ -39,13 +40,16 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
 }
 
 /** How a run begins. */
-interface Beginning {
-  readonly setup: () => RunSetup;
+export interface Beginning {
+  /** Of a run that has been and is to be run again; left out: a new one. */
+  readonly kept?: RunSetup;
   readonly paused: boolean;
   /** Until this simulated time it runs as fast as it can. */
   readonly catchUpUs?: number;
   /** The run that is left for this one. */
   readonly left?: Recording | null;
+  /** It was recorded before: when it has come there, it is looked at from its beginning on. */
+  readonly isBrought?: boolean;
 }
 
 /**
@@ -116,6 +120,11 @@ export class RunModel {
     });
   }
 
+  /** How workers are made, and the VM for them: for others who run something. */
+  get engine(): Pick<RunHost, 'createWorker' | 'firmware'> {
+    return this.host;
+  }
+
   /** Makes the next run immediate. A failure is not reported here: the run will report it. */
   warmUp(): void {
     this.client.warmUp().catch(() => undefined);
@@ -129,24 +138,11 @@ export class RunModel {
 
   /** Starts a new run, also during a run; with `paused` it starts paused. */
   start(paused = false): Promise<void> {
-    return this.begin({ setup: () => this.host.setup(), paused });
+    return this.begin({ paused });
   }
 
-  /**
-   * The run goes on from one of its moments: it is run again up to there, with all that was done until then, as fast as
-   * it can.
-   */
-  goOn(fromUs: number): Promise<void> {
-    const { setup, inputs } = this.recording.value;
-    const moment = this.past.value;
-    if (setup === null || inputs.value === null) return Promise.resolve();
-    const again = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
-    const begun = this.begin({ setup: () => again, paused: false, catchUpUs: fromUs, left: this.recording.value });
-    if (fromUs > 0) this.past.value = moment; // shown until the run is there
-    return begun;
-  }
-
-  private async begin({ setup: make, paused, catchUpUs = 0, left = null }: Beginning): Promise<void> {
+  /** Starts a new run in one of all ways. */
+  async begin({ kept, paused, catchUpUs = 0, left = null, isBrought = false }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
     this.client.expect();
@@ -161,8 +157,8 @@ export class RunModel {
     const isWanted = (): boolean => starts === this.starts && this.phase.value === 'starting';
     if (!isWanted()) return; // a listener of the start has stopped it
     try {
-      const setup = make();
-      this.recording.value = new Recording(setup, left);
+      const setup = this.host.setup(kept);
+      this.recording.value = new Recording(setup, left, isBrought);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
       await this.client.start(setup, { speed: this.speed, paused, catchUpUs });
@@ -342,7 +338,8 @@ export class RunModel {
   private endCatchingUp(nowUs: number): void {
     if (this.catchUpUs === 0 || nowUs < this.catchUpUs) return;
     this.catchUpUs = 0;
-    this.past.value = null;
+    if (!this.recording.value.isBrought) this.past.value = null;
+    else if (this.past.value !== null) this.lookBack(); // the rest of its moments
   }
 
   private setEnded(device: number, ended: Ended | null): void {

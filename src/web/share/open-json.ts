@@ -1,4 +1,5 @@
 import { openJson } from '#project/open-json';
+import { isTapeFile } from '#tape/tape';
 
 import type { PageParts } from '../page/parts';
 import type { Workplace } from '../work/model/parts';
@@ -60,6 +61,10 @@ async function openJsonFile(app: TakesDocuments, loaded: File): Promise<string |
   }
   const text = await textOf(loaded);
   if (text === null) return say(words.problems.unreadable, { file });
+  if (isTapeFile(text)) {
+    const { openRun } = await import('./open-run');
+    return openRun(app, file, stemOf(file), text);
+  }
   const opened = openJson(text);
   if (opened.kind === 'problem') return say(words.problems.file, { file, reason: reasonOf(opened.problems) });
   const { project, file: openFile } = app.work.work.value;
@@ -76,7 +81,8 @@ async function openJsonFile(app: TakesDocuments, loaded: File): Promise<string |
 }
 
 /** A file's name without its ending and without the number that browsers add to a second download. */
-const stemOf = (file: string): string => file.replace(/(\.parcours)?\.json$/i, '').replace(/ ?\(\d+\)$/, '') || file;
+const stemOf = (file: string): string =>
+  file.replace(/(\.parcours|\.run)?\.json$/i, '').replace(/ ?\(\d+\)$/, '') || file;
 
 function refuse(app: Pick<PageParts, 'notices'>, text: string): void {
   app.notices.show({ kind: 'error', key: 'notice.text', values: { text } });

@@ -71,7 +71,10 @@ export function createTask(
   };
 }
 
-/** Keeps what a run has won, in a ready course as it comes and with the robot of its mission: what was made easier counts not. */
+/**
+ * Keeps what a run has won, in a ready course as it comes and with the robot of its mission: what was made easier counts
+ * not, nor does a run out of a file.
+ */
 function keepStars(
   run: RunParts['run'],
   work: WorkParts['work'],
@@ -84,7 +87,8 @@ function keepStars(
   });
   watch(won, (count) => {
     const course = ready.value;
-    if (count === 0 || course === null || !isSameArena(course.scene, work.scene.value)) return;
+    if (count === 0 || course === null || run.recording.value.isBrought) return;
+    if (!isSameArena(course.scene, work.scene.value)) return;
     const robot = run.snapshot.value?.robot?.type;
     if (course.mission === undefined || course.mission.robot === robot) stars.keep(course.id, count);
   });

@@ -174,6 +174,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
     mdiHistory,
     'arena.lookBack',
     'look-back-open',
+    'save-run',
     'go-on',
     'ghost-away',
     'look-back-close',

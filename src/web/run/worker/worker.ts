@@ -1,11 +1,12 @@
 /**
- * The module worker that owns one run, looks into one that has been (`look/`), or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
+ * The module worker that owns one run, looks into one that has been or repeats it (`look/`), or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
  * of its logic is in `runner.ts`.
  */
 import { Simulation } from '#simulation/simulation';
 
 import { answerFit, type FitRequest } from './fit';
 import { Looker } from './look/looker';
+import { answerRepeat, type RepeatRequest } from './look/repeat';
 import type { ToLooker } from './look/protocol';
 import { sealSandbox } from './sandbox';
 import type { ToWorker } from './protocol';
@@ -43,8 +44,10 @@ const looker = new Looker({
   rest: () => new Promise((resolve) => soon(resolve)),
 });
 
-addEventListener('message', ({ data }: MessageEvent<ToWorker | ToLooker | FitRequest>) => {
-  if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
+addEventListener('message', ({ data }: MessageEvent<ToWorker | ToLooker | RepeatRequest | FitRequest>) => {
+  if (data.type === 'repeat')
+    void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
+  else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
   else if (data.type === 'look-into' || data.type === 'look' || data.type === 'look-near') looker.receive(data);
   else runner.receive(data);
 });

@@ -1,0 +1,66 @@
+import { watch } from 'vue';
+
+import { setupAsKept, tapeToText } from '#tape/file';
+import type { Tape } from '#tape/tape';
+import { version } from '../../../package.json';
+import type { PageParts } from '../page/parts';
+import { say } from '../page/i18n/say';
+import type { RunParts } from '../run/parts';
+import { repeatShown } from '../run/repeat-shown';
+import type { RunModel } from '../run/run-model';
+import type { WorkParts } from '../work/model/parts';
+import { fileName, saveText } from '../work/save-file';
+import { nameToSave } from '../work/work-name';
+import { lookBackWords as words } from './look-back-words';
+
+type Recorded = Pick<Tape, 'setup' | 'untilUs'>;
+
+/**
+ * Saves the run so far as a file, the same as `parcours run --record` writes. It is run again for that: what the file says
+ * it comes to is what its repetition comes to.
+ */
+export async function saveRun(app: Pick<PageParts, 'notices'> & Pick<RunParts, 'run'> & WorkParts): Promise<void> {
+  const recorded = await recordedNow(app.run);
+  if (recorded === null) return;
+  const { untilUs } = recorded;
+  const untilProgramEnds = false;
+  try {
+    const setup = setupAsKept(recorded.setup);
+    const wish = { setup, untilUs, untilProgramEnds };
+    const repeated = await repeatShown(app, wish, (percent) => say(words.saving, { percent }));
+    if (repeated === null) return;
+    const text = tapeToText({ madeBy: version, setup, untilUs, untilProgramEnds, result: repeated.result });
+    saveText(app, fileName(nameToSave(app), 'run.json'), text, 'application/json');
+  } catch {
+    app.notices.show({ kind: 'error', key: 'notice.text', values: { text: say(words.saveFailed) } });
+  }
+}
+
+/** The run up to now, with all that was done to it; `null`: it is gone. */
+async function recordedNow(run: RunModel): Promise<Recorded | null> {
+  const recording = run.recording.value;
+  const { setup } = recording;
+  if (run.isActive.value) {
+    const come = new Promise<void>((resolve) => {
+      const stop = watch([recording.inputs, run.recording, run.isActive], () => {
+        stop();
+        resolve();
+      });
+    });
+    run.lookBack();
+    await come;
+  }
+  const inputs = recording.inputs.value;
+  const endUs = run.present.value?.timeUs ?? 0;
+  if (setup === null || inputs === null || run.recording.value !== recording) return null;
+  return untilStop({ setup: { ...setup, inputs: inputs.filter(({ timeUs }) => timeUs <= endUs) }, untilUs: endUs });
+}
+
+/** Of a run that was stopped, all until then: Stop interrupts the programs, and their last words are not the run's. */
+function untilStop({ setup, untilUs }: Recorded): Recorded {
+  const { inputs = [] } = setup;
+  const last = inputs.at(-1);
+  if (last?.action.type !== 'interrupt') return { setup, untilUs };
+  const isStop = (event: typeof last): boolean => event.action.type === 'interrupt' && event.timeUs === last.timeUs;
+  return { setup: { ...setup, inputs: inputs.filter((event) => !isStop(event)) }, untilUs: last.timeUs };
+}

@@ -1,0 +1,29 @@
+import type { RunSetup } from '#simulation/run-setup';
+import type { Snapshot } from '#simulation/snapshot';
+import type { RunModel } from './run-model';
+
+/**
+ * The run goes on from one of its moments: it is run again up to there, with all that was done until then, as fast as
+ * it can.
+ */
+export function goOn(run: RunModel, fromUs: number): Promise<void> {
+  const { setup, inputs } = run.recording.value;
+  const moment = run.past.value;
+  if (setup === null || inputs.value === null) return Promise.resolve();
+  const kept = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
+  const begun = run.begin({ kept, paused: false, catchUpUs: fromUs, left: run.recording.value });
+  if (fromUs > 0) run.past.value = moment; // shown until the run is there
+  return begun;
+}
+
+/**
+ * A run that was kept is run again as fast as it can, stands still at its end, and is looked back at from its beginning.
+ *
+ * @param first what it showed then: shown until its moments are there
+ */
+export function showAgain(run: RunModel, kept: RunSetup, untilUs: number, first: Snapshot): Promise<void> {
+  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), isBrought: true });
+  run.past.value = first;
+  run.recording.value.asked.value = { timeUs: 0, exact: first };
+  return begun;
+}

@@ -1,0 +1,121 @@
+import { watch } from 'vue';
+
+import { parseTape } from '#tape/file';
+import { differences } from '#tape/result';
+import type { Tape } from '#tape/tape';
+import type { Scene } from '#scene/scene';
+import type { RunSetup } from '#simulation/run-setup';
+import { version } from '../../../package.json';
+
+import { say } from '../page/i18n/say';
+import { repeatShown } from '../run/repeat-shown';
+import { showAgain } from '../run/run-again';
+import type { Workplace } from '../work/model/parts';
+import type { Course } from '../work/catalogue/course';
+import { courseName } from '../work/catalogue/first-course';
+import { readyCourses } from '../work/catalogue/ready-courses';
+import { projectOfRun } from '../work/project-of-run';
+import { isOurs } from '../work/use-courses';
+import { useOpenings } from '../work/use-openings';
+import { reasonOf } from './problem-words';
+import { shareWords } from './share-words';
+
+const words = shareWords.run;
+
+/** The devices' own clocks may end this much after the first one's, in µs: a program that ends then has ended. */
+const END_US = 4000;
+
+/**
+ * Opens the project of a recorded run, then runs it again: if it comes to the same, it is looked back at from its
+ * beginning, else a sentence says what is wrong, and the project stays open.
+ *
+ * @param stem name of the file without its ending
+ * @returns why nothing was opened; `null`: the project is open, and the rest goes on by itself
+ */
+export function openRun(app: Workplace, file: string, stem: string, text: string): string | null {
+  const read = parseTape(text);
+  if ('problem' in read) {
+    const fault = say(words[read.fault === 'newer' ? 'newer' : 'damaged'], { file });
+    if (read.setup === null || openProject(app, read.setup, stem) !== null) return fault;
+    tell(app, 'warn', `${fault} ${say(words.projectIsOpen)}`);
+    return null;
+  }
+  const { tape, changes, changedPrograms } = read;
+  const refusal = openProject(app, tape.setup, stem);
+  if (refusal !== null) return say(shareWords.problems.file, { file, reason: refusal });
+  const [device] = changedPrograms;
+  const isAlone = tape.setup.devices.length === 1;
+  if (device !== undefined) tell(app, 'warn', say(isAlone ? words.program : words.programOf, { file, device }));
+  else if (changes.length > 0) tell(app, 'warn', say(words.setup, { file }));
+  else void check(app, file, tape);
+  return null;
+}
+
+/** @returns why it was not opened */
+function openProject(app: Workplace, setup: RunSetup, stem: string): string | null {
+  const read = projectOfRun(setup, stem);
+  if ('problems' in read) return reasonOf(read.problems);
+  const { project: before, file: openFile } = app.work.work.value;
+  const project = { ...read.project, course: courseOf(read.project.scene) };
+  const name = courseName(project.scene, project.course);
+  useOpenings(app).open(project, name, openFile === undefined && isOurs(before), stem);
+  return null;
+}
+
+/** A run does not know its ready course: one that is called and described so. */
+function courseOf({ name, description }: Scene): string | null {
+  const isCalledSo = ({ scene }: Course): boolean => scene.name === name && scene.description === description;
+  return readyCourses.find(isCalledSo)?.id ?? null;
+}
+
+/** Shows the run if it still comes to what it came to when it was recorded. */
+async function check(app: Workplace, file: string, tape: Tape): Promise<void> {
+  const { setup, result, untilProgramEnds, madeBy } = tape;
+  const { action } = app.notices.current.value ?? {};
+  // One that does not end where it did is another one already.
+  const untilUs = Math.min(tape.untilUs, result.simulatedUs + END_US);
+  const giveUp = new AbortController();
+  const isLate = watchLate(app, () => giveUp.abort());
+  try {
+    const wish = { setup, untilUs, untilProgramEnds };
+    const repeated = await repeatShown(app, wish, (percent) => say(words.checking, { file, percent }), giveUp);
+    if (isLate()) return;
+    if (repeated === null) tell(app, 'info', say(words.givenUp, { file }), action);
+    else if (differences(result, repeated.result).length > 0) {
+      const text = madeBy === version ? words.differs : words.differsSince;
+      tell(app, 'warn', say(text, { file, madeBy, version }), action);
+    } else {
+      if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
+      await showAgain(app.run, setup, result.simulatedUs, repeated.first);
+      tell(app, 'ok', say(words.isSame, { file }), action);
+    }
+  } catch {
+    if (!isLate()) tell(app, 'warn', say(words.failed, { file }), action);
+  } finally {
+    isLate.end();
+  }
+}
+
+/** Notices when somebody opens something else, or runs the program: then nobody wants to see this run any more. */
+function watchLate({ work, run }: Workplace, act: () => void): { (): boolean; readonly end: () => void } {
+  let isLate = false;
+  const end = watch(
+    [() => work.openings.value, () => run.phase.value === 'starting'],
+    () => {
+      isLate = true;
+      act();
+    },
+    { flush: 'sync' },
+  );
+  return Object.assign(() => isLate, { end });
+}
+
+/** Says it in the place of what the opening has said, whose way back to the work of before stays. */
+function tell(
+  { notices }: Workplace,
+  kind: 'ok' | 'info' | 'warn',
+  text: string,
+  action = notices.current.value?.action,
+): void {
+  notices.show({ kind, key: 'notice.text', values: { text }, ...(action && { action }) });
+}
