@@ -1,3 +1,4 @@
+import { stopsOf } from '../src/scene/kinds/mover-way';
 import type { Point, Scene, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, type App } from './app';
@@ -69,6 +70,11 @@ export const block = (id: string, at: Point): SceneObject => ({
   size: [60, 60],
   angle: 0,
 });
+/** A foe that goes to and fro. */
+export const foe = (at: Point, to: Point): SceneObject => ({
+  ...{ type: 'mover', id: 'm', at, to, size: [60, 60], angle: 0 },
+  ...{ speed: 100, spiked: false },
+});
 
 /** Opens a course with these objects, the robot out of the way, with Select chosen. */
 export async function opened(app: App, ...objects: readonly SceneObject[]): Promise<Drawer> {
@@ -112,6 +118,10 @@ export const places = (objects: readonly SceneObject[]): unknown => objects.map(
 /** From where to where the walls go. */
 export const ends = (objects: readonly SceneObject[]): unknown =>
   objects.map((one) => (one.type === 'wall' ? [one.from, one.to] : null));
+
+/** The stops of the foes, one after the other. */
+export const stops = (objects: readonly SceneObject[]): unknown =>
+  objects.flatMap((one) => (one.type === 'mover' ? stopsOf(one).map(({ at }) => at) : []));
 
 /** Chooses the n-th, from 0, of what a tool's head offers under a label, whether in a row or in a card. */
 export async function chooseOption({ app }: Drawer, label: string, place: number): Promise<void> {

@@ -1,7 +1,7 @@
 import type { Point, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, test } from './app';
-import { block, chooseOption, comesTo, isOneEdit, objectsIn, opened, places } from './drawer';
+import { block, chooseOption, comesTo, foe, isOneEdit, line, objectsIn, opened, places, stops } from './drawer';
 import { by, gone, until } from './parts';
 import { SIZE, toolButton } from './pupil';
 
@@ -201,4 +201,43 @@ test('the knob turns a block by 15° steps', async ({ app }) => {
   // A little beside 45° is 45°.
   await app.draw([knob, { x: knob.x + 40, y: knob.y }, { x: middle.x + 90, y: middle.y - 84 }]);
   await isOneEdit(app, angles, [0], [315]);
+});
+
+test('the points of a line are moved after a double click', async ({ app }) => {
+  const hand = await opened(app, line('s', [200, 200], [500, 200], [500, 500]));
+  await hand.clickAt([300, 200]);
+  await hand.clickAt([300, 200]);
+  await until(app, by('points-done'));
+  await hand.drag([[500, 200], [550, 200], [600, 200]]); // prettier-ignore
+  const points = (all: readonly SceneObject[]): unknown => all.map((one) => ('points' in one ? one.points : null));
+  const before = [[[200, 200], [500, 200], [500, 500]]]; // prettier-ignore
+  await isOneEdit(app, points, before, [[[200, 200], [600, 200], [500, 500]]]); // prettier-ignore
+});
+
+test('a corner of a finished polygon is dragged after a double click, and one is drawn out of an edge', async ({
+  app,
+}) => {
+  const three: SceneObject = { ...large([400, 400]), corners: [[0, 0], [200, 0], [0, 200]] } as SceneObject; // prettier-ignore
+  const hand = await opened(app, three);
+  const corners = (all: readonly SceneObject[]): unknown => all.map((one) => ('corners' in one ? one.corners : null));
+  const before = [[[0, 0], [200, 0], [0, 200]]]; // prettier-ignore
+  await hand.clickAt([350, 350]);
+  await hand.clickAt([350, 350]);
+  await until(app, by('points-done'));
+  await hand.drag([[500, 300], [550, 300], [600, 300]]); // prettier-ignore
+  await isOneEdit(app, corners, before, [[[0, 0], [300, 0], [0, 200]]]); // prettier-ignore
+  await hand.drag([[400, 300], [400, 250], [400, 200]]); // prettier-ignore
+  await isOneEdit(app, corners, before, [[[0, 100], [100, 0], [200, 100], [0, 300]]]); // prettier-ignore
+});
+
+test('a foe gets a further stop from the middle of its way, and loses it on a neighbour', async ({ app }) => {
+  const two = [[200, 300], [600, 300]]; // prettier-ignore
+  const hand = await opened(app, foe([200, 300], [600, 300]));
+  await hand.clickAt([200, 300]);
+  await until(app, by('remove'));
+  await hand.drag([[400, 300], [400, 400], [400, 500]]); // prettier-ignore
+  await isOneEdit(app, stops, two, [[200, 300], [400, 500], [600, 300]]); // prettier-ignore
+  await app.click(by('redo'));
+  await hand.drag([[400, 500], [300, 400], [202, 302]]); // prettier-ignore
+  await comesTo(app, stops, two);
 });

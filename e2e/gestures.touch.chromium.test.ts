@@ -1,7 +1,7 @@
 import type { Point, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, test } from './app';
-import { block, chooseOption, comesTo, isOneEdit, objectsIn, opened, places, type Drawer } from './drawer';
+import { block, chooseOption, comesTo, foe, isOneEdit, objectsIn, opened, places, stops, type Drawer } from './drawer';
 import { by, until } from './parts';
 import { SIZE, toolButton } from './pupil';
 import { tablet, withFingers } from './touch';
@@ -90,4 +90,17 @@ test('with fingers: a circle is drawn by a drag, a polygon by taps on its corner
   ] as const)
     await hand.clickAt(at);
   await isOneEdit(app, (all) => all.map((one) => ('corners' in one ? (one.corners?.length ?? 0) : 0)), [], [3]);
+});
+
+test('with fingers: a foe gets a further stop from the middle of its way, and loses it on a neighbour', async ({
+  page,
+}) => {
+  const { app, hand } = await begun(page, foe([200, 300], [700, 300]));
+  await hand.clickAt([200, 300]);
+  await until(app, by('remove'));
+  await hand.drag([[450, 300], [450, 400], [450, 550]]); // prettier-ignore
+  await isOneEdit(app, stops, [[200, 300], [700, 300]], [[200, 300], [450, 550], [700, 300]]); // prettier-ignore
+  await app.click(by('redo'));
+  await hand.drag([[450, 550], [600, 400], [698, 302]]); // prettier-ignore
+  await comesTo(app, stops, [[200, 300], [700, 300]]); // prettier-ignore
 });

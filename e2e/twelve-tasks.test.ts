@@ -8,7 +8,7 @@ import { by, until } from './parts';
 import { SIZE, toolButton } from './pupil';
 
 /*
- * Twelve tasks that a teacher has with a course, done as in a drawing program. Each counts its gestures: a click, a drag, a
+ * Thirteen tasks that a teacher has with a course, done as in a drawing program. Each counts its gestures: a click, a drag, a
  * key (with those that are held) and a number that is typed are one each. `docs/drawing-compared.md` has the counts of other
  * programs beside them.
  */
@@ -114,6 +114,16 @@ test('take the middle out of a line: 2 gestures', IN_ONE_ENGINE, async ({ app })
   await hand.drag([[400, 300], [400, 400], [400, 500]]); // prettier-ignore
   await comesTo(app, (all) => all.length, 2);
   expect(hand.count()).toBe(2);
+});
+
+test('make a bend of a line tighter: 3 gestures', IN_ONE_ENGINE, async ({ app }) => {
+  const hand = await opened(app, line('s', [200, 200], [500, 200], [500, 500]));
+  await hand.clickAt([300, 200]);
+  await hand.clickAt([300, 200]);
+  await until(app, by('points-done'));
+  await hand.drag([[500, 200], [480, 250], [450, 300]]); // prettier-ignore
+  await comesTo(app, (all) => all.map((one) => ('points' in one ? one.points : null)), [[[200, 200], [450, 300], [500, 500]]]); // prettier-ignore
+  expect(hand.count()).toBe(3);
 });
 
 test('a bend on the end of a line, from the shelf of parts: 3 gestures', IN_ONE_ENGINE, async ({ app }) => {

@@ -2,14 +2,17 @@ import { describe, expect, it } from 'vitest';
 import { exactCos, exactSin } from '#core/exact-math';
 import type { Vec } from '#core/geometry';
 import { createRng } from '#core/rng';
+import { isSame } from '#core/same';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit } from '#scene/edit';
 import { asKept } from '#scene/groups';
 import { parseScene } from '#scene/parse';
 import type { Point, Scene, SceneObject } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
+import { shapeOutline } from '#scene/shape/shape';
 import { oneOf } from '#scene/testing/fuzz';
 import { randomObject } from '#scene/testing/random-scene';
+import { toPoint } from '../plane';
 import { contextOf, course, drag, freely, stroke, taps, used } from '../testing/desk';
 import { penTool } from '../tools/pen-tool';
 import { pointRemoved, pointsTool } from './points-tool';
@@ -117,7 +120,48 @@ describe('a curve with many points', () => {
   const RAD = Math.PI / 180;
 });
 
-describe('any line', () => {
+describe('the corners of a polygon', () => {
+  const ell: readonly Point[] = [[0, 0], [100, 0], [100, 50], [50, 50], [50, 100], [0, 100]]; // prettier-ignore
+  const block = (angle = 0): SceneObject => ({ type: 'block', id: 'a', at: [200, 200], size: [100, 100], angle, corners: ell }); // prettier-ignore
+  const cornersAfter = (scene: Scene, ...path: readonly Point[]) => outlineOf(used(pointsTool, freely(drag(...path)), chosen(scene))); // prettier-ignore
+  const outlineOf = ({ objects }: Scene) =>
+    objects.flatMap((object) => (object.type === 'block' ? shapeOutline(object).map(toPoint) : []));
+
+  it('show as handles, with one between each two', () => {
+    expect([marksOf(course(block()), false).length, marksOf(course(block()), true).length]).toEqual([6, 6]);
+    expect(marksOf(course({ type: 'block', id: 'a', at: [200, 200], size: [50, 50], angle: 0 }), false)).toEqual([]);
+  });
+
+  it('move alone: all others stay', () => {
+    expect(cornersAfter(course(block()), [250, 150], [290, 130])).toEqual([
+      ...[[150, 150], [290, 130], [250, 200], [200, 200], [200, 250], [150, 250]], // prettier-ignore
+    ]);
+  });
+
+  it('move alone where it is turned, and it stays turned', () => {
+    const before = outlineOf(course(block(90)));
+    const after = used(pointsTool, freely(drag([250, 250], [270, 290])), chosen(course(block(90))));
+    expect(after.objects[0]).toMatchObject({ angle: 90 });
+    expect(before).toContainEqual([250, 250]);
+    expect(outlineOf(after)).toEqual(before.map((at) => (isSame(at, [250, 250]) ? [270, 290] : at)));
+  });
+
+  it('are added from between two, and go onto a neighbour or with Delete', () => {
+    const more = cornersAfter(course(block()), [200, 150], [200, 120]);
+    expect([more.length, more[1]]).toEqual([7, [200, 120]]);
+    expect(cornersAfter(course(block()), [200, 200], [202, 248])).toHaveLength(5);
+    const removed = pointRemoved(chosen(course(block())), { x: 250, y: 200 }, 8);
+    expect(outlineOf(applyEdit(course(block()), removed!))).toHaveLength(5);
+  });
+
+  it('cannot be dragged so that edges cross, and are at least three', () => {
+    expect(pointsTool.edit(freely(drag([150, 150], [270, 180])), chosen(course(block())))).toBeNull();
+    const three: SceneObject = { ...block(), corners: [[0, 0], [2, 0], [1, 2]] } as SceneObject; // prettier-ignore
+    expect(pointRemoved(chosen(course(three)), { x: 150, y: 150 }, 8)).toBeNull();
+  });
+});
+
+describe('any line or polygon', () => {
   it('stays one that can be saved after each of 500 drags from one of its points', () => {
     const rng = createRng(5);
     let done = 0;
@@ -125,7 +169,7 @@ describe('any line', () => {
       const line = randomObject(rng, 'a');
       const scene = course(line, randomObject(rng, 'b'));
       const marks = pointsTool.marksAtRest?.(chosen(scene)) ?? [];
-      if (line.type !== 'stroke' || marks.length === 0) continue;
+      if (marks.length === 0) continue;
       const mark = oneOf(rng, marks);
       const from: Vec = mark.type === 'point' ? mark.at : { x: 0, y: 0 };
       const path = [from, { x: from.x + 200 * (rng.unit() - 0.5), y: from.y + 200 * (rng.unit() - 0.5) }];
@@ -135,7 +179,7 @@ describe('any line', () => {
       expect(editProblem(scene, edit)).toBeNull();
       expect(parseScene(serializeScene(applyEdit(scene, edit)))).toEqual({ scene: asKept(applyEdit(scene, edit)) });
     }
-    expect(done).toBeGreaterThan(30);
+    expect(done).toBeGreaterThan(60);
   });
 });
 

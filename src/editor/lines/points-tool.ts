@@ -1,19 +1,17 @@
 import type { Vec } from '#core/geometry';
 import { isSame } from '#core/same';
 import type { SceneEdit } from '#scene/edit';
-import type { Scene, Stroke } from '#scene/scene';
 import { endOf, isTap, startOf } from '../drag';
 import { changing } from '../edits';
 import { distanceMm, minus, plus, toVec } from '../plane';
 import { only, thingsAt } from '../selection';
 import { onGrid } from '../snap';
 import type { Drag, Mark, Selection, Tool, ToolContext } from '../tools/tool';
+import { bendableOf, bentAlong, isBendable, lineAlong, mayHaveMore, type Bendable } from './bendable';
 import {
-  bentLine,
   controlPlaces,
   neighbours,
   partMiddles,
-  pointsOfBent,
   withControlAt,
   withNewControl,
   withoutControl,
@@ -22,50 +20,48 @@ import {
 import { endNear, puttingJoined } from './join-lines';
 
 /**
- * Bends the selected line at its points: a drag moves one, from between two it draws out a new one, onto a neighbour it
- * takes it away. An end that comes to the end of a line that looks the same joins it.
+ * Bends the selected line at its points, or a polygon at its corners: a drag moves one, from between two it draws out a
+ * new one, onto a neighbour it takes it away. An end that comes to the end of a line that looks the same joins it.
  */
 export const pointsTool: Tool = {
   id: 'points',
   cursor: 'default',
   edit(drag, context): SceneEdit | null {
     const bent = isTap(drag) ? null : dragged(drag, context);
-    if (!bent || isSame(bent.stroke.points, bent.before.points) || bent.stroke.points.length < 2) return null;
-    return drag.free ? changing([bent.stroke]) : puttingJoined(context.scene, bent.stroke);
+    if (!bent?.after || isSame(bent.after, bent.before)) return null;
+    return drag.free || bent.after.type !== 'stroke'
+      ? changing([bent.after])
+      : puttingJoined(context.scene, bent.after);
   },
   marks(drag, context, isDown): readonly Mark[] {
-    const line = lineOf(context);
-    if (!line) return [];
+    const object = bentBy(context);
+    if (!object) return [];
     const bent = isDown && !isTap(drag) ? dragged(drag, context) : null;
-    const marks = pointMarks(bent?.stroke ?? line, drag.reachMm);
+    const marks = pointMarks(bent?.after ?? object, drag.reachMm);
     return bent?.ring ? [...marks, { type: 'snap', at: bent.ring }] : marks;
   },
   marksAtRest(context) {
-    const line = lineOf(context);
-    return line ? pointMarks(line, 0) : [];
+    const object = bentBy(context);
+    return object ? pointMarks(object, 0) : [];
   },
   select(drag, { scene, selection, footprint }): Selection {
-    const isOther = (id: string | null): boolean => scene.objects.some((one) => one.id === id && one.type === 'stroke');
+    const isOther = (id: string | null): boolean => scene.objects.some((one) => one.id === id && isBendable(one));
     const other = thingsAt(scene, startOf(drag), drag.reachMm, footprint).find(isOther);
     return isTap(drag) && other !== undefined && !selection.ids.includes(other ?? '') ? only(other) : selection;
   },
 };
 
-/** The course without the point of the selected line at a place; `null`: there is none, or too little would be left. */
+/** The course without the point of what is selected at a place; `null`: there is none, or too little would be left. */
 export function pointRemoved(context: ToolContext, place: Vec, reachMm: number): SceneEdit | null {
-  const line = lineOf(context);
-  const bent = line && bentLine(line);
-  const hold = bent && holdAt(bent, place, reachMm);
-  const left = bent && hold && !hold.isNew ? withoutControl(bent, hold.control) : null;
-  return line && left && changing([{ ...line, points: pointsOfBent(left) }]);
+  const object = bentBy(context);
+  const line = object && lineAlong(object);
+  const hold = line && holdAt(line, place, reachMm);
+  const left = line && hold && !hold.isNew ? withoutControl(line, hold.control) : null;
+  const after = object && left && bentAlong(object, left);
+  return after && changing([after]);
 }
 
-/** The line that is bent: the only thing selected, if it is not locked. */
-function lineOf({ scene, selection }: { readonly scene: Scene; readonly selection: Selection }): Stroke | null {
-  const [id, ...more] = selection.ids;
-  const object = more.length > 0 || selection.robot ? undefined : scene.objects.find((one) => one.id === id);
-  return object?.type === 'stroke' && !object.lock && object.points.length > 1 ? object : null;
-}
+const bentBy = ({ scene, selection }: ToolContext): Bendable | null => bendableOf(scene, selection);
 
 /** What a drag has taken hold of: a control, or the middle of the part after one. */
 interface Hold {
@@ -90,31 +86,29 @@ function holdAt(line: BentLine, place: Vec, reachMm: number): Hold | null {
 }
 
 interface Bent {
-  readonly before: Stroke;
-  readonly stroke: Stroke;
+  readonly before: Bendable;
+  /** `null`: so it cannot be. */
+  readonly after: Bendable | null;
   /** The end of another line to which its end has come. */
   readonly ring: Vec | null;
 }
 
 function dragged(drag: Drag, context: ToolContext): Bent | null {
-  const before = lineOf(context);
-  const whole = before && bentLine(before);
+  const before = bentBy(context);
+  const whole = before && lineAlong(before);
   const hold = whole && holdAt(whole, startOf(drag), drag.reachMm);
-  if (!before || !hold) return null;
+  if (!before || !hold || (hold.isNew && !mayHaveMore(before))) return null;
   const line = hold.isNew ? withNewControl(whole, hold.control) : whole;
   const control = hold.isNew ? hold.control + 1 : hold.control;
   const place = plus(hold.at, minus(endOf(drag), startOf(drag)));
-  const result = (bent: BentLine, ring: Vec | null = null): Bent => ({
-    ...{ before, ring },
-    stroke: { ...before, points: pointsOfBent(bent) },
-  });
+  const result = (bent: BentLine, ring: Vec | null = null): Bent => ({ before, after: bentAlong(before, bent), ring });
   if (!hold.isNew && isOnNeighbour(line, control, place, drag.reachMm)) {
     const left = withoutControl(line, control);
     if (left) return result(left);
   }
   if (drag.free) return result(withControlAt(line, control, place));
   const isEnd = neighbours(line, control).includes(null);
-  const end = isEnd ? endNear(context.scene, before, place, drag.reachMm, before.id) : null;
+  const end = isEnd && before.type === 'stroke' ? endNear(context.scene, before, place, drag.reachMm, before.id) : null;
   if (end) return result(withControlAt(line, control, toVec(end)), toVec(end));
   return result(withControlAt(line, control, onGrid(place, drag.reachMm)));
 }
@@ -134,10 +128,10 @@ function isOnNeighbour(line: BentLine, control: number, place: Vec, reachMm: num
 }
 
 /** All points of a line that can be taken hold of; middles only where there is room for one. */
-function pointMarks(stroke: Stroke, reachMm: number): readonly Mark[] {
-  const line = bentLine(stroke);
+function pointMarks(object: Bendable, reachMm: number): readonly Mark[] {
+  const line = lineAlong(object);
   const places = controlPlaces(line);
-  const middles = partMiddles(line).filter(({ after, at }) => {
+  const middles = (mayHaveMore(object) ? partMiddles(line) : []).filter(({ after, at }) => {
     const start = places[after];
     return start !== undefined && distanceMm(start, at) > reachMm;
   });

@@ -6,6 +6,7 @@ import { endOf, isTap, startOf } from '../drag';
 import { draggedTurn, handleDragged } from '../handle-drag';
 import { handleAt } from '../handles';
 import { thingsInLasso } from '../lasso';
+import { isBendable } from '../lines/bendable';
 import { minus } from '../plane';
 import { includes, joined, takenBy, thingsAt, thingsIn, toggled, type Thing } from '../selection';
 import { movingOf, snappedStep } from '../snap/attract';
@@ -70,13 +71,13 @@ export const selectTool: Tool = {
   opens: opened,
 };
 
-/** A group opens the thing in it; then labels open their words, lines their points. */
+/** A group opens the thing in it; then labels open their words, lines their points, polygons their corners. */
 function opened(drag: Drag, { scene, selection, footprint }: ToolContext): Opened | null {
   const [topmost] = thingsAt(scene, startOf(drag), drag.reachMm, footprint);
   if (topmost && takenBy(scene, topmost, selection).ids.length > 1) return { part: 'thing', id: topmost };
   const object = scene.objects.find(({ id }) => id === topmost);
   if (object?.type === 'label') return { part: 'words', id: object.id };
-  return object?.type === 'stroke' ? { part: 'points', id: object.id } : null;
+  return object && isBendable(object) ? { part: 'points', id: object.id } : null;
 }
 
 /** What a drag from the floor catches. */

@@ -41,8 +41,6 @@ export type Lure = (mm: number, axis: 'x' | 'y') => number | null;
 export interface Selection {
   readonly ids: readonly string[];
   readonly robot: boolean;
-  /** The points of the only selected thing are taken hold of, one by one, not the thing; left out: no. */
-  readonly points?: boolean;
 }
 
 export const nothingSelected: Selection = { ids: [], robot: false };
@@ -179,7 +177,7 @@ export interface Tool {
   opens?(drag: Drag, context: ToolContext): Opened | null;
 }
 
-/** What can be opened to change what is inside: a thing in a group, the words of a label, the points of a line. */
+/** What can be opened to change what is inside: a thing in a group, the words of a label, the points of a line or polygon. */
 export interface Opened {
   readonly part: 'thing' | 'words' | 'points';
   readonly id: string;

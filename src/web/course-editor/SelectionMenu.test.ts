@@ -2,6 +2,7 @@
 import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { changing } from '#editor/edits';
 import type { SceneObject } from '#scene/scene';
 
 import { editingPage, samples } from '../app/testing/editing';
@@ -89,6 +90,16 @@ describe('the menu of what is selected', () => {
     expect(names).toEqual(['menu-unlock', 'menu-copy', 'menu-paste', 'menu-duplicate', 'menu-keep']);
     await choose('unlock');
     expect([object('block', 'block').lock, ids()]).toEqual([undefined, ['wall', 'block', 'other']]);
+  });
+
+  it('has the points of what has some, and of nothing else', async () => {
+    const { choose, editor, object } = await opened(['block']);
+    expect(entry('points')).toBeNull();
+    const corners = [[0, 0], [50, 0], [0, 50]] as const; // prettier-ignore
+    editor.commit(changing([{ ...object('block', 'block'), corners }])!);
+    await nextTick();
+    await choose('points');
+    expect(editor.tool.value).toBe('points');
   });
 
   it('of the floor pastes there, selects all, shows the whole arena', async () => {

@@ -615,6 +615,26 @@ describe('the keys for what is selected, after a press beside the arena', () => 
     await vi.waitFor(() => expect(selected()).toEqual(['wall', 'block']));
   });
 
+  it('take all away when Delete follows Ctrl+A at once', async () => {
+    const { key, ids, editor } = await selecting('<button>Save</button>');
+    editor.select({ ids: [], robot: false });
+    void key('a', control);
+    expect((await key('Delete')).defaultPrevented).toBe(true);
+    await vi.waitFor(() => expect(ids()).toEqual([]));
+  });
+
+  it('let go of it with Escape', async () => {
+    const { key, selected } = await selecting('<button>Save</button>');
+    expect((await key('Escape')).defaultPrevented).toBe(true);
+    expect(selected()).toEqual([]);
+  });
+
+  it('leave Escape to a menu that is open', async () => {
+    const { key, selected } = await selecting('<button aria-expanded="true">Shape</button>');
+    await key('Escape');
+    expect(selected()).toEqual(['block']);
+  });
+
   it('leave Ctrl+A to another pane that was used since', async () => {
     const { key } = await selecting('<div class="pane"></div>');
     expect((await key('a', control)).defaultPrevented).toBe(false);

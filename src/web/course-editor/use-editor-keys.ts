@@ -14,13 +14,13 @@ const BOARD_LETTERS = ['a', 'b', 'l'];
  * The editor's keyboard shortcuts. Ctrl+Z, Ctrl+Y and Ctrl+Shift+Z work on the whole page except in text fields;
  * letters choose tools while the arena, the palette or the head has the focus. While a program runs and the hand is
  * chosen, A, B and L belong to the board. In the arena the drawing surface handles the other keys for the selection;
- * elsewhere on the page Delete, the arrows and Ctrl with D, G and A are handled here, as long as the selection is visible,
+ * elsewhere on the page Delete, Escape, the arrows and Ctrl with D, G and A are handled here, as long as the selection is visible,
  * and those of the clipboard for the whole page.
  */
 export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
   const { editor, run } = app;
   const last = useLastPlace();
-  const withActs = useLateActs(app);
+  const acts = useLateActs(app);
 
   function letter(key: string): boolean {
     if (run.isActive.value && editor.tool.value === 'hand' && BOARD_LETTERS.includes(key)) return false;
@@ -34,7 +34,7 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
     editor.isOpen.value &&
     !takesKeys(target) &&
     (last.value === 'arena' || (hasSelection(editor) && last.value !== 'console'));
-  const clipboard = useClipboard({ app, withActs, pastes });
+  const clipboard = useClipboard({ app, withActs: acts.use, pastes });
 
   /** The browser's own events for the clipboard follow the key: it is not kept from them. */
   function clipboardKey(key: string, target: EventTarget | null): void {
@@ -44,9 +44,12 @@ export function useEditorKeys(app: Pick<RunParts, 'run'> & PasteParts): void {
 
   function besideArena(event: KeyboardEvent, key: string, control: boolean): boolean {
     if (!control && isArrow(key)) return toArena(event, editor);
-    const act = control ? commandOf(key, event.shiftKey, editor, last.value) : removes(key, editor) ? 'remove' : null;
+    if (!control && key === 'escape') return last.value === 'arena' && letsGo(event, editor);
+    // While all is still being selected, it counts as selected: what follows waits for it.
+    const isSelected = hasSelection(editor) || acts.areComing();
+    const act = control ? commandOf(key, event.shiftKey, isSelected, last.value) : removes(key, isSelected);
     if (act === null) return false;
-    withActs((acts) => acts[act]());
+    acts.use((loaded) => loaded[act]());
     return true;
   }
 
@@ -83,26 +86,40 @@ function undoes(key: string, shift: boolean, editor: Editor): boolean {
   return true;
 }
 
-/** The actions for a selection, loaded with the first one, so that the browser's clipboard waits for nothing. */
-function useLateActs(app: PasteParts): (act: (acts: SelectionActs) => void) => void {
+/** The actions for a selection. */
+interface LateActs {
+  /** At once, or as soon as they are there, in the order of the calls. */
+  readonly use: (act: (acts: SelectionActs) => void) => void;
+  /** Whether something waits for them. */
+  readonly areComing: () => boolean;
+}
+
+/** Loads the actions with the first selection, so that the browser's clipboard waits for nothing. */
+function useLateActs(app: PasteParts): LateActs {
   let loaded: SelectionActs | null = null;
-  function withActs(act: (acts: SelectionActs) => void): void {
+  let waiting = 0;
+  const load = async (): Promise<SelectionActs> => {
+    const { useSelectionActs: make } = await import('./state/use-selection-acts');
+    return (loaded ??= make(app));
+  };
+  function use(act: (acts: SelectionActs) => void): void {
     if (loaded !== null) return act(loaded);
-    import('./state/use-selection-acts')
-      .then(({ useSelectionActs: make }) => act((loaded ??= make(app))))
-      .catch(() => undefined); // offline, nothing happens
+    waiting += 1;
+    load()
+      .then(act, () => undefined) // offline, nothing happens
+      .finally(() => (waiting -= 1));
   }
   watch(
     () => hasSelection(app.editor),
-    (isSelected) => isSelected && withActs(() => undefined),
+    (isSelected) => isSelected && void load().catch(() => undefined),
   );
-  return withActs;
+  return { use, areComing: () => waiting > 0 };
 }
 
 type Editor = CourseEditorParts['editor'];
 const hasSelection = ({ selection }: Editor): boolean => selection.value.ids.length > 0;
-const removes = (key: string, editor: Editor): boolean =>
-  (key === 'delete' || key === 'backspace') && hasSelection(editor);
+const removes = (key: string, isSelected: boolean): 'remove' | null =>
+  isSelected && (key === 'delete' || key === 'backspace') ? 'remove' : null;
 
 /** Whether what is selected in the arena is what gets copied: not where text is selected on the page. */
 const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection()?.isCollapsed !== false;
@@ -111,12 +128,25 @@ const copies = (editor: Editor): boolean => hasSelection(editor) && getSelection
 function commandOf(
   key: string,
   shift: boolean,
-  editor: Editor,
+  isSelected: boolean,
   last: Place,
 ): 'selectAll' | 'duplicate' | 'group' | 'ungroup' | null {
-  if (key === 'g' && hasSelection(editor)) return shift ? 'ungroup' : 'group';
+  if (key === 'g' && isSelected) return shift ? 'ungroup' : 'group';
   if (key === 'a' && last === 'arena') return 'selectAll';
-  return key === 'd' && hasSelection(editor) ? 'duplicate' : null;
+  return key === 'd' && isSelected ? 'duplicate' : null;
+}
+
+/** What closes by Escape itself, and the lists of the editor's windows, where it is no key of the arena. */
+const ESCAPE_USERS = '[role="dialog"], [data-testid="guide"], [aria-expanded="true"]';
+
+/** Escape lets go of what is selected. @returns whether anything was, and the key was for it */
+function letsGo({ target }: Event, editor: Editor): boolean {
+  const { ids, robot } = editor.selection.value;
+  if (ids.length === 0 && !robot) return false;
+  if (document.querySelector('.page-overlay--active') !== null) return false;
+  if (target instanceof Element && target.closest(ESCAPE_USERS) !== null) return false;
+  editor.select({ ids: [], robot: false });
+  return true;
 }
 
 const isArrow = (key: string): boolean => key.startsWith('arrow');

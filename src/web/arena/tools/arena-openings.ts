@@ -9,7 +9,7 @@ import { toVec } from '#editor/plane';
 import { toMm, toPx } from '../view/view-transform';
 import type { MenuWish } from './tool-pointers';
 
-/** What opens over the arena: the menu for things, the words of a label. */
+/** What opens over the arena: the menu for things, the words of a label, the points of a line or polygon. */
 export interface ArenaOpenings {
   readonly open: (opened: Opened) => void;
   /** Opens the menu for what is there; `rests`: a finger asks for it, which only the tool that selects allows. */
@@ -66,7 +66,8 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     open({ part, id }) {
       const object = sources.course().objects.find((one) => one.id === id);
       if (object === undefined) return;
-      editor.select({ ...only(id), ...(part === 'points' ? { points: true } : {}) });
+      editor.select(only(id));
+      if (part === 'points') editor.choose('points');
       if (part !== 'words') return;
       const { x, y } = inWindow(toVec(placeOf(object)));
       editor.words.value = { id, xPx: x, yPx: y, host: host() };

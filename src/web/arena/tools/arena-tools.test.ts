@@ -573,7 +573,7 @@ describe('a double click', () => {
     const [x, y] = samples.stroke.points[0];
     tap(x, y, { timeStamp: 5000 });
     tap(x, y, { timeStamp: 5001 });
-    expect(editor.selection.value).toEqual({ ids: ['line'], robot: false, points: true });
+    expect([editor.selection.value.ids, editor.tool.value]).toEqual([['line'], 'points']);
   });
 });
 

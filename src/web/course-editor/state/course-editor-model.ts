@@ -253,6 +253,5 @@ class CourseEditor implements CourseEditorModel {
 /** Whether two selections are equal. */
 export const isSameSelection = (one: Selection, other: Selection): boolean =>
   one.robot === other.robot &&
-  (one.points === true) === (other.points === true) &&
   one.ids.length === other.ids.length &&
   one.ids.every((id, at) => other.ids[at] === id);

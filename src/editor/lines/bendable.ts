@@ -1,0 +1,55 @@
+import { sceneLimits, type Block, type Point, type Scene, type SceneObject, type Spikes, type Stroke, type Zone } from '#scene/scene'; // prettier-ignore
+import { polygonFault } from '#scene/shape/polygon';
+import { polygonThrough, shapeOutline, toOwnFrame } from '#scene/shape/shape';
+import { isLargeEnough } from '../kinds/box';
+import { plus, toPoint, toVec, turned, within } from '../plane';
+import type { Selection } from '../tools/tool';
+import { bentLine, pointsOfBent, type BentLine } from './control-points';
+
+/** A body or a zone with corners. */
+type Polygon = (Block | Spikes | Zone) & { readonly corners: readonly Point[] };
+
+/** What is bent at its points: a line, or a polygon at its corners. */
+export type Bendable = Stroke | Polygon;
+
+/** What can be bent of what is selected: the only thing selected, if it has points and is not locked. */
+export function bendableOf(scene: Scene, { ids: [id, ...more], robot }: Selection): Bendable | null {
+  const object = more.length > 0 || robot ? undefined : scene.objects.find((one) => one.id === id);
+  return object && !object.lock && isBendable(object) ? object : null;
+}
+
+/** Whether a thing has points that can be taken hold of. */
+export const isBendable = (object: SceneObject): object is Bendable =>
+  object.type === 'stroke' ? object.points.length > 1 : 'corners' in object;
+
+/** A thing as a line with what can be taken hold of; that of a polygon is closed. */
+export function lineAlong(object: Bendable): BentLine {
+  if (object.type === 'stroke') return bentLine(object);
+  const places = shapeOutline(object);
+  return { places, isClosed: true, controls: places.map((_, index) => index) };
+}
+
+/** Whether a thing may have one point more. */
+export const mayHaveMore = (object: Bendable): boolean =>
+  object.type === 'stroke' || object.corners.length < sceneLimits.corners.max;
+
+/** A thing along another line; `null`: too little would be left, or an outline would cross itself. */
+export function bentAlong(object: Bendable, line: BentLine): Bendable | null {
+  if (object.type !== 'stroke') return polygonAlong(object, line);
+  const points = pointsOfBent(line);
+  return points.length < 2 ? null : { ...object, points };
+}
+
+/** It stays turned as it is, and the corners that stay keep their places. */
+function polygonAlong(polygon: Polygon, { places }: BentLine): Polygon | null {
+  const { at, angle, size } = polygon;
+  const half = { x: size[0] / 2, y: size[1] / 2 };
+  // Counted from the lower left, where the corners of a polygon that was drawn are whole millimetres.
+  const corners = places.map((place) => toPoint(plus(toOwnFrame(polygon, place), half)));
+  if (polygonFault(corners)) return null;
+  const bent = polygonThrough(corners);
+  if (bent.size.some((mm) => within(mm, sceneLimits.blockMm) !== mm) || !isLargeEnough(bent)) return null;
+  const [left, bottom] = [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
+  const middle = { x: left + bent.size[0] / 2 - half.x, y: bottom + bent.size[1] / 2 - half.y };
+  return { ...polygon, ...bent, at: toPoint(plus(toVec(at), turned(middle, angle))), angle };
+}
