@@ -44,6 +44,7 @@ export const layers = {
     'reference',
     'device-check',
     'device-log',
+    'check',
   ],
 };
 
@@ -91,11 +92,12 @@ export const webLayers = {
   ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
+  class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug',
+    'debug', 'class',
   ], // prettier-ignore
 };

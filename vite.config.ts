@@ -172,6 +172,7 @@ async function workerCode(): Promise<string> {
       write: false,
       target: 'es2022',
       lib: { entry: here('src/web/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
+      rolldownOptions: { output: { codeSplitting: false } },
     },
   });
   const [first] = Array.isArray(made) ? made : [made];

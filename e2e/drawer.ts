@@ -13,6 +13,8 @@ export interface Drawer {
   readonly count: () => number;
   click(css: string): Promise<void>;
   clickAt(place: Point, ...held: readonly string[]): Promise<void>;
+  /** Two clicks as fast as the browser's driver can. They count as two. */
+  doubleClickAt(place: Point): Promise<void>;
   drag(places: readonly Point[], ...held: readonly string[]): Promise<void>;
   key(...keys: string[]): Promise<void>;
   /** Writes a number into the field that a click has chosen, and leaves it by Enter. */
@@ -37,6 +39,12 @@ function drawer(app: App): Drawer {
       await app.click(css);
     },
     clickAt: (place, ...held) => use([place], held),
+    async doubleClickAt(place) {
+      gestures += 2;
+      const window = await inWindow(app, SIZE, [place]);
+      await app.draw(window);
+      await app.draw(window);
+    },
     drag: (places, ...held) => use(places, held),
     async key(...keys) {
       gestures += 1;

@@ -90,8 +90,7 @@ test('a group is one for a click, and one of it is moved after a double click', 
   await isOneEdit(app, places, [[200, 200], [400, 500]], [[300, 200], [500, 500]]); // prettier-ignore
   await hand.clickAt([900, 800]);
   await gone(app, by('remove'));
-  await hand.clickAt([200, 200]);
-  await hand.clickAt([200, 200]);
+  await hand.doubleClickAt([200, 200]);
   await hand.drag([[200, 200], [250, 200], [300, 200]]); // prettier-ignore
   await isOneEdit(app, places, [[200, 200], [400, 500]], [[300, 200], [400, 500]]); // prettier-ignore
 });
@@ -205,8 +204,7 @@ test('the knob turns a block by 15° steps', async ({ app }) => {
 
 test('the points of a line are moved after a double click', async ({ app }) => {
   const hand = await opened(app, line('s', [200, 200], [500, 200], [500, 500]));
-  await hand.clickAt([300, 200]);
-  await hand.clickAt([300, 200]);
+  await hand.doubleClickAt([300, 200]);
   await until(app, by('points-done'));
   await hand.drag([[500, 200], [550, 200], [600, 200]]); // prettier-ignore
   const points = (all: readonly SceneObject[]): unknown => all.map((one) => ('points' in one ? one.points : null));
@@ -221,8 +219,7 @@ test('a corner of a finished polygon is dragged after a double click, and one is
   const hand = await opened(app, three);
   const corners = (all: readonly SceneObject[]): unknown => all.map((one) => ('corners' in one ? one.corners : null));
   const before = [[[0, 0], [200, 0], [0, 200]]]; // prettier-ignore
-  await hand.clickAt([350, 350]);
-  await hand.clickAt([350, 350]);
+  await hand.doubleClickAt([350, 350]);
   await until(app, by('points-done'));
   await hand.drag([[500, 300], [550, 300], [600, 300]]); // prettier-ignore
   await isOneEdit(app, corners, before, [[[0, 0], [300, 0], [0, 200]]]); // prettier-ignore

@@ -118,8 +118,7 @@ test('take the middle out of a line: 2 gestures', IN_ONE_ENGINE, async ({ app })
 
 test('make a bend of a line tighter: 3 gestures', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, line('s', [200, 200], [500, 200], [500, 500]));
-  await hand.clickAt([300, 200]);
-  await hand.clickAt([300, 200]);
+  await hand.doubleClickAt([300, 200]);
   await until(app, by('points-done'));
   await hand.drag([[500, 200], [480, 250], [450, 300]]); // prettier-ignore
   await comesTo(app, (all) => all.map((one) => ('points' in one ? one.points : null)), [[[200, 200], [450, 300], [500, 500]]]); // prettier-ignore

@@ -125,8 +125,7 @@ test('by finger: take the middle out of a line: 2 gestures', async ({ page }) =>
 
 test('by finger: make a bend tighter: 3 gestures', async ({ page }) => {
   const hand = await begun(page, line('s', [200, 200], [500, 200], [500, 500]));
-  await hand.clickAt([300, 200]);
-  await hand.clickAt([300, 200]);
+  await hand.doubleClickAt([300, 200]);
   await until(hand.app, by('points-done'));
   await hand.drag([[500, 200], [480, 250], [450, 300]]); // prettier-ignore
   const points = (all: readonly SceneObject[]): unknown => all.map((one) => ('points' in one ? one.points : null));

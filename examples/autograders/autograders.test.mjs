@@ -61,7 +61,7 @@ beforeAll(() => {
   write('class/Dora Roth_20_assignsubmission_file/main.py', `# mine\n${RIGHT}`);
   all = write('all.json', parcours(join(folder, 'class'), '--json', '--junit', join(folder, 'all.xml')).out);
   for (const [name, text] of [['anna.py', RIGHT], ['ben.py', STANDING], ['cem.jpg', '…']]) write(`alone/${name}`, text); // prettier-ignore
-});
+}, 60_000);
 
 describe('the JSON schema of a result', () => {
   const schema = JSON.parse(readFileSync('schemas/check-result.schema.json', 'utf8'));
@@ -122,7 +122,7 @@ describe('the example for Moodle', () => {
       ['Identifier', 'Grade', 'Feedback comments'],
       ['Participant 17', '100', ''],
       ['Participant 18', '28.57', expect.stringContaining('The goal was not reached (0 of 4).')],
-      ['Participant 19', '0', 'cannot be read: has no main.py.'],
+      ['Participant 19', '0', 'cannot be read: the folder has no main.py.'],
       ['Participant 21', '', ''],
     ]);
     expect(rows[4]?.[1]).toBe('"Eli ""Eel"" Frei"');
@@ -185,7 +185,7 @@ describe('the example for Gradescope', () => {
       output: 'The goal was not reached (0 of 4).',
     });
     const photo = grade('photo', { 'photo.jpg': '…' });
-    expect([photo.score, photo.output]).toEqual([0, 'cannot be read: has no main.py.']);
+    expect([photo.score, photo.output]).toEqual([0, 'cannot be read: the folder has no main.py.']);
     expect(photo.tests.every(({ status }) => status !== 'passed')).toBe(true);
   });
 });

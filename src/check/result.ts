@@ -1,4 +1,5 @@
 import type { Point } from '#scene/scene';
+import type { Unread } from './hand-in/unread';
 import type { Reason as GoalReason } from '#simulation/task/verdict';
 
 /** What became of a hand-in: plain data without wall times, so that equal work gives equal results. */
@@ -85,12 +86,12 @@ export const remarkCodes = [
 export type RemarkCode = (typeof remarkCodes)[number];
 
 /** The result of something that is no hand-in. */
-export const unreadable = (checks: readonly { readonly id: string }[], problem: string): CheckResult => ({
+export const unreadable = (checks: readonly { readonly id: string }[], { code, params }: Unread): CheckResult => ({
   passed: false,
   points: 0,
   stars: null,
   checks: checks.map(({ id }) => ({ id, passed: false, reason: null })),
   worlds: [],
-  remarks: [{ code: 'unreadable', params: { problem } }],
+  remarks: [{ code: 'unreadable', params: { ...params, why: code } }],
   twin: '',
 });

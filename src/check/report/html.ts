@@ -2,12 +2,12 @@ import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { CheckResult, WorldResult } from '../result';
 import type { ClassTask } from '../task/task';
-import { courseOfWorld } from '../task/world-course';
 import { passedOf, type ClassResult, type NamedResult } from './class-result';
-import { courseDrawing, wayDrawing } from './drawing';
+import { Drawings } from './drawing';
+import { escaped } from './escaped';
 import { remarkText, reportWords } from './say';
 import styles from './report.css?raw';
-import { escaped, isUnread, reasonsAgainst } from './texts';
+import { isUnread, reasonsAgainst } from './texts';
 
 /**
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
@@ -54,36 +54,6 @@ ${sheets}
 
 /** Columns of figures. */
 const numbers: readonly string[] = ['points', 'time', 'touches'];
-
-/** The courses of the task's worlds, each drawn once. */
-class Drawings {
-  private readonly courses: ReadonlyMap<string, { readonly inside: string; readonly size: readonly [number, number] }>;
-
-  constructor(task: ClassTask) {
-    this.courses = new Map(
-      task.worlds.map((world) => {
-        const course = courseOfWorld(task.project.scene, world);
-        const scene = 'problem' in course ? task.project.scene : course.scene;
-        return [world.id, { inside: courseDrawing(scene), size: scene.size }];
-      }),
-    );
-  }
-
-  /** What all drawings refer to. */
-  shared(): string {
-    return [...this.courses.values()].map(({ inside }, place) => `<g id="course-${place}">${inside}</g>`).join('');
-  }
-
-  /** The way in a world over its course. */
-  way(world: WorldResult, label: string): string {
-    const course = this.courses.get(world.id);
-    if (course === undefined) return '';
-    const [width, height] = course.size;
-    const place = [...this.courses.keys()].indexOf(world.id);
-    const name = label === '' ? 'aria-hidden="true"' : `role="img" aria-label="${escaped(label)}"`;
-    return `<svg viewBox="0 0 ${width} ${height}" ${name}><use href="#course-${place}"/>${wayDrawing(world, height)}</svg>`;
-  }
-}
 
 interface Sheet {
   readonly drawings: Drawings;

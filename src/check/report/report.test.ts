@@ -25,7 +25,7 @@ async function results(): Promise<readonly NamedResult[]> {
   return [
     { name: 'Anna', result: await checked(task, ahead(3000)) },
     { name: '=Ben "<b>"', result: await checked(task, 'x = 1\n') },
-    { name: 'Cem', result: unreadable(task.checks, 'is damaged.') },
+    { name: 'Cem', result: unreadable(task.checks, { code: 'zip', params: {} }) },
   ];
 }
 
@@ -36,7 +36,7 @@ describe('the result of a class', () => {
     const remarks = found.handIns.map(({ result }) => result.remarks.map((one) => remarkText(one, 'en')));
     expect(remarks[0]).toEqual(['Same program as: Dora']);
     expect(remarks[1]).toEqual(['Same program as: Anna']);
-    expect(remarks[2]).toEqual(['cannot be read: is damaged.']);
+    expect(remarks[2]).toEqual(['cannot be read: this is not a zip, or only a part of one.']);
   });
 
   it('is a line of JSON without the time of this computer', async () => {
@@ -55,7 +55,12 @@ describe('the result of a class', () => {
           remarks: [],
         },
         { passed: false, worlds: [{ passed: false, reason: 'The goal was not reached (0 of 1).', atMs: null }] },
-        { name: 'Cem', passed: false, worlds: [], remarks: ['cannot be read: is damaged.'] },
+        {
+          name: 'Cem',
+          passed: false,
+          worlds: [],
+          remarks: ['cannot be read: this is not a zip, or only a part of one.'],
+        },
       ],
     });
   });
@@ -71,7 +76,7 @@ describe('the result of a class', () => {
     const xml = wellFormed(junitOf(classResult('t <1>', await results()), 'en'));
     expect(xml).toContain('tests="3" failures="1" errors="1"');
     expect(xml).toContain('name="=Ben &quot;&lt;b&gt;&quot;"');
-    expect(xml).toContain('<error message="cannot be read: is damaged.">');
+    expect(xml).toContain('<error message="cannot be read: this is not a zip, or only a part of one.">');
   });
 
   it('is a page that needs nothing else, with the ways drawn and no tags from names', async () => {
@@ -79,7 +84,7 @@ describe('the result of a class', () => {
     expect(html).not.toMatch(/<script|src=|href="http|<b>"/);
     expect(html).toContain('1 von 3 bestanden');
     expect(html.match(/<section /g)).toHaveLength(3);
-    expect(html.match(/class="way"/g)?.length).toBeGreaterThan(1);
+    expect(html.match(/stroke="#1e66d0"/g)?.length).toBeGreaterThan(1);
   });
 });
 

@@ -1,5 +1,6 @@
 import type { Language } from '#core/languages';
 import { filledIn, wordsOf } from '#core/words';
+import { unreadCodes } from '../hand-in/unread';
 import type { Reason, Remark } from '../result';
 import type de from './words/de.json';
 
@@ -10,5 +11,8 @@ export const reasonText = ({ code, params }: Reason, language: Language): string
   filledIn(reportWords.reasons[code][language], params);
 
 /** A sentence about something that the teacher is told. */
-export const remarkText = ({ code, params }: Remark, language: Language): string =>
-  filledIn(reportWords.remarks[code][language], params);
+export function remarkText({ code, params }: Remark, language: Language): string {
+  const why = unreadCodes.find((one) => one === params['why']);
+  const problem = why && filledIn(reportWords.unread[why][language], params);
+  return filledIn(reportWords.remarks[code][language], problem === undefined ? params : { problem });
+}

@@ -2,6 +2,7 @@ import type { Language } from '#core/languages';
 import type { CheckResult } from '../result';
 import type { ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
+import { escaped } from './escaped';
 import { reasonText, remarkText, reportWords } from './say';
 
 /**
@@ -99,11 +100,3 @@ export function junitOf(found: ClassResult, language: Language): string {
 
 /** Whether it is no hand-in at all. */
 export const isUnread = ({ remarks }: CheckResult): boolean => remarks.some(({ code }) => code === 'unreadable');
-
-const entities: Readonly<Record<string, string>> = { '&': '&amp;', '<': '&lt;', '>': '&gt;', '"': '&quot;' };
-
-/** A text for XML and HTML, without the signs that XML does not allow. */
-export const escaped = (text: string): string =>
-  text
-    .replace(/[&<>"]/g, (sign) => entities[sign] ?? sign)
-    .replace(/[\u0000-\u0008\u000b\u000c\u000e-\u001f\ud800-\udfff\ufffe\uffff]/gu, '\ufffd');

@@ -1,4 +1,6 @@
 import { writeFileSync } from 'node:fs';
+import { contentOf, type Source } from '#check/hand-in/sources';
+import { inLanes, Lane } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst } from '#check/report/texts';
@@ -9,12 +11,11 @@ import { readFirmware } from '../firmware';
 import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
-import type { Content } from './contents';
-import { Lane } from './pool';
+import { startThread } from './pool';
 import { readTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from './shard';
-import { findHandIns, type Source } from './sources';
+import { findHandIns } from './sources';
 
 /** Results as they come, in the order of the hand-ins, with the task that they are of. */
 interface Checked {
@@ -79,7 +80,7 @@ async function runAll(
   const read = await readTask(work.task);
   if ('problem' in read) return read;
   const { name, task } = read;
-  const found = await findHandIns(work.handIns);
+  const found = findHandIns(work.handIns);
   if ('problem' in found) return found;
   if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
   const names = found.sources.map((source) => source.name);
@@ -87,7 +88,7 @@ async function runAll(
   if (folder !== null && 'problem' in folder) return folder;
   const mine = found.sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json);
-  const results = await inLanes(task, mine, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
+  const results = await checkAll(task, mine, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
   terminal.clearProgress();
   return { name, task, results };
 }
@@ -126,25 +127,28 @@ interface Running {
   readonly progress: Progress;
 }
 
-/** Each lane takes the next hand-in when it is free; what comes out does not depend on which. */
-async function inLanes(task: ClassTask, sources: readonly Source[], running: Running): Promise<readonly NamedResult[]> {
+/** What comes out does not depend on which lane has checked it. */
+async function checkAll(
+  task: ClassTask,
+  sources: readonly Source[],
+  running: Running,
+): Promise<readonly NamedResult[]> {
   const { jobs, keepsWays, progress } = running;
-  const firmware = await WebAssembly.compile(readFirmware());
+  const start = startThread(task, await WebAssembly.compile(readFirmware()));
   const results: NamedResult[] = [];
-  let next = 0;
-  const work = async (lane: Lane): Promise<void> => {
-    for (let place = next++; place < sources.length; place = next++) {
-      const source = sources[place];
-      if (source === undefined) break;
-      const result = await resultOf(task, source, lane, running);
-      results[place] = { name: source.name, result: keepsWays ? result : withoutWays(result) };
-      progress.add(result);
-    }
-    lane.stop();
-  };
-  const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task, firmware));
-  await Promise.all(lanes.map(work));
+  const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task.checks, start, every));
+  await inLanes(sources, lanes, async (source, place, lane) => {
+    const result = await resultOf(task, source, lane, running);
+    results[place] = { name: source.name, result: keepsWays ? result : withoutWays(result) };
+    progress.add(result);
+  });
   return results;
+}
+
+/** Calls something now and then. @returns ends that */
+function every(ms: number, act: () => void): () => void {
+  const timer = setInterval(act, ms);
+  return () => clearInterval(timer);
 }
 
 const withoutWays = (result: CheckResult): CheckResult => ({
@@ -153,22 +157,13 @@ const withoutWays = (result: CheckResult): CheckResult => ({
 });
 
 async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }: Running): Promise<CheckResult> {
-  const content = await read(source);
+  const content = await contentOf(source);
   const key = folder?.keyFor(content) ?? '';
   const kept = folder?.find(source.name, key) ?? null;
   if (kept !== null) return kept;
   const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
   folder?.keep(source.name, key, result);
   return result;
-}
-
-/** A file that vanishes meanwhile is one that cannot be read. */
-async function read(source: Source): Promise<Content> {
-  try {
-    return await source.read();
-  } catch (error) {
-    return { problem: reasonOf(error) };
-  }
 }
 
 /** @returns what is wrong with one of the files */

@@ -1,8 +1,9 @@
 /** A thread that checks one hand-in after the other. */
 import { parentPort, workerData } from 'node:worker_threads';
 import { check } from '#check/check';
+import type { CheckAnswer, CheckRequest } from '#check/lane';
 import { taskOf } from '#check/task/read-task';
-import { BEAT, WORLD, type CheckAnswer, type CheckerData, type CheckRequest } from './pool-messages';
+import { BEAT, WORLD, type CheckerData } from './pool-messages';
 
 const { task: project, firmware, shared } = workerData as CheckerData;
 const read = taskOf(project);

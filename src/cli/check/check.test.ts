@@ -64,8 +64,8 @@ describe('parcours check', () => {
     expect(handIns[4]?.worlds[0]?.reason).toContain('SyntaxError');
     expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
     expect([handIns[6]?.remarks[0], handIns[7]?.remarks[0]]).toEqual([
-      'cannot be read: is neither a program (.py) nor a project (.json).',
-      'cannot be read: has no main.py.',
+      'cannot be read: this is neither a program (.py) nor a project (.json).',
+      'cannot be read: the folder has no main.py.',
     ]);
   });
 
@@ -125,7 +125,7 @@ describe('parcours check', () => {
     );
     const { handIns } = jsonOf(parcours('check', 'closed-line', mail, '--json').out);
     expect(handIns.map(({ name, passed }) => [name, passed])).toEqual([['Anna', true], ['Ben', false]]); // prettier-ignore
-    expect(handIns[1]?.remarks[0]).toContain('cannot be read: The link cannot be opened.');
+    expect(handIns[1]?.remarks[0]).toContain('cannot be read: the link is damaged or not whole.');
   });
 
   it('finds a link that somebody has handed in as a text', () => {
@@ -143,8 +143,8 @@ describe('parcours check', () => {
     });
     const { handIns } = jsonOf(parcours('check', 'closed-line', texts, '--json').out);
     expect(handIns.map(({ passed }) => passed)).toEqual([true, true, false, false]);
-    expect(handIns[2]?.remarks).toEqual(['cannot be read: has several links in it. A hand-in is one.']);
-    expect(handIns[3]?.remarks).toEqual(['cannot be read: has no link in it.']);
+    expect(handIns[2]?.remarks).toEqual(['cannot be read: the text has several links in it. A hand-in is one.']);
+    expect(handIns[3]?.remarks).toEqual(['cannot be read: the text has no link to a program in it.']);
   });
 
   it('goes on with the others when a thread gives no sign of life', () => {

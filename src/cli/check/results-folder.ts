@@ -1,7 +1,7 @@
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
-import type { HandIn } from '#check/hand-in/hand-in';
+import type { Content } from '#check/hand-in/contents';
 import { projectOfHandIn } from '#check/hand-in/hand-in';
 import type { CheckResult } from '#check/result';
 import { taskOf } from '#check/task/read-task';
@@ -82,9 +82,9 @@ export class ResultsFolder {
   }
 
   /** What the result of a hand-in depends on. @param problem why it cannot be read */
-  keyFor(content: { readonly handIn: HandIn } | Problem): string {
+  keyFor(content: Content): string {
     return 'problem' in content
-      ? keyOf(this.taskKey, content.problem)
+      ? keyOf(this.taskKey, JSON.stringify(content.problem))
       : keyOf(this.taskKey, projectToText(projectOfHandIn(content.handIn)), String(content.handIn.hasCourse));
   }
 

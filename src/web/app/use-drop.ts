@@ -1,9 +1,13 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
+/** What takes dropped files itself. */
+const TAKERS = '[data-takes-files]';
+
 /** Takes files that are dropped onto the page. Returns whether files are being held over it. */
 export function useDrop(take: (files: Iterable<File>) => void): Readonly<ShallowRef<boolean>> {
   const isOver = shallowRef(false);
-  const hasFiles = (event: DragEvent): boolean => event.dataTransfer?.types.includes('Files') ?? false;
+  const hasFiles = ({ dataTransfer, target }: DragEvent): boolean =>
+    dataTransfer?.types.includes('Files') === true && !(target instanceof Element && target.closest(TAKERS));
   function over(event: DragEvent): void {
     if (!hasFiles(event)) return;
     event.preventDefault();

@@ -16,9 +16,10 @@ describe('the address of a gallery', () => {
     ['#missions', { kind: 'missions', robot: null }],
     ['#missions/callibot', { kind: 'missions', robot: 'callibot' }],
     ['#my-robot', { kind: 'my-robot' }],
+    ['#class', { kind: 'class' }],
   ])('%s is known', (hash, page) => expect(galleryPage(hash)).toEqual(page));
 
-  it.each(['', '#', '#robot', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>
+  it.each(['', '#', '#robot', '#class/1', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>
     expect(galleryPage(hash)).toBeNull(),
   );
 });

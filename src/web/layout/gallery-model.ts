@@ -1,18 +1,19 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own. */
+/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own, the checking of a class. */
 export type GalleryPage =
   | { readonly kind: 'all' }
   | { readonly kind: 'robot'; readonly robot: string }
   | { readonly kind: 'courses' }
   | { readonly kind: 'course'; readonly course: string }
   | { readonly kind: 'missions'; readonly robot: string | null }
-  | { readonly kind: 'my-robot' };
+  | { readonly kind: 'my-robot' }
+  | { readonly kind: 'class' };
 
 /**
  * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
- * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`): teachers
- * can hand them on, and the browser's back button leads back.
+ * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`, `#class`):
+ * teachers can hand them on, and the browser's back button leads back.
  */
 export interface GalleryModel {
   /** `null`: closed. */
@@ -29,6 +30,8 @@ export interface GalleryModel {
   replaceMissions(robot: string): void;
   /** Opens the page on which the pupil's own robot is measured. */
   openMyRobot(): void;
+  /** Opens the page on which the hand-ins of a class are checked. */
+  openClass(): void;
   close(): void;
 }
 
@@ -36,6 +39,7 @@ const ROBOTS = 'robots';
 const COURSES = 'courses';
 const MISSIONS = 'missions';
 const MY_ROBOT = 'my-robot';
+const CLASS = 'class';
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
@@ -48,7 +52,7 @@ export function galleryPage(hash: string): GalleryPage | null {
   if (more.length > 0) return null;
   if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
   if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
-  if (name === MY_ROBOT) return id === '' ? { kind: 'my-robot' } : null;
+  if (name === MY_ROBOT || name === CLASS) return id === '' ? { kind: name } : null;
   if (name === MISSIONS) return { kind: 'missions', robot: id === '' ? null : id };
   return null;
 }
@@ -73,6 +77,7 @@ export function createGallery(): GalleryModel {
     open: (robot) => go(ROBOTS, robot),
     openCourses: (course) => go(COURSES, course),
     openMyRobot: () => go(MY_ROBOT, undefined),
+    openClass: () => go(CLASS, undefined),
     openMissions: (robot) => go(MISSIONS, robot),
     replaceCourse: (course) => replace(COURSES, course),
     replaceMissions: (robot) => replace(MISSIONS, robot),

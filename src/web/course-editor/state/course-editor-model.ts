@@ -252,6 +252,4 @@ class CourseEditor implements CourseEditorModel {
 
 /** Whether two selections are equal. */
 export const isSameSelection = (one: Selection, other: Selection): boolean =>
-  one.robot === other.robot &&
-  one.ids.length === other.ids.length &&
-  one.ids.every((id, at) => other.ids[at] === id);
+  one.robot === other.robot && one.ids.length === other.ids.length && one.ids.every((id, at) => other.ids[at] === id);

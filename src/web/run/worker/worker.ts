@@ -1,9 +1,10 @@
 /**
- * The module worker that owns one run, looks into one that has been or repeats it (`look/`), or fits one robot (`fit.ts`). It sends and receives what `protocol.ts` lists; all
- * of its logic is in `runner.ts`.
+ * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`), or
+ * checks hand-ins (`checker.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
  */
 import { Simulation } from '#simulation/simulation';
 
+import type { Checker, ToChecker } from './checker';
 import { answerFit, type FitRequest } from './fit';
 import { Looker } from './look/looker';
 import { answerRepeat, type RepeatRequest } from './look/repeat';
@@ -44,10 +45,20 @@ const looker = new Looker({
   rest: () => new Promise((resolve) => soon(resolve)),
 });
 
-addEventListener('message', ({ data }: MessageEvent<ToWorker | ToLooker | RepeatRequest | FitRequest>) => {
+/** Comes late: no run needs what it takes to read a class's programs. */
+let checker: Promise<Checker> | null = null;
+const loadChecker = (): Promise<Checker> =>
+  (checker ??= import('./checker').then(
+    (late) => new late.Checker({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
+  ));
+
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker;
+
+addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
     void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
   else if (data.type === 'look-into' || data.type === 'look' || data.type === 'look-near') looker.receive(data);
+  else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
   else runner.receive(data);
 });

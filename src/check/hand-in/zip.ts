@@ -1,15 +1,16 @@
 import { unpacked } from '#core/deflate';
+import { unread, type Unread } from './unread';
 
 /** A file in a zip. */
 export interface ZipEntry {
   /** With `/` between folders. */
   readonly path: string;
   /** Unpacks it; never more than so many bytes, whatever the zip says. */
-  read(maxBytes: number): { readonly bytes: Uint8Array } | { readonly problem: string };
+  read(maxBytes: number): { readonly bytes: Uint8Array } | { readonly problem: Unread };
 }
 
 /** The files of a zip, or why it cannot be read. */
-export type Zip = { readonly entries: readonly ZipEntry[] } | { readonly problem: string };
+export type Zip = { readonly entries: readonly ZipEntry[] } | { readonly problem: Unread };
 
 // APPNOTE.TXT 6.3.10 of PKWARE: sections 4.3.16, 4.3.12, 4.3.7.
 const END = 0x06054b50;
@@ -31,14 +32,14 @@ const MOST_ENTRIES = 20_000;
 export function readZip(bytes: Uint8Array): Zip {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = endOf(view);
-  if (end === null) return { problem: 'is not a zip, or only a part of one.' };
+  if (end === null) return unread('zip');
   const [count, start] = [view.getUint16(end + 10, true), view.getUint32(end + 16, true)];
-  if (count > MOST_ENTRIES) return { problem: `has ${count} files; the limit is ${MOST_ENTRIES}.` };
+  if (count > MOST_ENTRIES) return unread('zip-many', { count, most: MOST_ENTRIES });
   const entries: ZipEntry[] = [];
   let at = start;
   for (let index = 0; index < count; index++) {
     const isThere = at + DIRECTORY_BYTES <= end && view.getUint32(at, true) === DIRECTORY;
-    if (!isThere) return { problem: 'is damaged: its list of files is not whole.' };
+    if (!isThere) return unread('zip-list');
     const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));
     const path = textOf(bytes.subarray(at + DIRECTORY_BYTES, at + DIRECTORY_BYTES + (name ?? 0)), view.getUint16(at + 8, true)); // prettier-ignore
     const directory = at;
@@ -67,22 +68,22 @@ function readEntry(
   view: DataView,
   directory: number,
   maxBytes: number,
-): { readonly bytes: Uint8Array } | { readonly problem: string } {
+): { readonly bytes: Uint8Array } | { readonly problem: Unread } {
   const [flags, method] = [view.getUint16(directory + 8, true), view.getUint16(directory + 10, true)];
   const [packedBytes, local] = [view.getUint32(directory + 20, true), view.getUint32(directory + 42, true)];
-  if ((flags & ENCRYPTED) !== 0) return { problem: 'is locked by a password.' };
-  if (packedBytes === ZIP64 || local === ZIP64) return { problem: 'is larger than 4 GB.' };
+  if ((flags & ENCRYPTED) !== 0) return unread('zip-locked');
+  if (packedBytes === ZIP64 || local === ZIP64) return unread('zip-large');
   if (local + LOCAL_BYTES > bytes.length || view.getUint32(local, true) !== LOCAL) return DAMAGED;
   const from = local + LOCAL_BYTES + view.getUint16(local + 26, true) + view.getUint16(local + 28, true);
   if (from + packedBytes > bytes.length) return DAMAGED;
   const content = bytes.subarray(from, from + packedBytes);
   if (method === STORED) return content.length > maxBytes ? tooLarge(maxBytes) : { bytes: content };
-  if (method !== DEFLATED) return { problem: `is packed in a way (${method}) that is not known here.` };
+  if (method !== DEFLATED) return unread('zip-way', { method });
   if (content.length === 0) return DAMAGED;
   const whole = unpacked(content, maxBytes);
   if (whole === 'too-large') return tooLarge(maxBytes);
   return whole === 'damaged' ? DAMAGED : { bytes: whole };
 }
 
-const DAMAGED = { problem: 'is damaged in the zip.' };
-const tooLarge = (maxBytes: number) => ({ problem: `unpacks to more than ${maxBytes} bytes. It is not opened.` });
+const DAMAGED = unread('zip-file');
+const tooLarge = (most: number) => unread('zip-bomb', { most });

@@ -4,7 +4,7 @@ import { readZip, type ZipEntry } from './zip';
 
 const entriesOf = (bytes: Uint8Array): readonly ZipEntry[] => {
   const zip = readZip(bytes);
-  if ('problem' in zip) throw new Error(zip.problem);
+  if ('problem' in zip) throw new Error(zip.problem.code);
   return zip.entries;
 };
 
@@ -13,7 +13,7 @@ describe('a zip', () => {
     const zip = zipSync({ 'a.py': strToU8('x = 1'), 'ö/b.py': [strToU8('y = 2'), { level: 0 }] });
     const texts = entriesOf(zip).map((entry) => {
       const read = entry.read(100);
-      return [entry.path, 'bytes' in read ? new TextDecoder().decode(read.bytes) : read.problem];
+      return [entry.path, 'bytes' in read ? new TextDecoder().decode(read.bytes) : read.problem.code];
     });
     expect(texts).toEqual([['a.py', 'x = 1'], ['ö/b.py', 'y = 2']]); // prettier-ignore
   });
@@ -21,13 +21,13 @@ describe('a zip', () => {
   it('that would unpack to a gigabyte is not unpacked', () => {
     const bomb = zipSync({ 'a.py': new Uint8Array(20_000_000) }, { level: 9 });
     expect(bomb.length).toBeLessThan(25_000);
-    expect(entriesOf(bomb)[0]?.read(1_000_000)).toEqual({ problem: 'unpacks to more than 1000000 bytes. It is not opened.' }); // prettier-ignore
+    expect(entriesOf(bomb)[0]?.read(1_000_000)).toEqual({ problem: { code: 'zip-bomb', params: { most: 1_000_000 } } }); // prettier-ignore
   });
 
   it('that is none, or a part of one, is refused', () => {
     const zip = zipSync({ 'a.py': strToU8('x = 1') });
     for (const bytes of [strToU8('hello'), zip.subarray(0, zip.length - 10), new Uint8Array()])
-      expect(readZip(bytes)).toEqual({ problem: 'is not a zip, or only a part of one.' });
+      expect(readZip(bytes)).toEqual({ problem: { code: 'zip', params: {} } });
   });
 
   it('may be damaged anywhere, and nothing is thrown', () => {

@@ -1,0 +1,92 @@
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { linkOf } from '../src/project/link/link';
+import { defaultScene } from '../src/scene/scene';
+import { expect, test } from './app';
+import { gone, by, until } from './parts';
+
+const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
+const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\nwhile True:\n    delay(100)\n`;
+
+/** The link of a program. */
+function linkTo(text: string): string {
+  const made = linkOf(
+    { files: [{ name: 'main.py', text }], scene: defaultScene(), course: null },
+    { courses: () => null, program: true },
+  );
+  return `https://example.org/#${made?.fragment ?? ''}`;
+}
+
+/** What pupils have sent: right, wrong, with an error, endless, the same as another's, and damaged. */
+const MAIL = `Guten Tag, hier sind alle.
+
+Ada: ${linkTo(RIGHT)}
+Ben: ${linkTo(CREEP)}
+Cem: ${linkTo('x = 1 / 0\n')}
+Dora: ${linkTo('while True:\n    pass\n')}
+Emil: ${linkTo(`# meins\n${RIGHT}`)}
+Finn: ${linkTo(RIGHT).slice(0, -9)}
+`;
+
+/** The table that the command line writes of the same e-mail. */
+function tableOfCommandLine(): string {
+  const folder = mkdtempSync(join(tmpdir(), 'parcours-class-'));
+  try {
+    const [mail, csv] = [join(folder, 'mail.txt'), join(folder, 'class.csv')];
+    writeFileSync(mail, MAIL);
+    try {
+      execFileSync('node', ['bin/parcours.mjs', 'check', 'closed-line', mail, '--csv', csv, '--lang', 'de']);
+    } catch {
+      // Exit code 3: not all have passed.
+    }
+    return readFileSync(csv, 'utf8');
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+test('a class that sends links is checked: table and report are those of the command line', async ({ app }) => {
+  test.setTimeout(120_000);
+  await app.goto('./logo.svg');
+  await app.evaluate(() =>
+    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true })),
+  );
+  await app.goto('./#class');
+  await until(app, by('class-task'));
+  await app.evaluate(() => {
+    // What is saved is kept here instead.
+    URL.createObjectURL = (blob) => {
+      void (blob as Blob).text().then((text) => (document.title = text));
+      return 'blob:kept';
+    };
+    HTMLAnchorElement.prototype.click = () => undefined;
+    const select = document.querySelector<HTMLSelectElement>('[data-testid=class-task]')!;
+    select.value = 'closed-line';
+    select.dispatchEvent(new Event('change', { bubbles: true }));
+  });
+  await app.evaluate((text) => {
+    const field = document.querySelector<HTMLTextAreaElement>('[data-testid=class-links]')!;
+    field.value = text;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+  }, MAIL);
+  await app.click(by('class-check-links'));
+  await until(app, by('class-table'));
+  await gone(app, 'progress');
+  const table = await app.text(by('class-table'));
+  for (const words of ['Ada', 'gleich wie Emil', 'Zeile 1: ZeroDivisionError', 'bitte neu abgeben'])
+    expect(table).toContain(words);
+  await app.click(by('class-csv'));
+  // The browser leaves out the sign at the beginning by which spreadsheets know UTF-8.
+  const wanted = tableOfCommandLine().replace(/^\ufeff/, '').replace(/\s+/g, ' ').trim(); // prettier-ignore
+  await expect.poll(() => app.evaluate(() => document.title)).toBe(wanted);
+  await app.click(by('class-passed'));
+  await expect.poll(() => app.text(by('class-table'))).not.toContain('Ben');
+  await app.click('.name');
+  await until(app, by('class-open'));
+  const href = await app.evaluate(() => document.querySelector<HTMLAnchorElement>('[data-testid=class-open]')!.href);
+  expect(href).toContain('#p=');
+  await app.press('Escape');
+  await gone(app, by('class-task'));
+});

@@ -1,0 +1,137 @@
+import type { ReadyCourses } from '#project/link/link';
+import { folderHandIn, handInOfBytes, handInOfLink, MOST_FILE_BYTES, type Content, type NamedBytes } from './contents';
+import { linksIn, linksInFile, type NamedLink } from './links';
+import { unread, type Unread } from './unread';
+import { readZip, type ZipEntry } from './zip';
+
+/** A hand-in that is to be read when its turn comes. */
+export interface Source {
+  /** Unlike the others, once they are together (`withOwnNames`). */
+  readonly name: string;
+  read(): Content | Promise<Content>;
+}
+
+type Bytes = { readonly bytes: Uint8Array } | { readonly problem: Unread };
+
+/** A file in a folder or a zip. */
+export interface TreeFile {
+  /** With `/` between folders; one that ends with it stands for a folder that has perhaps no file. */
+  readonly path: string;
+  /** Its bytes; never more than so many. */
+  read(maxBytes: number): Bytes | Promise<Bytes>;
+}
+
+/** Something that cannot be read. */
+export const brokenSource = (name: string, problem: Unread): Source => ({ name, read: () => ({ problem }) });
+
+/** A file: a program, a project, or a zip of one. */
+export const fileSource = (file: TreeFile, courses: ReadyCourses): Source => {
+  const name = lastOf(file.path);
+  return {
+    name: handInName(name),
+    async read() {
+      const read = await file.read(MOST_FILE_BYTES);
+      return 'problem' in read ? read : handInOfBytes(name, read.bytes, courses);
+    },
+  };
+};
+
+/** The hand-ins in a folder: each file is one, each sub-folder is one. */
+export function folderSources(all: readonly TreeFile[], courses: ReadyCourses): readonly Source[] {
+  const folders = new Map<string, TreeFile[]>();
+  for (const file of all) {
+    if (file.path.split('/').some(isLitter)) continue;
+    const [first = ''] = file.path.split('/');
+    const key = file.path.includes('/') ? `${first}/` : first;
+    folders.set(key, [...(folders.get(key) ?? []), file]);
+  }
+  return sortedBy([...folders], ([key]) => key).map(([key, inside]) => {
+    const [file] = inside;
+    return key.endsWith('/') || file === undefined
+      ? folderSource(key.slice(0, -1), inside, courses)
+      : fileSource(file, courses);
+  });
+}
+
+/** One hand-in of all files in a folder. */
+const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyCourses): Source => ({
+  name,
+  async read() {
+    const files: NamedBytes[] = [];
+    for (const file of sortedBy(inside, ({ path }) => path)) {
+      const own = file.path.slice(name.length + 1);
+      if (own === '' || own.includes('/')) continue;
+      const read = await file.read(MOST_FILE_BYTES);
+      if ('problem' in read) return read;
+      files.push({ name: own, bytes: read.bytes });
+    }
+    return folderHandIn(files, courses);
+  },
+});
+
+/** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
+export function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
+  const zip = readZip(bytes);
+  return 'problem' in zip ? [brokenSource(name, zip.problem)] : folderSources(withoutTop(zip.entries), courses);
+}
+
+/** A zip that holds a single folder of hand-ins is that folder. */
+function withoutTop(all: readonly ZipEntry[]): readonly ZipEntry[] {
+  const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
+  const tops = new Set(entries.map(({ path }) => path.split('/')[0] ?? ''));
+  const [top] = tops;
+  const isOneFolder = tops.size === 1 && entries.every(({ path }) => path.includes('/'));
+  if (!isOneFolder || top === undefined || entries.some(({ path }) => path === `${top}/main.py`)) return entries;
+  return withoutTop(entries.map((entry) => ({ ...entry, path: entry.path.slice(top.length + 1) })));
+}
+
+/**
+ * The hand-ins behind the links in a text, whatever stands around them. Those beside which nobody is named have the name
+ * that their pupil has typed, else their number.
+ *
+ * @param file what the text is, by the ending of its file; left out: something that was pasted
+ */
+export function listSources(text: string, courses: ReadyCourses, file?: string): readonly Source[] {
+  const links = file === undefined ? linksIn(text) : linksInFile(file, text);
+  return links.map((link, place) => linkSource(link, place, courses));
+}
+
+/** A link. */
+export function linkSource({ name, address }: NamedLink, place: number, courses: ReadyCourses): Source {
+  const read = (): Content => handInOfLink(address, courses);
+  const content = name === '' ? read() : null;
+  const alias = content !== null && 'handIn' in content ? content.handIn.said?.alias : undefined;
+  return { name: name || alias || `link ${place + 1}`, read };
+}
+
+/** What a source holds; what vanishes meanwhile is something that cannot be read. */
+export async function contentOf(source: Source): Promise<Content> {
+  try {
+    return await source.read();
+  } catch (error) {
+    return unread('gone', { problem: error instanceof Error ? error.message : String(error) });
+  }
+}
+
+/** What lies about in folders and is nobody's hand-in. */
+const isLitter = (name: string): boolean => name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
+
+const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
+/** `anna` for anna.py, anna.json and anna.parcours.json. */
+export const handInName = (file: string): string => file.replace(/(\.parcours)?\.[^.]*$/, '') || file;
+
+/** Sorted the same everywhere: by the letters' numbers. */
+const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>
+  things.toSorted((a, b) => (key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0));
+
+/** `anna`, `anna (2)`, …: of several with one name each gets its own. `taken`: names that others have already. */
+export function withOwnNames(sources: readonly Source[], taken: Iterable<string> = []): readonly Source[] {
+  const names = new Set(taken);
+  return sources.map((source) => {
+    let { name } = source;
+    for (let number = 2; names.has(name); number += 1) name = `${source.name} (${number})`;
+    names.add(name);
+    return { ...source, name };
+  });
+}

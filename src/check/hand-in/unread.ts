@@ -1,0 +1,26 @@
+/** Why something that was handed in cannot be read. */
+export interface Unread {
+  readonly code: UnreadCode;
+  /** What the sentence about it names. */
+  readonly params: Readonly<Record<string, string | number>>;
+}
+
+/** The codes of what cannot be read, as reports have them. */
+export const unreadCodes = [
+  // files
+  ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone'] as const),
+  // folders
+  ...(['no-main', 'many-files'] as const),
+  // links
+  ...(['link', 'newer-link', 'no-work', 'no-link', 'many-links'] as const),
+  // zips
+  ...(['zip', 'zip-list', 'zip-many', 'zip-file', 'zip-locked', 'zip-large', 'zip-way', 'zip-bomb'] as const),
+  // an error of ours
+  'broken',
+] as const;
+export type UnreadCode = (typeof unreadCodes)[number];
+
+/** What cannot be read, in the place of what was read. */
+export const unread = (code: UnreadCode, params: Unread['params'] = {}): { readonly problem: Unread } => ({
+  problem: { code, params },
+});

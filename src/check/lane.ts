@@ -1,0 +1,118 @@
+import type { HandIn } from './hand-in/hand-in';
+import { unreadable, type CheckResult, type Reason } from './result';
+import type { ClassTask } from './task/task';
+
+/** A hand-in that a thread shall check. */
+export interface CheckRequest {
+  readonly handIn: HandIn;
+  /** From this world on nothing is run, for this reason. */
+  readonly lost?: { readonly from: number; readonly reason: Reason };
+}
+
+/** Its answer. `broken`: an error of ours. */
+export type CheckAnswer = { readonly result: CheckResult } | { readonly broken: string };
+
+/** A thread that checks one hand-in after the other. */
+export interface CheckThread {
+  ask(request: CheckRequest): void;
+  /** How often it has shown that time passes, and the place of the world that it runs. */
+  pulse(): { readonly beat: number; readonly world: number };
+  stop(): void;
+}
+
+/** Starts a thread. `heard` gets its answers; a thread that has ended is broken. */
+export type StartThread = (heard: (answer: CheckAnswer) => void) => CheckThread;
+
+/** Calls something every so many ms of wall time; what it returns ends that. */
+export type Every = (ms: number, act: () => void) => () => void;
+
+/** After so many ms of wall time without a heartbeat, a program is stuck inside one call that never ends. */
+export const STUCK_MS = 10_000;
+
+const LOOK_MS = 200;
+
+/** How a request ended: with an answer, or with the thread's end. */
+type Ending = { readonly result: CheckResult } | { readonly reason: Reason; readonly world: number };
+
+/** A thread that is replaced when a hand-in has broken it or is stuck in it. */
+export class Lane {
+  private thread: CheckThread | null = null;
+  /** Takes the answer to what the thread is asked; `null`: it is asked nothing. */
+  private end: ((ending: Ending) => void) | null = null;
+
+  constructor(
+    private readonly checks: ClassTask['checks'],
+    private readonly start: StartThread,
+    private readonly every: Every,
+  ) {}
+
+  /** The result of a hand-in; in the world in which it was stuck, and in those after it, nothing is run. */
+  async check(handIn: HandIn): Promise<CheckResult> {
+    const ending = await this.ask({ handIn });
+    if ('result' in ending) return ending.result;
+    const { world, reason } = ending;
+    const again = await this.ask({ handIn, lost: { from: world, reason } });
+    return 'result' in again ? again.result : unreadable(this.checks, { code: 'broken', params: again.reason.params });
+  }
+
+  /** Ends the thread. What it is asked stays without an answer. */
+  stop(): void {
+    this.thread?.stop();
+    this.thread = null;
+  }
+
+  private ask(request: CheckRequest): Promise<Ending> {
+    const thread = (this.thread ??= this.begin());
+    return new Promise((resolve) => {
+      const unwatch = this.watch(thread);
+      this.end = (ending) => {
+        unwatch();
+        this.end = null;
+        if ('reason' in ending) this.stop();
+        resolve(ending);
+      };
+      thread.ask(request);
+    });
+  }
+
+  private begin(): CheckThread {
+    const thread = this.start((answer) => {
+      // One that was stopped may still have said something.
+      if (this.thread !== thread) return;
+      if ('broken' in answer) this.lose('broken', { problem: answer.broken });
+      else this.end?.(answer);
+    });
+    return thread;
+  }
+
+  /** The thread has no answer to what it is asked. */
+  private lose(code: 'stuck' | 'broken', params: Reason['params']): void {
+    this.end?.({ reason: { code, params }, world: this.thread?.pulse().world ?? 0 });
+  }
+
+  /** Gives a thread up that shows no sign of life for `STUCK_MS`. */
+  private watch(thread: CheckThread): () => void {
+    let { beat } = thread.pulse();
+    let stillMs = 0;
+    return this.every(LOOK_MS, () => {
+      const now = thread.pulse().beat;
+      stillMs = now === beat ? stillMs + LOOK_MS : 0;
+      beat = now;
+      if (stillMs > STUCK_MS) this.lose('stuck', {});
+    });
+  }
+}
+
+/** Each lane takes the next thing when it is free; then all of them are stopped. */
+export async function inLanes<T>(
+  things: readonly T[],
+  lanes: readonly Lane[],
+  work: (thing: T, place: number, lane: Lane) => Promise<void>,
+): Promise<void> {
+  const waiting = things.entries();
+  const busy = lanes.map(async (lane) => {
+    for (const [place, thing] of waiting) await work(thing, place, lane);
+    lane.stop();
+  });
+  await Promise.all(busy);
+}

@@ -1,0 +1,60 @@
+// @vitest-environment happy-dom
+import { zipSync, strToU8 } from 'fflate';
+import { describe, expect, it } from 'vitest';
+
+import { linkOf } from '#project/link/link';
+import { defaultScene } from '#scene/scene';
+
+import { chosenFiles, sourcesOf } from './added-files';
+
+const file = (name: string, content: BlobPart): File => new File([content], name);
+const alone = (one: File) => ({ path: one.name, file: one });
+async function contents(...added: Parameters<typeof sourcesOf>[0]) {
+  const sources = await sourcesOf(added);
+  return Promise.all(
+    sources.map(async (source) => {
+      const content = await source.read();
+      return [
+        source.name,
+        'handIn' in content ? content.handIn.project.files.map(({ text }) => text) : content.problem.code,
+      ];
+    }),
+  );
+}
+
+describe('files that are handed in on the page', () => {
+  it('are programs, and zips with a hand-in for each file and each folder', async () => {
+    const zip = zipSync({ 'Ben.py': strToU8('b'), 'Cleo/main.py': strToU8('c'), 'Cleo/own.py': strToU8('o') });
+    expect(await contents(alone(file('Ada.py', 'a')), alone(file('class.zip', zip as BlobPart)))).toEqual([
+      ['Ada', ['a']],
+      ['Ben', ['b']],
+      ['Cleo', ['c', 'o']],
+    ]);
+  });
+
+  it('are a folder as it was chosen or dropped: each of its folders is one hand-in', async () => {
+    const inside = (path: string, text: string) => ({ path, file: file(path.split('/').at(-1)!, text) });
+    const found = await contents(inside('7b/Ada/main.py', 'a'), inside('7b/Ben.py', 'b'), inside('7b/.DS_Store', 'x'));
+    expect(found).toEqual([['Ada', ['a']], ['Ben', ['b']]]); // prettier-ignore
+  });
+
+  it('are texts with links in them, each with who stands before it', async () => {
+    const made = linkOf({ files: [{ name: 'main.py', text: 'a' }], scene: defaultScene(), course: null }, { courses: () => null, program: true }); // prettier-ignore
+    const text = `Liebe Frau B.,\nAda: https://example.org/#${made!.fragment}.\nBen: https://example.org/#p=2.AAAA`;
+    const [ada, ben] = await contents(alone(file('mail.txt', text)));
+    expect(ada).toEqual(['Ada', ['a']]);
+    expect(ben).toEqual(['Ben', 'link']);
+  });
+
+  it('that cannot be read, say so and keep nobody else from being read', async () => {
+    expect(await contents(alone(file('Tim.zip', 'no zip')), alone(file('leer.txt', 'hallo')))).toEqual([
+      ['Tim.zip', 'zip'],
+      ['leer', 'no-link'],
+    ]);
+  });
+
+  it('have their path in the folder that was chosen', () => {
+    const own = Object.defineProperty(file('main.py', ''), 'webkitRelativePath', { value: '7b/Ada/main.py' });
+    expect(chosenFiles([own, file('Ben.py', '')]).map(({ path }) => path)).toEqual(['7b/Ada/main.py', 'Ben.py']);
+  });
+});

@@ -1,0 +1,87 @@
+import { isTextWithLinks } from '#check/hand-in/links';
+import {
+  brokenSource,
+  fileSource,
+  folderSources,
+  handInName,
+  listSources,
+  zipSources,
+  type Source,
+  type TreeFile,
+} from '#check/hand-in/sources';
+import { unread } from '#check/hand-in/unread';
+
+import { readyCourses } from '../share/open-address';
+
+/** Largest zip, and largest text with links. Chosen: a tablet's browser holds it beside the workers. */
+const MOST_ZIP_BYTES = 200_000_000;
+const MOST_LIST_BYTES = 20_000_000;
+
+/** A file with its path in the folder that was chosen or dropped; alone it has just its name. */
+export interface AddedFile {
+  readonly path: string;
+  readonly file: File;
+}
+
+/** The hand-ins of files and folders that were chosen or dropped, each as the command line takes it. */
+export async function sourcesOf(added: readonly AddedFile[]): Promise<readonly Source[]> {
+  const folders = new Map<string, TreeFile[]>();
+  const found: Source[] = [];
+  for (const { path, file } of added) {
+    const [top = '', ...below] = path.split('/');
+    if (below.length === 0) found.push(...(await sourcesOfFile(file)));
+    else folders.set(top, [...(folders.get(top) ?? []), treeFile(below.join('/'), file)]);
+  }
+  return [...found, ...[...folders.values()].flatMap((inside) => folderSources(inside, readyCourses))];
+}
+
+async function sourcesOfFile(file: File): Promise<readonly Source[]> {
+  const { name, size } = file;
+  if (/\.zip$/i.test(name)) {
+    if (size > MOST_ZIP_BYTES) return [tooLarge(name, MOST_ZIP_BYTES)];
+    return zipSources(name, new Uint8Array(await file.arrayBuffer()), readyCourses);
+  }
+  if (!isTextWithLinks(name)) return [fileSource(treeFile(name, file), readyCourses)];
+  if (size > MOST_LIST_BYTES) return [tooLarge(handInName(name), MOST_LIST_BYTES)];
+  const linked = listSources(await file.text(), readyCourses, name);
+  return linked.length === 0 ? [brokenSource(handInName(name), unread('no-link').problem)] : linked;
+}
+
+const tooLarge = (file: string, most: number): Source => brokenSource(file, unread('large', { file, most }).problem);
+
+const treeFile = (path: string, file: File): TreeFile => ({
+  path,
+  async read(maxBytes) {
+    if (file.size > maxBytes) return unread('large', { file: file.name, most: maxBytes });
+    return { bytes: new Uint8Array(await file.arrayBuffer()) };
+  },
+});
+
+/** What was dropped: files, and all that is in folders. */
+export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly AddedFile[]> {
+  // Entries must be asked for before anything is waited for: the browser takes them away with the event.
+  const entries = [...items].map((item) => item.webkitGetAsEntry());
+  if (entries.every((entry) => entry === null)) return [...files].map((file) => ({ path: file.name, file }));
+  const found = await Promise.all(entries.flatMap((entry) => (entry === null ? [] : [filesIn(entry, '')])));
+  return found.flat();
+}
+
+async function filesIn(entry: FileSystemEntry, above: string): Promise<readonly AddedFile[]> {
+  const path = `${above}${entry.name}`;
+  if (entry.isFile) {
+    const file = await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject));
+    return [{ path, file }];
+  }
+  const reader = (entry as FileSystemDirectoryEntry).createReader();
+  const found: AddedFile[] = [];
+  // It gives a hundred at a time, until there is none.
+  for (;;) {
+    const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+    if (some.length === 0) return found;
+    for (const one of some) found.push(...(await filesIn(one, `${path}/`)));
+  }
+}
+
+/** What was chosen in a dialog of the browser: files, or a folder with all that is in it. */
+export const chosenFiles = (files: Iterable<File>): readonly AddedFile[] =>
+  [...files].map((file) => ({ path: file.webkitRelativePath || file.name, file }));

@@ -1,0 +1,39 @@
+import type { StartThread } from '#check/lane';
+import type { ClassTask } from '#check/task/task';
+import { projectOfTask } from '#check/task/write-task';
+
+import { createWorker } from '../run/worker/create-worker';
+import type { FromChecker, ToChecker } from '../run/worker/checker';
+
+/** Starts workers that check hand-ins of a task. They share the compiled VM. */
+export const startThread =
+  (task: ClassTask, firmware: WebAssembly.Module): StartThread =>
+  (heard) => {
+    const worker = createWorker();
+    const send = (message: ToChecker): void => worker.postMessage(message);
+    const now = { beat: 0, world: 0 };
+    worker.onmessage = ({ data }: MessageEvent<FromChecker>) => {
+      now.beat += 1;
+      if (data.type === 'checked') heard(data.answer);
+      else now.world = data.world;
+    };
+    worker.onerror = ({ message }) => heard({ broken: message });
+    send({ type: 'check-open', task: projectOfTask(task), firmware });
+    return {
+      ask(request) {
+        now.world = 0;
+        send({ type: 'check', request });
+      },
+      pulse: () => ({ ...now }),
+      stop: () => worker.terminate(),
+    };
+  };
+
+/** Most workers at once. Chosen: a class of 24 is done in a second or two, and each takes 20 MB. */
+const MOST_LANES = 8;
+
+/** How many workers check side by side; from three cores on one is left for the page. */
+export function laneCount(cores: number = navigator.hardwareConcurrency): number {
+  const free = cores > 2 ? cores - 1 : cores;
+  return Math.max(1, Math.min(free, MOST_LANES));
+}

@@ -1,0 +1,118 @@
+import type { Content } from '#check/hand-in/contents';
+import type { HandIn } from '#check/hand-in/hand-in';
+import { contentOf, withOwnNames, type Source } from '#check/hand-in/sources';
+import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
+import { classResult, type ClassResult } from '#check/report/class-result';
+import { unreadable, type CheckResult } from '#check/result';
+import type { ClassTask } from '#check/task/task';
+import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
+
+/** The task that hand-ins are checked for. */
+export interface OpenTask {
+  readonly name: string;
+  readonly task: ClassTask;
+}
+
+/** Somebody's hand-in on the page. */
+export interface Row {
+  readonly name: string;
+  /** `null`: not read yet, or nothing that could be. */
+  readonly handIn: HandIn | null;
+  /** `null`: it waits, or is being checked. */
+  readonly result: CheckResult | null;
+}
+
+/** What a class needs of the page. */
+export interface ClassPorts {
+  /** How threads for a task are started. Rejects without the VM. */
+  starter(task: ClassTask): Promise<StartThread>;
+  readonly every: Every;
+  readonly lanes: number;
+}
+
+/** A class: the task, what was handed in, and what became of it. It stays while the page is open. */
+export class ClassModel {
+  readonly task = shallowRef<OpenTask | null>(null);
+  readonly rows: ShallowRef<readonly Row[]> = shallowRef([]);
+  readonly isChecking = shallowRef(false);
+  /** The VM could not be fetched, or no worker made. */
+  readonly hasFailed = shallowRef(false);
+  /** Those that are checked, as reports have them: with what is told about twins. */
+  readonly found: ComputedRef<ClassResult>;
+  private sources: readonly Source[] = [];
+  private turn = 0;
+  private lanes: readonly Lane[] = [];
+
+  constructor(private readonly ports: ClassPorts) {
+    this.found = computed(() =>
+      classResult(
+        this.task.value?.name ?? '',
+        this.rows.value.flatMap(({ name, result }) => (result === null ? [] : [{ name, result }])),
+      ),
+    );
+  }
+
+  /** Another task: everything is checked again. */
+  async choose(task: OpenTask): Promise<void> {
+    this.task.value = task;
+    this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
+    await this.check();
+  }
+
+  /** Adds hand-ins, and checks them. Of several with one name each gets its own. */
+  async add(sources: readonly Source[]): Promise<void> {
+    const named = withOwnNames(
+      sources,
+      this.rows.value.map(({ name }) => name),
+    );
+    this.sources = [...this.sources, ...named];
+    this.rows.value = [...this.rows.value, ...named.map(({ name }) => ({ name, handIn: null, result: null }))];
+    await this.check();
+  }
+
+  /** Takes everything away that was handed in. */
+  clear(): void {
+    this.stop();
+    this.sources = [];
+    this.rows.value = [];
+  }
+
+  /** Ends what is being checked. */
+  stop(): void {
+    this.turn += 1;
+    for (const lane of this.lanes) lane.stop();
+    this.lanes = [];
+    this.isChecking.value = false;
+  }
+
+  /** Checks what has no result yet. */
+  private async check(): Promise<void> {
+    this.stop();
+    const { turn } = this;
+    const open = this.task.value;
+    const waiting = this.rows.value.flatMap(({ result }, place) => (result === null ? [place] : []));
+    if (open === null || waiting.length === 0) return;
+    this.isChecking.value = true;
+    this.hasFailed.value = false;
+    try {
+      const start = await this.ports.starter(open.task);
+      if (turn !== this.turn) return;
+      const count = Math.min(this.ports.lanes, waiting.length);
+      this.lanes = Array.from({ length: count }, () => new Lane(open.task.checks, start, this.ports.every));
+      await inLanes(waiting, this.lanes, (place, _, lane) => this.checkOne(place, open.task, lane, turn));
+    } catch {
+      if (turn === this.turn) this.hasFailed.value = true;
+    }
+    if (turn === this.turn) this.stop();
+  }
+
+  private async checkOne(place: number, task: ClassTask, lane: Lane, turn: number): Promise<void> {
+    const source = this.sources[place];
+    if (source === undefined || turn !== this.turn) return;
+    const content: Content = await contentOf(source);
+    const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
+    if (turn !== this.turn) return;
+    const handIn = 'handIn' in content ? content.handIn : null;
+    this.rows.value = this.rows.value.map((row, at) => (at === place ? { ...row, handIn, result } : row));
+  }
+}
