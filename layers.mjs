@@ -89,6 +89,7 @@ export const webLayers = {
     'device',
     'share',
     'debug',
+    'class',
   ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],

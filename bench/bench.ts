@@ -1,6 +1,7 @@
 /** What `npm run bench` measures: every budget of docs/architecture.md, in the order of its table. */
 import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
+import { classSubject } from './page/class';
 import { debugSubject } from './page/debug';
 import { downloadSubject } from './page/download';
 import { editingSubject, movingSubject, slowMovingSubject } from './page/editing';
@@ -25,6 +26,7 @@ const pageSubjects = [
   runsSubject,
   stopSubject,
   debugSubject,
+  classSubject,
 ];
 
 export { apiCalls } from './api-calls';

@@ -48,6 +48,7 @@ import {
   mdiToyBrickOutline,
   mdiRedo,
   mdiRestart,
+  mdiClipboardCheckOutline,
   mdiRobotHappyOutline,
   mdiRobotOutline,
   mdiShareVariant,
@@ -74,6 +75,7 @@ import { toolLetters } from '../../course-editor/palette/tool-list';
 import { editingWords } from '../../course-editor/words/editing-words';
 import { editorWords } from '../../course-editor/words/editor-words';
 import { debugWords } from '../../debug/debug-words';
+import { classWords } from '../../class/class-words';
 import { deviceWords } from '../../device/device-words';
 import { showWords } from '../../layout/show-words';
 import type { GuideContent, OwnName } from './content/content';
@@ -145,6 +147,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
   gallery: of(mdiRobotHappyOutline, () => say(deviceWords.gallery), 'gallery'),
+  class: of(mdiClipboardCheckOutline, () => say(classWords.title), 'menu-class'),
   'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),
   'new-file': ofKey(mdiPlus, 'code.newFile'),
