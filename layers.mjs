@@ -60,7 +60,7 @@ export const webLayers = {
   layout: ['page', 'work', 'visit'],
   task: ['page', 'run', 'work', 'layout'],
   console: ['page', 'run', 'work', 'layout', 'debug'],
-  'look-back': ['page', 'run', 'work', 'console'],
+  'look-back': ['page', 'run', 'work', 'console', 'share'],
   chart: ['page', 'run', 'work', 'console', 'look-back'],
   'device-log': ['page', 'run', 'work'],
   debug: ['page', 'run', 'work'],

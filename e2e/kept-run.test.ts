@@ -28,9 +28,13 @@ function file(name: string, text: string): string {
   return path;
 }
 /** What the command line says, and how it ends. */
-function parcours(...args: readonly string[]): { readonly code: number | null; readonly said: string } {
-  const { status, stderr } = spawnSync(process.execPath, ['bin/parcours.mjs', ...args], { encoding: 'utf8' });
-  return { code: status, said: stderr };
+function parcours(...args: readonly string[]): {
+  readonly code: number | null;
+  readonly said: string;
+  readonly out: string;
+} {
+  const { status, stderr, stdout } = spawnSync(process.execPath, ['bin/parcours.mjs', ...args], { encoding: 'utf8' });
+  return { code: status, said: stderr, out: stdout };
 }
 interface Kept {
   readonly untilUs: number;
@@ -47,6 +51,8 @@ async function saved(app: App): Promise<{ readonly name: string; readonly text: 
   await watchSaving(app);
   await until(app, by('save-run'));
   await app.click(by('save-run'));
+  await until(app, by('save-run-file'));
+  await app.click(by('save-run-file'));
   await expect.poll(async () => (await savedFiles(app)).length).toBe(1);
   return (await savedFiles(app))[0]!;
 }
@@ -101,4 +107,35 @@ test('a run of the page is saved, is the same on the command line, and opens aga
   await expect.poll(() => programIn(app)).toContain('range(3)');
   await expect.poll(() => noticeIn(app)).toContain('changed.run.json');
   await gone(app, by('time-rail'));
+});
+
+test('a run is passed on as a link, which leads to the same moment', async ({ app }) => {
+  await openApp(app);
+  await pasteProgram(app, PROGRAM.trimEnd());
+  await app.click(on('run'));
+  await expect.poll(() => consoleIn(app)).toContain('number 15');
+  await app.click(by('look-back-open'));
+  await until(app, by('time-rail'));
+  await app.evaluate(() => document.querySelector<HTMLElement>('[data-testid="time-rail"]')?.focus());
+  await app.press('Home');
+  await app.strike(Array.from({ length: 49 }, () => 'ArrowRight'));
+  await expect.poll(() => at(app)).toBe(980);
+  const { text } = await saved(app);
+  const { out } = parcours('replay', file('link.json', text), '--at', '0.98s', '--json');
+  const { robot } = JSON.parse(out) as { readonly robot: { readonly xMm: number } };
+  await app.click(by('save-run'));
+  await until(app, by('save-run-link'));
+  await app.click(by('save-run-link'));
+  await until(app, by('run-link'));
+  expect(await violationsOn(app)).toEqual([]);
+  const link = await app.evaluate(
+    () => document.querySelector<HTMLInputElement>('[data-testid="run-link"]')?.value ?? '',
+  );
+  expect(link).toMatch(/#r=1\.980\.[\w-]+$/);
+  await app.goto('./logo.svg'); // the page itself would only hear of another fragment
+  await app.goto(`./${link.slice(link.indexOf('#'))}`);
+  await until(app, by('time-rail'));
+  await expect.poll(() => at(app)).toBe(980);
+  expect(await programIn(app)).toBe(PROGRAM.trimEnd());
+  await expect.poll(async () => Math.abs((await robotIn(app)).xMm - robot.xMm)).toBeLessThanOrEqual(5); // whole cm
 });

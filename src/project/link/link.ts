@@ -15,7 +15,7 @@ import { isRecord } from '#core/record';
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene, type Task } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
-import { fromBase64Url, toBase64Url } from './base64';
+import { fromBase64Url, toBase64Url } from '#core/base64-url';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
 import { apart, joined, sceneChecksum, type Content } from './link-content';

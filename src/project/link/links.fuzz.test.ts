@@ -5,7 +5,7 @@ import { packed, unpacked } from '#core/deflate';
 import { createRng, type Rng } from '#core/rng';
 import { mutatedText } from '#scene/testing/mutate';
 
-import { fromBase64Url } from './base64';
+import { fromBase64Url } from '#core/base64-url';
 import { ColumnWriter, type Bytes } from './columns';
 import { linkOf, linkOfBytes, projectOfLink } from './link';
 import { deflatedBytes } from './link-bytes';

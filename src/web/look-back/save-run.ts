@@ -1,6 +1,7 @@
 import { watch } from 'vue';
 
 import { setupAsKept, tapeToText } from '#tape/file';
+import { RUN_LINK_CHARACTERS, runLinkOf } from '#tape/link';
 import type { Tape } from '#tape/tape';
 import { version } from '../../../package.json';
 import type { PageParts } from '../page/parts';
@@ -15,24 +16,44 @@ import { lookBackWords as words } from './look-back-words';
 
 type Recorded = Pick<Tape, 'setup' | 'untilUs'>;
 
+type App = Pick<PageParts, 'notices'> & Pick<RunParts, 'run'> & WorkParts;
+
+/** Saves the run so far as a file, the same as `parcours run --record` writes. */
+export async function saveRun(app: App): Promise<void> {
+  const text = await textOfRun(app);
+  if (text !== null) saveText(app, fileName(nameToSave(app), 'run.json'), text, 'application/json');
+}
+
+/** The link to the run so far, from the moment that is looked at; `null`: there is none, and a message says why. */
+export async function linkToRun(app: App): Promise<string | null> {
+  const atUs = app.run.nowUs.value;
+  const text = await textOfRun(app);
+  if (text === null) return null;
+  const link = runLinkOf(text, atUs);
+  if (link.length <= RUN_LINK_CHARACTERS) return `${location.origin}${location.pathname}#${link}`;
+  const said = say(words.linkTooLong, { count: link.length, max: RUN_LINK_CHARACTERS });
+  app.notices.show({ kind: 'warn', key: 'notice.text', values: { text: said } });
+  return null;
+}
+
 /**
- * Saves the run so far as a file, the same as `parcours run --record` writes. It is run again for that: what the file says
- * it comes to is what its repetition comes to.
+ * The file of the run so far. It is run again for that: what the file says it comes to is what its repetition comes to.
+ *
+ * @returns `null`: it was given up, or a message says why
  */
-export async function saveRun(app: Pick<PageParts, 'notices'> & Pick<RunParts, 'run'> & WorkParts): Promise<void> {
+async function textOfRun(app: App): Promise<string | null> {
   const recorded = await recordedNow(app.run);
-  if (recorded === null) return;
+  if (recorded === null) return null;
   const { untilUs } = recorded;
   const untilProgramEnds = false;
   try {
     const setup = setupAsKept(recorded.setup);
     const wish = { setup, untilUs, untilProgramEnds };
     const repeated = await repeatShown(app, wish, (percent) => say(words.saving, { percent }));
-    if (repeated === null) return;
-    const text = tapeToText({ madeBy: version, setup, untilUs, untilProgramEnds, result: repeated.result });
-    saveText(app, fileName(nameToSave(app), 'run.json'), text, 'application/json');
+    return repeated && tapeToText({ madeBy: version, setup, untilUs, untilProgramEnds, result: repeated.result });
   } catch {
     app.notices.show({ kind: 'error', key: 'notice.text', values: { text: say(words.saveFailed) } });
+    return null;
   }
 }
 

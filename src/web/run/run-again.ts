@@ -16,14 +16,20 @@ export function goOn(run: RunModel, fromUs: number): Promise<void> {
   return begun;
 }
 
-/**
- * A run that was kept is run again as fast as it can, stands still at its end, and is looked back at from its beginning.
- *
- * @param first what it showed then: shown until its moments are there
- */
-export function showAgain(run: RunModel, kept: RunSetup, untilUs: number, first: Snapshot): Promise<void> {
+/** A run that was kept, and how it is looked at. */
+interface RunAgain {
+  readonly kept: RunSetup;
+  readonly untilUs: number;
+  /** What it showed at its beginning: shown until its moments are there. */
+  readonly first: Snapshot;
+  /** The moment from which it is looked at. */
+  readonly atUs: number;
+}
+
+/** A run that was kept is run again as fast as it can, stands still at its end, and is looked back at from a moment. */
+export function showAgain(run: RunModel, { kept, untilUs, first, atUs }: RunAgain): Promise<void> {
   const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), isBrought: true });
   run.past.value = first;
-  run.recording.value.asked.value = { timeUs: 0, exact: first };
+  run.recording.value.asked.value = { timeUs: Math.min(atUs, untilUs), ...(atUs === 0 && { exact: first }) };
   return begun;
 }

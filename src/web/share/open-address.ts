@@ -2,6 +2,8 @@ import { isProjectLink, projectOfLink } from '#project/link/link';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { hasProgram, programOfLink } from '#project/webtigerpython/program-link';
 
+import { isRunLink } from '#tape/link';
+
 import type { Workplace } from '../work/model/parts';
 import { isOurs, useCourses } from '../work/use-courses';
 import { useDevice } from '../work/hardware/use-device';
@@ -12,6 +14,7 @@ import type { Course } from '../work/catalogue/course';
 import { readyCourse } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
+import { openRunLink } from './open-run';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
 import { shareWords as words } from './share-words';
@@ -20,9 +23,9 @@ import { shareWords as words } from './share-words';
 export const readyCourses = (id: string) => readyCourse(id)?.scene ?? null;
 
 /**
- * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a
+ * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a
  * ready course (`task`: with its program, `world`: the arena alone), a program, or a program in a course. Never runs
- * it.
+ * it; a recorded run alone is repeated, silently, before it is looked at.
  *
  * @param wish as `held`, the other settings in the address hold for this visit; otherwise a program brings its
  *   microcomputer along
@@ -31,6 +34,7 @@ export const readyCourses = (id: string) => readyCourse(id)?.scene ?? null;
 export function openAddress(app: Workplace, address: string, wish: 'held' | 'brought' = 'brought'): string | null {
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
+  if (isRunLink(fragment)) return openRunLink(app, fragment);
   const id = courseIn(address.trim());
   const course = id === null ? null : readyCourse(id.course);
   if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id.course });

@@ -63,7 +63,7 @@ async function openJsonFile(app: TakesDocuments, loaded: File): Promise<string |
   if (text === null) return say(words.problems.unreadable, { file });
   if (isTapeFile(text)) {
     const { openRun } = await import('./open-run');
-    return openRun(app, file, stemOf(file), text);
+    return openRun(app, { text, file, stem: stemOf(file), atUs: 0 });
   }
   const opened = openJson(text);
   if (opened.kind === 'problem') return say(words.problems.file, { file, reason: reasonOf(opened.problems) });

@@ -7,11 +7,12 @@ import { parseTape } from '#tape/file';
 import { createParts, type AllParts } from '../app/provide-parts';
 import { downloads } from '../app/testing/downloads';
 import { workerHere } from '../app/testing/worker-here';
-import { saveRun } from '../look-back/save-run';
+import { linkToRun, saveRun } from '../look-back/save-run';
 import { setLanguage, t } from '../page/i18n';
 import { noHost } from '../visit/host-view';
 import { firstCourse } from '../work/catalogue/first-course';
 import { nothingKept } from '../work/model/keep-work';
+import { openAddress } from './open-address';
 import { useCommands } from './use-commands';
 
 const firmware = WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
@@ -114,6 +115,36 @@ describe('a run that is taken along', () => {
     await nextTick();
     isPassed();
     expect(page.task.stars.all.value).toEqual({});
+  });
+
+  it('goes along in a link, too, and is looked at from the moment that was looked at', async () => {
+    page.work.setText('main.py', PROGRAM);
+    await page.run.start();
+    await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(300_000));
+    page.run.lookBack();
+    page.run.past.value = { ...page.run.present.value!, timeUs: 240_000 };
+    const link = (await linkToRun(page)) ?? '';
+    expect(link).toMatch(/#r=1\.240\.[\w-]+$/);
+    scope.stop();
+    await newPage();
+    expect(openAddress(page, link)).toBeNull();
+    await soon(() => expect(page.run.recording.value.canGoOn.value).toBe(true));
+    expect(page.run.recording.value.asked.value?.timeUs).toBe(240_000);
+    expect(said()).toMatch(/^Link: the run is the same as when it was saved. You see it from 00:00.24 on.$/);
+    expect(openAddress(page, link.slice(0, -3))).toBe(
+      'The link is damaged: a part of it is missing or changed. Copy it again, whole.',
+    );
+  });
+
+  it('is too long for a link when the program is: then there is a file', async () => {
+    let noise = '';
+    for (let n = 1; noise.length < 20_000; n = (n * 48271) % 2147483647) noise += n.toString(36);
+    page.work.setText('main.py', `${PROGRAM}# ${noise}\n`);
+    await page.run.start();
+    await soon(() => expect(page.run.nowUs.value).toBeGreaterThan(100_000));
+    page.run.lookBack();
+    expect(await linkToRun(page)).toBeNull();
+    expect(said()).toMatch(/^The run is too long for a link \(\d+ characters, 8000 at most\)\. Save it as a file\.$/);
   });
 
   it('opens also where it was saved, with the run still there', async () => {

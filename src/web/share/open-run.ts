@@ -1,6 +1,7 @@
 import { watch } from 'vue';
 
 import { parseTape } from '#tape/file';
+import { readRunLink } from '#tape/link';
 import { differences } from '#tape/result';
 import type { Tape } from '#tape/tape';
 import type { Scene } from '#scene/scene';
@@ -10,6 +11,7 @@ import { version } from '../../../package.json';
 import { say } from '../page/i18n/say';
 import { repeatShown } from '../run/repeat-shown';
 import { showAgain } from '../run/run-again';
+import { clockText } from '../run/use-run-text';
 import type { Workplace } from '../work/model/parts';
 import type { Course } from '../work/catalogue/course';
 import { courseName } from '../work/catalogue/first-course';
@@ -25,15 +27,36 @@ const words = shareWords.run;
 /** The devices' own clocks may end this much after the first one's, in µs: a program that ends then has ended. */
 const END_US = 4000;
 
+/** A recorded run as it came. */
+interface Given {
+  readonly text: string;
+  /** What it is called in messages: by its file. */
+  readonly file: string;
+  /** Name of the file without its ending; left out: it came in a link. */
+  readonly stem?: string;
+  /** The moment from which it is looked at. */
+  readonly atUs: number;
+}
+
+/** The run in a link. @returns why nothing was opened */
+export function openRunLink(app: Workplace, fragment: string): string | null {
+  const read = readRunLink(fragment);
+  if ('fault' in read) {
+    const { newerLink, damagedLink } = shareWords.problems;
+    return say(read.fault === 'newer' ? newerLink : damagedLink);
+  }
+  return openRun(app, { ...read, file: say(shareWords.openField) });
+}
+
 /**
- * Opens the project of a recorded run, then runs it again: if it comes to the same, it is looked back at from its
- * beginning, else a sentence says what is wrong, and the project stays open.
+ * Opens the project of a recorded run, then runs it again: if it comes to the same, it is looked back at, else a sentence
+ * says what is wrong, and the project stays open.
  *
- * @param stem name of the file without its ending
  * @returns why nothing was opened; `null`: the project is open, and the rest goes on by itself
  */
-export function openRun(app: Workplace, file: string, stem: string, text: string): string | null {
-  const read = parseTape(text);
+export function openRun(app: Workplace, given: Given): string | null {
+  const { file, stem } = given;
+  const read = parseTape(given.text);
   if ('problem' in read) {
     const fault = say(words[read.fault === 'newer' ? 'newer' : 'damaged'], { file });
     if (read.setup === null || openProject(app, read.setup, stem) !== null) return fault;
@@ -47,13 +70,13 @@ export function openRun(app: Workplace, file: string, stem: string, text: string
   const isAlone = tape.setup.devices.length === 1;
   if (device !== undefined) tell(app, 'warn', say(isAlone ? words.program : words.programOf, { file, device }));
   else if (changes.length > 0) tell(app, 'warn', say(words.setup, { file }));
-  else void check(app, file, tape);
+  else void check(app, given, tape);
   return null;
 }
 
 /** @returns why it was not opened */
-function openProject(app: Workplace, setup: RunSetup, stem: string): string | null {
-  const read = projectOfRun(setup, stem);
+function openProject(app: Workplace, setup: RunSetup, stem?: string): string | null {
+  const read = projectOfRun(setup, stem ?? say(shareWords.shared));
   if ('problems' in read) return reasonOf(read.problems);
   const { project: before, file: openFile } = app.work.work.value;
   const project = { ...read.project, course: courseOf(read.project.scene) };
@@ -69,7 +92,7 @@ function courseOf({ name, description }: Scene): string | null {
 }
 
 /** Shows the run if it still comes to what it came to when it was recorded. */
-async function check(app: Workplace, file: string, tape: Tape): Promise<void> {
+async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise<void> {
   const { setup, result, untilProgramEnds, madeBy } = tape;
   const { action } = app.notices.current.value ?? {};
   // One that does not end where it did is another one already.
@@ -86,8 +109,10 @@ async function check(app: Workplace, file: string, tape: Tape): Promise<void> {
       tell(app, 'warn', say(text, { file, madeBy, version }), action);
     } else {
       if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
-      await showAgain(app.run, setup, result.simulatedUs, repeated.first);
-      tell(app, 'ok', say(words.isSame, { file }), action);
+      const { simulatedUs: untilUs } = result;
+      await showAgain(app.run, { kept: setup, untilUs, first: repeated.first, atUs });
+      const at = clockText(Math.min(atUs, untilUs), true);
+      tell(app, 'ok', say(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
     }
   } catch {
     if (!isLate()) tell(app, 'warn', say(words.failed, { file }), action);

@@ -22,7 +22,7 @@ export function useLinks(app: Workplace & VisitParts): void {
   function follow(): void {
     const { href } = location;
     const given = parametersOf(location);
-    const isProject = location.hash.startsWith('#p=');
+    const isProject = /^#[pr]=/.test(location.hash);
     const opened = OPENED.filter((name) => given.has(name));
     if (!isProject && opened.length === 0) {
       hold();

@@ -178,6 +178,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
     'arena.lookBack',
     'look-back-open',
     'save-run',
+    'save-run-*',
     'go-on',
     'ghost-away',
     'look-back-close',

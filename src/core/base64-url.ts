@@ -1,4 +1,4 @@
-import { fromBase64, toBase64 } from '#core/base64';
+import { fromBase64, toBase64 } from './base64';
 
 /** Bytes as text of A–Z a–z 0–9 - _ alone (RFC 4648 §5, no padding), which addresses and collectors of links leave as it is. */
 export function toBase64Url(bytes: Uint8Array): string {
