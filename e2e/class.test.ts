@@ -83,7 +83,7 @@ test('a class that sends links is checked: table and report are those of the com
   await expect.poll(() => app.evaluate(() => document.title)).toBe(wanted);
   await app.click(by('class-passed'));
   await expect.poll(() => app.text(by('class-table'))).not.toContain('Ben');
-  await app.click('.name');
+  await app.click(`${by('class-table')} .name`);
   await until(app, by('class-open'));
   const href = await app.evaluate(() => document.querySelector<HTMLAnchorElement>('[data-testid=class-open]')!.href);
   expect(href).toContain('#p=');
