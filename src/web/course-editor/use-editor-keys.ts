@@ -143,8 +143,8 @@ const ESCAPE_USERS = '[role="dialog"], [data-testid="guide"], [aria-expanded="tr
 function letsGo({ target }: Event, editor: Editor): boolean {
   const { ids, robot } = editor.selection.value;
   if (ids.length === 0 && !robot) return false;
-  if (document.querySelector('.page-overlay--active') !== null) return false;
-  if (target instanceof Element && target.closest(ESCAPE_USERS) !== null) return false;
+  const isOthers = target instanceof Element && target.closest(ESCAPE_USERS) !== null;
+  if (isOthers || document.querySelector('.page-overlay--active') !== null) return false;
   editor.select({ ids: [], robot: false });
   return true;
 }

@@ -1,7 +1,5 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
-import './arena-alone.css';
-
 /** Whether the arena has the whole screen, as for a projector. */
 export class ArenaAlone {
   private readonly alone = shallowRef(false);
@@ -16,6 +14,7 @@ export class ArenaAlone {
 
   /** Fills the screen; the window only, where the browser does not give the screen away. */
   readonly enter = (): void => {
+    import('./arena-alone.css').catch(() => undefined); // without it the page stays as it is
     this.alone.value = true;
     // The whole document, not the pane: menus and dialogs hang elsewhere in it.
     const root: Partial<Pick<Element, 'requestFullscreen'>> = document.documentElement; // an iPhone has no such thing

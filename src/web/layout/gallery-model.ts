@@ -28,10 +28,8 @@ export interface GalleryModel {
   openMissions(robot?: string): void;
   /** Those for another robot in the same place: the back button leads past them. */
   replaceMissions(robot: string): void;
-  /** Opens the page on which the pupil's own robot is measured. */
-  openMyRobot(): void;
-  /** Opens the page on which the hand-ins of a class are checked. */
-  openClass(): void;
+  /** Opens the page on which the pupil's own robot is measured, or that on which the hand-ins of a class are checked. */
+  openPage(page: 'my-robot' | 'class'): void;
   close(): void;
 }
 
@@ -64,7 +62,7 @@ export function createGallery(): GalleryModel {
   };
   addEventListener('popstate', follow);
   onScopeDispose(() => removeEventListener('popstate', follow));
-  function go(gallery: string, id: string | undefined): void {
+  function go(gallery: string, id?: string): void {
     history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${gallery}` : `#${gallery}/${id}`);
     follow();
   }
@@ -76,8 +74,7 @@ export function createGallery(): GalleryModel {
     page,
     open: (robot) => go(ROBOTS, robot),
     openCourses: (course) => go(COURSES, course),
-    openMyRobot: () => go(MY_ROBOT, undefined),
-    openClass: () => go(CLASS, undefined),
+    openPage: (page) => go(page),
     openMissions: (robot) => go(MISSIONS, robot),
     replaceCourse: (course) => replace(COURSES, course),
     replaceMissions: (robot) => replace(MISSIONS, robot),
