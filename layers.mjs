@@ -76,7 +76,7 @@ export const webLayers = {
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
   print: ['page', 'run', 'work', 'task', 'arena'],
-  share: ['page', 'run', 'work', 'visit', 'device-log'],
+  share: ['page', 'run', 'work', 'visit', 'console', 'device-log'],
   'first-steps': [
     'page',
     'run',

@@ -4,8 +4,9 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { linkOf } from '../src/project/link/link';
 import { defaultScene } from '../src/scene/scene';
-import { expect, test } from './app';
-import { gone, by, until } from './parts';
+import { expect, test, type App } from './app';
+import { openedCourse } from './opened-course';
+import { by, gone, until } from './parts';
 
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\nwhile True:\n    delay(100)\n`;
@@ -29,6 +30,14 @@ Dora: ${linkTo('while True:\n    pass\n')}
 Emil: ${linkTo(`# meins\n${RIGHT}`)}
 Finn: ${linkTo(RIGHT).slice(0, -9)}
 `;
+
+/** Puts a text with links into its field. */
+const pasteInto = (app: App, mail: string): Promise<void> =>
+  app.evaluate((text) => {
+    const field = document.querySelector<HTMLTextAreaElement>('[data-testid=class-links]')!;
+    field.value = text;
+    field.dispatchEvent(new Event('input', { bubbles: true }));
+  }, mail);
 
 /** The table that the command line writes of the same e-mail. */
 function tableOfCommandLine(): string {
@@ -66,11 +75,7 @@ test('a class that sends links is checked: table and report are those of the com
     select.value = 'closed-line';
     select.dispatchEvent(new Event('change', { bubbles: true }));
   });
-  await app.evaluate((text) => {
-    const field = document.querySelector<HTMLTextAreaElement>('[data-testid=class-links]')!;
-    field.value = text;
-    field.dispatchEvent(new Event('input', { bubbles: true }));
-  }, MAIL);
+  await pasteInto(app, MAIL);
   await app.click(by('class-check-links'));
   await until(app, by('class-table'));
   await gone(app, 'progress');
@@ -89,4 +94,29 @@ test('a class that sends links is checked: table and report are those of the com
   expect(href).toContain('#p=');
   await app.press('Escape');
   await gone(app, by('class-task'));
+});
+
+test('what a pupil hands in on the page is proved on the teacher’s', async ({ app }) => {
+  test.setTimeout(120_000);
+  await app.goto('./logo.svg');
+  await app.evaluate((work) => {
+    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true }));
+    sessionStorage.setItem('parcours.work', work);
+  }, openedCourse('closed-line'));
+  await app.goto('./');
+  await app.click('[aria-label="Teilen"]');
+  await app.click(by('hand-in'));
+  await app.fill(by('hand-in-name'), 'Ada L.');
+  await expect.poll(() => app.text(by('hand-in-state')), { timeout: 60_000 }).toContain('bestanden nach 19.5 s');
+  const link = await app.evaluate(() => document.querySelector<HTMLInputElement>('[data-testid=share-link]')!.value);
+  await app.goto('./#class');
+  await app.reload();
+  await until(app, by('class-links'));
+  await pasteInto(app, link);
+  await app.click(by('class-check-links'));
+  await until(app, by('class-table'));
+  await gone(app, 'progress');
+  const table = (await app.text(by('class-table'))).replace(/\s+/g, ' ');
+  expect(table).toContain('Ada L. bestanden: bestanden 1/1 19.5 s 0 1');
+  expect(table).not.toMatch(/anderer Lauf|Parcours verändert/);
 });

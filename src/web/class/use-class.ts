@@ -4,7 +4,7 @@ import type { Project } from '#project/project';
 import { say } from '../page/i18n/say';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
-import { laneCount, startThread } from './check-thread';
+import { laneCount, startThread } from '../run/check-thread';
 import { ClassModel } from './class-model';
 import { classWords as words } from './class-words';
 

@@ -31,7 +31,8 @@ export class ConsoleModel {
   readonly isReplVisited: ComputedRef<boolean> = computed(() => this.visited.value.has(this.run.value));
   /** Numbers of the runs of which this is so. */
   private readonly visited = shallowRef<ReadonlySet<number>>(new Set());
-  private readonly run = shallowRef(0);
+  /** Number of the present run, from 1; 0: there was none. */
+  readonly run = shallowRef(0);
   /** What is shown of `entries`. */
   readonly shown: ComputedRef<readonly ConsoleEntry[]> = computed(() =>
     foldGreetings(this.entries.value, this.visited.value, this.run.value),

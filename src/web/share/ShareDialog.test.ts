@@ -2,7 +2,11 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { handInOf } from '#check/hand-in/read-hand-in';
+import type { WorldResult } from '#check/result';
+import { sceneWith, targetAt } from '#check/testing/tasks';
 import { isProjectLink, projectOfLink } from '#project/link/link';
+import { defaultScene } from '#scene/scene';
 
 import { downloads } from '../app/testing/downloads';
 import { byId, fieldById, isThere, tap, write } from '../app/testing/find';
@@ -32,6 +36,61 @@ function pageWith(text: string): TestPage {
   return page;
 }
 afterEach(() => void vi.restoreAllMocks());
+
+describe('a hand-in', () => {
+  const passed: WorldResult = {
+    ...{ id: 'visible', hidden: false, passed: true, reason: null, atMs: 14200, touches: 0 },
+    ...{ held: ['goals'], missed: {}, hash: 'abc', trail: [] },
+  };
+  /** The dialog on a program in a course with a target; what its run comes to is this. */
+  async function handIn(run: WorldResult | null) {
+    const page = pageWith('print(1)\n');
+    page.work.setScene(sceneWith([targetAt(700, 450)]), null);
+    await nextTick();
+    const prover = vi.fn(() => Promise.resolve(run));
+    mountOn(page, ShareDialog, { prover });
+    await nextTick();
+    await tap('hand-in');
+    await vi.waitFor(() => expect(byId('hand-in-state').textContent).not.toContain('läuft'));
+    return { page, prover };
+  }
+  const inLink = () => {
+    const read = projectOfLink(fieldById('share-link').value.replace(/^.*#/, '#'), readyCourses);
+    if ('problem' in read) throw new Error(read.problem.message);
+    const content = handInOf(read.project);
+    return 'handIn' in content ? content.handIn : null;
+  };
+
+  it('is a link with the name that was typed, the verdict and the fingerprint of its run', async () => {
+    const { prover } = await handIn(passed);
+    expect(byId('hand-in-state').textContent).toContain('bestanden nach 14.2 s');
+    await write(byId('hand-in-name'), ' Ada ');
+    expect(inLink()?.said).toEqual({ task: '', alias: 'Ada', verdict: 'passed', tries: 0, hash: 'abc', remarks: [] });
+    expect(inLink()?.project.files).toEqual([{ name: 'main.py', text: 'print(1)\n' }]);
+    expect(prover).toHaveBeenCalledOnce();
+  });
+
+  it('that has not passed says why, and can be handed in', async () => {
+    await handIn({ ...passed, passed: false, atMs: null, reason: { code: 'open', params: { done: 0, of: 1 } } });
+    expect(byId('hand-in-state').textContent).toContain('Das Ziel ist nicht erreicht (0 von 1).');
+    expect(inLink()?.said?.verdict).toBe('open');
+  });
+
+  it('can be handed in where no worker can run it', async () => {
+    await handIn(null);
+    expect(byId('hand-in-state').textContent).toContain('trotzdem');
+    expect(inLink()?.said).toMatchObject({ verdict: 'open', hash: '' });
+  });
+
+  it('is none in a course without a goal, and none unless it is wanted', async () => {
+    const page = pageWith('print(1)\n');
+    page.work.setScene(defaultScene(), null);
+    mountOn(page, ShareDialog, {});
+    await nextTick();
+    expect(isThere('hand-in')).toBe(false);
+    expect(inLink()?.said).toBeNull();
+  });
+});
 
 describe('the dialog for sharing', () => {
   const link = (): string => fieldById('share-link').value;

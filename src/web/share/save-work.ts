@@ -14,9 +14,9 @@ export function presentProject({ work, settings }: WorkParts): Project {
   return { ...work.work.value.project, settings: travelling(settings.current.value) };
 }
 
-/** Saves everything as one file. */
-export function saveProject(app: Pick<PageParts, 'notices'> & WorkParts): void {
-  saveText(app, fileName(nameToSave(app), 'parcours.json'), projectToText(presentProject(app)), 'application/json');
+/** Saves everything as one file. @param project what is saved; left out: the present work */
+export function saveProject(app: Pick<PageParts, 'notices'> & WorkParts, project = presentProject(app)): void {
+  saveText(app, fileName(nameToSave(app), 'parcours.json'), projectToText(project), 'application/json');
 }
 
 /** Saves the course alone. */

@@ -1,10 +1,9 @@
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { linkOf, type Omitted } from '#project/link/link';
+import type { Project } from '#project/project';
 
-import { useWork } from '../work/model/parts';
 import { readyCourses } from './open-address';
-import { presentProject } from './save-work';
 
 /** The link to the present project. */
 export interface ShareLink {
@@ -16,10 +15,10 @@ export interface ShareLink {
   readonly omitted: ComputedRef<readonly Omitted[]>;
 }
 
-export function useShareLink(): ShareLink {
-  const app = useWork();
+/** @param project what is shared */
+export function useShareLink(project: () => Project): ShareLink {
   const program = shallowRef(true);
-  const made = computed(() => linkOf(presentProject(app), { courses: readyCourses, program: program.value }));
+  const made = computed(() => linkOf(project(), { courses: readyCourses, program: program.value }));
   return {
     program,
     link: computed(() => made.value && `${location.origin}${location.pathname}#${made.value.fragment}`),

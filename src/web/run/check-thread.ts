@@ -2,8 +2,8 @@ import type { StartThread } from '#check/lane';
 import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 
-import { createWorker } from '../run/worker/create-worker';
-import type { FromChecker, ToChecker } from '../run/worker/checker';
+import { createWorker } from './worker/create-worker';
+import type { FromChecker, ToChecker } from './worker/checker';
 
 /** Starts workers that check hand-ins of a task. They share the compiled VM. */
 export const startThread =

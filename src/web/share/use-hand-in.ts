@@ -1,0 +1,94 @@
+import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
+
+import { handInLimits, type Said } from '#check/hand-in/hand-in';
+import { handInOf } from '#check/hand-in/read-hand-in';
+import { Lane } from '#check/lane';
+import type { WorldResult } from '#check/result';
+import { taskOf } from '#check/task/read-task';
+import type { ClassTask } from '#check/task/task';
+import { isSame } from '#core/same';
+import type { Project } from '#project/project';
+
+import { startThread } from '../run/check-thread';
+import { compileFirmware } from '../run/worker/firmware';
+
+/** Runs a project's program on its own course, as the teacher's check will; `null`: it cannot be run now. */
+export type Prover = (task: ClassTask, project: Project) => Promise<WorldResult | null>;
+
+/** What the share dialog shows and sends of a hand-in. */
+export interface HandInWish {
+  /** The project has a task: it can be handed in. */
+  readonly canBe: ComputedRef<boolean>;
+  readonly isOn: ShallowRef<boolean>;
+  /** The name that the pupil types; it goes along with the link and nowhere else. */
+  readonly alias: ShallowRef<string>;
+  /** The run in the visible world; `null`: it is being made, or could not be. */
+  readonly run: ShallowRef<WorldResult | null>;
+  readonly isRunning: ShallowRef<boolean>;
+  /** What goes along; `null`: it is shared as usual. */
+  readonly said: ComputedRef<Said | null>;
+}
+
+/** Longest name, in signs. */
+export const MOST_ALIAS = handInLimits.aliasCharacters;
+
+/**
+ * A hand-in of the present project.
+ *
+ * @param tries number of runs so far
+ */
+export function useHandIn(project: () => Project, tries: () => number, prove: Prover = proved): HandInWish {
+  const task = computed(() => {
+    const read = taskOf(project());
+    return 'task' in read ? read.task : null;
+  });
+  const [isOn, isRunning] = [shallowRef(false), shallowRef(false)];
+  const alias = shallowRef('');
+  const run = shallowRef<WorldResult | null>(null);
+  let turn = 0;
+  watch([isOn, () => project()], async ([on, now], before) => {
+    if (!on || task.value === null || (before[0] && isSame(now, before[1]))) return;
+    const mine = ++turn;
+    [run.value, isRunning.value] = [null, true];
+    const found = await prove(task.value, now).catch(() => null);
+    if (mine !== turn) return;
+    [run.value, isRunning.value] = [found, false];
+  });
+  onScopeDispose(() => (turn += 1));
+  const said = computed((): Said | null =>
+    isOn.value && task.value !== null
+      ? {
+          task: task.value.id,
+          alias: alias.value.trim().slice(0, MOST_ALIAS),
+          verdict: verdictOf(run.value),
+          tries: tries(),
+          hash: run.value?.hash ?? '',
+          remarks: [],
+        }
+      : null,
+  );
+  return { canBe: computed(() => task.value !== null), isOn, alias, run, isRunning, said };
+}
+
+function verdictOf(run: WorldResult | null): Said['verdict'] {
+  if (run === null || run.reason?.code === 'open') return 'open';
+  return run.passed ? 'passed' : 'failed';
+}
+
+/** In a worker of its own. */
+async function proved(task: ClassTask, project: Project): Promise<WorldResult | null> {
+  const read = handInOf(project);
+  if ('problem' in read) return null;
+  const [visible] = task.worlds;
+  const alone: ClassTask = { ...task, worlds: [visible] };
+  const lane = new Lane(alone.checks, startThread(alone, await compileFirmware()), (ms, act) => {
+    const timer = setInterval(act, ms);
+    return () => clearInterval(timer);
+  });
+  try {
+    const result = await lane.check(read.handIn);
+    return result.worlds[0] ?? null;
+  } finally {
+    lane.stop();
+  }
+}
