@@ -19,12 +19,14 @@ export type Prover = (task: ClassTask, project: Project) => Promise<WorldResult 
 export interface HandInWish {
   /** The project has a task: it can be handed in. */
   readonly canBe: ComputedRef<boolean>;
-  readonly isOn: ShallowRef<boolean>;
+  readonly isOn: Readonly<ShallowRef<boolean>>;
+  turn(on: boolean): void;
   /** The name that the pupil types; it goes along with the link and nowhere else. */
-  readonly alias: ShallowRef<string>;
+  readonly alias: Readonly<ShallowRef<string>>;
+  rename(alias: string): void;
   /** The run in the visible world; `null`: it is being made, or could not be. */
-  readonly run: ShallowRef<WorldResult | null>;
-  readonly isRunning: ShallowRef<boolean>;
+  readonly run: Readonly<ShallowRef<WorldResult | null>>;
+  readonly isRunning: Readonly<ShallowRef<boolean>>;
   /** What goes along; `null`: it is shared as usual. */
   readonly said: ComputedRef<Said | null>;
 }
@@ -67,7 +69,11 @@ export function useHandIn(project: () => Project, tries: () => number, prove: Pr
         }
       : null,
   );
-  return { canBe: computed(() => task.value !== null), isOn, alias, run, isRunning, said };
+  return {
+    ...{ canBe: computed(() => task.value !== null), isOn, alias, run, isRunning, said },
+    turn: (on) => (isOn.value = on),
+    rename: (text) => (alias.value = text),
+  };
 }
 
 function verdictOf(run: WorldResult | null): Said['verdict'] {
