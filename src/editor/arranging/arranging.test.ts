@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { inverse } from '#scene/inverse';
 import { boundsOf } from '#scene/kinds/index';
@@ -85,6 +86,14 @@ describe('aligning', () => {
 });
 
 describe('mirroring', () => {
+  it('leaves everything where a course can hold it, far outside, too', () => {
+    const wide = { ...stroke('s', [1060, 19_800], [1060, 300]), width: 429 } as SceneObject;
+    const scene = course(wide, wall('w', [1058, 90], [465, 361]));
+    const edit = mirrored(scene, of(['s', 'w']), 'y');
+    expect(edit && editProblem(scene, edit)).toBeNull();
+    expect(done(scene, edit).objects[1]).toMatchObject({ from: [1058, 20_000] });
+  });
+
   it('swaps left and right: places, angles, ends and points', () => {
     const scene = course(
       block('b', [100, 100], 1),

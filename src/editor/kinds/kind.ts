@@ -58,7 +58,7 @@ export type Axis = 'x' | 'y';
 
 /** A place mirrored at a line. */
 export const mirroredPoint = ([x, y]: Point, axis: Axis, atMm: number): Point =>
-  axis === 'x' ? [Math.round(2 * atMm - x) + 0, y] : [x, Math.round(2 * atMm - y) + 0];
+  toPoint(axis === 'x' ? { x: 2 * atMm - x, y } : { x, y: 2 * atMm - y });
 
 /** A direction mirrored, in degrees. */
 export const mirroredDeg = (angleDeg: number, axis: Axis): number =>
