@@ -39,6 +39,7 @@ export class Lane {
   private thread: CheckThread | null = null;
   /** Takes the answer to what the thread is asked; `null`: it is asked nothing. */
   private end: ((ending: Ending) => void) | null = null;
+  private unwatch: () => void = () => undefined;
 
   constructor(
     private readonly checks: ClassTask['checks'],
@@ -57,6 +58,8 @@ export class Lane {
 
   /** Ends the thread. What it is asked stays without an answer. */
   stop(): void {
+    this.unwatch();
+    this.end = null;
     this.thread?.stop();
     this.thread = null;
   }
@@ -64,9 +67,9 @@ export class Lane {
   private ask(request: CheckRequest): Promise<Ending> {
     const thread = (this.thread ??= this.begin());
     return new Promise((resolve) => {
-      const unwatch = this.watch(thread);
+      this.unwatch = this.watch(thread);
       this.end = (ending) => {
-        unwatch();
+        this.unwatch();
         this.end = null;
         if ('reason' in ending) this.stop();
         resolve(ending);
