@@ -1,4 +1,3 @@
-import type { Content } from '#check/hand-in/contents';
 import type { HandIn } from '#check/hand-in/hand-in';
 import { contentOf, withOwnNames, type Source } from '#check/hand-in/sources';
 import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
@@ -107,12 +106,12 @@ export class ClassModel {
   }
 
   private async checkOne(place: number, task: ClassTask, lane: Lane, turn: number): Promise<void> {
-    const source = this.sources[place];
-    if (source === undefined || turn !== this.turn) return;
-    const content: Content = await contentOf(source);
+    const [source, row] = [this.sources[place], this.rows.value[place]];
+    if (source === undefined || row === undefined || turn !== this.turn) return;
+    const content = await contentOf(source);
     const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
     if (turn !== this.turn) return;
     const handIn = 'handIn' in content ? content.handIn : null;
-    this.rows.value = this.rows.value.map((row, at) => (at === place ? { ...row, handIn, result } : row));
+    this.rows.value = this.rows.value.with(place, { name: row.name, handIn, result });
   }
 }

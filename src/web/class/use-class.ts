@@ -4,7 +4,7 @@ import type { Project } from '#project/project';
 import { say } from '../page/i18n/say';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
-import { laneCount, startThread } from '../run/check-thread';
+import { every, laneCount, startThread } from '../run/check-thread';
 import { ClassModel } from './class-model';
 import { classWords as words } from './class-words';
 
@@ -17,10 +17,7 @@ export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
   if (known !== undefined) return known;
   const made = new ClassModel({
     starter: async (task) => startThread(task, await compileFirmware()),
-    every(ms, act) {
-      const timer = setInterval(act, ms);
-      return () => clearInterval(timer);
-    },
+    every,
     lanes: laneCount(),
   });
   classes.set(work, made);

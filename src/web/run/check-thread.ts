@@ -1,4 +1,4 @@
-import type { StartThread } from '#check/lane';
+import type { Every, StartThread } from '#check/lane';
 import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
 
@@ -28,6 +28,12 @@ export const startThread =
       stop: () => worker.terminate(),
     };
   };
+
+/** The page's clock, for lanes. */
+export const every: Every = (ms, act) => {
+  const timer = setInterval(act, ms);
+  return () => clearInterval(timer);
+};
 
 /** Most workers at once. Chosen: a class of 24 is done in a second or two, and each takes 20 MB. */
 const MOST_LANES = 8;

@@ -9,7 +9,7 @@ import type { ClassTask } from '#check/task/task';
 import { isSame } from '#core/same';
 import type { Project } from '#project/project';
 
-import { startThread } from '../run/check-thread';
+import { every, startThread } from '../run/check-thread';
 import { compileFirmware } from '../run/worker/firmware';
 
 /** Runs a project's program on its own course, as the teacher's check will; `null`: it cannot be run now. */
@@ -87,10 +87,7 @@ async function proved(task: ClassTask, project: Project): Promise<WorldResult | 
   if ('problem' in read) return null;
   const [visible] = task.worlds;
   const alone: ClassTask = { ...task, worlds: [visible] };
-  const lane = new Lane(alone.checks, startThread(alone, await compileFirmware()), (ms, act) => {
-    const timer = setInterval(act, ms);
-    return () => clearInterval(timer);
-  });
+  const lane = new Lane(alone.checks, startThread(alone, await compileFirmware()), every);
   try {
     const result = await lane.check(read.handIn);
     return result.worlds[0] ?? null;
