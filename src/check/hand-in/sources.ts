@@ -1,6 +1,6 @@
 import type { ReadyCourses } from '#project/link/link';
 import { folderHandIn, handInOfBytes, handInOfLink, MOST_FILE_BYTES, type Content, type NamedBytes } from './contents';
-import { linksIn, linksInFile, type NamedLink } from './links';
+import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
 import { unread, type Unread } from './unread';
 import { readZip, type ZipEntry } from './zip';
 
@@ -36,6 +36,25 @@ export const fileSource = (file: TreeFile, courses: ReadyCourses): Source => {
   };
 };
 
+/** Largest zip, and largest text with links, in bytes. */
+export interface Most {
+  readonly zip: number;
+  readonly list: number;
+}
+
+/** The hand-ins of a file: those in a zip, those behind the links in a text, else the one that it is. */
+export async function sourcesIn(file: TreeFile, most: Most, courses: ReadyCourses): Promise<readonly Source[]> {
+  const name = lastOf(file.path);
+  const isZip = /\.zip$/i.test(name);
+  if (!isZip && !isTextWithLinks(name)) return [fileSource(file, courses)];
+  const read = await file.read(isZip ? most.zip : most.list);
+  const called = isZip ? name : handInName(name);
+  if ('problem' in read) return [brokenSource(called, read.problem)];
+  if (isZip) return zipSources(name, read.bytes, courses);
+  const linked = listSources(new TextDecoder().decode(read.bytes), courses, name);
+  return linked.length === 0 ? [brokenSource(called, unread('no-link').problem)] : linked;
+}
+
 /** The hand-ins in a folder: each file is one, each sub-folder is one. */
 export function folderSources(all: readonly TreeFile[], courses: ReadyCourses): readonly Source[] {
   const folders = new Map<string, TreeFile[]>();
@@ -70,7 +89,7 @@ const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyC
 });
 
 /** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
-export function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
+function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
   const zip = readZip(bytes);
   return 'problem' in zip ? [brokenSource(name, zip.problem)] : folderSources(withoutTop(zip.entries), courses);
 }
@@ -119,7 +138,7 @@ const isLitter = (name: string): boolean => name.startsWith('.') || name === '__
 const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
 /** `anna` for anna.py, anna.json and anna.parcours.json. */
-export const handInName = (file: string): string => file.replace(/(\.parcours)?\.[^.]*$/, '') || file;
+const handInName = (file: string): string => file.replace(/(\.parcours)?\.[^.]*$/, '') || file;
 
 /** Sorted the same everywhere: by the letters' numbers. */
 const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>

@@ -80,7 +80,7 @@ async function runAll(
   const read = await readTask(work.task);
   if ('problem' in read) return read;
   const { name, task } = read;
-  const found = findHandIns(work.handIns);
+  const found = await findHandIns(work.handIns);
   if ('problem' in found) return found;
   if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
   const names = found.sources.map((source) => source.name);

@@ -1,21 +1,10 @@
-import { isTextWithLinks } from '#check/hand-in/links';
-import {
-  brokenSource,
-  fileSource,
-  folderSources,
-  handInName,
-  listSources,
-  zipSources,
-  type Source,
-  type TreeFile,
-} from '#check/hand-in/sources';
+import { folderSources, sourcesIn, type Most, type Source, type TreeFile } from '#check/hand-in/sources';
 import { unread } from '#check/hand-in/unread';
 
 import { readyCourses } from '../share/open-address';
 
-/** Largest zip, and largest text with links. Chosen: a tablet's browser holds it beside the workers. */
-const MOST_ZIP_BYTES = 200_000_000;
-const MOST_LIST_BYTES = 20_000_000;
+/** Chosen: a tablet's browser holds it beside the workers. */
+const MOST: Most = { zip: 200_000_000, list: 20_000_000 };
 
 /** A file with its path in the folder that was chosen or dropped; alone it has just its name. */
 export interface AddedFile {
@@ -29,25 +18,11 @@ export async function sourcesOf(added: readonly AddedFile[]): Promise<readonly S
   const found: Source[] = [];
   for (const { path, file } of added) {
     const [top = '', ...below] = path.split('/');
-    if (below.length === 0) found.push(...(await sourcesOfFile(file)));
+    if (below.length === 0) found.push(...(await sourcesIn(treeFile(path, file), MOST, readyCourses)));
     else folders.set(top, [...(folders.get(top) ?? []), treeFile(below.join('/'), file)]);
   }
   return [...found, ...[...folders.values()].flatMap((inside) => folderSources(inside, readyCourses))];
 }
-
-async function sourcesOfFile(file: File): Promise<readonly Source[]> {
-  const { name, size } = file;
-  if (/\.zip$/i.test(name)) {
-    if (size > MOST_ZIP_BYTES) return [tooLarge(name, MOST_ZIP_BYTES)];
-    return zipSources(name, new Uint8Array(await file.arrayBuffer()), readyCourses);
-  }
-  if (!isTextWithLinks(name)) return [fileSource(treeFile(name, file), readyCourses)];
-  if (size > MOST_LIST_BYTES) return [tooLarge(handInName(name), MOST_LIST_BYTES)];
-  const linked = listSources(await file.text(), readyCourses, name);
-  return linked.length === 0 ? [brokenSource(handInName(name), unread('no-link').problem)] : linked;
-}
-
-const tooLarge = (file: string, most: number): Source => brokenSource(file, unread('large', { file, most }).problem);
 
 const treeFile = (path: string, file: File): TreeFile => ({
   path,
