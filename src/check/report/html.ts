@@ -7,7 +7,7 @@ import { Drawings } from './drawing';
 import { escaped } from './escaped';
 import { remarkText, reportWords } from './say';
 import styles from './report.css?raw';
-import { isUnread, reasonsAgainst } from './texts';
+import { isUnread, reasonsAgainst, secondsText } from './texts';
 
 /**
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
@@ -69,7 +69,7 @@ function verdictOf(result: CheckResult, language: Language): string {
   return `${markOf(result.passed)} ${word[language]}`;
 }
 
-const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : `${(atMs / 1000).toFixed(1)} s`);
+const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
 
 function rowOf(
   { name, result }: NamedResult,

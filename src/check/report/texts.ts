@@ -39,6 +39,9 @@ export function jsonOf(found: ClassResult, { checks: asked }: ClassTask, languag
   });
 }
 
+/** A simulated time as people read it. */
+export const secondsText = (ms: number): string => `${(ms / 1000).toFixed(1)} s`;
+
 /** Everything that speaks against a hand-in, each sentence once. */
 export function reasonsAgainst({ checks, worlds }: CheckResult, language: Language): readonly string[] {
   const reasons = [...worlds.map(({ reason }) => reason), ...checks.map(({ reason }) => reason)];

@@ -3,7 +3,7 @@ import { contentOf, type Source } from '#check/hand-in/sources';
 import { inLanes, Lane } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import { htmlOf } from '#check/report/html';
-import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst } from '#check/report/texts';
+import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
 import { remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
@@ -191,7 +191,7 @@ function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
   const word = isUnread(result) ? 'unread' : passed ? 'passed' : 'failed';
   const time = worlds[0]?.atMs ?? null;
   const told = [
-    ...(time === null ? [] : [`${(time / 1000).toFixed(1)} s`]),
+    ...(time === null ? [] : [secondsText(time)]),
     ...(passed ? [] : reasonsAgainst(result, lang)),
     ...remarks.map((remark) => remarkText(remark, lang)),
   ];

@@ -1,3 +1,4 @@
+import { boundsOfOutline } from '#scene/outline';
 import { sceneLimits, type Block, type Point, type Scene, type SceneObject, type Spikes, type Stroke, type Zone } from '#scene/scene'; // prettier-ignore
 import { polygonFault } from '#scene/shape/polygon';
 import { polygonThrough, shapeOutline, toOwnFrame } from '#scene/shape/shape';
@@ -43,13 +44,13 @@ export function bentAlong(object: Bendable, line: BentLine): Bendable | null {
 /** It stays turned as it is, and the corners that stay keep their places. */
 function polygonAlong(polygon: Polygon, { places }: BentLine): Polygon | null {
   const { at, angle, size } = polygon;
-  const half = { x: size[0] / 2, y: size[1] / 2 };
+  const [width, height] = size;
   // Counted from the lower left, where the corners of a polygon that was drawn are whole millimetres.
-  const corners = places.map((place) => toPoint(plus(toOwnFrame(polygon, place), half)));
+  const corners = places.map((place) => toPoint(plus(toOwnFrame(polygon, place), { x: width / 2, y: height / 2 })));
   if (polygonFault(corners)) return null;
   const bent = polygonThrough(corners);
   if (bent.size.some((mm) => within(mm, sceneLimits.blockMm) !== mm) || !isLargeEnough(bent)) return null;
-  const [left, bottom] = [Math.min(...corners.map(([x]) => x)), Math.min(...corners.map(([, y]) => y))];
-  const middle = { x: left + bent.size[0] / 2 - half.x, y: bottom + bent.size[1] / 2 - half.y };
+  const { minX, minY, maxX, maxY } = boundsOfOutline(corners.map(toVec));
+  const middle = { x: (minX + maxX - width) / 2, y: (minY + maxY - height) / 2 };
   return { ...polygon, ...bent, at: toPoint(plus(toVec(at), turned(middle, angle))), angle };
 }
