@@ -15,7 +15,7 @@ export const layers = {
   tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python'],
-  embed: ['core', 'board', 'scene', 'project', 'simulation', 'python'],
+  embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
   libraries: ['core', 'reference'],
   'device-check': ['core', 'python', 'reference'],
@@ -95,7 +95,7 @@ export const webLayers = {
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
   offline: ['page'],
-  host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share'],
+  host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',

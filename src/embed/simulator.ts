@@ -13,6 +13,11 @@ import type { Ended } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
 import type { Verdict } from '#simulation/task/verdict';
 
+import type { BreakPoint, EmbeddedDebugger } from './debugger';
+import type { Refusal } from './refusal';
+
+export type { Refusal } from './refusal';
+
 /** The parts of the page that a host can show. `tools`: the course editor's beside the arena. */
 export const PARTS = ['bar', 'code', 'board', 'arena', 'tools', 'console'] as const;
 export type Part = (typeof PARTS)[number];
@@ -45,6 +50,12 @@ export type SimulatorEvent =
   /** `dropped`: packets before these that were not kept, because the program sends faster than anyone could read. */
   | ({ readonly type: 'radio'; readonly packets: readonly RadioPacket[]; readonly dropped?: number } & FromDevice)
   | ({ readonly type: 'log'; readonly events: readonly TimedLogEvent[] } & FromDevice)
+  /** A program stands before a line: after a break point or a step, also one into the past. */
+  | ({ readonly type: 'held'; readonly timeUs: number } & BreakPoint & FromDevice)
+  /** Another moment of the past is looked at; `null`: the present is. */
+  | { readonly type: 'looking'; readonly timeUs: number | null }
+  /** The break points were changed, no matter who did it. */
+  | ({ readonly type: 'break-points'; readonly points: readonly BreakPoint[] } & FromDevice)
   /** About once a frame while something moves. */
   | { readonly type: 'snapshot'; readonly snapshot: Snapshot }
   /** The course was edited or replaced, no matter who did it. */
@@ -62,9 +73,6 @@ export type SimulatorEvent =
   | { readonly type: 'refused'; readonly message: string }
   /** The run could not start or failed inside, in one English sentence. */
   | { readonly type: 'failed'; readonly message: string };
-
-/** `null` on success. Otherwise one English sentence that names the place and the value; nothing has changed then. */
-export type Refusal = string | null;
 
 /** The app, as a host sees it. Wrong values are refused, never thrown. */
 export interface EmbeddedSimulator {
@@ -109,6 +117,7 @@ export interface EmbeddedSimulator {
    */
   input(action: InputAction, device?: string): Refusal;
   clearConsole(): void;
+  readonly debug: EmbeddedDebugger;
 
   /** While set, the page's Run button calls this instead: the host sends the program first. `null`: back to normal. */
   onRunAsked(ask: (() => void) | null): void;

@@ -48,6 +48,7 @@ function parcoursOf(connection: Connection, stopWatching: () => void): Parcours 
     },
     ...workMethods(send, done),
     ...runMethods(done),
+    ...debugMethods(send, done),
     ...inputMethods(done),
     getState: () => send('state', {}),
     subscribe: (wish) => done('subscribe', wish),
@@ -89,6 +90,19 @@ function runMethods(done: Done) {
     setSpeed: (speed) => done('speed', { speed }),
     setSeed: (seed) => done('seed', { seed }),
     setReality: (reality) => done('reality', { reality }),
+  } satisfies Partial<Parcours>;
+}
+
+function debugMethods(send: Connection['send'], done: Done) {
+  return {
+    getPosition: (device) => send('get-position', of(device)),
+    setBreakPoints: (points, device) => done('set-break-points', { points, ...of(device) }),
+    getBreakPoints: async (device) => (await send('get-break-points', of(device))).points,
+    stepLine: (step, device) => done('step-line', { step, ...of(device) }),
+    runTo: ({ file, line }, device) => done('run-to', { file, line, ...of(device) }),
+    lookAt: (atMs) => done('look-at', { atMs }),
+    lookNow: () => done('look-now', {}),
+    goOn: (options: Commands['go-on']['fields'] = {}) => done('go-on', options),
   } satisfies Partial<Parcours>;
 }
 

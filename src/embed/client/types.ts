@@ -5,6 +5,7 @@ import type {
   Events,
   FloorPose,
   PageSettings,
+  Position,
   ProjectFile,
   RefusalCode,
   RobotChoice,
@@ -14,12 +15,15 @@ import type {
 } from '../parcours/protocol';
 import type { SourceFile } from '#project/project';
 import type { SceneEdit } from '#scene/edit';
+import type { BreakPoint } from '#vm/debug/stops';
 
 export type * from '../parcours/protocol';
 export type { SourceFile } from '#project/project';
 export type { SceneEdit } from '#scene/edit';
 export type { EndedWord } from '#simulation/report';
 export type { Verdict } from '#simulation/task/verdict';
+export type { Shown } from '#vm/debug/shown';
+export type { BreakPoint } from '#vm/debug/stops';
 
 /** The simulator in another page, for its host. `device`: the name of a microcomputer; left out: the first. */
 export interface Parcours {
@@ -53,6 +57,26 @@ export interface Parcours {
   resume(): Promise<void>;
   /** 20 ms of simulated time. */
   step(): Promise<void>;
+
+  /** Where the program is, and its variables: at the moment that is looked at, else now. */
+  getPosition(device?: string): Promise<Position>;
+  /** Where the program stops, instead of all lines before; `[]`: nowhere. Another project or course clears them. */
+  setBreakPoints(points: readonly BreakPoint[], device?: string): Promise<void>;
+  getBreakPoints(device?: string): Promise<readonly BreakPoint[]>;
+  /**
+   * A step by lines of a program that stands: `over`, `into`, `out`; the event `held` says where it ends. `back`, and any
+   * step from a moment of the past, resolves when the line is shown.
+   */
+  stepLine(step: Commands['step-line']['fields']['step'], device?: string): Promise<void>;
+  /** The same, until a line begins. */
+  runTo(place: BreakPoint, device?: string): Promise<void>;
+  /** Pauses, and shows a moment that the run has been through, in simulated ms. */
+  lookAt(atMs: number): Promise<void>;
+  /** Shows the present again; the run stands until `resume`. */
+  lookNow(): Promise<void>;
+  /** Lets the run go on from the moment that is looked at. Resolves when it is there. */
+  goOn(options?: { readonly paused?: boolean }): Promise<void>;
+
   /** Simulated seconds per second, 0.25 … 8, or `max`. */
   setSpeed(speed: Commands['speed']['fields']['speed']): Promise<void>;
   /** Which of the used robots it is, 1 … 9999. */

@@ -27,6 +27,16 @@ export abstract class ParcoursMethods extends Base {
   readonly resume: Parcours['resume'] = () => this.whenThere((it) => it.resume());
   readonly step: Parcours['step'] = () => this.whenThere((it) => it.step());
 
+  readonly getPosition: Parcours['getPosition'] = (device) => this.whenThere((it) => it.getPosition(device));
+  readonly setBreakPoints: Parcours['setBreakPoints'] = (points, device) =>
+    this.whenThere((it) => it.setBreakPoints(points, device));
+  readonly getBreakPoints: Parcours['getBreakPoints'] = (device) => this.whenThere((it) => it.getBreakPoints(device));
+  readonly stepLine: Parcours['stepLine'] = (step, device) => this.whenThere((it) => it.stepLine(step, device));
+  readonly runTo: Parcours['runTo'] = (place, device) => this.whenThere((it) => it.runTo(place, device));
+  readonly lookAt: Parcours['lookAt'] = (atMs) => this.whenThere((it) => it.lookAt(atMs));
+  readonly lookNow: Parcours['lookNow'] = () => this.whenThere((it) => it.lookNow());
+  readonly goOn: Parcours['goOn'] = (options = {}) => this.whenThere((it) => it.goOn(options));
+
   readonly place: Parcours['place'] = (pose, device) => this.whenThere((it) => it.place(pose, device));
   readonly placeBlock: Parcours['placeBlock'] = (block, pose) => this.whenThere((it) => it.placeBlock(block, pose));
   readonly press: Parcours['press'] = (button, down, device) => this.whenThere((it) => it.press(button, down, device));

@@ -23,6 +23,9 @@ export interface ParcoursSimulatorEvents {
   readonly ended: ClientEvents['ended'];
   readonly output: ClientEvents['output'];
   readonly snapshot: ClientEvents['snapshot'];
+  readonly held: ClientEvents['held'];
+  readonly looking: ClientEvents['looking'];
+  readonly breakpointschange: ClientEvents['break-points-changed'];
   readonly scenechange: ClientEvents['scene-changed'];
   readonly fileschange: ClientEvents['files-changed'];
   readonly settingschange: ClientEvents['settings-changed'];

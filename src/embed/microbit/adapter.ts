@@ -228,6 +228,9 @@ class MicrobitAdapter implements Adapter {
       case 'files':
       case 'settings':
       case 'refused':
+      case 'held':
+      case 'looking':
+      case 'break-points':
         break;
       default:
         event satisfies never;

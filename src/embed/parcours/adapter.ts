@@ -2,14 +2,14 @@ import type { Adapter, HostConnection } from '../adapter';
 import type { EmbeddedSimulator } from '../simulator';
 import { doCommand, type Outcome, type PageFacts } from './do-command';
 import { limits } from './limits';
-import type { CommandId } from './protocol';
+import type { CommandId, CommandName } from './protocol';
 import { isOurs, PROTOCOL_VERSION, readCommand, refusal, type Incoming } from './read-command';
 import { EventSender } from './event-sender';
 
 /**
  * Makes the protocol adapter for our own dialect (`protocol.ts`). It sends nothing before the host's hello. Then it
  * answers every command with an id, one after the other, and sends the events that the host has chosen. A `stop` or
- * `reset` ends a `run` that has not begun yet, whatever waits between them.
+ * `reset` ends a `run` that has not begun yet, and anything else that waits for a run, whatever is between them.
  */
 export function createParcoursAdapter(
   simulator: EmbeddedSimulator,
@@ -54,12 +54,14 @@ class ParcoursAdapter implements Adapter {
       return;
     }
     this.waiting.push(incoming);
-    if (isEnd && this.isStarting()) void this.simulator.stop().catch(() => undefined);
+    if (isEnd && this.awaitsRun()) void this.simulator.stop().catch(() => undefined);
     this.goOn();
   }
 
-  private isStarting(): boolean {
-    return this.busyWith !== null && 'type' in this.busyWith && this.busyWith.type === 'run';
+  /** What is under way may take as long as the run lets it wait. */
+  private awaitsRun(): boolean {
+    const { busyWith } = this;
+    return busyWith !== null && 'type' in busyWith && AWAIT_RUN.includes(busyWith.type);
   }
 
   close(): void {
@@ -116,6 +118,9 @@ class ParcoursAdapter implements Adapter {
     else this.connection.post({ parcours: PROTOCOL_VERSION, reply: id, ok: true, ...outcome.done });
   }
 }
+
+/** Commands that a run which does not answer could hold up for good. */
+const AWAIT_RUN: readonly CommandName[] = ['run', 'get-position', 'step-line', 'run-to', 'look-at', 'go-on'];
 
 /** Whether it ends a run, even one that has not begun. */
 const endsRun = ({ asked }: Incoming): boolean => 'type' in asked && (asked.type === 'stop' || asked.type === 'reset');

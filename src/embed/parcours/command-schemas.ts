@@ -9,7 +9,7 @@ import { PARTS } from '../simulator';
 import { eventNames } from './event-schemas';
 import { limits } from './limits';
 import type { CommandName, Commands, ProjectFile, SceneFile } from './protocol';
-import { flag, idOf, poseFields, speed, textOf, THEMES } from './schema-parts';
+import { flag, idOf, poseFields, speed, STEPS, textOf, THEMES } from './schema-parts';
 
 const { exactOptional: maybe, pipe, description } = v;
 
@@ -51,6 +51,11 @@ const ofDevice = {
   device: maybe(idOf('Name of the microcomputer, where the project has several. Left out: the first.')),
 };
 const toDevice = { device: maybe(idOf('Name of the microcomputer that receives it. Left out: all.')) };
+
+const place = {
+  file: pipe(textOf(NAME_CHARACTERS), v.minLength(1), description('A file of the program.')),
+  line: pipe(v.number(), v.integer(), v.minValue(1), description('Counted from 1.')),
+};
 
 /** Fields of every command, by its name. */
 export const commandSchemas = {
@@ -97,6 +102,20 @@ export const commandSchemas = {
   pause: nothing,
   resume: nothing,
   step: nothing,
+  'get-break-points': v.strictObject(ofDevice),
+  'set-break-points': v.strictObject({
+    points: pipe(v.array(v.strictObject(place)), v.maxLength(limits.breakPoints), description('All break points of the program; none: it stops nowhere.')), // prettier-ignore
+    ...ofDevice,
+  }),
+  'get-position': v.strictObject(ofDevice),
+  'step-line': v.strictObject({
+    step: pipe(v.picklist(STEPS), description('`over`: to the next line, calls in between run through; `into`: also into a call; `out`: until the function has returned; `back`: to the line that began before.')), // prettier-ignore
+    ...ofDevice,
+  }),
+  'run-to': v.strictObject({ ...place, ...ofDevice }),
+  'look-at': v.strictObject({ atMs: pipe(v.number(), v.finite(), v.minValue(0), description('Simulated time, up to which the run has come.')) }), // prettier-ignore
+  'look-now': nothing,
+  'go-on': v.strictObject({ paused: maybe(flag('Whether the run then stands.')) }),
   speed: v.strictObject({ speed }),
   seed: v.strictObject({ seed: pipe(v.number(), v.integer(), v.minValue(projectLimits.seed.min), v.maxValue(projectLimits.seed.max), description('Which of the used robots it is. Takes effect with the next run.')) }), // prettier-ignore
   reality: v.strictObject({ reality: pipe(v.number(), v.minValue(0), v.maxValue(1), description('0: ideal … 1: like a used school robot. Takes effect with the next run.')) }), // prettier-ignore

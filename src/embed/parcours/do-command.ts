@@ -12,6 +12,7 @@ import { endedWord, msOf } from '#simulation/report';
 
 import { PARTS, type EmbeddedSimulator, type Refusal } from '../simulator';
 import { commandNames } from './command-schemas';
+import { doDebug } from './do-debug';
 import { eventNames } from './event-schemas';
 import { limits } from './limits';
 import { plainSnapshot } from './plain-snapshot';
@@ -85,9 +86,24 @@ export function doCommand(command: ReadCommand, reach: CommandReach): Outcome | 
       return done('get-robot', robotOf(simulator));
     case 'get-settings':
       return done('get-settings', pageOf(simulator));
+    case 'get-break-points':
+    case 'set-break-points':
+    case 'get-position':
+    case 'step-line':
+    case 'run-to':
+    case 'look-at':
+    case 'look-now':
+    case 'go-on':
+      return debugged(doDebug(command, simulator.debug));
     default:
       return doToWork(command, simulator);
   }
+}
+
+/** The outcome of a command of `do-debug.ts`. */
+function debugged(came: ReturnType<typeof doDebug>): Outcome | Promise<Outcome> {
+  if (came instanceof Promise) return came.then((now) => debugged(now));
+  return came !== null && typeof came === 'object' ? { done: came.answer } : from(came);
 }
 
 type WorkCommand = Extract<
@@ -200,6 +216,7 @@ function stateOf(simulator: EmbeddedSimulator): Commands['state']['result'] {
     board: simulator.board(),
     ended: ended && endedWord(ended),
     snapshot: snapshot && plainSnapshot(snapshot),
+    looking: simulator.debug.isLookingBack(),
     sensors: simulator.sensorWishes(),
     ...{ speed, seed, reality, arenaSenses },
   };

@@ -110,6 +110,34 @@ const runSettings = {
   reality: v.number(),
   arenaSenses: v.boolean(),
 };
+const shown = pipe(
+  v.strictObject({
+    type: v.string(),
+    text: v.string(),
+    parts: v.exactOptional(v.array(v.strictObject({ name: v.string(), value: v.looseObject({}) }))),
+    more: v.exactOptional(v.number()),
+  }),
+  v.metadata({ shown: 'value' }),
+);
+const breakPoint = { file: text('A file of the program.'), line: numberOf('Counted from 1.') };
+const breakPoints = pipe(v.array(v.strictObject(breakPoint)), description('All of the program.'));
+const position = v.strictObject({
+  atMs: numberOf('Simulated time of the device, in ms.'),
+  file: pipe(v.nullable(v.string()), description('File of the innermost of the program’s own functions; `null`: none runs.')), // prettier-ignore
+  line: pipe(v.nullable(v.number()), description('Line in which it stands.')),
+  stack: pipe(
+    v.array(
+      v.strictObject({
+        function: text('Name, or `<module>` for a file.'),
+        file: v.string(),
+        line: v.number(),
+        locals: record(shown, 'Its variables by name: `type`, `text` (as `repr` gives it, shortened), `parts` (`name`, `value`), and the number of parts that are left out, `more`.'), // prettier-ignore
+      }),
+    ),
+    description('The program’s own functions that run, innermost first.'),
+  ),
+  globals: record(shown, 'The names that its file has made itself; in the same form.'),
+});
 const message = text('One English sentence.');
 const omitted = (what: string) =>
   v.exactOptional(pipe(v.number(), description(`Number of ${what} that came too fast and are left out.`)));
@@ -144,6 +172,9 @@ export const eventSchemas = {
     omitted: omitted('characters before this text'),
   }),
   snapshot: v.strictObject({ snapshot: pipe(snapshot, description('The run at one moment.')) }),
+  held: v.strictObject({ ...fromDevice, atMs: numberOf('Simulated time of the device, in ms.'), ...breakPoint }),
+  looking: v.strictObject({ atMs: pipe(v.nullable(v.number()), description('Its simulated time, in ms; `null`: the present is shown again.')) }), // prettier-ignore
+  'break-points-changed': v.strictObject({ ...fromDevice, points: breakPoints }),
   'scene-changed': v.strictObject({ name: text('Name of the course.'), objects: numberOf('Number of its objects.') }),
   'files-changed': v.strictObject({ ...fromDevice, names: texts('Names of all files.') }),
   'settings-changed': v.strictObject({
@@ -194,6 +225,7 @@ const state = v.strictObject({
     v.metadata({ shown: 'object or `null`' }),
     description('As in the event `snapshot`; `null` before the first run.'),
   ),
+  looking: pipe(v.exactOptional(v.boolean()), description('A moment of the past is shown: `atMs` and `snapshot` are that moment’s.')), // prettier-ignore
   sensors: record(v.number(), 'Values that hold for every run.'),
   ...runSettings,
 });
@@ -202,6 +234,8 @@ const state = v.strictObject({
 export const answerSchemas = {
   hello: welcome,
   state,
+  'get-break-points': v.strictObject({ points: breakPoints }),
+  'get-position': position,
   'get-project': v.strictObject({ project: fileValue('project file') }),
   'get-files': v.strictObject({ files: v.array(file) }),
   'get-scene': v.strictObject({ scene: fileValue('course file') }),

@@ -71,6 +71,14 @@ export class EventSender {
         return this.radio(event.packets, event.dropped ?? 0, from(event));
       case 'log':
         return this.log(event.events, from(event));
+      case 'held': {
+        const { file, line } = event;
+        return this.send('held', { atMs: msOf(event.timeUs), file, line, ...from(event) });
+      }
+      case 'looking':
+        return this.send('looking', { atMs: event.timeUs === null ? null : msOf(event.timeUs) });
+      case 'break-points':
+        return this.send('break-points-changed', { points: event.points, ...from(event) });
       case 'snapshot':
         return this.snapshot(event.snapshot);
       case 'scene':

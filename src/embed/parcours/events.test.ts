@@ -163,6 +163,7 @@ describe('events of our own dialect', () => {
   it('and answers have the form that the manual promises', async () => {
     const { simulator, heard, ask, say, answerTo } = greeted({ project: fullProject() });
     ask('subscribe', { snapshotHz: 60 });
+    simulator.where = { timeUs: 1500, variables: VARIABLES };
     const ids = new Map(Object.keys(answerSchemas).map((name) => [name, say(name)]));
     say('run');
     await settled();
@@ -176,6 +177,9 @@ describe('events of our own dialect', () => {
     simulator.tell({ type: 'refused', message: 'No.' });
     simulator.tell({ type: 'failed', message: 'No.' });
     simulator.tell({ type: 'program-restarted' });
+    simulator.tell({ type: 'held', timeUs: 2500, file: 'main.py', line: 3 });
+    simulator.tell({ type: 'looking', timeUs: null });
+    simulator.tell({ type: 'break-points', points: [{ file: 'main.py', line: 3 }], device: 'remote' });
     simulator.tell({ type: 'scene', scene: defaultScene() });
     simulator.tell({ type: 'files', files: simulator.project().files });
     simulator.tell({ type: 'program-ended', ended: { kind: 'fault', exception: null, timeUs: 7 }, verdict: null });
@@ -191,6 +195,22 @@ describe('events of our own dialect', () => {
     }
   });
 });
+
+/** A list in a function, and a number. */
+const VARIABLES = {
+  stack: [
+    {
+      ...{ function: 'turn', file: 'main.py', line: 3 },
+      locals: [
+        {
+          name: 'way',
+          value: { type: 'list', text: '[1, …]', parts: [{ name: '0', value: { type: 'int', text: '1' } }], more: 1 },
+        },
+      ],
+    },
+  ],
+  globals: [{ name: 'n', value: { type: 'int', text: '7' } }],
+} as const;
 
 /** The content of a message without the common fields. */
 const ownFields = (message: Message): object =>

@@ -24,8 +24,16 @@ const COMMANDS: Readonly<Record<CommandName, string>> = {
   stop: 'Ends the run, also one that has not begun yet. The last picture stays. Answered when the run has ended.',
   reset: 'Ends the run, as `stop` does, and puts everything back to the start. Answered when the run has ended.',
   pause: 'Stops simulated time.',
-  resume: 'Continues simulated time.',
+  resume: 'Continues simulated time, from the present.',
   step: 'Lets 20 ms of simulated time pass, from a pause or from the start.',
+  'get-break-points': 'Asks where the program stops.',
+  'set-break-points': 'Says at which lines the program stops, instead of those that were there; also during a run. They move with their lines while the pupil types, stay with `set-files`, and go when another project or course is opened.', // prettier-ignore
+  'get-position': 'Asks where the program is, and for its variables: at the moment that is looked at, else now. Asking changes nothing of the run.', // prettier-ignore
+  'step-line': 'Lets a program that stands make a step by lines; all of simulated time stands before and after it. Answered when it has begun; the event `held` says where it has ended. `back`, and any step from a moment of the past, is answered when the line is shown, and refused where there is none.', // prettier-ignore
+  'run-to': 'The same, up to the next time that a line begins.',
+  'look-at': 'Pauses the run and shows a moment that it has been through: 50 a second are kept.',
+  'look-now': 'Shows the present again. The run stands until `resume`.',
+  'go-on': 'Lets the run go on from the moment that is looked at, with its whole state; what came after that moment is gone. Answered when the run is there.', // prettier-ignore
   speed: 'Chooses how fast simulated time passes. The result of the run is the same.',
   seed: 'Chooses which of the used robots drives.',
   reality: 'Chooses how much the robot resembles a used one.',
@@ -51,6 +59,9 @@ const EVENTS: Readonly<Record<EventName, string>> = {
   output:
     'The program or the REPL printed something. Beyond 200,000 characters a second, output is left out and counted.',
   snapshot: 'The run at one moment. Snapshots come at the chosen rate while something moves and the page is visible. The last one before everything stands still always comes.', // prettier-ignore
+  held: 'The program stands before this line: after a break point or a step, also one into the past.',
+  looking: 'Another moment of the past is shown, no matter who chose it.',
+  'break-points-changed': 'Break points were set or taken away, no matter who did it.',
   'scene-changed': 'The course was edited or replaced, no matter who did it; `get-scene` fetches it.',
   'files-changed': 'A file was changed, no matter who did it; `get-files` fetches the files.',
   'settings-changed': 'Settings were changed, no matter who did it.',

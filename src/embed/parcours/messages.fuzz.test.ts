@@ -38,6 +38,11 @@ const USUAL: readonly { readonly type: CommandName; readonly [field: string]: un
   { type: 'set-robot', robot: 'maqueen-lite', robotOptions: {}, device: 'microbit-v2', firmware: '' },
   { type: 'settings', language: 'fr', theme: 'dark', muted: true, parts: ['board', 'arena'], labels: { 'button-a': 'A' } }, // prettier-ignore
   { type: 'run', paused: true },
+  { type: 'set-break-points', points: [{ file: 'main.py', line: 3 }] },
+  { type: 'step-line', step: 'over' },
+  { type: 'run-to', file: 'main.py', line: 7 },
+  { type: 'look-at', atMs: 1200 },
+  { type: 'go-on', paused: true },
   { type: 'speed', speed: 4 },
   { type: 'seed', seed: 17 },
   { type: 'reality', reality: 0.5 },
@@ -79,6 +84,12 @@ const ALLOWED: Readonly<Partial<Record<CommandName, RecordedCall['call']>>> = {
   interrupt: 'input',
   radio: 'input',
   'clear-console': 'clearConsole',
+  'set-break-points': 'setBreakPoints',
+  'step-line': 'stepLine',
+  'run-to': 'stepLine',
+  'look-at': 'lookAt',
+  'look-now': 'lookNow',
+  'go-on': 'goOn',
 };
 const allowedCalls: ReadonlySet<string> = new Set(Object.values(ALLOWED));
 

@@ -16,6 +16,8 @@ import type { RunPhase, Speed } from '#simulation/pace';
 import type { EndedWord, PacketReport, RobotReport } from '#simulation/report';
 import type { Ended } from '#simulation/simulation';
 import type { Verdict } from '#simulation/task/verdict';
+import type { Shown } from '#vm/debug/shown';
+import type { BreakPoint, Step } from '#vm/debug/stops';
 
 import type { Part } from '../simulator';
 
@@ -124,6 +126,8 @@ export interface State {
   /** How the program ended, or `null` before and while it runs. */
   readonly ended: EndedWord | null;
   readonly snapshot: PlainSnapshot | null;
+  /** A moment of the past is looked at: time and snapshot are that moment's. Missing in pages up to 0.1.0. */
+  readonly looking?: boolean;
   /** Values of sensors that hold for every run, by the sensor's id. */
   readonly sensors: Readonly<Record<string, number>>;
   readonly speed: Speed;
@@ -179,6 +183,25 @@ export interface PlainDevice extends Omit<PlainSnapshot, 'atMs' | 'blocks' | 'mo
   readonly name: string;
 }
 
+/** Where a program is, and what its variables are. */
+export interface Position {
+  /** Simulated ms of the device's clock. */
+  readonly atMs: number;
+  /** Of the innermost of the program's own functions; `null`: none runs. */
+  readonly file: string | null;
+  readonly line: number | null;
+  /** The program's own functions that run, innermost first. */
+  readonly stack: readonly {
+    /** `<module>` for a file, whose variables are the globals. */
+    readonly function: string;
+    readonly file: string;
+    readonly line: number;
+    readonly locals: Readonly<Record<string, Shown>>;
+  }[];
+  /** The names that the innermost function's file has made itself. */
+  readonly globals: Readonly<Record<string, Shown>>;
+}
+
 /** A radio packet of the program: as text if `radio.send` made it, otherwise its bytes. */
 export type PlainPacket = PacketReport;
 
@@ -225,6 +248,15 @@ export interface Commands {
   pause: Command<Nothing, Nothing>;
   resume: Command<Nothing, Nothing>;
   step: Command<Nothing, Nothing>;
+  'get-break-points': Command<OfDevice, { readonly points: readonly BreakPoint[] }>;
+  /** Instead of all that the device's program had. */
+  'set-break-points': Command<{ readonly points: readonly BreakPoint[] } & OfDevice, Nothing>;
+  'get-position': Command<OfDevice, Position>;
+  'step-line': Command<{ readonly step: Step | 'back' } & OfDevice, Nothing>;
+  'run-to': Command<BreakPoint & OfDevice, Nothing>;
+  'look-at': Command<{ readonly atMs: number }, Nothing>;
+  'look-now': Command<Nothing, Nothing>;
+  'go-on': Command<{ readonly paused?: boolean }, Nothing>;
   speed: Command<{ readonly speed: Speed }, Nothing>;
   seed: Command<{ readonly seed: number }, Nothing>;
   reality: Command<{ readonly reality: number }, Nothing>;
@@ -268,6 +300,9 @@ export interface Events {
   /** Output of the program and the REPL; `omitted`: characters before it that came too fast and are left out. */
   output: OfDevice & { readonly text: string; readonly omitted?: number };
   snapshot: { readonly snapshot: PlainSnapshot };
+  held: OfDevice & BreakPoint & { readonly atMs: number };
+  looking: { readonly atMs: number | null };
+  'break-points-changed': OfDevice & { readonly points: readonly BreakPoint[] };
   'scene-changed': { readonly name: string; readonly objects: number };
   'files-changed': OfDevice & { readonly names: readonly string[] };
   'settings-changed': {

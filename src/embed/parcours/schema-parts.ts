@@ -4,6 +4,9 @@ import { SPEEDS } from '#simulation/pace';
 
 import { limits } from './limits';
 
+/** Kinds of steps by lines. */
+export const STEPS = ['over', 'into', 'out', 'back'] as const;
+
 /** The page's colours. */
 export const THEMES = ['system', 'light', 'dark'] as const;
 

@@ -17,6 +17,7 @@ import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { boardSnapshot } from '#simulation/take-snapshot';
 
 import { filesProblem } from '../files-problem';
+import type { BreakPoint, EmbeddedDebugger, HostStep, ProgramMoment } from '../debugger';
 import { PARTS, type EmbeddedSimulator, type HostSettings, type Refusal, type SimulatorEvent } from '../simulator';
 
 /** One action of an adapter on the simulator. Reading is not recorded. */
@@ -29,6 +30,11 @@ export type RecordedCall =
   | { readonly call: 'run'; readonly paused: boolean }
   | { readonly call: 'stop' | 'reset' | 'pause' | 'resume' | 'step' | 'clearConsole' }
   | { readonly call: 'input'; readonly action: InputAction; readonly device?: string }
+  | { readonly call: 'setBreakPoints'; readonly points: readonly BreakPoint[]; readonly device?: string }
+  | { readonly call: 'stepLine'; readonly step: HostStep; readonly device?: string }
+  | { readonly call: 'lookAt'; readonly timeUs: number }
+  | { readonly call: 'lookNow' }
+  | { readonly call: 'goOn'; readonly paused: boolean }
   | { readonly call: 'onRunAsked'; readonly isSet: boolean };
 
 /** Its initial state; left out: as on a fresh page. */
@@ -224,6 +230,49 @@ export class RecordingSimulator implements EmbeddedSimulator {
     return null;
   }
 
+  /** Where the program of every device is; a text: why nobody can say; `null`: the run does not answer. */
+  where: ProgramMoment | string | null = 'This needs a run; it is "ready".';
+  private points: readonly BreakPoint[] = [];
+  private pastUs: number | null = null;
+  readonly debug: EmbeddedDebugger = {
+    breakPoints: (device) => this.deviceProblem(device) ?? this.points,
+    setBreakPoints: async (points, device) => {
+      await Promise.resolve();
+      this.calls.push({ call: 'setBreakPoints', points, ...(device !== undefined && { device }) });
+      const problem = this.deviceProblem(device);
+      if (problem === null) this.points = points;
+      return problem;
+    },
+    moment: (device) => {
+      const given = this.deviceProblem(device) ?? this.where;
+      return given === null ? new Promise((end) => (this.endStart = () => end('The run was stopped.'))) : Promise.resolve(given); // prettier-ignore
+    },
+    step: async (step, device) => {
+      await Promise.resolve();
+      this.calls.push({ call: 'stepLine', step, ...(device !== undefined && { device }) });
+      return this.deviceProblem(device) ?? (this.now === 'paused' ? null : `This needs a run that is paused; it is ${this.now}.`); // prettier-ignore
+    },
+    lookAt: async (timeUs) => {
+      await Promise.resolve();
+      this.calls.push({ call: 'lookAt', timeUs });
+      if (this.now === 'ready') return 'This needs a run that has been.';
+      this.pastUs = timeUs;
+      this.tell({ type: 'looking', timeUs });
+      return null;
+    },
+    lookNow: () => {
+      this.calls.push({ call: 'lookNow' });
+      this.pastUs = null;
+      return null;
+    },
+    goOn: async (paused) => {
+      await Promise.resolve();
+      this.calls.push({ call: 'goOn', paused });
+      return this.pastUs === null ? 'This needs a moment of the past.' : null;
+    },
+    isLookingBack: () => this.pastUs !== null,
+  };
+
   clearConsole(): void {
     this.calls.push({ call: 'clearConsole' });
   }
@@ -236,6 +285,11 @@ export class RecordingSimulator implements EmbeddedSimulator {
   listen(listener: (event: SimulatorEvent) => void): () => void {
     this.listeners.add(listener);
     return () => void this.listeners.delete(listener);
+  }
+
+  private deviceProblem(device: string | undefined): Refusal {
+    const place = placeOfDevice(deviceNames(this.work), device);
+    return typeof place === 'string' ? place : null;
   }
 
   private turn(call: 'pause' | 'resume', from: RunPhase, to: RunPhase): Refusal {

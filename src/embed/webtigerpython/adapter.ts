@@ -166,6 +166,9 @@ class EventSender {
       case 'refused':
       case 'radio':
       case 'log':
+      case 'held':
+      case 'looking':
+      case 'break-points':
         return; // WebTigerPython has no word for it
       default:
         event satisfies never;

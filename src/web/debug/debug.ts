@@ -48,7 +48,7 @@ export class Debug {
   private readonly last = new Map<number, Variables>();
   private toldPoints: PointsOfDevices = [];
 
-  private readonly past: Past;
+  readonly past: Past;
 
   constructor(
     private readonly app: PastParts,

@@ -1,4 +1,4 @@
-import { watch } from 'vue';
+import { shallowRef, watch, type ShallowRef } from 'vue';
 
 import type { LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
@@ -16,6 +16,8 @@ export interface PastParts extends Pick<RunParts, 'run'>, Pick<WorkParts, 'work'
 
 /** Lines and variables of moments that have been: the run is run again up to them. */
 export class Past {
+  /** The line to which a way led last. */
+  readonly arrived: ShallowRef<Look | null> = shallowRef(null);
   private client: { readonly of: Recording; readonly inputs: number; readonly client: LookClient } | null = null;
   /** The moment that was found last, while it is the one that is shown. */
   private found: Look | null = null;
@@ -32,27 +34,39 @@ export class Past {
 
   /** Asks for the variables of the moment that is shown. */
   async look(): Promise<void> {
-    if (this.goings > 0 || this.isFound()) return;
-    const at = this.instant();
-    const look = at === null ? null : await this.ask({ kind: 'moment', at });
-    if (look !== null && this.instant()?.timeUs === at?.timeUs) this.tell(look.device, look.variables);
+    const { device } = this;
+    if (this.goings > 0 || this.isFound(device)) return;
+    const look = await this.momentOf(device);
+    if (look !== null) this.tell(look.device, look.variables);
   }
 
-  /** From the moment that is shown, or from now, to the line that began before. */
-  back(): Promise<void> {
-    const at = this.instant() ?? this.present();
+  /**
+   * The moment that is shown, as a device has it; nothing on the page changes.
+   *
+   * @returns `null`: another one is shown by now, or nothing can be seen
+   */
+  async momentOf(device: number): Promise<Look | null> {
+    if (this.isFound(device)) return this.found;
+    const at = this.instant(device);
+    const look = at === null ? null : await this.ask({ kind: 'moment', at });
+    return this.instant(device)?.timeUs === at?.timeUs ? look : null;
+  }
+
+  /** From the moment that is shown, or from now, to the line that began before. @returns whether there is one */
+  back(device = this.device): Promise<boolean> {
+    const at = this.instant(device) ?? this.present(device);
     return this.go({ kind: 'back', at });
   }
 
-  /** From the moment that is shown on to another line, as far as the run has come. */
-  async step(step: LineStep): Promise<void> {
-    const at = this.instant();
+  /** From the moment that is shown on to another line, as far as the run has come. @returns whether there is one */
+  async step(step: LineStep, device = this.device): Promise<boolean> {
+    const at = this.instant(device);
     const untilUs = this.app.run.present.value?.timeUs ?? 0;
-    if (at !== null) await this.go({ kind: 'step', at, step, untilUs });
+    return at !== null && this.go({ kind: 'step', at, step, untilUs });
   }
 
   /** To the line that has raised the error by which the program ended. @param line the one that the error names */
-  toError(timeUs: number, line: number | null): Promise<void> {
+  toError(timeUs: number, line: number | null): Promise<boolean> {
     return this.go({ kind: 'error', at: { device: this.device, timeUs, isLine: false }, line });
   }
 
@@ -60,36 +74,35 @@ export class Past {
     return this.app.work.place.value;
   }
 
-  private async go(wish: LookWish): Promise<void> {
+  private async go(wish: LookWish): Promise<boolean> {
     const { run } = this.app;
     run.lookBack();
     this.goings += 1;
     const look = await this.ask(wish).finally(() => (this.goings -= 1));
-    if (look === null || run.past.value === null) return;
+    if (look === null || run.past.value === null) return false;
     this.found = look;
     run.past.value = look.snapshot; // on a phone the time line may be behind another tab
     lookAt(run, look.snapshot.timeUs, look.snapshot);
     this.tell(look.device, look.variables);
+    this.arrived.value = look;
+    return true;
   }
 
   /** The moment that is shown is the one that was found. */
-  private isFound(): boolean {
-    return this.found !== null && this.found.snapshot === this.app.run.past.value && this.found.device === this.device;
+  private isFound(device: number): boolean {
+    return this.found !== null && this.found.snapshot === this.app.run.past.value && this.found.device === device;
   }
 
-  private instant(): Instant | null {
+  private instant(device: number): Instant | null {
     const past = this.app.run.past.value;
     if (past === null) return null;
-    if (this.isFound()) return this.found;
-    return past === this.app.run.present.value
-      ? this.present()
-      : { device: this.device, timeUs: past.timeUs, isLine: false };
+    if (this.isFound(device)) return this.found;
+    return past === this.app.run.present.value ? this.present(device) : { device, timeUs: past.timeUs, isLine: false };
   }
 
-  private present(): Instant {
+  private present(device: number): Instant {
     const held = this.app.run.debug.held.value;
     const timeUs = this.app.run.present.value?.timeUs ?? 0;
-    const { device } = this;
     const isHeld = held?.device === device && held.timeUs >= timeUs;
     return isHeld ? { device, timeUs: held.timeUs, isLine: true } : { device, timeUs, isLine: false };
   }

@@ -22,6 +22,7 @@ import { isSameWork } from '../work/storage/history';
 import { travelling } from '../work/settings/travelling';
 import { presentProject } from '../share/save-work';
 import { heldSettings } from '../visit/held-settings';
+import { hostDebugger, listenToDebugger } from './host-debugger';
 import { hostInputs } from './host-inputs';
 import { settingsProblem } from './settings-problem';
 import { startRun } from './start-run';
@@ -45,6 +46,7 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
     ...hostRuns(app),
     input: (action, device) => inputs.take(action, device),
     clearConsole: () => app.console.clear(),
+    debug: hostDebugger(app),
     onRunAsked: (ask) => void (run.ask.value = ask),
     listen: (listener) =>
       listenTo(app, (event) => {
@@ -130,7 +132,11 @@ function hostRuns(
       await run.reset();
     },
     pause: () => onlyWhen('running', () => run.pause()),
-    resume: () => onlyWhen('paused', () => run.resume()),
+    resume: () =>
+      onlyWhen('paused', () => {
+        run.past.value = run.recording.value.asked.value = null; // what goes on is the present
+        run.resume();
+      }),
     step() {
       if (run.phase.value === 'stopping') return 'This needs a run that is not being stopped.';
       run.step();
@@ -149,14 +155,12 @@ function settingsOf({
 }
 
 /** Everything that happens, from what the page itself watches. @returns ends it */
-function listenTo(
-  app: Pick<RunParts, 'run'> & WorkParts & VisitParts & Pick<LayoutParts, 'layout'>,
-  tell: (event: SimulatorEvent) => void,
-): () => void {
+function listenTo(app: HostedPage, tell: (event: SimulatorEvent) => void): () => void {
   const { run, work, host } = app;
   const atOnce = { flush: 'sync' } as const;
   const ends = [
     host.listen(tell),
+    listenToDebugger(app, tell),
     watch(run.phase, (phase) => tell({ type: 'phase', phase }), atOnce),
     watch(run.snapshot, (snapshot) => snapshot && tell({ type: 'snapshot', snapshot }), atOnce),
     watch(work.scene, (scene) => tell({ type: 'scene', scene }), atOnce),

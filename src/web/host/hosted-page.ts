@@ -1,5 +1,6 @@
 import type { ConsoleParts } from '../console/parts';
 import type { CourseEditorParts } from '../course-editor/state/parts';
+import type { DebugParts } from '../debug/parts';
 import type { LayoutParts } from '../layout/parts';
 import type { PageParts } from '../page/parts';
 import type { RunParts } from '../run/parts';
@@ -13,4 +14,5 @@ export type HostedPage = Pick<PageParts, 'notices'> &
   VisitParts &
   Pick<LayoutParts, 'layout'> &
   Pick<ConsoleParts, 'console'> &
-  Pick<CourseEditorParts, 'editor'>;
+  Pick<CourseEditorParts, 'editor'> &
+  DebugParts;

@@ -1,5 +1,3 @@
-import { watch } from 'vue';
-
 import { setupAsKept, tapeToText } from '#tape/file';
 import { RUN_LINK_CHARACTERS, runLinkOf } from '#tape/link';
 import type { Tape } from '#tape/tape';
@@ -9,6 +7,7 @@ import { say } from '../page/i18n/say';
 import type { RunParts } from '../run/parts';
 import { repeatShown } from '../run/repeat-shown';
 import type { RunModel } from '../run/run-model';
+import { wholeRecording } from '../run/whole-recording';
 import type { WorkParts } from '../work/model/parts';
 import { fileName, saveText } from '../work/save-file';
 import { nameToSave } from '../work/work-name';
@@ -59,21 +58,10 @@ async function textOfRun(app: App): Promise<string | null> {
 
 /** The run up to now, with all that was done to it; `null`: it is gone. */
 async function recordedNow(run: RunModel): Promise<Recorded | null> {
-  const recording = run.recording.value;
-  const { setup } = recording;
-  if (run.isActive.value) {
-    const come = new Promise<void>((resolve) => {
-      const stop = watch([recording.inputs, run.recording, run.isActive], () => {
-        stop();
-        resolve();
-      });
-    });
-    run.lookBack();
-    await come;
-  }
-  const inputs = recording.inputs.value;
+  const recording = await wholeRecording(run);
+  const [setup, inputs] = [recording?.setup ?? null, recording?.inputs.value ?? null];
   const endUs = run.present.value?.timeUs ?? 0;
-  if (setup === null || inputs === null || run.recording.value !== recording) return null;
+  if (setup === null || inputs === null) return null;
   return untilStop({ setup: { ...setup, inputs: inputs.filter(({ timeUs }) => timeUs <= endUs) }, untilUs: endUs });
 }
 

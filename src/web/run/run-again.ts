@@ -5,13 +5,15 @@ import type { RunModel } from './run-model';
 /**
  * The run goes on from one of its moments: it is run again up to there, with all that was done until then, as fast as
  * it can.
+ *
+ * @param paused whether it stands there at first
  */
-export function goOn(run: RunModel, fromUs: number): Promise<void> {
+export function goOn(run: RunModel, fromUs: number, paused = false): Promise<void> {
   const { setup, inputs } = run.recording.value;
   const moment = run.past.value;
   if (setup === null || inputs.value === null) return Promise.resolve();
   const kept = { ...setup, inputs: inputs.value.filter(({ timeUs }) => timeUs <= fromUs) };
-  const begun = run.begin({ kept, paused: false, catchUpUs: fromUs, left: run.recording.value });
+  const begun = run.begin({ kept, paused, catchUpUs: fromUs, left: run.recording.value });
   if (fromUs > 0) run.past.value = moment; // shown until the run is there
   return begun;
 }

@@ -1,0 +1,43 @@
+/** What a host can do with a program's lines and a run's time: the part of the port that a debugger uses. */
+import type { BreakPoint, LineStep } from '#vm/debug/stops';
+import type { Variables } from '#vm/debug/variables';
+
+import type { Refusal } from './refusal';
+
+export type { BreakPoint, LineStep } from '#vm/debug/stops';
+
+/** A step by lines, or back to the line that began before. */
+export type HostStep = LineStep | 'back';
+
+/** Where a program is, and what its variables are. */
+export interface ProgramMoment {
+  /** Of the device's clock. */
+  readonly timeUs: number;
+  readonly variables: Variables;
+}
+
+/**
+ * Stops, steps, variables and the past. Nothing of it changes what a run comes to. A name of a device that is left out
+ * means the first. Wrong values are refused, never thrown.
+ */
+export interface EmbeddedDebugger {
+  /** The break points of a device's program, by file and line, or why there are none. */
+  breakPoints(device?: string): readonly BreakPoint[] | string;
+  /** Replaces the break points of a device's program. */
+  setBreakPoints(points: readonly BreakPoint[], device?: string): Promise<Refusal>;
+  /** Where a program is: at the moment that is looked at, else now. A text: why nobody can say. */
+  moment(device?: string): Promise<ProgramMoment | string>;
+  /**
+   * Lets a program that stands make a step; resolves when it is under way. Back, and from a moment of the past on, it
+   * resolves when the line is shown.
+   */
+  step(step: HostStep, device?: string): Promise<Refusal>;
+  /** Pauses and shows a moment of the run that has been. */
+  lookAt(timeUs: number): Promise<Refusal>;
+  /** Shows the present again, which goes on standing. */
+  lookNow(): Refusal;
+  /** Lets the run go on from the moment that is looked at; resolves when it is there. What came after is gone. */
+  goOn(paused: boolean): Promise<Refusal>;
+  /** Whether a moment of the past is looked at. */
+  isLookingBack(): boolean;
+}

@@ -1,0 +1,76 @@
+import { watch } from 'vue';
+
+import type { EmbeddedDebugger } from '#embed/debugger';
+import type { Refusal } from '#embed/simulator';
+import type { Snapshot } from '#simulation/snapshot';
+import { Rows } from '#tape/rows/rows';
+
+import { lookAt } from '../run/look-at';
+import type { RunParts } from '../run/parts';
+import type { Recording } from '../run/recording';
+import { goOn } from '../run/run-again';
+import { wholeRecording } from '../run/whole-recording';
+
+/** The past of the run, for a host: the page may show it without its time line. */
+export function hostPast({
+  run,
+}: Pick<RunParts, 'run'>): Pick<EmbeddedDebugger, 'lookAt' | 'lookNow' | 'goOn' | 'isLookingBack'> {
+  const moments = new Moments();
+  return {
+    async lookAt(timeUs) {
+      const { phase } = run;
+      if (phase.value === 'starting' || phase.value === 'stopping') return `This needs a run that has been; it is ${phase.value}.`; // prettier-ignore
+      const endUs = run.present.value?.timeUs ?? -1;
+      if (endUs >= 0 && timeUs > endUs)
+        return `The run has come to ${endUs / 1000} ms; there is no moment at ${timeUs / 1000} ms.`;
+      const recording = await wholeRecording(run);
+      const moment = recording && moments.at(recording, timeUs);
+      if (moment === null) return 'This needs a run that has been.';
+      run.past.value = moment;
+      lookAt(run, timeUs, moment);
+      return null;
+    },
+    lookNow() {
+      run.past.value = run.recording.value.asked.value = null;
+      return null;
+    },
+    async goOn(paused) {
+      if (run.past.value === null) return 'This needs a moment of the past: look-at chooses one.';
+      const { timeUs } = run.past.value;
+      if ((await wholeRecording(run)) === null) return 'This run cannot be run again.';
+      const there = isThere(run);
+      await goOn(run, timeUs, paused);
+      return there;
+    },
+    isLookingBack: () => run.past.value !== null,
+  };
+}
+
+/** Resolves when the run is at the moment from which it goes on, or says why it does not come there. */
+function isThere(run: RunParts['run']): Promise<Refusal> {
+  return new Promise((resolve) => {
+    const end = watch([run.phase, run.past], ([phase, past]) => {
+      if (phase === 'starting' || (past !== null && run.isActive.value)) return;
+      end();
+      resolve(run.isActive.value ? null : 'The run was stopped before it was there.');
+    });
+  });
+}
+
+/** The moments of the recording that was asked for last, unpacked once. */
+class Moments {
+  private of: Recording | null = null;
+  private rows = new Rows<Snapshot>();
+  private taken = 0;
+
+  at(recording: Recording, timeUs: number): Snapshot | null {
+    if (recording !== this.of) {
+      this.of = recording;
+      this.rows = new Rows<Snapshot>();
+      this.taken = 0;
+    }
+    for (const piece of recording.pieces.slice(this.taken)) this.rows.push(piece);
+    this.taken = recording.pieces.length;
+    return this.rows.at(timeUs);
+  }
+}
