@@ -11,7 +11,7 @@
  * Source: chosen. Replace it by what your robot's data sheet or its maker's driver says, and name that here.
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
-import { createRegisterMachine, memoryRegisters } from '#devices/i2c-registers';
+import { createRegisterMachine, memoryRegisters, type Touched } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // chosen
 
@@ -28,10 +28,12 @@ export type MotorBytes = readonly [
 /**
  * Makes the controller, both motors standing.
  *
- * @param drive called after each write transfer that touched a motor register
+ * @param drive called after each write transfer that touched a motor register, with the offsets of those that it touched
  */
-export function createController(drive: (bytes: MotorBytes) => void): I2cTarget {
+export function createController(drive: (bytes: MotorBytes, touched: Touched) => void): I2cTarget {
   return createRegisterMachine([
-    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) => drive([dirL, speedL, dirR, speedR])),
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
+      drive([dirL, speedL, dirR, speedR], touched),
+    ),
   ]);
 }

@@ -5,7 +5,7 @@
  *      P13  line sensor
  */
 import type { Vec } from '#core/geometry';
-import { signedDuty } from '#devices/dc-motor';
+import { motorsTouched, signedDuty } from '#devices/dc-motor';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { mountMotors } from '../mounting';
@@ -23,10 +23,11 @@ export const newRobotBuild: RobotBuild = {
   attach,
 };
 
-function attach({ board, chassis, ground, scale }: RobotContext): Robot {
-  const motors = mountMotors(chassis);
-  const controller = createController(([dirL, speedL, dirR, speedR]) =>
-    motors.drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
+function attach(context: RobotContext): Robot {
+  const { board, ground, scale } = context;
+  const motors = mountMotors(context);
+  const controller = createController(([dirL, speedL, dirR, speedR], touched) =>
+    motors.set(signedDuty(dirL, speedL), signedDuty(dirR, speedR), motorsTouched(touched)),
   );
   const led = ledOn(board.wire('P8'));
   const line = attachLineSensor(board.wire('P13'), () =>
@@ -44,5 +45,6 @@ function attach({ board, chassis, ground, scale }: RobotContext): Robot {
     ultrasonic: null,
     bumper: null,
   });
-  return { state, step: () => line.sample(), detach: () => stops.forEach((stop) => stop()) };
+  const wires = { P8: ['light-left'], P13: [] } as const; // its only light counts as the left one
+  return { wires, state, step: () => line.sample(), detach: () => stops.forEach((stop) => stop()) };
 }

@@ -18,15 +18,21 @@ export interface RegisterPart {
   readonly read: (offset: number) => number;
   /** Left out: read-only. */
   readonly write?: (offset: number, byte: number) => void;
-  /** Called once at the end of each transfer that wrote at least one of them. */
-  readonly written?: () => void;
+  /** Called once at the end of each transfer that wrote at least one of them, with those that it wrote. */
+  readonly written?: (touched: Touched) => void;
+}
+
+/** Registers of a part that a transfer has written: the offsets of the first and the last of them. */
+export interface Touched {
+  readonly first: number;
+  readonly last: number;
 }
 
 /** Registers that keep what was written; at the start 0. `written` gets their contents. */
 export function memoryRegisters(
   first: number,
   count: number,
-  written: (bytes: Readonly<Uint8Array>) => void = () => undefined,
+  written: (bytes: Readonly<Uint8Array>, touched: Touched) => void = () => undefined,
 ): RegisterPart {
   const bytes = new Uint8Array(count);
   return {
@@ -36,7 +42,7 @@ export function memoryRegisters(
     write: (offset, byte) => {
       bytes[offset] = byte;
     },
-    written: () => written(bytes),
+    written: (touched) => written(bytes, touched),
   };
 }
 
@@ -62,16 +68,17 @@ export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget
     write: (bytes) => {
       if (bytes.length === 0) return; // an address probe
       selected = bytes[0] ?? 0;
-      const touched = new Set<RegisterPart>();
+      const touched = new Map<RegisterPart, Touched>();
       for (const byte of bytes.subarray(1)) {
         const part = partOf[selected];
         if (part?.write) {
-          part.write(selected - part.first, byte);
-          touched.add(part);
+          const offset = selected - part.first;
+          part.write(offset, byte);
+          touched.set(part, around(touched.get(part), offset));
         }
         selected = next();
       }
-      for (const part of touched) part.written?.();
+      for (const [part, registers] of touched) part.written?.(registers);
     },
     read: (count) => {
       const answer = new Uint8Array(count);
@@ -84,3 +91,8 @@ export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget
     },
   };
 }
+
+const around = (before: Touched | undefined, offset: number): Touched => ({
+  first: Math.min(before?.first ?? offset, offset),
+  last: Math.max(before?.last ?? offset, offset),
+});

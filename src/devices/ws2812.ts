@@ -21,14 +21,21 @@ export interface Ws2812Chain {
 /**
  * Attaches `count` LEDs to a wire, all dark. A stream for fewer LEDs leaves the others as they are, one for more is
  * lost at the chain's end; an LED that gets only a part of its three bytes keeps its colour.
+ *
+ * @param tell hears of each LED that gets a colour, also the one that it has
  */
-export function attachWs2812(wire: Wire, count: number): Ws2812Chain {
+export function attachWs2812(
+  wire: Wire,
+  count: number,
+  tell: (led: number, color: Rgb) => void = () => undefined,
+): Ws2812Chain {
   const colors: Rgb[] = Array.from({ length: count }, () => DARK);
   const stop = wire.onStream((bytes) => {
     const complete = Math.min(count, Math.floor(bytes.length / BYTES_PER_LED));
     for (let led = 0; led < complete; led++) {
       const [green = 0, red = 0, blue = 0] = bytes.subarray(led * BYTES_PER_LED, (led + 1) * BYTES_PER_LED);
       colors[led] = [red, green, blue];
+      tell(led, [red, green, blue]);
     }
   });
   return { colors: () => [...colors], stop };

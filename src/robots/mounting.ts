@@ -1,25 +1,32 @@
 /** Shared mounting of all robots: two motors and the servos of their ports. */
 import { attachServoPorts, type ServoPorts } from '#attachments/servo-ports';
-import type { Chassis } from '#world/chassis';
+import type { Rgb } from '#core/rgb';
+import type { Side } from '#devices/dc-motor';
 import type { RobotContext, RobotState, RobotType } from './robot';
 
 /** Both motors of a robot. */
 export interface Motors {
   /** Duties −1 … 1. */
   readonly drive: (left: number, right: number) => void;
+  /** The same for what the program sets. @param sides the motors that it has named */
+  readonly set: (left: number, right: number, sides: readonly Side[]) => void;
   /** As they were last set. */
   readonly duty: () => RobotState['duty'];
   readonly stop: () => void;
 }
 
 /** Puts the motors on a chassis, which keeps their settings. */
-export function mountMotors(chassis: Chassis): Motors {
+export function mountMotors({ chassis, onSet }: Pick<RobotContext, 'chassis' | 'onSet'>): Motors {
   const drive = (left: number, right: number): void => {
     chassis.setDuty(0, left);
     chassis.setDuty(1, right);
   };
   return {
     drive,
+    set: (left, right, sides) => {
+      drive(left, right);
+      for (const side of sides) onSet?.(`wheel-${side}`, side === 'left' ? left : right);
+    },
     duty: () => ({ left: chassis.duty(0), right: chassis.duty(1) }),
     stop: () => drive(0, 0),
   };
@@ -27,9 +34,22 @@ export function mountMotors(chassis: Chassis): Motors {
 
 /** Puts servos on a robot's ports, and on the servos what the robot's options say. */
 export function mountServos(
-  { chassis, options, scale }: RobotContext,
+  { chassis, options, scale, onSet }: RobotContext,
   { mountMm }: RobotType,
   ports: readonly string[],
 ): ServoPorts {
-  return attachServoPorts(ports, options, mountMm && { chassis, mountMm, scale });
+  const servos = attachServoPorts(ports, options, mountMm && { chassis, mountMm, scale });
+  return {
+    ...servos,
+    set: (port, angleDeg) => {
+      servos.set(port, angleDeg);
+      onSet?.(`servo-${port}`, angleDeg);
+    },
+  };
 }
+
+/** Tells of colour lights that are set. */
+export const tellColors =
+  ({ onSet }: Pick<RobotContext, 'onSet'>) =>
+  (led: number, color: Rgb): void =>
+    onSet?.(`color-${led}`, color.join());

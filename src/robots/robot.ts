@@ -128,10 +128,24 @@ export interface RobotContext {
   readonly scale: number;
   /** What its line sensors read, by name, where that differs from the type's. */
   readonly lineReadings: Readonly<Record<string, LineReadings>>;
+  /** Told of the outputs that are not a wire's level, the moment the program sets them; left out: nobody asks. */
+  readonly onSet?: OnSet;
 }
+
+/**
+ * What of a robot a program sets: the motor of a wheel, a red light, a colour light by its place in `rgb`, a servo by its
+ * port.
+ */
+export type RobotOutput =
+  'wheel-left' | 'wheel-right' | 'light-left' | 'light-right' | `color-${number}` | `servo-${string}`;
+
+/** Hears that the program sets an output, also to what it is. `value`: the same as before if nothing has changed. */
+export type OnSet = (output: RobotOutput, value: string | number) => void;
 
 /** One attached robot. */
 export interface Robot {
+  /** Its wires on the board, by name, with the outputs that a program sets by what it writes there, if any. */
+  readonly wires: Readonly<Record<string, readonly RobotOutput[]>>;
   /** Its visible state now. Asks the world for the beam of the distance sensor: call it per picture, not per step. */
   state(): RobotState;
   /** Called after each step of the world (every STEP_US), to look at the ground and to move servos. */

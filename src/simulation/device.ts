@@ -7,6 +7,7 @@ import type { Hold } from '#vm/run/engine';
 import { createVm, type Vm, type VmEnd } from '#vm/run/vm';
 import { STEP_US } from '#world/step';
 import type { World } from '#world/world';
+import { OutputWatch } from './causes/output-watch';
 import type { FittedDevice } from './fit-devices';
 import { Hearing } from './several/hearing';
 import { poseOf, type InputAction } from './input';
@@ -69,8 +70,10 @@ export class Device {
     this.board = new Board(hardware.board, this.clock, hardware.firmware);
     const { outlets, world, seed } = around;
     tellEvents(this.board, this.clock, outlets);
+    const watch = outlets.set ? this.watchOutputs(outlets.set) : null;
     const { reality } = around.setup;
-    const place = { clock: this.clock, board: this.board, world, start, seed, reality, traits: setup.traits };
+    const own = { clock: this.clock, board: this.board, onSet: watch?.onSet };
+    const place = { ...own, world, start, seed, reality, traits: setup.traits };
     this.mounted = mountRobot(hardware, place);
     this.hearing = new Hearing(this.board.sensors, around.heard);
     this.sendTrail =
@@ -85,6 +88,16 @@ export class Device {
       seed,
       repl: around.setup.repl ?? 'when-typed',
       write: outlets.print ?? ((text) => this.output.push(text)),
+      observer: watch ?? undefined,
+    });
+  }
+
+  private watchOutputs(tell: NonNullable<DeviceOutlets['set']>): OutputWatch {
+    return new OutputWatch({
+      ...{ board: this.board, clock: this.clock, tell },
+      wires: () => this.mounted?.robot.wires ?? {},
+      chains: () => this.lights.chains(),
+      inspect: () => this.vm.inspected,
     });
   }
 

@@ -4,7 +4,7 @@ import { radOf } from '#core/angle';
 import { Clock } from '#core/clock';
 import type { Pose } from '#core/geometry';
 import { heardCone } from '#robots/incidence';
-import type { Robot, RobotType } from '#robots/robot';
+import type { OnSet, Robot, RobotType } from '#robots/robot';
 import type { Traits } from '#robots/traits';
 import type { RobotStart } from '#scene/scene';
 import type { Chassis } from '#world/chassis';
@@ -34,6 +34,8 @@ export interface Place {
   readonly seed: number;
   readonly reality: number;
   readonly traits?: Traits | undefined;
+  /** Told of what the program sets; left out: nobody asks. */
+  readonly onSet?: OnSet | undefined;
 }
 
 /** Puts the robot of a run into the world and plugs the board into it; `null` for the bare board. */
@@ -61,6 +63,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
     options: hardware.options,
     scale,
     lineReadings: place.traits?.line ?? {},
+    ...(place.onSet && { onSet: place.onSet }),
   });
   const senses = createArenaSenses(place.board.sensors, {
     chassis,

@@ -2,6 +2,7 @@ import type { Board } from '#board/board';
 import type { LogEvent } from '#board/data-log';
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { Clock } from '#core/clock';
+import type { OutputSet } from './causes/output';
 import type { Snapshot } from './snapshot';
 import type { TrailPoint } from './trail';
 
@@ -30,6 +31,8 @@ export interface DeviceOutlets {
   readonly log?: (event: TimedLogEvent) => void;
   /** The robot's path, a point every few mm. */
   readonly trail?: (point: TrailPoint) => void;
+  /** Each time that the program sets an output, with the lines that do it. */
+  readonly set?: (set: OutputSet) => void;
 }
 
 /** The listeners for a run's events; `device` is the place of the one they come from in the set-up. */
@@ -39,18 +42,20 @@ export interface RunOutlets {
   readonly radio?: (packet: RadioPacket, device: number) => void;
   readonly log?: (event: TimedLogEvent, device: number) => void;
   readonly trail?: (point: TrailPoint, device: number) => void;
+  readonly set?: (set: OutputSet, device: number) => void;
   /** What the run shows, every 20 ms of simulated time, after the world has moved. */
   readonly moment?: (snapshot: Snapshot) => void;
 }
 
 /** Those of them that one device tells. */
-export function outletsOf({ print, sound, radio, log, trail }: RunOutlets, device: number): DeviceOutlets {
+export function outletsOf({ print, sound, radio, log, trail, set }: RunOutlets, device: number): DeviceOutlets {
   return {
     ...(print && { print: (text) => print(text, device) }),
     ...(sound && { sound: (event) => sound(event, device) }),
     ...(radio && { radio: (packet) => radio(packet, device) }),
     ...(log && { log: (event) => log(event, device) }),
     ...(trail && { trail: (point) => trail(point, device) }),
+    ...(set && { set: (each) => set(each, device) }),
   };
 }
 

@@ -1,7 +1,7 @@
 import type { Chassis, ChassisPart } from '#world/chassis';
 import type { RobotContext } from '../robot';
 import { scaled } from '../sonar';
-import type { Side } from './controller';
+import type { Side } from '#devices/dc-motor';
 import { BUMPER_LEFT, BUMPER_RIGHT } from './type';
 
 /** The bar in front with its two switches. */

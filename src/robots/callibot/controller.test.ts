@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { I2cTarget } from '#board/wires/i2c-bus';
-import { createController, type ControllerParts, type Model, type Side } from './controller';
+import type { Side } from '#devices/dc-motor';
+import { createController, type ControllerParts, type Model } from './controller';
 
 interface Senses {
   readonly bright?: readonly Side[];

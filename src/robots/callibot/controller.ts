@@ -38,6 +38,7 @@
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
 import type { Rgb } from '#core/rgb';
+import { BOTH_SIDES, motorsTouched, type Side } from '#devices/dc-motor';
 import { createRegisterMachine, type RegisterPart } from '#devices/i2c-registers';
 
 export const MOTORS_ADDRESS = 0x20;
@@ -53,8 +54,6 @@ export const SILENT_ADDRESSES = [0x23, 0x24, 0x25, 0x26, 0x27] as const;
 /** The supported models of the Calli:bot, oldest first. */
 export type Model = '1' | '2' | '2E';
 
-export type Side = 'left' | 'right';
-
 /** The program's setting for one motor. */
 export interface MotorBytes {
   readonly direction: number;
@@ -63,8 +62,8 @@ export interface MotorBytes {
 
 /** The parts that the controller drives and reads. */
 export interface ControllerParts {
-  /** Called after each write transfer that touched a motor. */
-  motors(left: MotorBytes, right: MotorBytes): void;
+  /** Called after each write transfer that touched a motor; `sides` are those that it touched. */
+  motors(left: MotorBytes, right: MotorBytes, sides: readonly Side[]): void;
   servo(port: 'S1' | 'S2', angleDeg: number): void;
   redLight(side: Side, isLit: boolean): void;
   /** @param index 0 front left, 1 rear left, 2 rear right, 3 front right; parts of the colour 0 … 255 */
@@ -91,9 +90,9 @@ export interface Controller {
 /** Makes the controller; motors and lights are off. */
 export function createController(parts: ControllerParts, model: Model): Controller {
   const motorBytes = new Uint8Array(4); // left direction, left power, right direction, right power
-  const tellMotors = (): void => {
+  const tellMotors = (sides: readonly Side[]): void => {
     const [dirL = 0, powerL = 0, dirR = 0, powerR = 0] = motorBytes;
-    parts.motors({ direction: dirL, power: powerL }, { direction: dirR, power: powerR });
+    parts.motors({ direction: dirL, power: powerL }, { direction: dirR, power: powerR }, sides);
   };
   const motors = createRegisterMachine([motorRegisters(motorBytes, tellMotors), servoRegisters(parts)]);
   return {
@@ -103,13 +102,13 @@ export function createController(parts: ControllerParts, model: Model): Controll
   };
 }
 
-function motorRegisters(bytes: Uint8Array, written: () => void): RegisterPart {
+function motorRegisters(bytes: Uint8Array, tell: (sides: readonly Side[]) => void): RegisterPart {
   return {
     first: 0x00,
     count: bytes.length,
     read: (offset) => bytes[offset] ?? 0, // chosen: Knotech's sheet has no reading at 0x20
     write: (offset, byte) => void (bytes[offset] = byte),
-    written,
+    written: (touched) => tell(motorsTouched(touched)),
   };
 }
 
@@ -179,7 +178,7 @@ interface RegisterSetup {
   readonly parts: ControllerParts;
   readonly model: Model;
   readonly motorBytes: Uint8Array;
-  readonly tellMotors: () => void;
+  readonly tellMotors: (sides: readonly Side[]) => void;
 }
 
 const TYPE_NUMBERS: Readonly<Record<Model, number>> = { '1': 1, '2': 2, '2E': 3 }; // calliope-net/callibot2 sensoren.ts
@@ -197,7 +196,7 @@ function createRegisters(setup: RegisterSetup): I2cTarget {
   const write: Readonly<Record<number, (data: Uint8Array) => void>> = {
     0x01: () => {
       motorBytes.fill(0);
-      tellMotors();
+      tellMotors(BOTH_SIDES);
       setRedLights(parts, 0);
       for (let index = 0; index < COLOR_LIGHTS; index++) parts.colorLight(index, [0, 0, 0]);
     },
@@ -206,7 +205,7 @@ function createRegisters(setup: RegisterSetup): I2cTarget {
       if (mask & 1) motorBytes.set(pairs.slice(0, 2), 0);
       // A single pair for two motors sets both: chosen, the sheet always sends two.
       if (mask & 2) motorBytes.set(both && pairs.length > 2 ? pairs.slice(2, 4) : pairs.slice(0, 2), 2);
-      if (mask & 3) tellMotors();
+      if (mask & 3) tellMotors(BOTH_SIDES.filter((_, bit) => (mask & (1 << bit)) !== 0));
     },
     0x03: ([light = 0, ...levels]) => {
       const [red = 0, green = 0, blue = 0] = levels.map(fullScale);

@@ -11,11 +11,11 @@
  */
 import type { Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
-import { signedDuty } from '#devices/dc-motor';
+import { signedDuty, type Side } from '#devices/dc-motor';
 import { FARTHEST_MM, NEAREST_MM } from '#devices/hc-sr04';
 import { createRegisterMachine } from '#devices/i2c-registers';
 import { mountLineRow, type LinePlace } from '../line-row';
-import { mountMotors, mountServos } from '../mounting';
+import { mountMotors, mountServos, tellColors } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { createBumper } from './bumper';
@@ -27,7 +27,6 @@ import {
   SILENT_ADDRESSES,
   type Controller,
   type Model,
-  type Side,
 } from './controller';
 import callibotPy from './library/callibot.py?raw';
 import callibotmot from './library/callibotmot.py?raw';
@@ -57,7 +56,8 @@ export const callibotBuild: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { chassis, options } = context;
+  const { chassis, options, onSet } = context;
+  const tell = tellColors(context);
   const model = modelOf(options['model']);
   const servos = mountServos(context, type, SERVO_PORTS);
   const bumper = createBumper(context, fittingOf(context, model));
@@ -65,15 +65,21 @@ function attach(context: RobotContext): Robot {
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...LINE_MV });
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const rgb: Rgb[] = Array.from({ length: COLOR_LIGHTS }, () => [0, 0, 0]);
-  const motors = mountMotors(chassis);
+  const motors = mountMotors(context);
 
   const controller = createController(
     {
-      motors: (left, right) =>
-        motors.drive(signedDuty(left.direction, left.power), signedDuty(right.direction, right.power)),
+      motors: (left, right, sides) =>
+        motors.set(signedDuty(left.direction, left.power), signedDuty(right.direction, right.power), sides),
       servo: (port, angleDeg) => servos.set(port, angleDeg),
-      redLight: (side, isLit) => void (leds[side] = isLit ? 1 : 0),
-      colorLight: (index, color) => void (rgb[index] = color),
+      redLight: (side, isLit) => {
+        leds[side] = isLit ? 1 : 0;
+        onSet?.(`light-${side}`, leds[side]);
+      },
+      colorLight: (index, color) => {
+        rgb[index] = color;
+        tell(index, color);
+      },
       isBright: line.isBright,
       isPressed: (side) => bumper.read(side),
       lineMv: line.reading,
@@ -99,7 +105,7 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: {}, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 function modelOf(choice: string | undefined): Model {

@@ -16,6 +16,7 @@
  * Robotics-Libraries `mbrobot.py` (one 5-byte write for both motors).
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
+import { motorsTouched, type Side } from '#devices/dc-motor';
 import { createRegisterMachine, memoryRegisters, textRegisters, type RegisterPart } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot pxt-maqueen: IIC address of the motor driver
@@ -36,8 +37,8 @@ export interface MotorBytes {
 
 /** The calls with which the controller drives its parts. */
 export interface ControllerOutputs {
-  /** Called after each write transfer that touched a motor register. */
-  motors(left: MotorBytes, right: MotorBytes): void;
+  /** Called after each write transfer that touched a motor register; `sides` are the motors that it touched. */
+  motors(left: MotorBytes, right: MotorBytes, sides: readonly Side[]): void;
   /** Called after each write transfer that touched a servo register: port S1 or S2 and the byte, in degrees. */
   servo(port: 'S1' | 'S2', angleDeg: number): void;
 }
@@ -45,8 +46,8 @@ export interface ControllerOutputs {
 /** Makes the controller, both motors standing. Register contents start at 0. `more` are the registers of further parts. */
 export function createController(outputs: ControllerOutputs, more: readonly RegisterPart[] = []): I2cTarget {
   return createRegisterMachine([
-    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
-      outputs.motors({ direction: dirL, speed: speedL }, { direction: dirR, speed: speedR }),
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
+      outputs.motors({ direction: dirL, speed: speedL }, { direction: dirR, speed: speedR }, motorsTouched(touched)),
     ),
     memoryRegisters(SERVO_S1, 1, ([angle = 0]) => outputs.servo('S1', angle)),
     memoryRegisters(SERVO_S2, 1, ([angle = 0]) => outputs.servo('S2', angle)),

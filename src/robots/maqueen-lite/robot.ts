@@ -16,7 +16,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { ledOn } from '#devices/led';
 import { attachLineSensor } from '#devices/line-sensor';
 import { attachWs2812 } from '#devices/ws2812';
-import { mountMotors, mountServos } from '../mounting';
+import { mountMotors, mountServos, tellColors } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, scaled, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController } from './controller';
@@ -36,6 +36,12 @@ const SONAR_AT: Vec = { x: 55, y: 0 };
 
 const RGB_COUNT = 4; // front left, back left, back right, front right: ETH mbrobot.py
 
+const WIRES: Robot['wires'] = {
+  ...{ P1: [], P2: [], P13: [], P14: [], P15: [], P16: [] },
+  P8: ['light-left'],
+  P12: ['light-right'],
+};
+
 export const maqueenLiteBuild: RobotBuild = {
   type,
   libraries: { 'mbrobot.py': mbrobot, 'mbrobotmot.py': mbrobotmot, 'mbalarm.py': mbalarm, 'mbled.py': mbled },
@@ -43,14 +49,14 @@ export const maqueenLiteBuild: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, chassis, clock, scale } = context;
+  const { board, clock, scale } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
-  const motors = mountMotors(chassis);
+  const motors = mountMotors(context);
   const v5 = mountV5(context, motors, { left: LINE_LEFT, right: LINE_RIGHT, spotRadiusMm: LINE_SPOT_RADIUS_MM });
   const controller = createController(
     {
-      motors: (left, right) =>
-        motors.drive(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed)),
+      motors: (left, right, sides) =>
+        motors.set(signedDuty(left.direction, left.speed), signedDuty(right.direction, right.speed), sides),
       servo: (port, angleDeg) => servos.set(port, angleDeg),
     },
     v5.registers,
@@ -60,7 +66,7 @@ function attach(context: RobotContext): Robot {
 
   const lineLeft = attachLineSensor(board.wire('P13'), see(LINE_LEFT));
   const lineRight = attachLineSensor(board.wire('P14'), see(LINE_RIGHT));
-  const underglow = attachWs2812(board.wire('P15'), RGB_COUNT);
+  const underglow = attachWs2812(board.wire('P15'), RGB_COUNT, tellColors(context));
   const leds = { left: ledOn(board.wire('P8')), right: ledOn(board.wire('P12')) };
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
@@ -94,5 +100,5 @@ function attach(context: RobotContext): Robot {
     v5.step();
     servos.step();
   };
-  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
 }

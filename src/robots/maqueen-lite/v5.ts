@@ -22,10 +22,11 @@
  * values in neither of them see SOURCES.md.
  */
 import type { Vec } from '#core/geometry';
+import { BOTH_SIDES } from '#devices/dc-motor';
 import { liveRegisters, memoryRegisters, type RegisterPart } from '#devices/i2c-registers';
 import type { Motors } from '../mounting';
 import { mountLineRow, type LineRow } from '../line-row';
-import type { RobotContext } from '../robot';
+import type { OnSet, RobotContext } from '../robot';
 import { createCarLight, type CarLight } from './car-light';
 import { createLineWalker } from './line-walking';
 
@@ -80,19 +81,21 @@ export interface V5Line {
 export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, places: V5Line): V5 {
   const line = lineOnDemand(context, places);
   const lights = [createCarLight(context.clock), createCarLight(context.clock)] as const;
+  const { onSet } = context;
   const walker = createLineWalker();
   let isWalking = false;
   let grade = 1;
 
   const walk = (isOn: boolean): void => {
     if (isWalking && !isOn) motors.drive(0, 0);
+    if (isWalking || isOn) for (const side of BOTH_SIDES) onSet?.(`wheel-${side}`, isOn ? `line ${grade}` : 0);
     isWalking = isOn;
   };
   const sees = (name: LineName): boolean => !line.now().isBright(name);
   const level = (): number => context.board.sensors.get('lightLevel') * LIGHT_PER_LEVEL;
   return {
     registers: [
-      ...lightRegisters(lights),
+      ...lightRegisters(lights, onSet),
       liveRegisters(LINE_BITS, 1, () => BITS.reduce((bits, name, bit) => (sees(name) ? bits | (1 << bit) : bits), 0)),
       wordRegisters(LINE_VALUES, CHANNELS.length, (channel) => {
         const name = CHANNELS[channel] ?? null;
@@ -102,6 +105,7 @@ export function mountV5(context: RobotContext, motors: Pick<Motors, 'drive'>, pl
       ...batteryRegisters(context.supplyMv),
       memoryRegisters(START_ANEW, 1, () => {
         for (const light of lights) light.colour(0);
+        for (const side of BOTH_SIDES) onSet?.(`light-${side}`, 0);
         walk(false);
       }),
       memoryRegisters(LINE_WALKING, 2, ([isOn = 0, speed = 0]) => {
@@ -141,7 +145,7 @@ function lineOnDemand(context: RobotContext, { left, right, spotRadiusMm }: V5Li
   };
 }
 
-function lightRegisters([left, right]: readonly [CarLight, CarLight]): RegisterPart[] {
+function lightRegisters([left, right]: readonly [CarLight, CarLight], onSet?: OnSet): RegisterPart[] {
   const acts = [
     (byte: number) => left.colour(byte),
     (byte: number) => right.colour(byte),
@@ -161,10 +165,15 @@ function lightRegisters([left, right]: readonly [CarLight, CarLight]): RegisterP
       write: (offset, byte) => {
         bytes[offset] = byte;
         acts[offset]?.(byte);
+        const side = LEFT_LIGHT.includes(offset) ? 'left' : 'right';
+        onSet?.(`light-${side}`, bytes.filter((_, at) => LEFT_LIGHT.includes(at) === (side === 'left')).join());
       },
     },
   ];
 }
+
+/** The registers of the left one, counted from the first. */
+const LEFT_LIGHT: readonly number[] = [0, 2, 3, 6];
 
 function batteryRegisters(supplyMv: () => number): RegisterPart[] {
   let kind = 0;

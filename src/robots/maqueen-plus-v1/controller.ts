@@ -22,12 +22,14 @@
  * Tiger-Jython/Robotics-Libraries `mbrobot_plus.py`, lawther/maqueenplus `maqueenplus.py`.
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
+import { motorsTouched, type Side as Motor } from '#devices/dc-motor';
 import {
   createRegisterMachine,
   liveRegisters,
   memoryRegisters,
   textRegisters,
   type RegisterPart,
+  type Touched,
 } from '#devices/i2c-registers';
 import type { Rgb } from '#core/rgb';
 
@@ -69,10 +71,11 @@ const COLORS: readonly Rgb[] = [
 
 /** The calls with which the controller drives its parts and reads its sensors. */
 export interface ControllerParts {
-  /** Called after each write transfer that touched a motor: duties −1 … 1 from the bytes. */
-  motors(left: number, right: number): void;
+  /** Called after each write transfer that touched a motor: duties −1 … 1 from the bytes; `sides` were touched. */
+  motors(left: number, right: number, sides: readonly Motor[]): void;
   speedControl(isOn: boolean): void;
-  lights(left: Rgb, right: Rgb): void;
+  /** Called after each write transfer that touched a light, one or both: 0 left, 1 right. */
+  lights(left: Rgb, right: Rgb, touched: Touched): void;
   /** Servo 0 … 2, angle in degrees. */
   servo(index: number, angleDeg: number): void;
   /** Pulses of a wheel since their last reset. */
@@ -88,12 +91,14 @@ export function createController(parts: ControllerParts): I2cTarget {
   const lineBits = (): number =>
     LINE_NAMES.reduce((bits, name, bit) => (parts.isBright(name) ? bits : bits | (1 << bit)), 0);
   return createRegisterMachine([
-    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
-      parts.motors(dutyOf(dirL, speedL), dutyOf(dirR, speedR)),
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
+      parts.motors(dutyOf(dirL, speedL), dutyOf(dirR, speedR), motorsTouched(touched)),
     ),
     pulseRegisters(parts),
     memoryRegisters(SPEED_CONTROL, 1, ([isOn = 0]) => parts.speedControl(isOn !== 0)),
-    memoryRegisters(LIGHTS, 2, ([left = 0, right = 0]) => parts.lights(COLORS[left] ?? OFF, COLORS[right] ?? OFF)),
+    memoryRegisters(LIGHTS, 2, ([left = 0, right = 0], touched) =>
+      parts.lights(COLORS[left] ?? OFF, COLORS[right] ?? OFF, touched),
+    ),
     servoRegisters(parts),
     liveRegisters(LINE_BITS, 1, lineBits),
     liveRegisters(LINE_VALUES, 2 * LINE_NAMES.length, (offset) => {

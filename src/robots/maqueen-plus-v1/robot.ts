@@ -12,7 +12,7 @@ import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
 import { STEP_US } from '#world/step';
 import { mountLineRow, type LinePlace } from '../line-row';
-import { mountServos } from '../mounting';
+import { mountServos, tellColors } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
 import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
@@ -43,6 +43,8 @@ const SONAR_AT: Vec = { x: 74, y: 0 };
 
 const STEP_S = STEP_US / 1_000_000;
 
+const WIRES: Robot['wires'] = { P1: [], P2: [], P16: [] };
+
 export const maqueenPlusV1Build: RobotBuild = {
   type,
   libraries: { 'mbrobot_plus.py': mbrobotPlus },
@@ -50,7 +52,8 @@ export const maqueenPlusV1Build: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, chassis, clock, scale } = context;
+  const { board, chassis, clock, scale, onSet } = context;
+  const tell = tellColors(context);
   const servos = mountServos(context, type, SERVO_PORTS);
   const drive = createDrive(chassis, scale);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
@@ -60,10 +63,15 @@ function attach(context: RobotContext): Robot {
   ];
   const controller = createController({
     ...drive,
+    motors: (left, right, sides) => {
+      drive.motors(left, right);
+      for (const side of sides) onSet?.(`wheel-${side}`, side === 'left' ? left : right);
+    },
     isBright: line.isBright,
     brightness: line.reading,
-    lights: (left, right) => {
+    lights: (left, right, { first, last }) => {
       lights = [left, right];
+      for (let led = first; led <= last; led++) tell(led, lights[led === 0 ? 0 : 1]);
     },
     servo: (index, angleDeg) => servos.set(SERVO_PORTS[index] ?? '', angleDeg),
   });
@@ -90,5 +98,5 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
 }

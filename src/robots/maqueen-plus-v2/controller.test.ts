@@ -10,8 +10,8 @@ function controller(options: Partial<ControllerOptions> = {}, black: readonly Li
   const values: Record<LineName, number> = { R2: 11, R1: 12, M: 13, L1: 14, L2: 15 };
   const target = createController(
     {
-      motors: (...bytes) => motors.push(bytes),
-      leds: (...states) => leds.push(states),
+      motors: ({ left, right }) => motors.push([...left, ...right]),
+      leds: (left, right) => leds.push([left, right]),
       isBright: (name) => !black.includes(name),
       brightness: (name) => values[name],
     },

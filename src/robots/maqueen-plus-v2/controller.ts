@@ -20,6 +20,7 @@
  * almasy/micropython-maqueen-plus (motor registers read back). On the order of the brightness values see SOURCES.md.
  */
 import type { I2cTarget } from '#board/wires/i2c-bus';
+import { motorsTouched, type Side } from '#devices/dc-motor';
 import { createRegisterMachine, liveRegisters, memoryRegisters, textRegisters } from '#devices/i2c-registers';
 
 export const CONTROLLER_ADDRESS = 0x10; // DFRobot maqueenPlusV2.ts: I2CADDR
@@ -38,12 +39,20 @@ export const LINE_NAMES = ['R2', 'R1', 'M', 'L1', 'L2'] as const;
 /** A line sensor's name, as printed on the robot. */
 export type LineName = (typeof LINE_NAMES)[number];
 
+/** Direction and speed byte of each motor. */
+export type MotorBytes = Readonly<Record<Side, readonly [direction: number, speed: number]>>;
+
+const SIDES: readonly Side[] = ['left', 'right'];
+
 /** The calls with which the controller drives its parts and reads its sensors. */
 export interface ControllerParts {
-  /** Called after each write transfer that touched a motor register, with the bytes as the program set them. */
-  motors(leftDirection: number, leftSpeed: number, rightDirection: number, rightSpeed: number): void;
-  /** Called after each write transfer that touched a light. */
-  leds(left: 0 | 1, right: 0 | 1): void;
+  /**
+   * Called after each write transfer that touched a motor register, with the bytes as the program set them; `sides` are
+   * the motors that it touched.
+   */
+  motors(bytes: MotorBytes, sides: readonly Side[]): void;
+  /** Called after each write transfer that touched a light; `sides` are those that it touched. */
+  leds(left: 0 | 1, right: 0 | 1, sides: readonly Side[]): void;
   isBright(sensor: LineName): boolean;
   /** Brightness, 0 … 255. */
   brightness(sensor: LineName): number;
@@ -71,10 +80,12 @@ export function createController(parts: ControllerParts, { version, analogOrder 
     return sensor === undefined ? 0 : parts.brightness(sensor);
   };
   return createRegisterMachine([
-    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0]) =>
-      parts.motors(dirL, speedL, dirR, speedR),
+    memoryRegisters(MOTORS, 4, ([dirL = 0, speedL = 0, dirR = 0, speedR = 0], touched) =>
+      parts.motors({ left: [dirL, speedL], right: [dirR, speedR] }, motorsTouched(touched)),
     ),
-    memoryRegisters(LEDS, 2, ([left, right]) => parts.leds(left ? 1 : 0, right ? 1 : 0)),
+    memoryRegisters(LEDS, 2, ([left, right], { first, last }) =>
+      parts.leds(left ? 1 : 0, right ? 1 : 0, SIDES.slice(first, last + 1)),
+    ),
     liveRegisters(LINE_BITS, 1, lineBits),
     liveRegisters(LINE_VALUES, LINE_NAMES.length * BYTES_PER_VALUE, lineValue),
     textRegisters(VERSION, versionText(version)),

@@ -15,7 +15,7 @@ import { attachIrReceiver } from '#devices/ir-receiver';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachPwmServo } from '#devices/servo';
 import { attachWs2812 } from '#devices/ws2812';
-import { mountMotors, mountServos } from '../mounting';
+import { mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
@@ -53,6 +53,8 @@ const RGB_COUNT = 4; // front left, back left, back right, front right: ETH
  */
 const LEAST_SERVO_PERIOD_US = 10_000;
 
+const WIRES: Robot['wires'] = { P13: [], P14: [], P15: [], P16: [] };
+
 export const maqueenPlusV2Build: RobotBuild = {
   type,
   libraries: { 'mbrobot_plusV2.py': mbrobotPlusV2 },
@@ -60,16 +62,19 @@ export const maqueenPlusV2Build: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, chassis, clock, options } = context;
+  const { board, clock, options, onSet } = context;
   const servos = mountServos(context, type, SERVO_PORTS);
-  const motors = mountMotors(chassis);
+  const motors = mountMotors(context);
   const leds: { left: 0 | 1; right: 0 | 1 } = { left: 0, right: 0 };
   const brightness = BRIGHTNESS[options['analogPolarity'] === 'light-low' ? 'light-low' : 'light-high'];
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...brightness });
   const controller = createController(
     {
-      motors: (dirL, speedL, dirR, speedR) => motors.drive(signedDuty(dirL, speedL), signedDuty(dirR, speedR)),
-      leds: (left, right) => Object.assign(leds, { left, right }),
+      motors: ({ left, right }, sides) => motors.set(signedDuty(...left), signedDuty(...right), sides),
+      leds: (left, right, sides) => {
+        Object.assign(leds, { left, right });
+        for (const side of sides) onSet?.(`light-${side}`, leds[side]);
+      },
       isBright: line.isBright,
       brightness: line.reading,
     },
@@ -79,7 +84,7 @@ function attach(context: RobotContext): Robot {
     },
   );
   const sonar = mountSonar(context, { atMm: SONAR_AT, cone: SR04_CONE, turnRad: () => servos.sonarTurnRad() });
-  const underglow = attachWs2812(board.wire('P15'), RGB_COUNT);
+  const underglow = attachWs2812(board.wire('P15'), RGB_COUNT, tellColors(context));
   const stops = [
     board.i2c.attach(CONTROLLER_ADDRESS, controller),
     attachHcSr04(clock, { trigger: board.wire('P13'), echo: board.wire('P14') }, sonar.distanceMm, {
@@ -105,7 +110,7 @@ function attach(context: RobotContext): Robot {
     line.sample();
     servos.step();
   };
-  return { state, step, detach: () => stops.forEach((stop) => stop()) };
+  return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
 
 /** Listens to a servo's wire; tones are left out. Whole degrees, because the steps of `write_analog` are 2°. */

@@ -12,6 +12,7 @@ import { deviceLibrary } from './library';
 import { createLoader, type FileLookup } from './loader';
 import { Heap } from './heap';
 import { createReplCalls } from './hal/repl';
+import { observed } from './observed';
 import type { Repl } from './repl';
 import type { Report } from './report';
 import { showError, showPanic, type Shown } from './show-error';
@@ -87,6 +88,7 @@ export class Session {
       collected: () => heap.collected(),
       scope: (address) => scopes.add(address),
       write: (bytes) => {
+        this.setup.observer?.print(bytes);
         this.print(bytes);
         engine.print(bytes.length * this.printByteUs);
       },
@@ -157,7 +159,8 @@ export class Session {
       ...this.programCalls(engine),
       names: () => Object.keys(table).join(' '),
     };
-    return { ...table, ...runner };
+    const all = { ...table, ...runner };
+    return this.setup.observer ? observed(all, this.setup.observer) : all;
   }
 
   /**

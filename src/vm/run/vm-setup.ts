@@ -1,5 +1,6 @@
 import type { Board } from '#board/board';
 import type { Clock } from '#core/clock';
+import type { Observer } from './observed';
 
 /** What a VM needs to run a program. */
 export interface VmSetup {
@@ -19,4 +20,6 @@ export interface VmSetup {
   readonly repl?: 'at-once' | 'when-typed';
   /** Receives what the program prints. */
   write(text: string): void;
+  /** Hears of all that the program does to the board; left out: nobody listens, which costs nothing. */
+  readonly observer?: Observer | undefined;
 }

@@ -8,6 +8,7 @@ import { Session } from './session';
 import type { VmSetup } from './vm-setup';
 
 export type { VmEnd, VmException } from './report';
+export type { Observer } from './observed';
 export type { VmSetup } from './vm-setup';
 
 /** A microcomputer's MicroPython: one program, run piece by piece under the run's clock, and the REPL after its end. */

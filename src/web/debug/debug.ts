@@ -48,6 +48,7 @@ export class Debug {
   private readonly last = new Map<number, Variables>();
   private toldPoints: PointsOfDevices = [];
 
+  /** The run again, for all that was before. */
   readonly past: Past;
 
   constructor(

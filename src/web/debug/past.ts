@@ -1,9 +1,18 @@
 import { shallowRef, watch, type ShallowRef } from 'vue';
 
+import type { Cause } from '#simulation/causes/causes';
+import type { CodeLine } from '#simulation/causes/output';
 import type { LineStep } from '#vm/debug/stops';
 import type { Variables } from '#vm/debug/variables';
 import { lookAt } from '../run/look-at';
-import { LookClient, type Instant, type Look, type LookClientOptions, type LookWish } from '../run/look-client';
+import {
+  LookClient,
+  type Instant,
+  type Look,
+  type LookClientOptions,
+  type LookWish,
+  type WhyWish,
+} from '../run/look-client';
 import type { RunParts } from '../run/parts';
 import type { Recording } from '../run/recording';
 import type { WorkParts } from '../work/model/parts';
@@ -70,6 +79,16 @@ export class Past {
     return this.go({ kind: 'error', at: { device: this.device, timeUs, isLine: false }, line });
   }
 
+  /** To the moment at which a line has set something. */
+  toCause({ device, sinceUs }: { readonly device: number; readonly sinceUs: number }, place: CodeLine): Promise<boolean> {
+    return this.go({ kind: 'line', at: { device, timeUs: sinceUs, isLine: false }, place });
+  }
+
+  /** Which lines have set what. `null`: it cannot be known, or somebody has asked for something else meanwhile. */
+  async why(wish: WhyWish): Promise<readonly Cause[] | null> {
+    return (await this.clientNow())?.why(wish) ?? null;
+  }
+
   private get device(): number {
     return this.app.work.place.value;
   }
@@ -108,6 +127,10 @@ export class Past {
   }
 
   private async ask(wish: LookWish): Promise<Look | null> {
+    return (await this.clientNow())?.look(wish) ?? null;
+  }
+
+  private async clientNow(): Promise<LookClient | null> {
     const { run, engine } = this.app;
     const recording = run.recording.value;
     const { setup } = recording;
@@ -119,7 +142,7 @@ export class Past {
       const client = new LookClient({ ...engine, setup: { ...setup, inputs } });
       this.client = { of: recording, inputs: inputs.length, client };
     }
-    return this.client.client.look(wish);
+    return this.client.client;
   }
 
   /** What was done to the run comes a moment after somebody looks back. */

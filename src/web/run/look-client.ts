@@ -1,7 +1,8 @@
 import type { RunSetup } from '#simulation/run-setup';
-import type { FromLooker, Look, LookWish, ToLooker } from './worker/look/protocol';
+import type { Cause } from '#simulation/causes/causes';
+import type { FromLooker, Look, LookWish, ToLooker, WhyWish } from './worker/look/protocol';
 
-export type { Instant, Look, LookWish } from './worker/look/protocol';
+export type { Instant, Look, LookWish, WhyWish } from './worker/look/protocol';
 
 /** The worker of `worker/worker.ts`, which can do more than look. */
 type LookPort = Pick<Worker, 'postMessage' | 'terminate' | 'onmessage' | 'onerror'>;
@@ -14,10 +15,16 @@ export interface LookClientOptions {
   readonly setup: RunSetup;
 }
 
+/** Somebody who waits for an answer. */
+interface Waiting {
+  readonly ask: number;
+  readonly settle: (found: FromLooker | null) => void;
+}
+
 /** Looks into a run that has been, in a worker of its own. The newest wish wins. */
 export class LookClient {
   private readonly worker: Promise<LookPort>;
-  private waiting: { readonly ask: number; readonly settle: (look: Look | null) => void } | null = null;
+  private readonly waiting = new Map<'look' | 'why', Waiting>();
   private asks = 0;
 
   constructor(options: LookClientOptions) {
@@ -31,22 +38,32 @@ export class LookClient {
    * @returns `null`: there is no such moment, a newer wish has overtaken this one, or nothing can be seen
    */
   async look(wish: LookWish): Promise<Look | null> {
+    const found = await this.ask('look', (ask) => ({ type: 'look', ask, wish }));
+    return found?.type === 'looked' ? found.look : null;
+  }
+
+  /** Which lines have set what. @returns `null` as with `look` */
+  async why(wish: WhyWish): Promise<readonly Cause[] | null> {
+    const found = await this.ask('why', (ask) => ({ type: 'why', ask, wish }));
+    return found?.type === 'caused' ? found.causes : null;
+  }
+
+  private async ask(kind: 'look' | 'why', messageOf: (ask: number) => ToLooker): Promise<FromLooker | null> {
     this.asks += 1;
     const ask = this.asks;
-    this.settle(null);
-    const answer = new Promise<Look | null>((settle) => (this.waiting = { ask, settle }));
+    this.waiting.get(kind)?.settle(null);
+    const answer = new Promise<FromLooker | null>((settle) => this.waiting.set(kind, { ask, settle }));
     try {
-      const message: ToLooker = { type: 'look', ask, wish };
-      (await this.worker).postMessage(message);
+      (await this.worker).postMessage(messageOf(ask));
     } catch {
-      this.settle(null); // the VM could not be loaded: no connection, most likely
+      this.giveUp(); // the VM could not be loaded: no connection, most likely
     }
     return answer;
   }
 
   /** Gives the worker and its memory back. */
   end(): void {
-    this.settle(null);
+    this.giveUp();
     this.worker.then(
       (worker) => worker.terminate(),
       () => undefined,
@@ -57,20 +74,23 @@ export class LookClient {
     const module = await firmware();
     const worker = createWorker();
     worker.onmessage = ({ data }: MessageEvent<FromLooker>) => this.hear(data);
-    worker.onerror = () => this.settle(null);
+    worker.onerror = () => this.giveUp();
     const message: ToLooker = { type: 'look-into', firmware: module, setup };
     worker.postMessage(message);
     return worker;
   }
 
   private hear(data: FromLooker): void {
-    if (data.type === 'look-failed') this.settle(null);
-    else if (data.ask === this.waiting?.ask) this.settle(data.look);
+    if (data.type === 'look-failed') return this.giveUp();
+    for (const [kind, { ask, settle }] of this.waiting)
+      if (ask === data.ask) {
+        this.waiting.delete(kind);
+        settle(data);
+      }
   }
 
-  private settle(look: Look | null): void {
-    const { waiting } = this;
-    this.waiting = null;
-    waiting?.settle(look);
+  private giveUp(): void {
+    for (const { settle } of this.waiting.values()) settle(null);
+    this.waiting.clear();
   }
 }

@@ -52,13 +52,16 @@ const loadChecker = (): Promise<Checker> =>
     (late) => new late.Checker({ post: (message) => postMessage(message), nowMs: () => performance.now() }),
   ));
 
+const isForLooker = (data: Asked): data is ToLooker =>
+  data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
+
 type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker;
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
     void answerRepeat(data, { post: (message) => postMessage(message), nowMs: () => performance.now() });
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
-  else if (data.type === 'look-into' || data.type === 'look' || data.type === 'look-near') looker.receive(data);
+  else if (isForLooker(data)) looker.receive(data);
   else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
   else runner.receive(data);
 });

@@ -2,13 +2,14 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 
 import { defaultScene } from '#scene/scene';
+import type { Cause } from '#simulation/causes/causes';
 import { soloRun, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { convoyOf } from '#simulation/testing/convoy';
 import type { LineEvent } from '#vm/debug/line-watch';
 import { readVariables } from '#vm/debug/variables';
 import { Looker } from './looker';
-import type { FromLooker, Instant, Look, LookWish } from './protocol';
+import type { FromLooker, Instant, Look, LookWish, ToLooker, WhyWish } from './protocol';
 
 const firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
 
@@ -44,15 +45,24 @@ function lookerInto(setup: RunSetup) {
   });
   looker.receive({ type: 'look-into', firmware, setup });
   let ask = 0;
-  return (wish: LookWish): Promise<Look | null> =>
+  const answer = (messageOf: (ask: number) => ToLooker): Promise<Exclude<FromLooker, { type: 'look-failed' }>> =>
     new Promise((resolve, reject) => {
       ask += 1;
       tell = (message) => {
         if (message.type === 'look-failed') reject(new Error(message.message));
-        else if (message.ask === ask) resolve(message.look);
+        else if (message.ask === ask) resolve(message);
       };
-      looker.receive({ type: 'look', ask, wish });
+      looker.receive(messageOf(ask));
     });
+  const look = async (wish: LookWish): Promise<Look | null> => {
+    const found = await answer((number) => ({ type: 'look', ask: number, wish }));
+    return found.type === 'looked' ? found.look : null;
+  };
+  const why = async (wish: WhyWish): Promise<readonly Cause[]> => {
+    const found = await answer((number) => ({ type: 'why', ask: number, wish }));
+    return found.type === 'caused' ? found.causes : [];
+  };
+  return Object.assign(look, { why });
 }
 
 const PROGRAM = `from mbrobot import *
@@ -159,5 +169,61 @@ describe('looking into a run that has been', { timeout: 60_000 }, () => {
     }
     const on = await look({ kind: 'step', at: from, step: 'into', untilUs: 600_000 });
     expect(on?.timeUs).toBeGreaterThan(from.timeUs);
+  });
+
+  it('names the line that made the robot turn or stand, at any moment, and goes to where that line began', async () => {
+    const main = `from mbrobot import *
+setSpeed(40)
+forward()
+delay(300)
+def corner():
+    left()
+    delay(200)
+corner()
+stop()
+delay(2000)
+`;
+    const look = lookerInto(runOf(main));
+    const wheel = async (timeUs: number): Promise<Cause | undefined> =>
+      (await look.why({ device: 0, timeUs })).find(({ output }) => output === 'wheel-left');
+    for (const timeUs of [2_000_000, 400_000, 100_000, 2_400_000])
+      expect((await wheel(timeUs))?.lines[0]?.line).toBe(timeUs > 600_000 ? 9 : timeUs > 350_000 ? 6 : 3);
+    expect(await wheel(100)).toBeUndefined();
+    const turned = await wheel(400_000);
+    expect(turned?.lines).toEqual([
+      { file: 'main.py', line: 6 },
+      { file: 'main.py', line: 8 },
+    ]);
+    const found = await look({
+      kind: 'line',
+      at: at(turned!.sinceUs),
+      place: turned!.lines[0]!,
+    });
+    expect(found?.variables.stack.map(({ line }) => line)).toEqual([6, 8]);
+    expect(found?.snapshot.position?.line).toBe(6);
+  });
+
+  it('goes to the moment itself where the line had been at work for long', async () => {
+    const look = lookerInto(runOf('from mbrobot import *\nfrom microbit import *\ndisplay.scroll("Hello")\nstop()'));
+    const [shown] = await look.why({ device: 0, timeUs: 1_000_000 });
+    const found = await look({ kind: 'line', at: at(1_000_000), place: shown!.lines[0]! });
+    expect([found?.timeUs, found?.snapshot.position?.line]).toEqual([1_000_000, 3]);
+  });
+
+  it('names the line of each line in the console, also of two at the same time and after empty ones', async () => {
+    const main = 'print("a")\nprint()\nprint("b", 1)\nfor i in range(3):\n    print("c\\nd")\n';
+    const setup = runOf(main);
+    const output: { timeUs: number; text: string }[] = [];
+    const run = await Simulation.create(setup, firmware, {
+      print: (text) => output.push({ timeUs: run.nowUs, text }),
+    });
+    run.advanceTo(300_000);
+    const look = lookerInto(setup);
+    const startUs = output[0]!.timeUs;
+    const lines: unknown[] = [];
+    for (let printed = 0; printed < 8; printed++)
+      lines.push((await look.why({ device: 0, timeUs: startUs, printed }))[0]?.lines[0]?.line);
+    expect(lines).toEqual([1, 3, 5, 5, 5, 5, 5, 5]);
+    expect(await look.why({ device: 0, timeUs: 1_000_000, printed: 0 })).toEqual([]);
   });
 });

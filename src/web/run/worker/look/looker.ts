@@ -14,6 +14,8 @@ const MOST_SEEN = 256;
 const READING_MS = 120;
 /** Of the lines in this time before a moment, in µs, the variables are read even so. */
 const LAST_US = 20_000;
+/** A line that began this long ago, in µs, is still called now. Chosen: nobody sees a robot move meanwhile. */
+const NEAR_US = 100_000;
 /** As long, in µs, may one device be before another. */
 const APART_US = 2 * STEP_US;
 
@@ -36,15 +38,19 @@ interface Seen extends Pick<LineEvent, 'file' | 'line'> {
 export class Looker {
   private replays: Replays | null = null;
   private stretch: Stretch | null = null;
-  private newest = 0;
+  /** Looking and asking do not overtake each other. */
+  private readonly newest = { look: 0, why: 0 };
   private working: Promise<void> = Promise.resolve();
 
   constructor(private readonly at: Bench & { post(message: FromLooker): void }) {}
 
   receive(message: ToLooker): void {
-    this.newest += 1;
-    const turn = this.newest;
-    const mayGoOn = (): boolean => turn === this.newest;
+    const { newest } = this;
+    const kind = message.type === 'why' ? 'why' : 'look';
+    newest[kind] += 1;
+    if (message.type === 'look-into') newest.why += 1;
+    const turn = newest[kind];
+    const mayGoOn = (): boolean => turn === newest[kind];
     this.working = this.working.then(async () => {
       try {
         if (message.type === 'look-into') this.open(message);
@@ -68,10 +74,25 @@ export class Looker {
     mayGoOn: () => boolean,
   ): Promise<void> {
     if (message.type === 'look-near') return makeReady(replays, message.at, mayGoOn);
+    if (message.type === 'why') return this.why(replays, message, mayGoOn);
     const { ask, wish } = message;
     const look = await this.look(replays, wish, mayGoOn);
     this.at.post({ type: 'looked', ask, look });
     await makeReady(replays, look ?? wish.at, mayGoOn);
+  }
+
+  private async why(
+    replays: Replays,
+    { ask, wish }: Extract<ToLooker, { type: 'why' }>,
+    mayGoOn: () => boolean,
+  ): Promise<void> {
+    const { device, timeUs, printed } = wish;
+    const { causes } = replays;
+    const untilUs = timeUs + APART_US;
+    if (causes.untilUs < untilUs) replays.park(await replays.at(untilUs, mayGoOn));
+    const line = printed === undefined ? null : causes.printed(device, timeUs, printed);
+    const found = printed === undefined ? causes.at(device, timeUs) : line === null ? [] : [line];
+    this.at.post({ type: 'caused', ask, causes: found });
   }
 
   private look(replays: Replays, wish: LookWish, mayGoOn: () => boolean): Promise<Look | null> {
@@ -87,9 +108,23 @@ export class Looker {
         const isWrong = ({ line }: Seen): boolean => line === wish.line;
         return this.lookBefore(replays, at, mayGoOn, (lines) => lines.findLast(isWrong) ?? lines.at(-1));
       }
+      case 'line':
+        return this.lookAtLine(replays, wish, mayGoOn);
       default:
         return wish satisfies never;
     }
+  }
+
+  /** The last beginning of a line before a moment; the moment itself, if that is long ago: the line is in one long call. */
+  private async lookAtLine(
+    replays: Replays,
+    { at, place }: Extract<LookWish, { kind: 'line' }>,
+    mayGoOn: () => boolean,
+  ): Promise<Look | null> {
+    const isIt = ({ file, line }: Seen): boolean => file === place.file && line === place.line;
+    const begun = await this.lookBefore(replays, at, mayGoOn, (lines) => lines.findLast(isIt) ?? lines.at(-1));
+    const isNear = begun !== null && begun.timeUs >= at.timeUs - NEAR_US;
+    return isNear ? begun : lookAt(replays, at, mayGoOn);
   }
 
   /** The line that is chosen of those that began before a moment. */

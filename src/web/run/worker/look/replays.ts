@@ -1,4 +1,5 @@
 import type { RunSetup } from '#simulation/run-setup';
+import { Causes } from '#simulation/causes/causes';
 import { Simulation } from '#simulation/simulation';
 import type { Instant } from './protocol';
 
@@ -29,6 +30,8 @@ interface Parked {
 
 /** The same run, again and again: brought to any moment, in slices, and parked there for the next wish. */
 export class Replays {
+  /** Which lines have set what, as far as any of them has come. */
+  readonly causes = new Causes();
   private parked: readonly Parked[] = [];
 
   constructor(
@@ -50,7 +53,7 @@ export class Replays {
     const before = this.parked.filter(({ run }) => run.nowUs <= us);
     const [nearest] = before.sort((one, other) => other.run.nowUs - one.run.nowUs);
     this.parked = this.parked.filter((other) => other !== nearest);
-    const run = nearest?.run ?? (await Simulation.create(this.setup, this.firmware));
+    const run = nearest?.run ?? (await this.create());
     try {
       await this.advance(run, us, mayGoOn);
     } catch (error) {
@@ -60,6 +63,10 @@ export class Replays {
     return run;
   }
 
+  private create(): Promise<Simulation> {
+    return Simulation.create(this.setup, this.firmware, { set: this.causes.listener() });
+  }
+
   /** Lets a run go on until a time, or until its rule stops it. */
   async advance(run: Simulation, us: number, mayGoOn: () => boolean): Promise<void> {
     let pieceUs = PIECE_US;
@@ -67,6 +74,7 @@ export class Replays {
     while (run.nowUs < us) {
       const startMs = this.bench.nowMs();
       run.advanceTo(Math.min(us, run.nowUs + pieceUs));
+      if (run.heldBy === null) this.causes.reached(run.nowUs);
       if (run.heldBy !== null) return;
       const endMs = this.bench.nowMs();
       if (endMs - startMs < SLICE_MS / 4) pieceUs = Math.min(2 * pieceUs, MOST_PIECE_US);

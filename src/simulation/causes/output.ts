@@ -1,0 +1,34 @@
+import type { RobotOutput } from '#robots/robot';
+
+/**
+ * What of a device a program sets: of its robot, of its board (`motor-0` is the first of the board's own motor
+ * connectors), a pin by the name of its wire, or a chain of lights that is plugged in there.
+ */
+export type Output =
+  | RobotOutput
+  | 'display'
+  | 'sound'
+  | 'board-lights'
+  | 'radio'
+  | 'log'
+  | 'console'
+  | `motor-${number}`
+  | `chain-${string}`
+  | `pin-${string}`;
+
+/** A line of the pupil's files. */
+export interface CodeLine {
+  readonly file: string;
+  readonly line: number;
+}
+
+/** That a program sets an output, maybe to what it is already. */
+export interface OutputSet {
+  readonly output: Output;
+  /** Of the device's clock. */
+  readonly timeUs: number;
+  /** The same as before if nothing has changed by it; `null`: it is an event, and none is like another. */
+  readonly value: string | number | null;
+  /** The lines that do it, innermost first: one for each of the pupil's functions that run. Empty: it was typed. */
+  readonly lines: readonly CodeLine[];
+}

@@ -1,0 +1,25 @@
+import type { SyscallTable, Value } from './syscall';
+
+/** Hears of all that a program does to its board, in the midst of it: where the program is can be read meanwhile. */
+export interface Observer {
+  /** A call of the device begins: what happens until `after` happens by it. */
+  before(): void;
+  /** @param call its name in the module `_hal` */
+  after(call: string, given: readonly (Value | undefined)[]): void;
+  /** These bytes are about to be printed. */
+  print(bytes: Uint8Array): void;
+}
+
+/** The same calls, with somebody who hears of them. Their answers and their time stay what they are. */
+export function observed(table: SyscallTable, observer: Observer): SyscallTable {
+  const listenTo = ([name, call]: [string, SyscallTable[string]]): [string, SyscallTable[string]] => [
+    name,
+    (...given) => {
+      observer.before();
+      const answer = call(...given);
+      observer.after(name, given);
+      return answer;
+    },
+  ];
+  return Object.fromEntries(Object.entries(table).map(listenTo));
+}
