@@ -80,7 +80,10 @@ export class Past {
   }
 
   /** To the moment at which a line has set something. */
-  toCause({ device, sinceUs }: { readonly device: number; readonly sinceUs: number }, place: CodeLine): Promise<boolean> {
+  toCause(
+    { device, sinceUs }: { readonly device: number; readonly sinceUs: number },
+    place: CodeLine,
+  ): Promise<boolean> {
     return this.go({ kind: 'line', at: { device, timeUs: sinceUs, isLine: false }, place });
   }
 
