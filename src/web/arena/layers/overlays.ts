@@ -76,8 +76,7 @@ export function createOverlays(): Overlays {
       turns.note(parts.timeUs === null || robot === null ? null : { ...robot.now, timeUs: parts.timeUs });
       if (trailCanvas !== null) {
         const { arena, ratio } = parts;
-        const frame = { canvas: trailCanvas, ...canvas, ratio, view, arena, palette, generation: trail.generation };
-        layer.paint(trail, frame, nowMs);
+        layer.paint([{ trail, palette }], { canvas: trailCanvas, ...canvas, ratio, view, arena }, nowMs);
       }
       if (robot === null) return NOTHING;
       const { pose } = robot.now;

@@ -28,16 +28,29 @@ export interface Around {
 
 /** The circle around the middle of a robot's body, which lies ahead of its axle. */
 export function circleAround(pose: Pose, body: RobotLook['body'], scale: number): Around {
+  const { x, y, radius } = ownCircle(body);
+  const [cos, sin] = [Math.cos(pose.headingRad), Math.sin(pose.headingRad)];
+  return {
+    atMm: { x: pose.xMm + scale * (x * cos - y * sin), y: pose.yMm + scale * (x * sin + y * cos) },
+    radiusMm: scale * radius,
+  };
+}
+
+const circles = new WeakMap<RobotLook['body'], ReturnType<typeof measured>>();
+
+/** The circle in the robot's own frame, in mm; measured once, as it is asked for many times a frame. */
+function ownCircle(body: RobotLook['body']): ReturnType<typeof measured> {
+  const circle = circles.get(body) ?? measured(body);
+  circles.set(body, circle);
+  return circle;
+}
+
+function measured(body: RobotLook['body']) {
   const corners = body.outlineMm.flat();
   const middle = (axis: 'x' | 'y'): number => {
     const all = corners.map((corner) => corner[axis]);
     return (Math.min(...all) + Math.max(...all)) / 2;
   };
   const [x, y] = [middle('x'), middle('y')];
-  const radiusMm = scale * Math.max(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y)));
-  const [cos, sin] = [Math.cos(pose.headingRad), Math.sin(pose.headingRad)];
-  return {
-    atMm: { x: pose.xMm + scale * (x * cos - y * sin), y: pose.yMm + scale * (x * sin + y * cos) },
-    radiusMm,
-  };
+  return { x, y, radius: Math.max(...corners.map((corner) => Math.hypot(corner.x - x, corner.y - y))) };
 }

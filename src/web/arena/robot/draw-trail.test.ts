@@ -1,6 +1,8 @@
-import { describe, expect, it } from 'vitest';
-import { createTrailLayer, piecesOf } from './draw-trail';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { createTrailLayer, piecesOf, type TrailFrame } from './draw-trail';
 import { Trail } from '../../run/trail';
+import { lightPalette } from '../model/palette';
+import { NodePath, RecordingCanvas } from '../testing/recording-canvas';
 
 const view = { pxPerMm: 1, leftPx: 0, bottomPx: 1000 };
 
@@ -39,5 +41,62 @@ describe('the drawing of a trail', () => {
       { x: 10, y: 1000 },
     ]);
     expect(layer.tail(trailOf(0, 0, 10, 0, NaN, NaN, 70, 0), view)).toEqual([{ x: 70, y: 1000 }]);
+  });
+});
+
+describe('the canvas that trails share', () => {
+  const blue = { ...lightPalette, trace: '#0000ff' };
+  const red = { ...lightPalette, trace: '#ff0000' };
+  afterEach(() => vi.unstubAllGlobals());
+
+  function canvas() {
+    vi.stubGlobal('Path2D', NodePath);
+    const recording = new RecordingCanvas();
+    const element = { getContext: () => recording.context, style: {}, width: 0, height: 0 };
+    const frame: TrailFrame = {
+      canvas: element as unknown as HTMLCanvasElement,
+      widthPx: 1000,
+      heightPx: 1000,
+      ratio: 1,
+      view,
+      arena: [1000, 1000],
+    };
+    const lines = (color: string) =>
+      recording.painted.filter((one) => one.by === 'stroke' && one.color === color && one.right > one.left);
+    return { frame, lines };
+  }
+
+  it('shows each in its colour, and four times a second only what has been added to it', () => {
+    const { frame, lines } = canvas();
+    const [one, other] = [trailOf(0, 0, 100, 0), trailOf(0, 500, 100, 500)];
+    const trails = [
+      { trail: one, palette: blue },
+      { trail: other, palette: red },
+    ];
+    const layer = createTrailLayer();
+    layer.paint(trails, frame, 1000);
+    const first = { blue: lines(blue.trace).length, red: lines(red.trace).length };
+    expect([first.blue > 0, first.red > 0]).toEqual([true, true]);
+    other.add([200, 500]);
+    layer.paint(trails, frame, 1100);
+    expect(lines(red.trace)).toHaveLength(first.red);
+    expect(layer.tail(other, view)).toHaveLength(2);
+    layer.paint(trails, frame, 1250);
+    expect(lines(red.trace).length).toBeGreaterThan(first.red);
+    expect(lines(blue.trace)).toHaveLength(first.blue);
+    expect(layer.tail(other, view)).toHaveLength(1);
+  });
+
+  it('is painted anew when one of them goes away', () => {
+    const { frame, lines } = canvas();
+    const trails = [
+      { trail: trailOf(0, 0, 100, 0), palette: blue },
+      { trail: trailOf(0, 500, 100, 500), palette: red },
+    ];
+    const layer = createTrailLayer();
+    layer.paint(trails, frame, 1000);
+    const before = lines(blue.trace).length;
+    layer.paint(trails.slice(0, 1), frame, 1010);
+    expect(lines(blue.trace).length).toBeGreaterThan(before);
   });
 });

@@ -97,10 +97,10 @@ function strokeWith(context: CanvasRenderingContext2D, path: Path2D, color: stri
   context.stroke(path);
 }
 
-/** How often the canvas of the trail is painted at most, in ms: it is large, and what is newer is drawn with the robot. */
+/** How often the canvas of the trails is painted at most, in ms: it is large, and what is newer is drawn with the robots. */
 const RENEW_MS = 250;
 
-/** Everything that the canvas of a trail shows: any change repaints it. */
+/** Everything that the canvas of the trails shows: any change repaints it. */
 export interface TrailFrame {
   readonly canvas: HTMLCanvasElement;
   readonly widthPx: number;
@@ -109,44 +109,61 @@ export interface TrailFrame {
   readonly ratio: number;
   readonly view: View;
   readonly arena: ArenaSize;
-  readonly palette: Palette;
-  readonly generation: number;
 }
 
-/** The canvas with all of a trail but its newest points. */
+/** A trail in its colours. Another palette repaints the canvas. */
+export interface ShownTrail {
+  readonly trail: Trail;
+  readonly palette: Palette;
+}
+
+/** The canvas with all of the trails but their newest points. */
 export interface TrailLayer {
   /** Brings the canvas up to date when that is due. */
-  paint(trail: Trail, frame: TrailFrame, nowMs: number): void;
-  /** The newest points that the canvas does not show yet, in px. */
+  paint(trails: readonly ShownTrail[], frame: TrailFrame, nowMs: number): void;
+  /** The newest points of a trail that the canvas does not show yet, in px. */
   tail(trail: Trail, view: View): Vec[];
 }
 
-/** Makes a layer that paints only what has been added, four times a second. */
+/**
+ * Makes a layer that paints only what has been added, four times a second. All trails share the canvas: each further
+ * one as large as the arena would have to be copied and put together again every time.
+ */
 export function createTrailLayer(): TrailLayer {
-  let shown: TrailFrame | null = null;
-  let drawn = 0;
+  let shown: readonly unknown[] = [];
   let paintedMs = 0;
+  /** How many points of a trail the canvas shows. */
+  const drawn = new Map<Trail, number>();
+  const drawnOf = (trail: Trail): number => drawn.get(trail) ?? 0;
   return {
-    paint(trail, frame, nowMs) {
-      const isNew = shown === null || !isSame(shown, frame);
-      if (!isNew && (drawn === trail.count || nowMs - paintedMs < RENEW_MS)) return;
+    paint(trails, frame, nowMs) {
+      const wanted = [...Object.values(frame), ...trails.flatMap((one) => [one.trail, one.palette, one.trail.generation])];
+      const isNew = !isSameList(shown, wanted);
+      const hasMore = trails.some(({ trail }) => drawnOf(trail) !== trail.count);
+      if (!isNew && (!hasMore || nowMs - paintedMs < RENEW_MS)) return;
       const context = frame.canvas.getContext('2d');
       if (context === null) return;
-      if (isNew) clear(context, frame);
+      if (isNew) {
+        clear(context, frame);
+        drawn.clear();
+      }
       const sight = sightPx(frame.view, frame.arena, frame);
       context.save();
       context.beginPath();
       context.rect(sight.left, sight.top, sight.width, sight.height);
       context.clip();
-      drawTrail(context, frame.view, trail, isNew ? 0 : Math.max(0, drawn - 1), frame.palette);
+      for (const { trail, palette } of trails) {
+        if (drawnOf(trail) === trail.count) continue;
+        drawTrail(context, frame.view, trail, Math.max(0, drawnOf(trail) - 1), palette);
+        drawn.set(trail, trail.count);
+      }
       context.restore();
-      shown = frame;
-      drawn = trail.count;
+      shown = wanted;
       paintedMs = nowMs;
     },
     tail(trail, view) {
       const points: Vec[] = [];
-      for (let i = Math.max(0, drawn - 1); i < trail.count; i += 1) {
+      for (let i = Math.max(0, drawnOf(trail) - 1); i < trail.count; i += 1) {
         const [x = NaN, y = NaN] = trail.xyMm.subarray(2 * i, 2 * i + 2);
         if (Number.isNaN(x)) points.length = 0;
         else points.push(toPx(view, { x, y }));
@@ -156,9 +173,8 @@ export function createTrailLayer(): TrailLayer {
   };
 }
 
-function isSame(one: TrailFrame, other: TrailFrame): boolean {
-  return (Object.keys(one) as (keyof TrailFrame)[]).every((key) => one[key] === other[key]);
-}
+const isSameList = (some: readonly unknown[], others: readonly unknown[]): boolean =>
+  some.length === others.length && some.every((one, place) => one === others[place]);
 
 function clear(context: CanvasRenderingContext2D, { canvas, widthPx, heightPx, ratio }: TrailFrame): void {
   canvas.width = Math.round(widthPx * ratio); // this clears it
