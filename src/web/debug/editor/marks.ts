@@ -2,7 +2,7 @@ import { RangeSet, StateEffect, StateField, type EditorState, type Extension, ty
 import { Decoration, EditorView, gutterLineClass, GutterMarker, type DecorationSet } from '@codemirror/view';
 
 import type { Shown } from '#vm/debug/shown';
-import { values } from './values';
+import { showTapped, values } from './values';
 
 /** The lines with break points, counted from 1. */
 const setPoints = StateEffect.define<readonly number[]>();
@@ -136,7 +136,7 @@ export function pointLines(state: EditorState): readonly number[] {
 
 /** Shows break points and where the program stands; a line that has come to stand is brought into view. */
 export function showStops(view: EditorView, lines: readonly number[], line: number | null): void {
-  const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line)];
+  const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];
   if (line !== null && isWithin(view.state.doc, line))
     effects.push(EditorView.scrollIntoView(view.state.doc.line(line).from, { y: 'nearest', yMargin: 40 }));
   view.dispatch({ effects });

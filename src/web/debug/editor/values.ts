@@ -1,5 +1,5 @@
-import { hoverTooltip, type EditorView, type Tooltip } from '@codemirror/view';
-import type { Extension } from '@codemirror/state';
+import { StateEffect, StateField, type Extension } from '@codemirror/state';
+import { EditorView, hoverTooltip, showTooltip, type Tooltip } from '@codemirror/view';
 
 import type { Shown } from '#vm/debug/shown';
 
@@ -10,21 +10,60 @@ export function nameAt(text: string, at: number): { readonly name: string; reado
   return null;
 }
 
-/** Shows the value of the name that the mouse points at. @param valueOf `null`: nothing is known by that name now */
-export const values = (valueOf: (name: string) => Shown | null): Extension =>
-  hoverTooltip((view: EditorView, position): Tooltip | null => {
-    const line = view.state.doc.lineAt(position);
-    const found = nameAt(line.text, position - line.from);
-    const value = found && valueOf(found.name);
-    if (found === null || value === null) return null;
-    const { name, from } = found;
-    return {
-      pos: line.from + from,
-      end: line.from + from + name.length,
-      above: true,
-      create: () => ({ dom: card(name, value) }),
-    };
-  });
+/** A finger may tap this far beside a name, in px. */
+const BESIDE_PX = 12;
+
+/** Shows this card for a finger, which cannot hover; `null` takes it away. */
+export const showTapped = StateEffect.define<Tooltip | null>();
+
+const tapped = StateField.define<Tooltip | null>({
+  create: () => null,
+  update(before, transaction) {
+    const shown = transaction.effects.findLast((effect) => effect.is(showTapped));
+    return shown === undefined ? (transaction.docChanged ? null : before) : shown.value;
+  },
+  provide: (field) => showTooltip.from(field),
+});
+
+/**
+ * Shows the value of the name that the mouse points at or a finger taps.
+ *
+ * @param valueOf `null`: nothing is known by that name now
+ */
+export function values(valueOf: (name: string) => Shown | null): Extension {
+  let isFinger = false;
+  return [
+    hoverTooltip((view, position) => tooltipAt(view, position, valueOf)),
+    tapped,
+    EditorView.domEventHandlers({
+      pointerdown({ pointerType }) {
+        isFinger = pointerType === 'touch';
+      },
+      click({ clientX, clientY }, view) {
+        const position = isFinger ? view.posAtCoords({ x: clientX, y: clientY }) : null;
+        const near = position === null ? null : tooltipAt(view, position, valueOf);
+        const rightPx = near?.end === undefined ? undefined : view.coordsAtPos(near.end)?.right;
+        // Beside a line's end the nearest place is its last letter.
+        const tooltip = rightPx !== undefined && clientX < rightPx + BESIDE_PX ? near : null;
+        if (tooltip !== view.state.field(tapped)) view.dispatch({ effects: showTapped.of(tooltip) });
+      },
+    }),
+  ];
+}
+
+function tooltipAt(view: EditorView, position: number, valueOf: (name: string) => Shown | null): Tooltip | null {
+  const line = view.state.doc.lineAt(position);
+  const found = nameAt(line.text, position - line.from);
+  const value = found && valueOf(found.name);
+  if (found === null || value === null) return null;
+  const { name, from } = found;
+  return {
+    pos: line.from + from,
+    end: line.from + from + name.length,
+    above: true,
+    create: () => ({ dom: card(name, value) }),
+  };
+}
 
 function card(name: string, { type, text }: Shown): HTMLElement {
   const dom = document.createElement('div');
