@@ -1,8 +1,10 @@
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
+import { openedCourse } from './opened-course';
 import { consoleIn, on, openApp, pasteProgram, robotIn } from './page';
 import { by, gone, until } from './parts';
+import { tablet, withFingers } from './touch';
 
 const PROGRAM = `from mbrobot import *
 def twice(a):
@@ -26,6 +28,7 @@ while True:
     print(part(n))
     n -= 1
 `;
+const line = (count: number): string => `.cm-content .cm-line:nth-child(${count})`;
 /** The number of a line; the first of its column measures the width only. */
 const number = (line: number): string => `.cm-lineNumbers .cm-gutterElement:nth-child(${line + 1})`;
 const at = (app: App): Promise<string> => app.text(by('step-at'));
@@ -111,3 +114,86 @@ test(
     await gone(app, by('variables'));
   },
 );
+
+/** A robot, and a board without one beside it, each with a program of its own. */
+function pair(): string {
+  const work = JSON.parse(openedCourse('empty')) as { project: object };
+  const files = [{ name: 'main.py', text: ROBOT }];
+  const hardware = { device: 'auto', firmware: '', robot: 'none', robotOptions: {} };
+  const board = { ...hardware, name: 'Board', files: [{ name: 'main.py', text: BOARD }], sameAs: '' };
+  return JSON.stringify({ ...work, project: { ...work.project, files, devices: { first: 'Robot', others: [board] } } });
+}
+const ROBOT = `from mbrobot import *
+n = 1
+forward()
+while True:
+    n = n + 1
+    delay(100)
+`;
+const BOARD = `from microbit import *
+word = "a"
+while True:
+    sleep(150)
+    word = word + "b"
+`;
+const card = (place: number): string => `.device-row .card:nth-child(${String(place + 1)}) .select`;
+
+/** Opens the page with the work of an earlier visit. */
+async function openWith(app: App, work: string): Promise<void> {
+  await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
+  await app.evaluate((kept) => sessionStorage.setItem('parcours.work', kept), work);
+  await app.goto('./');
+}
+
+test(
+  'of several devices all stand at the break point of one, and each is stepped as it is chosen',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openWith(app, pair());
+    await until(app, card(1));
+    await app.click(card(1));
+    await expect.poll(() => app.text('.cm-content')).toContain('word');
+    await app.click(number(5));
+    await app.click(card(0));
+    await app.click(on('run'));
+    await expect.poll(() => at(app)).toMatch(/ 5$/); // that of the board, which comes into sight
+    await expect.poll(() => variables(app)).toContain("word str 'a'");
+    const stood = await robotIn(app);
+    await app.click(by('step-over'));
+    await expect.poll(() => at(app)).toMatch(/ 4$/);
+    await expect.poll(() => variables(app)).toContainEqual(expect.stringContaining("word str 'ab'"));
+    expect((await robotIn(app)).xMm).toBe(stood.xMm); // no time goes by for adding two words
+    await app.click(card(0));
+    await expect.poll(() => variables(app)).toContainEqual(expect.stringMatching(/^n int \d/));
+    await app.click(by('step-over'));
+    await app.click(by('step-over'));
+    await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(stood.xMm);
+  },
+);
+
+test.describe('with fingers on a tablet', () => {
+  test.use(tablet);
+  test(
+    'a break point is set, and a tap on a name shows its value until the next step',
+    IN_ONE_ENGINE,
+    async ({ page }) => {
+      const { app, fingers } = await withFingers(page);
+      await openWith(app, openedCourse('empty'));
+      await until(app, on('editor'));
+      await pasteProgram(app, PROGRAM);
+      await fingers.tap(number(8));
+      await fingers.tap(on('run'));
+      await expect.poll(() => at(app)).toMatch(/ 8$/);
+      await fingers.tap(line(6));
+      await gone(app, by('value-card')); // beside the line's end there is no name
+      const name = await page.locator(line(6)).evaluate((element) => {
+        const { left, top, height } = element.getBoundingClientRect();
+        return { x: left + 8, y: top + height / 2 };
+      });
+      await fingers.tapAt(name);
+      await expect.poll(() => app.text(by('value-card'))).toBe('n int 1');
+      await fingers.tap(by('step-over'));
+      await gone(app, by('value-card'));
+    },
+  );
+});

@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { nextTick } from 'vue';
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import type { FurtherDevice } from '#project/project';
 import type { Variables } from '#vm/debug/variables';
 import { createPage, type TestPage } from '../app/testing/page';
 import { show, startRun } from '../app/testing/run';
@@ -16,14 +17,23 @@ const withN = (text: string): Variables => ({
   stack: [{ function: '<module>', file: 'main.py', line: 3, locals: [] }],
   globals: [{ name: 'n', value: { type: 'int', text } }],
 });
+const remote: FurtherDevice = {
+  name: 'Remote',
+  device: 'auto',
+  firmware: '',
+  robot: 'none',
+  robotOptions: {},
+  files: [{ name: 'main.py', text: '' }],
+  sameAs: '',
+};
 const sentOf = (page: TestPage, type: string): unknown[] => page.sent.filter((message) => message.type === type);
 
 /** A break point has stopped the run. */
-async function holds(page: TestPage, timeUs: number, variables: Variables): Promise<void> {
+async function holds(page: TestPage, timeUs: number, variables: Variables, device = 0): Promise<void> {
   await show(page, { timeUs, position: { file: 'main.py', line: 3, depth: 0 } });
-  page.say({ type: 'held', device: 0, timeUs });
+  page.say({ type: 'held', device, timeUs });
   await nextTick();
-  page.say({ type: 'variables', device: 0, timeUs, variables });
+  page.say({ type: 'variables', device, timeUs, variables });
   await nextTick();
 }
 
@@ -88,6 +98,17 @@ describe('the debugger', () => {
     page.run.resume();
     await holds(page, 2000, withN('2'));
     expect(page.slot.showsVariables.value).toBe(false);
+  });
+
+  it('shows the device whose line it was', async () => {
+    const page = createPage();
+    await needed(page);
+    page.work.addDevice(remote, 'Robot');
+    page.work.showDevice(0);
+    await startRun(page);
+    await holds(page, 1000, withN('1'), 1);
+    expect(page.work.place.value).toBe(1);
+    expect(sentOf(page, 'inspect').at(-1)).toEqual({ type: 'inspect', device: 1 });
   });
 
   it('makes a step with the device that is shown', async () => {

@@ -72,6 +72,7 @@ export class Debug {
     watch(isStill, (still) => still || this.forget());
     let shownIn: unknown = null;
     watch(run.debug.held, (held) => {
+      if (held !== null) work.showDevice(held.device); // who waits for another device's line would see nothing of it
       if (isStanding.value) this.look();
       if (held === null || shownIn === run.recording.value) return;
       shownIn = run.recording.value; // once a run: who goes back to the board stays there

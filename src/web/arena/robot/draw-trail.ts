@@ -137,7 +137,7 @@ export function createTrailLayer(): TrailLayer {
   const drawnOf = (trail: Trail): number => drawn.get(trail) ?? 0;
   return {
     paint(trails, frame, nowMs) {
-      const wanted = [...Object.values(frame), ...trails.flatMap((one) => [one.trail, one.palette, one.trail.generation])];
+      const wanted = [...frameOf(frame), ...trails.flatMap((one) => [one.trail, one.palette, one.trail.generation])];
       const isNew = !isSameList(shown, wanted);
       const hasMore = trails.some(({ trail }) => drawnOf(trail) !== trail.count);
       if (!isNew && (!hasMore || nowMs - paintedMs < RENEW_MS)) return;
@@ -172,6 +172,8 @@ export function createTrailLayer(): TrailLayer {
     },
   };
 }
+
+const frameOf = (frame: TrailFrame): readonly unknown[] => Object.values(frame);
 
 const isSameList = (some: readonly unknown[], others: readonly unknown[]): boolean =>
   some.length === others.length && some.every((one, place) => one === others[place]);
