@@ -28,6 +28,9 @@ while True:
         rightArc(0.06)
 `;
 const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)\n';
+/** Line 6, in the midst of the loop, never begins. */
+const BRANCH =
+  'def count(n):\n    i = 0\n    while i < n:\n        i += 1\n        if i < 0:\n            i = 0\ncount(10**9)\n';
 
 /** Hand-ins of a class. */
 const CLASS = 24;
@@ -51,8 +54,8 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
     bestFactor(COUNTER, defaultScene(), 20),
   ),
   speed('headless, the same with a break point that never hits', { atLeast: 5, of: 'the real board' }, () =>
-    bestOf(soloOf(COUNTER, defaultScene()), 5, (simulation) =>
-      simulation.watch(atBreakPoints([{ file: 'main.py', line: 99 }]), 0),
+    bestOf(soloOf(BRANCH, defaultScene()), 5, (simulation) =>
+      simulation.watch(atBreakPoints([{ file: 'main.py', line: 6 }]), 0),
     ),
   ),
   {

@@ -1,6 +1,7 @@
 import type { Memory } from '../run/values';
 import { codeOf, readCode, type Code } from './code';
 import type { Inspected, Scope } from './inspected';
+import { readInstructions } from './instructions';
 import { rangeAt, readLines, type LineRange } from './lines';
 import { Names } from './names';
 
@@ -10,6 +11,10 @@ export const STATE = { function: 0, at: 4, slots: 20 } as const;
 /** The code of a function of the pupil's, with the lines of its bytecodes. */
 export interface OwnCode extends Code {
   readonly lines: readonly LineRange[];
+  /** Where its generators go on: after a `yield`. */
+  readonly resumes: ReadonlySet<number>;
+  /** Its `yield from`: there they go on with the same bytecode. */
+  readonly delegates: ReadonlySet<number>;
 }
 
 /** A function of the pupil's that runs. */
@@ -62,4 +67,21 @@ export function ownCode(vm: Inspected, names: Names, state: number): OwnCode | n
   return vm.isOwnFile(code.file) ? code : null;
 }
 
-const withLines = (memory: Memory, code: Code): OwnCode => ({ ...code, lines: readLines(memory, code.place) });
+/**
+ * Whether a call begins at this address, or a generator goes on there: then so does its line.
+ *
+ * @param before the function's bytecode before it; the same: there was none, or it comes once more
+ */
+export const entersLine = ({ place, resumes, delegates }: OwnCode, at: number, before: number): boolean =>
+  at === place.first || resumes.has(at) || (at === before && delegates.has(at));
+
+function withLines(memory: Memory, code: Code): OwnCode {
+  const instructions = readInstructions(memory, code.place.first);
+  const of = (wanted: string) => instructions.filter(({ kind }) => kind === wanted);
+  return {
+    ...code,
+    lines: readLines(memory, code.place),
+    resumes: new Set(of('yield').map(({ next }) => next)),
+    delegates: new Set(of('yield-from').map(({ at }) => at)),
+  };
+}

@@ -16,8 +16,28 @@ export interface Inspected {
   readonly programStart: number;
   /** The slots of a function's variables, by the address of its code; `undefined`: not compiled here. */
   scopeOf(code: number): Scope | undefined;
+  /** All that were compiled here. */
+  readonly scopes: CompiledScopes;
+  /** Where the interpreter asks before it goes on. */
+  readonly marks: CodeMarks;
   /** Whether it is a file on the board: its lines are the pupil's. */
   isOwnFile(name: string): boolean;
+}
+
+/** What was compiled. */
+export interface CompiledScopes {
+  /** Addresses of their code. */
+  readonly codes: Iterable<number>;
+  /** Hears of the code of each that is compiled from now on; `null`: nobody does. */
+  heard: ((code: number) => void) | null;
+}
+
+/** The bytecodes before which a watch is asked. */
+export interface CodeMarks {
+  /** Marks all of the program's, or none. */
+  begin(all: boolean): void;
+  /** Marks the addresses from the first up to, not including, the last, or takes their marks away. */
+  set(from: number, to: number, isMarked: boolean): void;
 }
 
 /** What the compiler knew of a module, class or function. */

@@ -5,7 +5,19 @@ export interface Instruction {
   readonly at: number;
   /** Address of the one after it. */
   readonly next: number;
-  readonly kind: 'jump' | 'jump-if-true' | 'small-int' | 'add-in-place' | 'return' | 'other';
+  readonly kind:
+    | 'jump'
+    | 'jump-if-true'
+    | 'small-int'
+    | 'add-in-place'
+    | 'return'
+    /** What follows is where the generator goes on. */
+    | 'yield'
+    /** The generator goes on with the same bytecode. */
+    | 'yield-from'
+    /** `target` is where an exception, a `return` or the end of a loop leads to. */
+    | 'handler'
+    | 'other';
   /** Where it leads besides, for jumps and handlers. */
   readonly target: number | null;
 }
@@ -19,9 +31,13 @@ const OP = {
   jump: 0x42,
   jumpIfTrue: 0x43,
   jumpIfFalse: 0x44,
+  setupWith: 0x47,
   setupExcept: 0x48,
+  setupFinally: 0x49,
   smallInt: 0x22,
   return: 0x63,
+  yieldValue: 0x67,
+  yieldFrom: 0x68,
 } as const;
 const SMALL_INTS = { first: 0x70, end: 0xb0 } as const;
 /** py/runtime0.h: MP_BC_BINARY_OP_MULTI + MP_BINARY_OP_INPLACE_ADD. */
@@ -63,10 +79,21 @@ function readInstruction(memory: Memory, at: number): Instruction {
   return { at, next, kind: kindOf(op), target };
 }
 
+const KINDS: ReadonlyMap<number, Instruction['kind']> = new Map<number, Instruction['kind']>([
+  [OP.jump, 'jump'],
+  [OP.jumpIfTrue, 'jump-if-true'],
+  [OP.return, 'return'],
+  [OP.yieldValue, 'yield'],
+  [OP.yieldFrom, 'yield-from'],
+  [OP.unwindJump, 'handler'],
+  [OP.setupWith, 'handler'],
+  [OP.setupExcept, 'handler'],
+  [OP.setupFinally, 'handler'],
+]);
+
 function kindOf(op: number): Instruction['kind'] {
-  if (op === OP.jump) return 'jump';
-  if (op === OP.jumpIfTrue) return 'jump-if-true';
-  if (op === OP.return) return 'return';
+  const kind = KINDS.get(op);
+  if (kind !== undefined) return kind;
   if (op === OP.smallInt || (op >= SMALL_INTS.first && op < SMALL_INTS.end)) return 'small-int';
   return op === ADD_IN_PLACE ? 'add-in-place' : 'other';
 }

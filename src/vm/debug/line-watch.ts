@@ -1,118 +1,57 @@
-import { codeOf } from './code';
-import { ownCode, STATE, type OwnCode, type Position } from './frames';
+import type { Watch } from '../run/engine';
+import { AllLines } from './all-lines';
+import { STATE } from './frames';
 import type { Inspected } from './inspected';
-import { begins, rangeAt, type LineRange } from './lines';
-import { Names } from './names';
+import type { LineFinder, StopRule } from './line-event';
+import { MarkedLines } from './marked-lines';
 
-/** What a stepping debugger may stop at: a line of the pupil's files that begins, or one that goes on after a call. */
-export interface LineEvent extends Position {
-  /** `line`: it begins, also once more when a loop comes back to it. `return`: a call in it has ended. */
-  readonly kind: 'line' | 'return';
-}
-
-/** Whether a program shall stop there. */
-export type StopRule = (event: LineEvent) => boolean;
-
-/** A function that runs, as it was seen last. */
-interface Seen {
-  readonly state: number;
-  readonly functionAt: number;
-  /** `null`: it is not the pupil's. */
-  readonly code: OwnCode | null;
-  range: LineRange;
-  at: number;
-}
-
-const NOWHERE: LineRange = { line: 0, from: 0, to: 0, start: 0 };
+export type { LineEvent, StopRule } from './line-event';
 
 /**
  * Follows a program from line to line, for `Hold.watch`.
  *
  * @param inspect the MicroPython that runs now; a reset of the board starts another one
  */
-export function watchLines(inspect: () => Inspected, rule: StopRule): () => boolean {
-  let lines = new Lines(inspect()).start();
-  return () => {
-    const vm = inspect();
-    if (vm !== lines.vm) lines = new Lines(vm);
-    const event = lines.next();
-    return event !== null && rule(event);
+export function watchLines(inspect: () => Inspected, rule: StopRule): Watch {
+  const { only } = rule;
+  const finderFor = (vm: Inspected): LineFinder => (only ? new MarkedLines(vm, only) : new AllLines(vm));
+  let finder: LineFinder | null = null;
+  let standing: Standing | null = null;
+  return {
+    begin(isNew) {
+      const vm = inspect();
+      if (!isNew && finder?.vm === vm) return;
+      finder = finderFor(vm);
+      finder.start();
+      standing = standingOf(vm);
+    },
+    passed: () => void (standing = null),
+    look(catchUp) {
+      if (finder === null) return false;
+      const passed = standing;
+      standing = null;
+      if (passed !== null) {
+        const here = standingOf(finder.vm);
+        if (here?.state === passed.state && here.at === passed.at) return false;
+      }
+      const event = finder.next();
+      if (event === null) return false;
+      catchUp();
+      return rule(event);
+    },
   };
 }
 
-/** The functions that run, compared from bytecode to bytecode. */
-class Lines {
-  private readonly names: Names;
-  private readonly seen: Seen[] = [];
+/** The innermost function, and the bytecode that is next in it. */
+interface Standing {
+  readonly state: number;
+  readonly at: number;
+}
 
-  constructor(readonly vm: Inspected) {
-    this.names = new Names(vm.memory, vm.interned);
-  }
-
-  /** Looks where the program is now: the line in which it stands does not begin any more. */
-  start(): this {
-    this.see(this.vm.framesEnd());
-    return this;
-  }
-
-  /** What begins with the bytecode that is next, or `null`: a line goes on. */
-  next(): LineEvent | null {
-    const { memory, framesStart, programStart } = this.vm;
-    const { seen } = this;
-    const end = this.vm.framesEnd();
-    const state = memory.word(end - 4);
-    const functionAt = memory.word(state + STATE.function);
-    if (codeOf(memory, functionAt) < programStart) return null;
-    const depth = (end - framesStart) / 4;
-    const last = seen[depth - 1];
-    if (last?.state !== state || last.functionAt !== functionAt) return this.enter(end);
-    const isBack = seen.length > depth;
-    seen.length = depth;
-    return this.goOn(last, memory.word(state + STATE.at), isBack);
-  }
-
-  /** @param isBack a call in the function has ended */
-  private goOn(last: Seen, at: number, isBack: boolean): LineEvent | null {
-    if (last.code === null) return null;
-    const before = { at: last.at, line: last.range.line };
-    const isSameRange = at >= last.range.from && at < last.range.to;
-    last.at = at;
-    if (!isSameRange) last.range = rangeAt(last.code.lines, at);
-    if (at === last.range.start && begins(last.range, at, before)) return this.event('line', last);
-    return isBack ? this.event('return', last) : null;
-  }
-
-  /** A function begins, or a generator goes on. */
-  private enter(end: number): LineEvent | null {
-    const innermost = this.see(end);
-    return innermost?.code ? this.event('line', innermost) : null;
-  }
-
-  /** Brings the list of functions up to date. @returns the innermost */
-  private see(end: number): Seen | undefined {
-    const { memory, framesStart } = this.vm;
-    const { seen } = this;
-    for (let place = 0, at = framesStart; at < end; place++, at += 4) {
-      const state = memory.word(at);
-      const functionAt = memory.word(state + STATE.function);
-      if (seen[place]?.state === state && seen[place]?.functionAt === functionAt && at < end - 4) continue;
-      seen.length = place;
-      seen.push(this.read(state, functionAt));
-    }
-    seen.length = (end - framesStart) / 4;
-    return seen.at(-1);
-  }
-
-  private read(state: number, functionAt: number): Seen {
-    const { memory } = this.vm;
-    const code = ownCode(this.vm, this.names, state);
-    const at = memory.word(state + STATE.at);
-    return { state, functionAt, code, at, range: code ? rangeAt(code.lines, at) : NOWHERE };
-  }
-
-  private event(kind: LineEvent['kind'], { code, range }: Seen): LineEvent {
-    let depth = -1;
-    for (const each of this.seen) if (each.code !== null) depth++;
-    return { kind, file: code?.file ?? '', line: range.line, depth };
-  }
+function standingOf(vm: Inspected): Standing | null {
+  const { memory, framesStart } = vm;
+  const innermost = vm.framesEnd() - 4;
+  if (innermost < framesStart) return null;
+  const state = memory.word(innermost);
+  return { state, at: memory.word(state + STATE.at) };
 }

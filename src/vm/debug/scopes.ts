@@ -18,9 +18,16 @@ const IS_PARAMETER = 1;
  * scope when it has finished it. Nothing is read again, and nothing is kept in Python's memory.
  */
 export class Scopes {
+  /** Hears of the code of each scope that is compiled. */
+  heard: ((code: number) => void) | null = null;
   private readonly byCode = new Map<number, Scope>();
 
   constructor(private readonly memory: Memory) {}
+
+  /** The addresses of all code that was compiled. */
+  get codes(): Iterable<number> {
+    return this.byCode.keys();
+  }
 
   of(code: number): Scope | undefined {
     return this.byCode.get(code);
@@ -29,7 +36,9 @@ export class Scopes {
   /** A scope_t that was compiled. */
   add(scope: number): void {
     const code = this.memory.word(this.memory.word(scope + SCOPE.rawCode) + CODE_OF_RAW_CODE);
-    if (code !== 0) this.byCode.set(code, this.read(scope)); // 0: the compiler has met an error
+    if (code === 0) return; // the compiler has met an error
+    this.byCode.set(code, this.read(scope));
+    this.heard?.(code);
   }
 
   private read(scope: number): Scope {

@@ -1,6 +1,6 @@
 import { readPosition, type Position } from './frames';
 import type { Inspected } from './inspected';
-import type { StopRule } from './line-watch';
+import type { LineEvent, StopRule } from './line-watch';
 
 /** A line at which a program shall stop. */
 export interface BreakPoint {
@@ -17,14 +17,17 @@ export type LineStep = Step | BreakPoint;
 /** Stops at the n-th time that a line begins. */
 export function atLine({ file, line }: BreakPoint, hit = 1): StopRule {
   let left = hit;
-  return (event) => event.kind === 'line' && event.line === line && event.file === file && --left === 0;
+  const rule = (event: LineEvent): boolean =>
+    event.kind === 'line' && event.line === line && event.file === file && --left === 0;
+  return Object.assign(rule, { only: [{ file, line }] });
 }
 
 /** Stops at each of these lines. */
 export function atBreakPoints(points: readonly BreakPoint[]): StopRule {
   const files = new Map<number, Set<string>>();
   for (const { file, line } of points) files.set(line, (files.get(line) ?? new Set()).add(file));
-  return ({ kind, file, line }) => kind === 'line' && files.get(line)?.has(file) === true;
+  const rule = ({ kind, file, line }: LineEvent): boolean => kind === 'line' && files.get(line)?.has(file) === true;
+  return Object.assign(rule, { only: points });
 }
 
 /**

@@ -50,3 +50,7 @@ export function tellScopes(module, scopeEnd) {
 export const enterFrame = `(i32.store (global.get $frames_end) (local.get $0))
     (global.set $frames_end (i32.add (global.get $frames_end) (i32.const 4)))`;
 export const leaveFrame = '(global.set $frames_end (i32.sub (global.get $frames_end) (i32.const 4)))';
+
+/** Asks the host before a bytecode that has a mark. @param {string} code the local with the bytecode's address */
+export const askBefore = (code) => `(if (global.get $marks)
+  (then (if (i32.load8_u (i32.add (global.get $marks) (local.get $${code}))) (then (call $look)))))`;

@@ -2,7 +2,8 @@
 // inside a fixed heap and never spins on its own. Every place is found by its shape (see wat.mjs: exactly one match).
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
-import { enterFrame, findScopeEnd, leaveFrame, tellScopes, tellState } from './debugging.mjs';
+import { askBefore, enterFrame, findScopeEnd, leaveFrame, tellScopes, tellState } from './debugging.mjs';
+import { echoPasted } from './echo-pasted.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
@@ -83,7 +84,10 @@ export function transform(published, report) {
   report('making it suspendable');
   binaryen.setOptimizeLevel(2);
   binaryen.setShrinkLevel(0);
-  binaryen.setPassArgument('asyncify-imports', 'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick');
+  binaryen.setPassArgument(
+    'asyncify-imports',
+    'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick,host.look',
+  );
   const result = build(metered, ['asyncify']);
   report('optimising');
   result.optimize();
@@ -218,7 +222,8 @@ function freeReserveOnMemoryError(module) {
 
 /**
  * At each bytecode: code of the pupil (above `program_start` in memory, where the library ends) uses up `gas`, which is
- * simulated time; code of our library uses up `library_gas`, which only prevents endless spinning.
+ * simulated time; code of our library uses up `library_gas`, which only prevents endless spinning. While `marks` is not 0,
+ * the host is asked before each bytecode of the pupil's whose byte there is not 0 (../run/marks.ts).
  */
 function meter(module, interpreter) {
   const text = flat(module.functions.get(interpreter));
@@ -237,7 +242,8 @@ function meter(module, interpreter) {
       (then
         (global.set $in_program (i32.const 1))
         (global.set $library_gas (i32.const ${FREE_LIBRARY_BYTECODES}))
-        ${use('gas')})
+        ${use('gas')}
+        ${askBefore(code)})
       (else (global.set $in_program (i32.const 0)) ${use('library_gas')}))
     ${expression})`;
   const inner = `${interpreter}_metered`;
@@ -350,33 +356,11 @@ function limitStack(module) {
   replaceOnce(module, init, 'C stack limit', /\(i32\.const 32768\)/, `(i32.const ${STACK_LIMIT_BYTES})`);
 }
 
-/**
- * A program that is pasted into the REPL prints the values of its expressions. The built-in compile() does so only for
- * single statements; here `echo` switches it on for everything that is compiled: mp_parse_compile_execute calls
- * mp_compile, which calls mp_compile_to_raw_code, whose third parameter is is_repl.
- */
-function echoPasted(module) {
-  const execute = onlyFunction(
-    module,
-    'mp_parse_compile_execute',
-    /\(call \$(\S+) \(i32\.add \(local\.get \$\d+\) \(i32\.const 8\)\) \(local\.get \$2\) \(i32\.eqz \(local\.get \$1\)\)\)/,
-  );
-  const compile = onlyMatch(
-    flat(module.functions.get(execute.match[1])),
-    'mp_compile_to_raw_code',
-    /\(call \$(\S+) \(local\.get \$0\) \(local\.get \$1\) \(local\.get \$2\) \(i32\.add/,
-  )[1];
-  const text = flat(module.functions.get(compile));
-  const body = bodyStart(text);
-  const echo = '(local.set $2 (i32.or (local.get $2) (global.get $echo)))';
-  module.functions.set(compile, `${text.slice(0, body)}${echo} ${text.slice(body)}`);
-}
-
 /** What the firmware imports from its host besides the published imports, and the counters it shares with it. */
 function declareHost(module) {
   const lastImport = module.head.lastIndexOf('(import ');
   const end = expressionEnd(module.head, lastImport);
-  const imports = [...['tick', 'fatal', 'collected'].map((name) => [name, '']), ['scope', ' (param i32)']]
+  const imports = [...['tick', 'look', 'fatal', 'collected'].map((name) => [name, '']), ['scope', ' (param i32)']]
     .map(([name, taken]) => ` (import "host" "${name}" (func $${name}${taken}))`)
     .join('\n');
   const counters = [
@@ -390,6 +374,7 @@ function declareHost(module) {
     'reserve',
     'echo',
     'frames_end',
+    'marks',
   ]
     .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
     .join('\n');

@@ -23,10 +23,29 @@ const UNWINDING = 1;
 
 /** Lets a program stop before its time is over. Neither watch nor stop changes its time, memory or output. */
 export interface Hold {
-  /** Asked before each bytecode of the program whether it shall stop there; `null`: nobody is asked, which costs nothing. */
-  watch: (() => boolean) | null;
+  /** Asked before bytecodes of the program whether it shall stop there; `null`: nobody is asked, which costs nothing. */
+  watch: Watch | null;
   /** The watch has stopped the program; the next `run` goes on from there. */
   isHeld: boolean;
+}
+
+/** Looks at a program, bytecode by bytecode. */
+export interface Watch {
+  /**
+   * The program is about to go on: marks the bytecodes before which `look` shall be called (marks.ts).
+   *
+   * @param isNew it was another watch, or none, that looked at the program last: a bytecode before which the program
+   *   stands is passed
+   */
+  begin(isNew: boolean): void;
+  /** The program goes on with what it was in the midst of: no bytecode is to be passed. */
+  passed(): void;
+  /**
+   * Whether the program shall stop before the bytecode that is next.
+   *
+   * @param catchUp brings the clock to this bytecode; until it is called, it may be behind
+   */
+  look(catchUp: () => void): boolean;
 }
 
 /** An error in our code or the C code: the VM is in a state that it cannot leave, and its run ends. */
@@ -52,6 +71,8 @@ export class Engine implements Machine {
   private pausing = false;
   private dispatcher = 0;
   private ending = false;
+  /** The watch that was there when the program went on last. */
+  private watch: Watch | null = null;
   private stops: Stop[] = [];
   private hidden: ReadonlySet<string> = new Set();
 
@@ -148,6 +169,7 @@ export class Engine implements Machine {
   run(enter: () => void, limitUs: number): boolean {
     this.limitUs = limitUs;
     this.hold.isHeld = false;
+    this.beginWatch();
     if (this.suspended) this.rewind();
     else this.refill();
     this.suspended = false;
@@ -171,12 +193,24 @@ export class Engine implements Machine {
         this.spend(FREE_LIBRARY_BYTECODES);
       }
       this.catchUp();
-      this.hold.isHeld = this.hold.watch?.() ?? false;
-      if (this.hold.isHeld) return this.suspend();
     } else if (this.owedUs === 0) return this.refill();
     if (!this.payOwed() || this.clock.nowUs >= this.limitUs || this.ending) this.suspend();
     else this.refill();
   }
+
+  /** A marked bytecode is next: the watch may stop the program there. */
+  look(): void {
+    if (this.stopRewinding()) return this.goOnFromHere(); // it was stopped here
+    this.hold.isHeld = this.watch?.look(this.catchUpNow) ?? false;
+    if (!this.hold.isHeld) return;
+    this.catchUp();
+    this.suspend();
+  }
+  private goOnFromHere(): void {
+    this.watch?.passed();
+    this.refill();
+  }
+  private readonly catchUpNow = (): void => this.catchUp();
 
   /**
    * The program prints: this takes as long as the serial line needs. The time passes before the program's next bytecode
@@ -208,6 +242,7 @@ export class Engine implements Machine {
   ): void {
     if (!this.stopRewinding()) this.catchUp();
     else if (!this.isDue) {
+      this.watch?.passed();
       if (this.waiting) this.goOnWaiting(this.waiting, resultAddress);
       return;
     }
@@ -220,6 +255,13 @@ export class Engine implements Machine {
   }
 
   // --- inside ------------------------------------------------------------------------------------------------------
+
+  private beginWatch(): void {
+    const { watch } = this.hold;
+    watch?.begin(watch !== this.watch);
+    if (watch === null) this.firmware.marks.value = 0;
+    this.watch = watch;
+  }
 
   /** Resumes the suspended call: the firmware builds its stack up again, and ends at `tick` or `call`. */
   private rewind(): void {
@@ -287,10 +329,7 @@ export class Engine implements Machine {
   /** Sets the counters so that the next tick comes exactly at the next alarm, or at the end of the available time. */
   private refill(): void {
     const now = this.clock.nowUs;
-    const untilUs =
-      this.owedUs > 0 || this.hold.watch !== null
-        ? now
-        : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
+    const untilUs = this.owedUs > 0 ? now : Math.min(this.clock.nextAlarmUs, this.limitUs, now + LONGEST_STRETCH_US);
     this.stretchUs = Math.max(1, untilUs - now);
     this.firmware.gas.value = this.stretchUs;
   }

@@ -59,6 +59,8 @@ export interface Firmware {
   readonly heap_end: WebAssembly.Global;
   /** End of the list of running functions (../debug/inspected.ts); it starts where the host sets it at first. */
   readonly frames_end: WebAssembly.Global;
+  /** Added to a bytecode's address it gives that of its mark (marks.ts); 0: nobody looks. */
+  readonly marks: WebAssembly.Global;
   /** Address of the pointer to the last pool of interned names. */
   readonly interned: WebAssembly.Global;
   /** Address of the pointer to the names of the module or class whose body runs. */
@@ -69,6 +71,8 @@ export interface Firmware {
 export interface FirmwareHost {
   /** A counter ran out. */
   tick(): void;
+  /** A bytecode with a mark is next. */
+  look(): void;
   /** The C code is in a state that it cannot leave. Must throw. */
   fatal(): never;
   /** The collector has run. */
@@ -138,6 +142,7 @@ export function instantiateFirmware(
   const imports = {
     host: {
       tick: () => host().tick(),
+      look: () => host().look(),
       fatal: () => host().fatal(),
       collected: () => host().collected(),
       scope: (address: number) => host().scope(address),

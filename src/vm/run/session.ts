@@ -13,6 +13,7 @@ import { createLoader, type FileLookup } from './loader';
 import { Heap } from './heap';
 import { createReplCalls } from './hal/repl';
 import { observed } from './observed';
+import { Marks } from './marks';
 import type { Repl } from './repl';
 import type { Report } from './report';
 import { showError, showPanic, type Shown } from './show-error';
@@ -82,6 +83,7 @@ export class Session {
     const { engine, heap, scopes } = this;
     return {
       tick: () => engine.tick(),
+      look: () => engine.look(),
       fatal: () => {
         throw new VmFault('MicroPython cannot go on: its memory or its stack is used up.');
       },
@@ -265,6 +267,8 @@ export class Session {
       heapStart: firmware.heap_start.value,
       programStart: firmware.program_start.value,
       scopeOf: (code) => scopes.of(code),
+      scopes,
+      marks: new Marks(firmware, memory),
       isOwnFile: (name) => this.ports.files.find(name) !== undefined,
     };
   }
