@@ -23,12 +23,6 @@ export interface Code {
 /** Address of a function's bytecode. */
 export const codeOf = (memory: Memory, functionAt: number): number => memory.word(functionAt + FUNCTION.code);
 
-/** Address of the first bytecode of code. @param start of the code */
-export function codeStart(memory: Memory, start: number): number {
-  const { info, cells, end } = readSizes(memory, readSignature(memory, start).end);
-  return end + info + cells;
-}
-
 /** Reads the beginning of a function's bytecode: py/bc.h, MP_BC_PRELUDE_…_DECODE. */
 export function readCode(memory: Memory, names: Names, functionAt: number): Code {
   const start = codeOf(memory, functionAt);

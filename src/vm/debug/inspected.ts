@@ -16,7 +16,9 @@ export interface Inspected {
   readonly programStart: number;
   /** The slots of a function's variables, by the address of its code; `undefined`: not compiled here. */
   scopeOf(code: number): Scope | undefined;
-  /** All that were compiled here. */
+  /** The bytes of the object at an address of the heap; 0: there is none any more. */
+  sizeOf(address: number): number;
+  /** All that were compiled here; some may be gone. */
   readonly scopes: CompiledScopes;
   /** Where the interpreter asks before it goes on. */
   readonly marks: CodeMarks;

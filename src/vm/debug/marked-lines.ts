@@ -1,4 +1,4 @@
-import { codeOf, codeStart } from './code';
+import { codeOf } from './code';
 import { entersLine, ownCode, readFrames, STATE, type OwnCode } from './frames';
 import type { Inspected } from './inspected';
 import { readInstructions } from './instructions';
@@ -55,15 +55,10 @@ export class MarkedLines implements LineFinder {
     return isBegun || entersLine(code, at, before) ? this.event(code, range.line) : null;
   }
 
-  /** Code of which nobody knows from which file it is, before it runs: all of its bytecodes are marked. */
+  /** Code of which nobody knows from which file it is, before it runs: it is marked as a whole. */
   private expect(start: number): void {
-    const { memory, marks } = this.vm;
     this.known.delete(start);
-    const first = codeStart(memory, start);
-    const end = readInstructions(memory, first).at(-1)?.next ?? first;
-    // From its beginning on: other code may have been there before.
-    marks.set(start, first, false);
-    marks.set(first, end, true);
+    this.vm.marks.set(start, start + this.vm.sizeOf(start), true);
   }
 
   /** A function that runs already. */
@@ -81,15 +76,14 @@ export class MarkedLines implements LineFinder {
     const own = ownCode(this.vm, this.names, state);
     const code = own?.lines.some(({ line }) => this.isWanted(own, line)) ? own : null;
     this.known.set(start, code);
-    const first = codeStart(memory, start);
-    const instructions = readInstructions(memory, first);
-    marks.set(first, instructions.at(-1)?.next ?? first, false);
+    marks.set(start, start + this.vm.sizeOf(start), false);
     if (code === null) return null;
+    const instructions = readInstructions(memory, code.place.first);
     const places = new Set(instructions.map(({ at }) => at));
     const mark = (at: number | null): void => {
       if (at !== null && places.has(at)) marks.set(at, at + 1, true);
     };
-    mark(first); // from here on it is another call
+    mark(code.place.first); // from here on it is another call
     for (const { at, next, target, kind } of instructions) {
       if (kind === 'handler') mark(target);
       if (this.isWanted(code, this.lineAt(code, at))) [at, next, target].forEach(mark);

@@ -145,6 +145,16 @@ export class Heap {
     return kind === Kind.HEAD || kind === Kind.MARK;
   }
 
+  /** The bytes of the object at this address; 0: there is none any more. */
+  sizeOf(address: number): number {
+    if (!this.isObject(address)) return 0;
+    const first = this.blockAt(address);
+    const end = this.blockAt(this.firmware.heap_end.value);
+    let next = first + 1;
+    while (next < end && this.kind(next) === Kind.TAIL) next++;
+    return (next - first) * BLOCK_BYTES;
+  }
+
   /** The result of `gc.mem_free()`, without running anything. */
   get freeBytes(): number {
     return this.info().freeBytes;

@@ -6,25 +6,36 @@ import type { Memory } from './values';
  * The interpreter reads it (../firmware/transform.mjs); while it is off, it costs one comparison.
  */
 export class Marks {
-  private start = 0;
+  private readonly start: number;
+  private readonly bytes: number;
 
+  /**
+   * Takes their memory at once. Later `malloc` would leave remains in the C stack, where the collector takes any word for a
+   * pointer, and the program's free memory would depend on whether somebody has looked.
+   */
   constructor(
     private readonly firmware: Firmware,
     private readonly memory: Memory,
-  ) {}
+  ) {
+    this.bytes = firmware.heap_end.value - firmware.program_start.value;
+    this.start = firmware.malloc(this.bytes);
+  }
 
   /** Marks all bytecodes, or none, and lets the interpreter look. */
   begin(all: boolean): void {
-    const { firmware, memory } = this;
-    const bytes = firmware.heap_end.value - firmware.program_start.value;
-    if (this.start === 0) this.start = firmware.malloc(bytes);
-    memory.bytes.fill(Number(all), this.start, this.start + bytes);
+    const { firmware, memory, start } = this;
+    memory.bytes.fill(Number(all), start, start + this.bytes);
     firmware.marks.value = this.start - firmware.program_start.value;
   }
 
-  /** Marks the addresses from the first up to, not including, the last, or takes their marks away; nothing while it is off. */
+  /**
+   * Marks the addresses from the first up to, not including, the last, or takes their marks away; nothing of the library,
+   * and nothing while it is off.
+   */
   set(from: number, to: number, isMarked: boolean): void {
-    const shift = this.firmware.marks.value;
-    if (shift !== 0) this.memory.bytes.fill(Number(isMarked), shift + from, shift + to);
+    const { firmware, memory } = this;
+    if (firmware.marks.value === 0 || from < firmware.program_start.value) return;
+    const shift = this.start - firmware.program_start.value;
+    memory.bytes.fill(Number(isMarked), shift + from, Math.min(shift + to, this.start + this.bytes));
   }
 }

@@ -257,7 +257,7 @@ export class Session {
 
   /** Call it while nothing runs. */
   private inspect(): Inspected {
-    const { firmware, memory, scopes } = this;
+    const { firmware, memory, scopes, heap } = this;
     return {
       memory,
       framesStart: firmware.frames_end.value,
@@ -268,6 +268,7 @@ export class Session {
       programStart: firmware.program_start.value,
       scopeOf: (code) => scopes.of(code),
       scopes,
+      sizeOf: (address) => heap.sizeOf(address),
       marks: new Marks(firmware, memory),
       isOwnFile: (name) => this.ports.files.find(name) !== undefined,
     };
