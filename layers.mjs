@@ -90,15 +90,17 @@ export const webLayers = {
     'share',
     'debug',
     'class',
+    'task-maker',
   ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
+  'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class',
+    'debug', 'class', 'task-maker',
   ], // prettier-ignore
 };

@@ -40,6 +40,16 @@ const NOTHING: Carried = { version: TASK_VERSION };
  * throws.
  */
 export function taskOf(project: Project): ReadTask {
+  const read = draftOf(project);
+  return 'task' in read && lacksGoals(read.task) ? refused('checks', NO_GOALS) : read;
+}
+
+/** Whether the goals of the course are asked for where it has none. */
+export const lacksGoals = ({ checks, project }: ClassTask): boolean =>
+  checks.some(({ type }) => type === 'goals') && !hasTask(project.scene);
+
+/** The same while it is being made: its course may still get its goals. */
+export function draftOf(project: Project): ReadTask {
   const { task: data = NOTHING, handIn: _, ...plain } = project;
   const { version } = data;
   if (version !== TASK_VERSION) return refused('version', versionProblem(version));
@@ -64,9 +74,7 @@ export function taskOf(project: Project): ReadTask {
     locks: locksIn(fields['locks'], reader),
   };
   const problems: readonly ProjectProblem[] = [...reader.problems, ...solution.problems];
-  if (problems.length > 0) return { problem: summaryOf(problems), problems };
-  const needless = task.checks.some(({ type }) => type === 'goals') && !hasTask(plain.scene);
-  return needless ? refused('checks', NO_GOALS) : { task };
+  return problems.length > 0 ? { problem: summaryOf(problems), problems } : { task };
 }
 
 const NO_GOALS =

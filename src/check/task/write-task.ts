@@ -1,6 +1,6 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
-import { TASK_VERSION } from './read-task';
+import { draftOf, TASK_VERSION } from './read-task';
 import { noLocks, plainWorld, type Check, type ClassTask, type WorldVariant } from './task';
 
 /** The project of a task, with everything: for the teacher. */
@@ -13,6 +13,18 @@ export const projectForPupils = (task: ClassTask): Project => {
   // How many of the hidden ones are wanted says how many there are.
   return projectOfTask({ ...task, worlds: [first, ...visible.slice(1)], least: null, solution: null });
 };
+
+/**
+ * A project as it may be handed out: of its task neither the solution nor hidden worlds. What cannot be read as a task
+ * stays behind, for it may hold them.
+ */
+export function withoutSecrets(project: Project): Project {
+  if (project.task === undefined) return project;
+  const read = draftOf(project);
+  const { task: _, ...others } = project;
+  const task = 'task' in read ? projectForPupils(read.task).task : undefined;
+  return task === undefined ? others : { ...others, task };
+}
 
 /** A task's own data as a project carries it; what has its usual value is left out. */
 function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: ClassTask): Carried {

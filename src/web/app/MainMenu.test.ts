@@ -180,6 +180,7 @@ describe('the main menu', () => {
       'Mikrocomputer ausblenden',
       'Arena ausblenden',
       'Roboter-Galerie',
+      'Aufgabe stellen',
       'Lösungen prüfen',
     ]);
   });

@@ -17,6 +17,7 @@ describe('the address of a gallery', () => {
     ['#missions/callibot', { kind: 'missions', robot: 'callibot' }],
     ['#my-robot', { kind: 'my-robot' }],
     ['#class', { kind: 'class' }],
+    ['#task', { kind: 'task' }],
   ])('%s is known', (hash, page) => expect(galleryPage(hash)).toEqual(page));
 
   it.each(['', '#', '#robot', '#class/1', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>

@@ -1,6 +1,6 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own, the checking of a class. */
+/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own, the checking of a class, the making of a task. */
 export type GalleryPage =
   | { readonly kind: 'all' }
   | { readonly kind: 'robot'; readonly robot: string }
@@ -8,11 +8,11 @@ export type GalleryPage =
   | { readonly kind: 'course'; readonly course: string }
   | { readonly kind: 'missions'; readonly robot: string | null }
   | { readonly kind: 'my-robot' }
-  | { readonly kind: 'class' };
+  | { readonly kind: 'class' | 'task' };
 
 /**
  * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
- * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`, `#class`):
+ * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`, `#class`, `#task`):
  * teachers can hand them on, and the browser's back button leads back.
  */
 export interface GalleryModel {
@@ -28,8 +28,8 @@ export interface GalleryModel {
   openMissions(robot?: string): void;
   /** Those for another robot in the same place: the back button leads past them. */
   replaceMissions(robot: string): void;
-  /** Opens the page on which the pupil's own robot is measured, or that on which the hand-ins of a class are checked. */
-  openPage(page: 'my-robot' | 'class'): void;
+  /** Opens the page on which the pupil's own robot is measured, or that on which a task is made, or hand-ins of a class are checked. */
+  openPage(page: 'my-robot' | 'class' | 'task'): void;
   close(): void;
 }
 
@@ -38,6 +38,7 @@ const COURSES = 'courses';
 const MISSIONS = 'missions';
 const MY_ROBOT = 'my-robot';
 const CLASS = 'class';
+const TASK = 'task';
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
@@ -50,7 +51,7 @@ export function galleryPage(hash: string): GalleryPage | null {
   if (more.length > 0) return null;
   if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
   if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
-  if (name === MY_ROBOT || name === CLASS) return id === '' ? { kind: name } : null;
+  if (name === MY_ROBOT || name === CLASS || name === TASK) return id === '' ? { kind: name } : null;
   if (name === MISSIONS) return { kind: 'missions', robot: id === '' ? null : id };
   return null;
 }

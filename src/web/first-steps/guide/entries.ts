@@ -49,6 +49,7 @@ import {
   mdiRedo,
   mdiRestart,
   mdiClipboardCheckOutline,
+  mdiClipboardEditOutline,
   mdiRobotHappyOutline,
   mdiRobotOutline,
   mdiShareVariant,
@@ -76,6 +77,7 @@ import { editingWords } from '../../course-editor/words/editing-words';
 import { editorWords } from '../../course-editor/words/editor-words';
 import { debugWords } from '../../debug/debug-words';
 import { classWords } from '../../class/class-words';
+import { makerWords } from '../../task-maker/maker-words';
 import { deviceWords } from '../../device/device-words';
 import { showWords } from '../../layout/show-words';
 import type { GuideContent, OwnName } from './content/content';
@@ -147,6 +149,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'show-board': ofKey(mdiChip, 'bar.showBoard', 'bar.hideBoard'),
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
   gallery: of(mdiRobotHappyOutline, () => say(deviceWords.gallery), 'gallery'),
+  'task-maker': of(mdiClipboardEditOutline, () => say(makerWords.title), 'menu-task'),
   class: of(mdiClipboardCheckOutline, () => say(classWords.title), 'menu-class'),
   'device-check': ofKey(mdiCheckboxMarkedOutline, 'deviceCheck.setting', 'device-check-switch'),
   files: ofOwn(mdiLanguagePython, 'files', 'file-tab'),

@@ -11,7 +11,7 @@ import {
   withDevice,
   withFiles,
 } from '#project/devices';
-import { freeName, MAIN, type FurtherDevice, type Project, type SourceFile } from '#project/project';
+import { freeName, MAIN, type Carried, type FurtherDevice, type Project, type SourceFile } from '#project/project';
 import type { Stop } from '#core/stop';
 import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
@@ -254,6 +254,12 @@ export class WorkModel {
   private setFiles(files: readonly SourceFile[], open = this.work.value.open): void {
     const project = withFiles(this.work.value.project, this.place.value, files);
     this.work.value = { ...this.work.value, open, project };
+  }
+
+  /** What makes the work a task for a class (`#check/task`); `null`: nothing. */
+  setTask(task: Carried | null): void {
+    const { task: _, ...project } = this.work.value.project;
+    this.setProject(task === null ? project : { ...project, task });
   }
 
   private setProject(project: Project): void {

@@ -31,6 +31,13 @@ describe('a stored project', () => {
     expect(unpackProject({ ...stored, settings: { robot: 7 } })).toEqual(project(''));
   });
 
+  it('keeps what makes it a task, and a hand-in', () => {
+    const handed = { ...project(''), task: { version: 1, id: 'A' }, handIn: { version: 1, alias: 'Ada' } };
+    const stored = packed(handed);
+    expect(unpackProject(stored)).toEqual(handed);
+    expect(unpackProject({ ...stored, task: 7, handIn: [] })).toEqual(project(''));
+  });
+
   it('is refused when it has no main.py or makes no sense', () => {
     const stored = packed(project(''));
     for (const broken of [

@@ -44,7 +44,7 @@ const fileOf = (file: unknown): Pick<Work, 'file'> => (typeof file === 'string' 
 /** Reads what `packedText` made; `null` for anything else. */
 export function unpackProject(value: unknown): Project | null {
   if (!isRecord(value)) return null;
-  const { files, scene, course, settings, devices } = value;
+  const { files, scene, course, settings, devices, task, handIn } = value;
   const parsed = parseSceneValue(scene);
   if (!('scene' in parsed) || !isProgram(files)) return null;
   return {
@@ -53,6 +53,8 @@ export function unpackProject(value: unknown): Project | null {
     course: typeof course === 'string' ? course : null,
     ...(isSettings(settings) && { settings }),
     ...(isDevices(devices) && { devices }),
+    ...(isRecord(task) && { task }),
+    ...(isRecord(handIn) && { handIn }),
   };
 }
 

@@ -7,8 +7,8 @@ import { objectText, serializeScene } from '#scene/serialize';
 export const packedText = remembered((project: Project): string => packed(project, sceneText(project.scene)));
 
 /** The same, with the course's text given by the caller. */
-export function packed({ files, course, settings, devices }: Project, scene: string): string {
-  const rest = JSON.stringify({ course, settings, devices });
+export function packed({ files, scene: _, ...others }: Project, scene: string): string {
+  const rest = JSON.stringify(others);
   return `{"files":${JSON.stringify(files)},"scene":${scene},${rest.slice(1)}`;
 }
 

@@ -41,6 +41,7 @@ export const MENU_IDS = [
   'show-board',
   'show-arena',
   'gallery',
+  'task-maker',
   'class',
   'device-check',
 ] as const;

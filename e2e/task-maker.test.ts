@@ -1,0 +1,107 @@
+import { execFileSync } from 'node:child_process';
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { expect, test, type App } from './app';
+import { violationsOn } from './axe';
+import { IN_ONE_ENGINE } from './engines';
+import { openedCourse } from './opened-course';
+import { by, until } from './parts';
+
+const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
+
+async function openMaker(app: App): Promise<void> {
+  await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
+  await app.evaluate((kept) => sessionStorage.setItem('parcours.work', kept), openedCourse('closed-line'));
+  await app.goto('./#task');
+  await until(app, by('maker-add-check'));
+}
+
+/** Chooses a type of check from the list. */
+const addCheck = (app: App, type: string): Promise<void> =>
+  app.evaluate((wanted) => {
+    const list = document.querySelector<HTMLSelectElement>('[data-testid=maker-add-check]')!;
+    list.value = wanted;
+    list.dispatchEvent(new Event('change', { bubbles: true }));
+  }, type);
+
+/** The open work as a project file has it. */
+const projectOf = (app: App): Promise<string> =>
+  app.evaluate(() => {
+    const { project } = JSON.parse(sessionStorage.getItem('parcours.work') ?? '{}') as { readonly project: object };
+    return JSON.stringify({ format: 'parcours-project', version: 4, ...project });
+  });
+
+/** What the command line says of programs that are handed in for a task. */
+function checkedByCommandLine(task: string, programs: Readonly<Record<string, string>>) {
+  const folder = mkdtempSync(join(tmpdir(), 'parcours-task-'));
+  try {
+    const file = join(folder, 'task.json');
+    writeFileSync(file, task);
+    const names = Object.entries(programs).map(([name, text]) => {
+      const path = join(folder, `${name}.py`);
+      writeFileSync(path, text);
+      return path;
+    });
+    const run = (): string => {
+      try {
+        return execFileSync('node', ['bin/parcours.mjs', 'check', file, ...names, '--json'], { encoding: 'utf8' });
+      } catch (error) {
+        return (error as { readonly stdout: string }).stdout; // exit code 3: not all have passed
+      }
+    };
+    const lines = run().trim().split('\n');
+    const { handIns } = JSON.parse(lines.at(-1) ?? '{}') as {
+      readonly handIns: readonly {
+        readonly name: string;
+        readonly passed: boolean;
+        readonly worlds: readonly object[];
+      }[];
+    };
+    return Object.fromEntries(handIns.map(({ name, passed, worlds }) => [name, [passed, worlds.length]]));
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+test('a task is made of the open course: its solution passes in all worlds, and the class gets neither', async ({
+  app,
+}) => {
+  test.setTimeout(90_000);
+  await openMaker(app);
+  await app.click(by('maker-take'));
+  await expect.poll(() => app.text(by('maker-verdict')), { timeout: 20_000 }).toMatch(/passes|besteht/);
+  await addCheck(app, 'loop');
+  await app.click(by('maker-add-world'));
+  await expect.poll(() => app.text(by('maker-solution')), { timeout: 20_000 }).toMatch(/ 2 (worlds|Welten)/);
+  await until(app, by('maker-same')); // the class would get the solution: it is told
+  await app.click(by('maker-save-for-class'));
+  const link = await app.evaluate(
+    () => document.querySelector<HTMLInputElement>('[data-testid=maker-link]')?.value ?? '',
+  );
+  await expect.poll(() => projectOf(app)).toContain('"id":"2"'); // it is kept a moment later
+  const task = await projectOf(app);
+  expect(JSON.parse(task)).toMatchObject({ task: { solution: [{ name: 'main.py' }], worlds: [{}, { id: '2' }] } });
+  expect(checkedByCommandLine(task, { Ada: RIGHT, Ben: 'from mbrobot import *\nforward()\n' })).toEqual({
+    Ada: [true, 2],
+    Ben: [false, 2],
+  });
+  await app.evaluate(() => sessionStorage.clear());
+  await app.goto('./logo.svg');
+  await app.goto(`./#${link.split('#')[1] ?? ''}`);
+  await expect.poll(() => projectOf(app)).toContain('"loop"');
+  expect(await projectOf(app)).not.toMatch(/"solution"|"hidden"|"worlds"/);
+});
+
+test('the page of a task bars no screen reader, and stays over a reload', IN_ONE_ENGINE, async ({ app }) => {
+  await openMaker(app);
+  await addCheck(app, 'display');
+  await app.click(by('maker-add-world'));
+  await until(app, by('maker-leds'));
+  await app.click(`${by('maker-leds')} button`);
+  expect(await violationsOn(app)).toEqual([]);
+  await expect.poll(() => projectOf(app)).toContain('"image":"99090:99999:99999:09990:00900"');
+  await app.goto('./logo.svg');
+  await app.goto('./#task');
+  await until(app, by('maker-leds'));
+});

@@ -1,0 +1,94 @@
+import { lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from '#check/task/task';
+
+/** What a check asks besides its type, as one field of its form. */
+export type CheckField =
+  | {
+      readonly kind: 'number';
+      readonly name: FieldName;
+      readonly unit: string;
+      readonly min: number;
+      readonly max: number;
+      readonly decimals: number;
+      /** May stay empty. */
+      readonly isOptional: boolean;
+    }
+  | { readonly kind: 'text'; readonly name: FieldName; readonly most: number; readonly isOptional: boolean }
+  /** The 25 LEDs of the display. */
+  | { readonly kind: 'picture'; readonly name: 'image' }
+  /** A zone of the course, or any target. */
+  | { readonly kind: 'zone'; readonly name: 'zone' }
+  | { readonly kind: 'place'; readonly name: 'which'; readonly choices: typeof lightPlaces }
+  /** May stay empty. */
+  | { readonly kind: 'color'; readonly name: 'color'; readonly choices: typeof lightColors };
+
+/** The names of fields, as the checks of a task have them. */
+export type FieldName = 'seconds' | 'count' | 'most' | 'hz' | 'text' | 'rows' | 'column' | 'name';
+
+const number = (
+  name: FieldName,
+  { min, max }: { readonly min: number; readonly max: number },
+  more: { readonly unit?: string; readonly decimals?: number; readonly isOptional?: boolean } = {},
+): CheckField => ({ kind: 'number', name, min, max, unit: '', decimals: 0, isOptional: false, ...more });
+
+const text = (name: FieldName, isOptional = false): CheckField => ({
+  ...{ kind: 'text', name, isOptional },
+  most: taskLimits.textCharacters,
+});
+
+const seconds = number('seconds', { min: 0.1, max: taskLimits.seconds.max }, { unit: 's', decimals: 1 });
+
+/** The form of each type of check. */
+export const fieldsOf: Readonly<Record<CheckKind['type'], readonly CheckField[]>> = {
+  goals: [],
+  stop: [seconds, { kind: 'zone', name: 'zone' }],
+  laps: [number('count', taskLimits.laps)],
+  checkpoints: [],
+  touches: [number('most', taskLimits.touches)],
+  faster: [seconds],
+  display: [{ kind: 'picture', name: 'image' }],
+  light: [
+    { kind: 'place', name: 'which', choices: lightPlaces },
+    { kind: 'color', name: 'color', choices: lightColors },
+  ],
+  sound: [number('hz', taskLimits.hz, { unit: 'Hz', isOptional: true })],
+  console: [text('text')],
+  radio: [text('text')],
+  log: [number('rows', taskLimits.rows), text('column', true)],
+  loop: [],
+  calls: [text('name')],
+  lines: [number('most', taskLimits.lines)],
+  delay: [number('most', taskLimits.delayMs, { unit: 'ms' })],
+};
+
+/** Where nobody has said anything else yet. */
+const fresh: { readonly [T in CheckKind['type']]: Extract<CheckKind, { readonly type: T }> } = {
+  goals: { type: 'goals' },
+  stop: { type: 'stop', seconds: 2, zone: null },
+  laps: { type: 'laps', count: 2 },
+  checkpoints: { type: 'checkpoints' },
+  touches: { type: 'touches', most: 0 },
+  faster: { type: 'faster', seconds: 30 },
+  display: { type: 'display', image: '09090:99999:99999:09990:00900' },
+  light: { type: 'light', which: 'any', color: null },
+  sound: { type: 'sound', hz: null },
+  console: { type: 'console', text: 'OK' },
+  radio: { type: 'radio', text: 'OK' },
+  log: { type: 'log', rows: 10, column: '' },
+  loop: { type: 'loop' },
+  calls: { type: 'calls', name: 'irLeft' },
+  lines: { type: 'lines', most: 15 },
+  delay: { type: 'delay', most: 2000 },
+};
+
+/** A new check, with an id of its own. */
+export function freshCheck(type: CheckKind['type'], others: readonly Check[]): Check {
+  return { ...fresh[type], id: freeId(type, others), points: 1, needed: true };
+}
+
+/** The name, or with a number if it is taken. */
+export function freeId(name: string, others: readonly { readonly id: string }[]): string {
+  for (let count = 1; ; count += 1) {
+    const id = count === 1 ? name : `${name}-${String(count)}`;
+    if (!others.some((other) => other.id === id)) return id;
+  }
+}

@@ -1,0 +1,50 @@
+import { computed, type ComputedRef } from 'vue';
+
+import { draftOf, lacksGoals } from '#check/task/read-task';
+import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
+import { projectOfTask } from '#check/task/write-task';
+import { defaultScene } from '#scene/scene';
+
+import { presentProject } from '../share/save-work';
+import type { WorkParts } from '../work/model/parts';
+import { freeId } from './check-fields';
+
+/** The task of the open work, as it is being made. It is kept with the work, as its program and its course are. */
+export interface TaskMaker {
+  /** `null`: what the work carries cannot be read, see `problem`. */
+  readonly task: ComputedRef<ClassTask | null>;
+  /** Why not, in English: it names the place in the data. */
+  readonly problem: ComputedRef<string | null>;
+  /** The goals of the course are checked, and it has none. */
+  readonly lacksGoals: ComputedRef<boolean>;
+  change(part: Partial<ClassTask>): void;
+  /** Begins anew, without what was made so far. */
+  clear(): void;
+}
+
+export function useTaskMaker(app: WorkParts): TaskMaker {
+  const read = computed(() => draftOf(presentProject(app)));
+  const task = computed(() => ('task' in read.value ? read.value.task : null));
+  return {
+    task,
+    problem: computed(() => ('problem' in read.value ? read.value.problem : null)),
+    lacksGoals: computed(() => task.value !== null && lacksGoals(task.value)),
+    change(part) {
+      if (task.value !== null) app.work.setTask(projectOfTask({ ...task.value, ...part }).task ?? null);
+    },
+    clear: () => app.work.setTask(null),
+  };
+}
+
+/** Another world, which nobody sees: the course with another chance, until it is given more. */
+export function freshWorld(task: ClassTask): WorldVariant {
+  const count = task.worlds.length;
+  return { ...plainWorld, id: freeId(String(count + 1), task.worlds), hidden: true, seed: count };
+}
+
+/** What a world is called on the page: the visible one has a name in the data that is no word for people. */
+export const worldName = ({ id }: Pick<WorldVariant, 'id'>): string => (id === plainWorld.id ? '1' : id);
+
+/** Where the robot of a world starts: there where it says, else where the course has it. */
+export const startOf = ({ project }: ClassTask, world: WorldVariant): NonNullable<WorldVariant['start']> =>
+  world.start ?? (project.scene ?? defaultScene()).robot;
