@@ -7,8 +7,7 @@ export type GalleryPage =
   | { readonly kind: 'courses' }
   | { readonly kind: 'course'; readonly course: string }
   | { readonly kind: 'missions'; readonly robot: string | null }
-  | { readonly kind: 'my-robot' }
-  | { readonly kind: 'class' | 'task' };
+  | { readonly kind: (typeof PAGES)[number] };
 
 /**
  * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
@@ -29,16 +28,15 @@ export interface GalleryModel {
   /** Those for another robot in the same place: the back button leads past them. */
   replaceMissions(robot: string): void;
   /** Opens the page on which the pupil's own robot is measured, or that on which a task is made, or hand-ins of a class are checked. */
-  openPage(page: 'my-robot' | 'class' | 'task'): void;
+  openPage(page: (typeof PAGES)[number]): void;
   close(): void;
 }
 
 const ROBOTS = 'robots';
 const COURSES = 'courses';
 const MISSIONS = 'missions';
-const MY_ROBOT = 'my-robot';
-const CLASS = 'class';
-const TASK = 'task';
+/** Those that have one page each. */
+const PAGES = ['my-robot', 'class', 'task'] as const;
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
@@ -51,7 +49,8 @@ export function galleryPage(hash: string): GalleryPage | null {
   if (more.length > 0) return null;
   if (name === ROBOTS) return id === '' ? { kind: 'all' } : { kind: 'robot', robot: id };
   if (name === COURSES) return id === '' ? { kind: 'courses' } : { kind: 'course', course: id };
-  if (name === MY_ROBOT || name === CLASS || name === TASK) return id === '' ? { kind: name } : null;
+  const kind = PAGES.find((page) => page === name);
+  if (kind) return id === '' ? { kind } : null;
   if (name === MISSIONS) return { kind: 'missions', robot: id === '' ? null : id };
   return null;
 }

@@ -60,7 +60,8 @@ describe('the task of the open work', () => {
 
   it('is told when its course has no goal, and may still be made', () => {
     const { page, made } = maker();
-    page.work.edit({ ...page.work.scene.value, objects: [] });
+    expect(made.lacksGoals.value).toBe(false);
+    page.work.edit({ type: 'remove', ids: page.work.scene.value.objects.map(({ id }) => id) });
     expect(made.lacksGoals.value).toBe(true);
     expect(made.task.value).not.toBeNull();
     expect(taskOf(page.work.work.value.project)).toHaveProperty('problem');

@@ -3,7 +3,7 @@ import type { Vec } from '#core/geometry';
 import { boundsOf, reachesInto } from '#scene/kinds/index';
 import type { Bounds } from '#scene/outline';
 import type { Scene } from '#scene/scene';
-import { nearestMm, nearView, type MovedThings } from './near-view';
+import type { MovedThings } from './near-view';
 import {
   backingRatio,
   boxView,
@@ -164,7 +164,11 @@ function looks({
       change(zoomView(view.value, TRUE_PX_PER_MM / view.value.pxPerMm, middle, arena(), canvas.value));
     },
     showNear(atMm, { objects, size }, now) {
-      if (atMm !== null) change(nearView(atMm, nearestMm(atMm, objects, size, now), arena(), canvas.value));
+      if (atMm === null) return;
+      import('./near-view').then(
+        ({ nearestMm, nearView }) => change(nearView(atMm, nearestMm(atMm, objects, size, now), arena(), canvas.value)),
+        () => undefined, // no connection just now: pressed again
+      );
     },
   };
 }
