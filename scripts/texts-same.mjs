@@ -8,7 +8,7 @@ export const sameWords = {
   fr: new Set(
     (
       'apostrophe auto bot buzzer calli code console csv cyan distance firmware magenta max menu message messages missions module modules obstacles parcours ' +
-      'pause place png points radio rectangle repl robot servos simulation slalom suggestions svg variable variables zone'
+      'pause place png point points radio rectangle repl robot servos simulation slalom suggestions svg variable variables zone'
     ).split(' '),
   ),
   it: new Set(

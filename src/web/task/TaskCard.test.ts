@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { sceneDefaults, type Scene, type TaskCard as Card } from '#scene/scene';
@@ -131,5 +131,21 @@ describe('the card of a task', () => {
     page.layout.tab.value = 'code';
     await nextTick();
     expect(page.task.isOpen.value).toBe(false);
+  });
+
+  it('lists what a teacher has checked besides the goals, with points', async () => {
+    const { work, texts, find } = await card({});
+    expect(find('[data-testid="task-checks"]').exists()).toBe(false);
+    const checks = [
+      { type: 'goals' },
+      { type: 'touches', most: 2, points: 3 },
+      { type: 'calls', name: 'irLeft', needed: false },
+    ];
+    work.setTask({ version: 1, checks });
+    await vi.dynamicImportSettled();
+    expect(texts('[data-testid="task-checks"] li')).toEqual([
+      'höchstens 2 Berührungen 3 Punkte',
+      'ruft irLeft auf 1 Punkt, freiwillig',
+    ]);
   });
 });
