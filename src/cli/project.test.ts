@@ -94,6 +94,11 @@ describe('parcours run with a project', { timeout: 60_000 }, () => {
       JSON.stringify({ format: 'parcours-scene', version: 1 }),
       'is a course without a program. Give it with --scene, and name a program.',
     ],
+    [
+      'run.json',
+      '{ "format": "parcours-tape", "version": 1, "setup": {',
+      'is a recorded run. Run it again with parcours replay.',
+    ],
     ['else.json', '{"a": 1}', 'This is neither a project nor a course'],
     ['cut.json', projectToText(project).slice(0, 200), 'not JSON'],
   ])('refuses %s with a sentence', (name, text, message) => {

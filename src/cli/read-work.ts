@@ -6,6 +6,7 @@ import { runFilesOf } from '#project/devices';
 import { filesByName, type Project, type ProjectSettings, type SourceFile } from '#project/project';
 import type { Scene } from '#scene/scene';
 import type { FurtherWish } from '#simulation/hardware';
+import { isTapeFile } from '#tape/tape';
 
 /** What stands in the place of a program: a program alone, or a project with what belongs to it. */
 export interface Work {
@@ -69,6 +70,7 @@ export async function workOfAddress(address: string): Promise<Read> {
 
 /** A project from the text of its file. */
 export function workOfJson(text: string): Read {
+  if (isTapeFile(text)) return { problem: 'is a recorded run. Run it again with parcours replay.' };
   const opened = openJson(text);
   if (opened.kind === 'problem') return { problem: opened.problems.map(({ message }) => message).join('\n') };
   if (opened.kind === 'scene')
