@@ -11,6 +11,7 @@ import type { Stage } from './page/stage';
 import { runsSubject } from './page/runs';
 import { startSubject } from './page/start';
 import { stopSubject } from './page/stop';
+import { goOnSubject, scrubSubject } from './page/time';
 import { measured, named, skipped, type Row } from './subject';
 
 const pageSubjects = [
@@ -26,6 +27,8 @@ const pageSubjects = [
   runsSubject,
   stopSubject,
   debugSubject,
+  scrubSubject,
+  goOnSubject,
   classSubject,
 ];
 

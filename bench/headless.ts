@@ -7,6 +7,8 @@ import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene, type Stroke } from '#scene/scene';
 import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
+import { RowWriter } from '#tape/rows/row-writer';
 import { atBreakPoints } from '#vm/debug/stops';
 import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
@@ -31,6 +33,11 @@ const COUNTER = 'def count(n):\n    i = 0\n    while i < n: i += 1\ncount(10**9)
 /** Line 6, in the midst of the loop, never begins. */
 const BRANCH =
   'def count(n):\n    i = 0\n    while i < n:\n        i += 1\n        if i < 0:\n            i = 0\ncount(10**9)\n';
+
+/** The most that recording may add, in percent. */
+const MOST_COST = 5;
+const RECORDED_US = 60_000_000;
+const RECORDING_ROUNDS = 5;
 
 /** Hand-ins of a class. */
 const CLASS = 24;
@@ -58,6 +65,18 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
       simulation.watch(atBreakPoints([{ file: 'main.py', line: 6 }]), 0),
     ),
   ),
+  {
+    budgets: [
+      {
+        what: 'recording of a run at full speed (line follower with delay(10))',
+        budget: `<= ${MOST_COST} % of its time`,
+      },
+    ],
+    async measure() {
+      const percent = await recordingPercent();
+      return [{ text: `${percent.toFixed(1)} %`, met: percent <= MOST_COST }];
+    },
+  },
   {
     budgets: [
       { what: `CLI, check of ${CLASS} hand-ins, 20 s of a line follower each`, budget: '<= 3 s' },
@@ -155,6 +174,27 @@ async function bestOf(setup: RunSetup, seconds: number, prepare?: (simulation: S
     best = Math.max(best, seconds / wallS);
   }
   return best;
+}
+
+/** What taking down all moments adds to a run's time. Both are run in turns: other work on the machine meets both. */
+async function recordingPercent(): Promise<number> {
+  const firmware = new WebAssembly.Module(readFileSync('.cache/vm/vm.wasm'));
+  const setup = soloOf(`${FOLLOWER}    delay(10)\n`, closedLine());
+  const best = { plain: Infinity, recorded: Infinity };
+  for (let round = 0; round < RECORDING_ROUNDS; round++)
+    for (const kind of ['plain', 'recorded'] as const) {
+      const writer = new RowWriter();
+      let bytes = 0;
+      const moment = (snapshot: Snapshot): void => void (bytes += writer.add(snapshot)?.length ?? 0);
+      const run = await Simulation.create(setup, firmware, kind === 'recorded' ? { moment } : {});
+      run.advanceTo(2_000_000);
+      const startMs = performance.now();
+      run.advanceTo(RECORDED_US);
+      best[kind] = Math.min(best[kind], performance.now() - startMs);
+      run.dispose();
+      if (kind === 'recorded' && bytes === 0) throw new Error('Nothing was recorded.');
+    }
+  return (100 * (best.recorded - best.plain)) / best.plain;
 }
 
 /** Checks so many hand-ins of the ready course's solution. */
