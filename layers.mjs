@@ -57,7 +57,7 @@ export const webLayers = {
   run: ['page'],
   work: ['page', 'run'],
   visit: ['page', 'run', 'work'],
-  layout: ['page', 'work', 'visit'],
+  layout: ['page', 'run', 'work', 'visit'],
   task: ['page', 'run', 'work', 'layout'],
   console: ['page', 'run', 'work', 'layout', 'debug'],
   'look-back': ['page', 'run', 'work', 'console', 'share'],

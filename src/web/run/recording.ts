@@ -1,4 +1,4 @@
-import { computed, shallowRef, type ShallowRef } from 'vue';
+import { shallowRef, type ShallowRef } from 'vue';
 
 import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
@@ -31,9 +31,6 @@ export class Recording {
   readonly asked: ShallowRef<Asked | null> = shallowRef(null);
   /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
-  /** The run can be run again. */
-  readonly canGoOn = computed(() => this.setup !== null && this.inputs.value !== null);
-
   /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */
   readonly ghost: ShallowRef<Recording | null>;
 
@@ -48,6 +45,11 @@ export class Recording {
     readonly isBrought = false,
   ) {
     this.ghost = shallowRef(left);
+  }
+
+  /** The run can be run again. */
+  get canGoOn(): boolean {
+    return this.setup !== null && this.inputs.value !== null;
   }
 
   hear(message: Extract<FromWorker, { type: 'tape' | 'inputs' }>): void {

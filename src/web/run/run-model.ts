@@ -7,6 +7,7 @@ import type { Ended } from '#simulation/simulation';
 
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { DebugPort } from './debug-port';
+import type { EarlierRuns } from './earlier-runs';
 import { PictureRequests } from './picture-requests';
 import { Recording } from './recording';
 import { Trails } from './trails';
@@ -78,6 +79,8 @@ export class RunModel {
   readonly nowUs = computed(() => this.snapshot.value?.timeUs ?? 0);
   /** What is kept of the run to look back. */
   readonly recording: ShallowRef<Recording> = shallowRef(new Recording(null));
+  /** The runs before this one; `null`: none was worth keeping yet. */
+  readonly earlier: ShallowRef<EarlierRuns | null> = shallowRef(null);
   /** Simulated seconds per wall second reached lately; `null` while unknown. */
   readonly achieved: ShallowRef<number | null> = shallowRef(null);
   readonly isBusy = shallowRef(false);

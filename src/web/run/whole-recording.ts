@@ -21,6 +21,6 @@ export async function wholeRecording(run: RunModel): Promise<Recording | null> {
     run.lookBack();
     await come;
   }
-  const isWhole = recording.canGoOn.value && run.recording.value === recording;
+  const isWhole = recording.canGoOn && run.recording.value === recording;
   return isWhole ? recording : null;
 }

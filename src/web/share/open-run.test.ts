@@ -64,7 +64,7 @@ describe('a run that is taken along', () => {
     await page.run.reset();
     page.work.setText('main.py', 'print("another")\n');
     open(text);
-    await soon(() => expect(page.run.recording.value.canGoOn.value).toBe(true));
+    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
     expect(programNow()).toBe(PROGRAM);
     expect([page.run.nowUs.value, page.run.phase.value]).toEqual([0, 'paused']);
     const read = parseTape(text);
@@ -110,7 +110,7 @@ describe('a run that is taken along', () => {
     localStorage.clear();
     await newPage();
     open(text);
-    await soon(() => expect(page.run.recording.value.canGoOn.value).toBe(true));
+    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
     page.run.past.value = null;
     await nextTick();
     isPassed();
@@ -128,7 +128,7 @@ describe('a run that is taken along', () => {
     scope.stop();
     await newPage();
     expect(openAddress(page, link)).toBeNull();
-    await soon(() => expect(page.run.recording.value.canGoOn.value).toBe(true));
+    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
     expect(page.run.recording.value.asked.value?.timeUs).toBe(240_000);
     expect(said()).toMatch(/^Link: the run is the same as when it was saved. You see it from 00:00.24 on.$/);
     expect(openAddress(page, link.slice(0, -3))).toBe(

@@ -18,7 +18,7 @@ const sources = import.meta.glob<string>(
   [
     '../../{app,run,device,galleries,code,board,console,arena,layout}/**/{TopBar,RunControls,SpeedMenu,DeviceMenu,CourseMenu,LanguageMenu,MainMenu,MainList}.vue',
     '../../{app,run,device,galleries,code,board,console,arena,layout}/**/{CodePane,FileTabs,BoardPane,BoardPanels,ConsolePane,ConsoleInput}.vue',
-    '../../{arena,layout}/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu}.vue',
+    '../../{arena,layout}/{ArenaPane,ArenaHead,ArenaFoot,ViewControls,ShowMenu,GhostItems}.vue',
     '../greeting/StageItems.vue',
     '../../course-editor/{EditorActions,EditorMenu}.vue',
     '../../debug/*.vue',

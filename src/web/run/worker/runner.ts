@@ -311,6 +311,7 @@ export class Runner {
     for (const [device, ended] of this.toldEnds.entries())
       if (ended !== (before[device] ?? null))
         this.at.post(ended ? { type: 'program-ended', ended, device } : { type: 'program-restarted', device });
+    this.tape.setOver(this.hasToldEnd);
   }
 
   /** A program has ended or begun again since the page was told last. */

@@ -68,6 +68,7 @@ export const ARENA_IDS = [
   'tools',
   'look-back',
   'show',
+  'ghosts',
   'tell',
   'readings',
   'zoom',

@@ -1,0 +1,139 @@
+import { effectScope, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
+
+import { isSame } from '#core/same';
+import type { Scene } from '#scene/scene';
+import type { Snapshot } from '#simulation/snapshot';
+import type { Verdict } from '#simulation/task/verdict';
+import type { Recording } from './recording';
+import type { Ended } from '#simulation/simulation';
+
+/** Which earlier run drives along. */
+export type GhostWish = 'none' | 'last' | 'best' | 'opened';
+
+/** Most runs that are kept. Chosen: the last, the best and one that was opened, on two courses. */
+const MOST_RUNS = 6;
+/** Most bytes of all their tapes together. Chosen: three hours of one device; a usual run takes 20 kB a minute. */
+const MOST_BYTES = 4_000_000;
+
+/** The run that the page shows, as `RunModel` has it. */
+interface RunNow {
+  readonly present: Readonly<Ref<Snapshot | null>>;
+  readonly recording: Readonly<Ref<Recording>>;
+  readonly endings: Readonly<Ref<readonly (Ended | null)[]>>;
+}
+
+/** What is kept of a run that is over. */
+export interface EarlierRun {
+  /** Its number on this page, as the console has it. */
+  readonly number: number;
+  /** It came with a link or a file. */
+  readonly isOpened: boolean;
+  /** All moments that the page had of it, packed. */
+  readonly pieces: readonly Uint8Array[];
+  readonly scene: Scene;
+  /** Ids of the robots, by the place of their device; `null`: a board alone. */
+  readonly robots: readonly (string | null)[];
+  readonly verdict: Verdict | null;
+  /** How long it took: to the verdict if it was passed, else to the end of the program, else until it was left. */
+  readonly tookUs: number;
+}
+
+/** Where a ghost is to drive: the course, and the robots by the place of their device. */
+export type GhostCourse = Pick<EarlierRun, 'scene' | 'robots'>;
+
+/** The runs of this visit that are over. Begins with what the page shows now. */
+export class EarlierRuns {
+  /** Oldest first. */
+  readonly all: ShallowRef<readonly EarlierRun[]> = shallowRef([]);
+  /** Whose ghost is to be seen. Whoever opens a run and then starts one wants to race against it. */
+  readonly wish: ShallowRef<GhostWish> = shallowRef('none');
+  private last: Snapshot | null = null;
+
+  /** @param number that of the run which is being left, when it is */
+  constructor(
+    private readonly run: RunNow,
+    private readonly number: () => number,
+  ) {
+    // Not the scope of whoever has made it: it lives as long as the run.
+    effectScope(true).run(() => {
+      watch(run.present, (present) => (this.last = present ?? this.last), { flush: 'sync', immediate: true });
+      watch(run.recording, (_, left) => this.keep(left), { flush: 'sync' });
+    });
+  }
+
+  /** The runs that can be chosen on a course with these robots; missing: there is none. */
+  choices(course: GhostCourse): Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>> {
+    const fitting = this.all.value.filter((run) => isOn(run, course));
+    const own = fitting.filter(({ isOpened }) => !isOpened);
+    const last = own.at(-1);
+    const best = bestOf(own);
+    const opened = fitting.findLast(({ isOpened }) => isOpened);
+    return { ...(last && { last }), ...(best && { best }), ...(opened && { opened }) };
+  }
+
+  private keep(left: Recording): void {
+    const { last, run } = this;
+    this.last = null;
+    if (last === null || left.setup === null || left.pieces.length === 0) return;
+    const { pieces, isBrought: isOpened } = left;
+    const { scene } = left.setup;
+    const { verdict } = last;
+    const robots = [last, ...last.others].map(({ robot }) => robot?.type ?? null);
+    const endUs = Math.max(...run.endings.value.map((ended) => ended?.timeUs ?? last.timeUs), 0);
+    const tookUs = verdict?.state === 'passed' && verdict.atMs !== null ? verdict.atMs * 1000 : endUs;
+    if (robots.every((robot) => robot === null)) return; // nothing of it would be seen
+    const number = this.number();
+    this.all.value = fewer([...this.all.value, { number, isOpened, pieces, scene, robots, verdict, tookUs }]);
+    if (isOpened) this.wish.value = 'opened';
+  }
+}
+
+/** Whether a run was driven on this course, by these robots. What the course is called, and its task, makes no other one. */
+function isOn(run: EarlierRun, { scene, robots }: GhostCourse): boolean {
+  return isSame(run.robots, robots) && (run.scene === scene || isSame(arenaOf(run.scene), arenaOf(scene)));
+}
+
+const arenaOf = ({ size, background, objects, robot: { at, heading, scale } }: Scene): unknown => [
+  ...[size, background, objects],
+  ...[at, heading, scale],
+];
+
+/** The run that has passed soonest, or else has come farthest; `undefined` where there is no task. */
+function bestOf(runs: readonly EarlierRun[]): EarlierRun | undefined {
+  return runs.filter(({ verdict }) => verdict !== null).reduce<EarlierRun | undefined>(better, undefined);
+}
+
+/** The first of equals stays: it is the one to be beaten. */
+function better(one: EarlierRun | undefined, other: EarlierRun): EarlierRun {
+  if (one === undefined) return other;
+  const [of, to] = [meritOf(one), meritOf(other)];
+  const at = of.findIndex((merit, index) => merit !== to[index]);
+  return (of[at] ?? 0) < (to[at] ?? 0) ? other : one;
+}
+
+/** What counts, the most important first; more is better. */
+function meritOf({ verdict, tookUs }: EarlierRun): readonly number[] {
+  if (verdict === null) return [];
+  const { state, stars, checkpoints, targets, blocks } = verdict;
+  const isPassed = state === 'passed';
+  const done = checkpoints.passed + targets.reached + blocks.delivered;
+  return [Number(isPassed), stars ?? 0, done, isPassed ? -tookUs : 0];
+}
+
+/** Without the oldest runs, as far as there are too many: the best on each course and what was opened last go last. */
+function fewer(runs: readonly EarlierRun[]): readonly EarlierRun[] {
+  let kept = runs;
+  while (kept.length > 1 && (kept.length > MOST_RUNS || bytesOf(kept) > MOST_BYTES)) {
+    const rest = kept;
+    const isSpared = (run: EarlierRun): boolean =>
+      run === rest.at(-1) ||
+      run === rest.findLast(({ isOpened }) => isOpened) ||
+      run === bestOf(rest.filter((other) => !other.isOpened && isOn(other, run)));
+    const gone = kept.find((run) => !isSpared(run)) ?? kept[0];
+    kept = kept.filter((run) => run !== gone);
+  }
+  return kept;
+}
+
+const bytesOf = (runs: readonly EarlierRun[]): number =>
+  runs.reduce((sum, { pieces }) => sum + pieces.reduce((all, { length }) => all + length, 0), 0);
