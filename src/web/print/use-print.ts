@@ -14,6 +14,7 @@ import { coursePng, piecesOf, pictureAddress } from './picture-parts';
 import { fileName, saveBlob } from '../work/save-file';
 import { courseSvg, type PictureOptions } from './svg-course';
 import { printWords as words } from './print-words';
+import { runWords } from './run/run-words';
 import type { PaperTask } from './task/task-blocks';
 import { taskOnPaper } from './task-on-paper';
 
@@ -72,6 +73,9 @@ export function usePrint(other: Scene | null = null) {
     saveSvg: (wish: PictureWish) =>
       save('svg', () => Promise.resolve(new Blob([courseSvg(scene.value, optionsFor(wish)).svg], { type: SVG_TYPE }))),
     savePdf: (make: (scene: Scene, name: string) => Promise<Blob>) => save('pdf', () => make(scene.value, name.value)),
+    /** Something of the run. @param signal gives it up: then it is no failure */
+    saveRun: (ending: string, make: (name: string) => Promise<Blob>, signal?: AbortSignal) =>
+      save(`run.${ending}`, () => make(name.value), signal),
   };
 }
 
@@ -81,7 +85,7 @@ function useSaving(name: () => string) {
   const said = shallowRef<{ readonly text: string; readonly isError: boolean } | null>(null);
 
   /** Makes a file and saves it under that name. */
-  async function save(ending: string, make: () => Promise<Blob>): Promise<void> {
+  async function save(ending: string, make: () => Promise<Blob>, signal?: AbortSignal): Promise<void> {
     if (isBusy.value) return;
     isBusy.value = true;
     said.value = { text: say(words.working), isError: false };
@@ -91,7 +95,8 @@ function useSaving(name: () => string) {
       saveBlob(file, await make());
       said.value = { text: say(words.saved, { file }), isError: false };
     } catch {
-      said.value = { text: say(words.failed), isError: true };
+      const isGivenUp = signal?.aborted === true;
+      said.value = { text: say(isGivenUp ? runWords.givenUp : words.failed), isError: !isGivenUp };
     }
     isBusy.value = false;
   }

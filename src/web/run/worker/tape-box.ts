@@ -3,16 +3,13 @@ import type { Snapshot } from '#simulation/snapshot';
 import { RowWriter } from '#tape/rows/row-writer';
 import type { FromWorker } from './protocol';
 
-/** Moments in a short piece: a second. */
+/** Moments in a piece after the programs' end: a second. */
 const SHORT = 50;
-/** So many pieces at the beginning of a run are short: one that is restarted soon is known, too. */
-const SHORT_PIECES = 5;
 
 /** Collects what a run shows, 50 times a second, and sends it to the page, packed. */
 export class TapeBox {
   private readonly writer = new RowWriter();
   private pieces: Uint8Array[] = [];
-  private made = 0;
   private moments = 0;
   /** The programs have ended: the next run may begin at any time, so that nothing waits for long. */
   private isOver = false;
@@ -22,7 +19,7 @@ export class TapeBox {
   readonly moment = (snapshot: Snapshot): void => {
     this.moments += 1;
     this.keep(this.writer.add(snapshot));
-    if (this.moments >= SHORT && (this.made < SHORT_PIECES || this.isOver)) this.keep(this.writer.finish());
+    if (this.isOver && this.moments >= SHORT) this.keep(this.writer.finish());
   };
 
   /** The programs have ended: sends all there is, and from now on each second. Or they have begun anew. */
@@ -48,7 +45,6 @@ export class TapeBox {
   private keep(piece: Uint8Array | null): void {
     if (piece === null) return;
     this.pieces.push(piece);
-    this.made += 1;
     this.moments = 0;
   }
 }

@@ -1,10 +1,11 @@
 /**
- * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`), or
- * checks hand-ins (`checker.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
+ * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`),
+ * checks hand-ins (`checker.ts`), or makes a film (`film.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
  */
 import { Simulation } from '#simulation/simulation';
 
 import type { Checker, ToChecker } from './checker';
+import type { createFilmMaker, ToFilm } from './film';
 import { answerFit, type FitRequest } from './fit';
 import { Looker } from './look/looker';
 import { answerRepeat, type RepeatRequest } from './look/repeat';
@@ -55,7 +56,12 @@ const loadChecker = (): Promise<Checker> =>
 const isForLooker = (data: Asked): data is ToLooker =>
   data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
 
-type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker;
+/** So does this. */
+let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
+const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
+  (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
+
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker | ToFilm;
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
@@ -63,5 +69,7 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
   else if (isForLooker(data)) looker.receive(data);
   else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
+  else if (data.type === 'film-begin' || data.type === 'film-picture' || data.type === 'film-end')
+    void loadFilmMaker().then((tell) => tell(data));
   else runner.receive(data);
 });

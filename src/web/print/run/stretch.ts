@@ -1,0 +1,57 @@
+/** A stretch of a run's time, in simulated µs: from its first to its last moment. */
+export interface Stretch {
+  readonly fromUs: number;
+  readonly toUs: number;
+}
+
+/** Number of pictures in a strip. Chosen: fewer tell nothing, more are too small on A4. */
+export const PICTURES = { least: 4, usual: 6, most: 12 } as const;
+
+/** One moment of the tape. */
+const MOMENT_US = 20_000;
+
+/** The moments of a strip: evenly spread, the first and the last of the stretch among them. */
+export function stripTimes({ fromUs, toUs }: Stretch, count: number): readonly number[] {
+  return Array.from({ length: count }, (_, at) => {
+    const timeUs = fromUs + ((toUs - fromUs) * at) / Math.max(1, count - 1);
+    return Math.round(timeUs / MOMENT_US) * MOMENT_US;
+  });
+}
+
+/** How many pictures stand side by side, and in how many rows: as full as can be, and not too small. */
+export function stripForm(count: number): { readonly columns: number; readonly rows: number } {
+  const columns = [5, 6, 9].includes(count) ? 3 : 4;
+  return { columns, rows: Math.ceil(count / columns) };
+}
+
+/** Time from one picture of a film to the next. A GIF counts in 10 ms; browsers show none below 20 ms. Chosen: 12.5 a second. */
+export const FRAME_US = 80_000;
+
+/** Longest film. Chosen: some 400 pictures, 5 MB, made in half a minute on a weak tablet. */
+export const LONGEST_FILM_US = 30_000_000;
+
+/** The moments of a film: one every 80 ms, the last of the stretch among them. */
+export function filmTimes({ fromUs, toUs }: Stretch): readonly number[] {
+  const count = Math.floor((toUs - fromUs) / FRAME_US);
+  const times = Array.from({ length: count + 1 }, (_, at) => fromUs + at * FRAME_US);
+  return times.at(-1) === toUs ? times : [...times, toUs];
+}
+
+/** How much of a run is chosen at first. Chosen: a drive along a mission; a film of it is short enough. */
+const USUAL_US = 10_000_000;
+
+/** What is chosen at first: ten seconds around the moment that is looked at, or the whole of a short run. */
+export function firstStretch(atUs: number, endUs: number): Stretch {
+  const fromUs = Math.max(0, Math.min(atUs - USUAL_US / 2, endUs - USUAL_US));
+  return { fromUs, toUs: Math.min(endUs, fromUs + USUAL_US) };
+}
+
+/** Shortest stretch. */
+const SHORTEST_US = 200_000;
+
+/** The stretch with one of its ends moved as far as it goes: the other end is not passed. */
+export function withEnd(stretch: Stretch, end: keyof Stretch, timeUs: number, endUs: number): Stretch {
+  const { fromUs, toUs } = stretch;
+  if (end === 'fromUs') return { fromUs: Math.max(0, Math.min(timeUs, toUs - SHORTEST_US)), toUs };
+  return { fromUs, toUs: Math.min(endUs, Math.max(timeUs, fromUs + SHORTEST_US)) };
+}
