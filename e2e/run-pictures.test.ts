@@ -32,7 +32,7 @@ const watchSaving = (app: App): Promise<void> =>
           image.onload = () => resolve();
           image.onerror = () => reject(new Error(`${name} is no picture.`));
           const reader = new FileReader();
-          reader.onload = () => (image.src = String(reader.result));
+          reader.onload = () => (image.src = reader.result as string);
           reader.readAsDataURL(blob);
         });
         size.push(image.naturalWidth, image.naturalHeight);
