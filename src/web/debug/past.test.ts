@@ -103,6 +103,19 @@ describe('the past of a run', () => {
     expect(page.run.past.value.timeUs).toBe(510_000);
   });
 
+  it('is looked into for a host without the page overtaking it, which is told, too', async () => {
+    const { page, past, tell, wishes, knowInputs, answerWith } = given;
+    page.run.lookBack();
+    page.run.past.value = pictureOf({ timeUs: 500_000 });
+    knowInputs();
+    const look = lookOf(500_000, pictureOf({ timeUs: 500_000 }));
+    answerWith(look);
+    const [found] = await Promise.all([past.momentOf(0), past.look()]);
+    expect(found).toEqual(look);
+    expect(wishes).toHaveLength(1);
+    expect(tell).toHaveBeenCalledTimes(1);
+  });
+
   it('does not tell the variables of a moment that is shown no more', async () => {
     const { page, past, tell, knowInputs, answerWith } = given;
     page.run.lookBack();

@@ -45,17 +45,25 @@ export class Past {
   async look(): Promise<void> {
     const { device } = this;
     if (this.goings > 0 || this.isFound(device)) return;
-    const look = await this.momentOf(device);
+    const look = await this.moment(device);
     if (look !== null) this.tell(look.device, look.variables);
   }
 
   /**
-   * The moment that is shown, as a device has it; nothing on the page changes.
+   * The moment that is shown, as a device has it, for others than the page. Meanwhile the page asks for nothing itself: its
+   * wish would overtake this one.
    *
    * @returns `null`: another one is shown by now, or nothing can be seen
    */
   async momentOf(device: number): Promise<Look | null> {
     if (this.isFound(device)) return this.found;
+    this.goings += 1;
+    const look = await this.moment(device).finally(() => (this.goings -= 1));
+    if (look !== null && device === this.device) this.tell(look.device, look.variables);
+    return look;
+  }
+
+  private async moment(device: number): Promise<Look | null> {
     const at = this.instant(device);
     const look = at === null ? null : await this.ask({ kind: 'moment', at });
     return this.instant(device)?.timeUs === at?.timeUs ? look : null;
