@@ -59,11 +59,12 @@ export const webLayers = {
   visit: ['page', 'run', 'work'],
   layout: ['page', 'run', 'work', 'visit'],
   task: ['page', 'run', 'work', 'layout'],
-  console: ['page', 'run', 'work', 'layout', 'debug'],
+  console: ['page', 'run', 'work', 'layout', 'debug', 'why'],
   'look-back': ['page', 'run', 'work', 'console', 'share'],
   chart: ['page', 'run', 'work', 'console', 'look-back'],
   'device-log': ['page', 'run', 'work'],
   debug: ['page', 'run', 'work'],
+  why: ['page', 'run', 'work', 'debug'],
   board: ['page', 'run', 'work', 'visit', 'layout', 'device-log', 'debug'],
   'course-editor': ['page', 'run', 'work', 'visit', 'layout', 'task'],
   narration: ['page', 'run', 'work', 'course-editor'],
@@ -101,6 +102,6 @@ export const webLayers = {
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker',
+    'debug', 'class', 'task-maker', 'why',
   ], // prettier-ignore
 };

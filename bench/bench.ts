@@ -3,6 +3,7 @@ import { apiCallsSubject } from './api-calls';
 import { headlessSubjects } from './headless';
 import { classSubject } from './page/class';
 import { debugSubject } from './page/debug';
+import { whySubject } from './page/why';
 import { downloadSubject } from './page/download';
 import { editingSubject, movingSubject, slowMovingSubject } from './page/editing';
 import { fourRobotsSubject, framesSubject } from './page/frames';
@@ -29,6 +30,7 @@ const pageSubjects = [
   debugSubject,
   scrubSubject,
   goOnSubject,
+  whySubject,
   classSubject,
 ];
 

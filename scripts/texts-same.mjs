@@ -8,11 +8,11 @@ export const sameWords = {
   fr: new Set(
     (
       'apostrophe auto bot buzzer calli code console csv cyan distance firmware magenta max menu message messages missions module modules obstacles parcours ' +
-      'pause place png point points radio rectangle repl robot servos simulation slalom suggestions svg variable variables zone'
+      'pause place png point points radio rectangle repl robot servo servos simulation slalom suggestions svg variable variables zone'
     ).split(' '),
   ),
   it: new Set(
-    'arena auto bot calli console csv firmware link magenta max menu parcours png radio repl robot slalom svg'.split(
+    'arena auto bot calli console csv display firmware link magenta max menu parcours pin png radio repl robot servo slalom svg'.split(
       ' ',
     ),
   ),

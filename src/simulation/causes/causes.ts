@@ -53,7 +53,8 @@ export class Causes {
   /**
    * Why a line stands in the console.
    *
-   * @param timeUs when the run says that it was printed: by the first device's clock, lines of a few ms together
+   * @param timeUs when the run says that it was printed: by the first device's clock as it last stood, at most one step of
+   *   the world before; lines of a few ms together
    * @param place how many lines of the device have this same time and come before
    */
   printed(device: number, timeUs: number, place: number): Cause | null {

@@ -6,7 +6,7 @@ export interface Observer {
   before(): void;
   /** @param call its name in the module `_hal` */
   after(call: string, given: readonly (Value | undefined)[]): void;
-  /** These bytes are about to be printed. */
+  /** These bytes are printed; the time that it takes is still to come. */
   print(bytes: Uint8Array): void;
 }
 

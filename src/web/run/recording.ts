@@ -3,6 +3,7 @@ import { shallowRef, type ShallowRef } from 'vue';
 import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
+import type { WhyAsked } from './why-asked';
 import type { FromWorker } from './worker/protocol';
 
 import type { Output } from './worker/protocol';
@@ -29,6 +30,8 @@ export class Recording {
   outputGone = 0;
   /** A moment that somebody has asked to see: the time line goes there. `null`: it is there. */
   readonly asked: ShallowRef<Asked | null> = shallowRef(null);
+  /** What somebody wants to know the line of; `null`: nothing. */
+  readonly why: ShallowRef<WhyAsked | null> = shallowRef(null);
   /** Everything done to the run up to when the tape was asked for last; `null`: it was never said. */
   readonly inputs: ShallowRef<readonly InputEvent[] | null> = shallowRef(null);
   /** The run that this one has left: what came there after the moment from which this one went on. `null`: none. */

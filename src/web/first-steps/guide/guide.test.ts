@@ -22,6 +22,7 @@ const sources = import.meta.glob<string>(
     '../greeting/StageItems.vue',
     '../../course-editor/{EditorActions,EditorMenu}.vue',
     '../../debug/*.vue',
+    '../../look-back/LookBackHead.vue',
     '../../course-editor/palette/ToolPalette.vue',
   ],
   { query: '?raw', import: 'default', eager: true },

@@ -67,6 +67,7 @@ export const ARENA_IDS = [
   'arena-hand',
   'tools',
   'look-back',
+  'ask-why',
   'show',
   'ghosts',
   'tell',
