@@ -186,6 +186,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
     'save-run-*',
     'save-run-file',
     'save-run-link',
+    'save-run-pictures',
     'go-on',
     'look-back-close',
     'time-play',
