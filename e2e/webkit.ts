@@ -16,6 +16,9 @@ interface Answer {
   readonly value: unknown;
 }
 
+/** WebKitGTK's compositor aborts now and then where there is no graphics card. No test is about it: Safari has another one. */
+const WITHOUT_COMPOSITOR = { WEBKIT_DISABLE_COMPOSITING_MODE: '1' };
+
 /** A browser window of Debian's WebKitGTK, driven over WebDriver. Every session starts with empty storage. */
 export class WebKitSession {
   private constructor(
@@ -27,6 +30,7 @@ export class WebKitSession {
   static async start(): Promise<WebKitSession> {
     const port = await freePort();
     const driver = spawn(process.env['PARCOURS_WEBKIT_DRIVER'] ?? 'WebKitWebDriver', [`--port=${port}`], {
+      env: { ...process.env, ...WITHOUT_COMPOSITOR },
       stdio: 'ignore',
       detached: true, // its own process group, so that close() also ends the windows it opened
     });
