@@ -18,11 +18,11 @@ export function readChecks(value: unknown, reader: Reader): readonly Check[] {
   return checks;
 }
 
-/** The type, or with a number if another check has that. */
-function freeId(type: string, before: readonly Check[]): string {
+/** The name, or with a number if it is taken. */
+export function freeId(name: string, others: readonly { readonly id: string }[]): string {
   for (let number = 1; ; number += 1) {
-    const id = number === 1 ? type : `${type}-${String(number)}`;
-    if (!before.some((other) => other.id === id)) return id;
+    const id = number === 1 ? name : `${name}-${String(number)}`;
+    if (!others.some((other) => other.id === id)) return id;
   }
 }
 

@@ -1,3 +1,4 @@
+import { freeId } from '#check/task/read-checks';
 import { lightColors, lightPlaces, taskLimits, type Check, type CheckKind } from '#check/task/task';
 
 /** What a check asks besides its type, as one field of its form. */
@@ -83,12 +84,4 @@ const fresh: { readonly [T in CheckKind['type']]: Extract<CheckKind, { readonly 
 /** A new check, with an id of its own. */
 export function freshCheck(type: CheckKind['type'], others: readonly Check[]): Check {
   return { ...fresh[type], id: freeId(type, others), points: 1, needed: true };
-}
-
-/** The name, or with a number if it is taken. */
-export function freeId(name: string, others: readonly { readonly id: string }[]): string {
-  for (let count = 1; ; count += 1) {
-    const id = count === 1 ? name : `${name}-${String(count)}`;
-    if (!others.some((other) => other.id === id)) return id;
-  }
 }

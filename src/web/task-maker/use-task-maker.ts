@@ -1,5 +1,6 @@
 import { computed, type ComputedRef } from 'vue';
 
+import { freeId } from '#check/task/read-checks';
 import { draftOf, lacksGoals } from '#check/task/read-task';
 import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
@@ -7,7 +8,6 @@ import { defaultScene } from '#scene/scene';
 
 import { presentProject } from '../share/save-work';
 import type { WorkParts } from '../work/model/parts';
-import { freeId } from './check-fields';
 
 /** The task of the open work, as it is being made. It is kept with the work, as its program and its course are. */
 export interface TaskMaker {
