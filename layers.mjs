@@ -95,6 +95,7 @@ export const webLayers = {
   ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
+  'handed-out': ['page', 'run', 'work', 'course-editor'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
   'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class'],
   offline: ['page'],
@@ -102,6 +103,6 @@ export const webLayers = {
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker', 'why',
+    'debug', 'class', 'task-maker', 'why', 'handed-out',
   ], // prettier-ignore
 };

@@ -108,6 +108,13 @@ describe('what a pupil’s page says', () => {
     expect(await remarksOf({ task: 'b', remarks: [] })).toEqual(['other-task']);
   });
 
+  it('is told where a line is missing that the page locks, also of a program alone', async () => {
+    const start = `# locked\n${toGoal}`;
+    const locked = { ...taskWith(goal, { locks: { lines: [1] } }), project: projectWith(goal, start) };
+    expect((await checked(locked, `# mine\r\n${start}`)).remarks).toEqual([]);
+    expect((await checked(locked, `# mine\n${toGoal}`)).remarks).toEqual([{ code: 'outside', params: {} }]);
+  });
+
   it('is proved by the run: a verdict that it has not, a way that it has not gone', async () => {
     expect(await remarksOf({ remarks: [] }, ahead(100))).toEqual(['verdict']);
     const { worlds } = await checked(task, toGoal);

@@ -1,4 +1,5 @@
 import { runFilesOf } from '#project/devices';
+import { MAIN } from '#project/project';
 import { serializeScene } from '#scene/serialize';
 import { isSame } from '#core/same';
 import { findFact } from './program/facts';
@@ -6,6 +7,7 @@ import { twinHash } from './program/twin';
 import type { HandIn } from './hand-in/hand-in';
 import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
 import { notRun, runWorld } from './run/run-world';
+import { keptLines } from './task/kept-lines';
 import { isFact, type Check, type ClassTask, type Fact } from './task/task';
 
 /** How hand-ins are run. */
@@ -112,11 +114,17 @@ function remarksOn(
     tell('other-task', { task: said.task });
   if ((hasCourse && isOtherCourse(task, project)) || said?.remarks.includes('course') === true) tell('course');
   if (said?.remarks.includes('hand') === true) tell('hand');
-  if (said?.remarks.includes('outside') === true) tell('outside');
+  if (said?.remarks.includes('outside') === true || lacksLines(task, project)) tell('outside');
   if (said?.verdict === 'passed' && visible?.passed === false) tell('verdict');
   else if (said !== null && said.hash !== '' && visible !== undefined && said.hash !== visible.hash) tell('hash');
   if (unchanged) tell('unchanged');
   return remarks;
+}
+
+/** A line that is locked in the editor is another one: the program was written elsewhere. */
+function lacksLines({ project, locks }: ClassTask, theirs: HandIn['project']): boolean {
+  const mainOf = (of: HandIn['project']): string => runFilesOf(of, 0)[MAIN] ?? '';
+  return locks.lines.length > 0 && keptLines(mainOf(project), mainOf(theirs), locks.lines) === null;
 }
 
 /** Words and pictures do not matter. */

@@ -55,11 +55,12 @@ export function draftOf(project: Project): ReadTask {
   if (version !== TASK_VERSION) return refused('version', versionProblem(version));
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
-    ...['version', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
+    ...['version', 'handedOut', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
   ]);
   const solution = solutionIn(fields, reader);
   const worlds = worldsIn(fields['worlds'], reader);
   const hiddenCount = worlds.filter(({ hidden }) => hidden).length;
+  reader.flag(fields['handedOut'], 'task.handedOut', false);
   const task: ClassTask = {
     project: plain,
     id: reader.text(fields['id'], 'task.id', taskLimits.idCharacters, ''),
@@ -204,14 +205,34 @@ function solutionIn(
     : readFiles(fields['solution'], 'task.solution', reader);
 }
 
+/** Whether it is a pupil's: then the page keeps what it locks. */
+export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
+
+/** What a task locks; nothing, where that cannot be read. */
+export function locksOf(task: Carried): Locks {
+  const reader = new Reader();
+  const locks = locksIn(task['locks'], reader);
+  return reader.problems.length === 0 ? locks : noLocks;
+}
+
+/** `true`: no tool stays. */
+function toolsIn(value: unknown, reader: Reader): Locks['tools'] {
+  if (value === undefined || value === false) return null;
+  if (value === true) return [];
+  const tools = reader.list(value, 'task.locks.tools', { min: 0, max: taskLimits.tools });
+  return tools.map((tool, index) => reader.text(tool, `task.locks.tools[${String(index)}]`, taskLimits.idCharacters));
+}
+
 function locksIn(value: unknown, reader: Reader): Locks {
   if (value === undefined) return noLocks;
-  const fields = reader.fields(value, 'task.locks', [...lockNames, 'lines']);
+  const fields = reader.fields(value, 'task.locks', ['tools', ...lockNames, 'lines']);
   const flags = lockNames.map((name) => [name, reader.flag(fields[name], `task.locks.${name}`, false)] as const);
   const { lines } = fields;
-  const numbers = lines === undefined ? [] : reader.list(lines, 'task.locks.lines', { min: 0, max: 1000 });
+  const numbers =
+    lines === undefined ? [] : reader.list(lines, 'task.locks.lines', { min: 0, max: taskLimits.lockedLines });
   return {
-    ...(Object.fromEntries(flags) as Omit<Locks, 'lines'>),
+    ...(Object.fromEntries(flags) as Omit<Locks, 'tools' | 'lines'>),
+    tools: toolsIn(fields['tools'], reader),
     lines: numbers.map((line, index) =>
       reader.whole(line, `task.locks.lines[${String(index)}]`, { min: 1, max: 100_000 }),
     ),

@@ -120,9 +120,10 @@ export const plainWorld: WorldVariant = {
   ...{ edits: [], sensors: {}, inputs: [] },
 };
 
-/** What a pupil's page leaves as it is. */
+/** What a pupil's page leaves as it is: a help, no security. What matters is told when hand-ins are checked. */
 export interface Locks {
-  readonly tools: boolean;
+  /** The tools of the course editor that there are, by their ids; `null`: all. */
+  readonly tools: readonly string[] | null;
   readonly course: boolean;
   readonly hand: boolean;
   readonly speed: boolean;
@@ -133,11 +134,13 @@ export interface Locks {
 }
 
 /** The names of what can be locked as a whole. */
-export const lockNames = ['tools', 'course', 'hand', 'speed', 'robot', 'solution'] as const;
+export const lockNames = ['course', 'hand', 'speed', 'robot', 'solution'] as const;
+
+export type LockName = (typeof lockNames)[number];
 
 /** Nothing is locked. */
 export const noLocks: Locks = {
-  ...{ tools: false, course: false, hand: false, speed: false, robot: false, solution: false },
+  ...{ tools: null, course: false, hand: false, speed: false, robot: false, solution: false },
   lines: [],
 };
 
@@ -160,6 +163,9 @@ export const taskLimits = {
   edits: 200,
   sensors: 50,
   inputs: 10_000,
+  /** Of the course editor that stay. */
+  tools: 50,
+  lockedLines: 1000,
 } as const;
 
 /** The worlds that are added to the visible one. */

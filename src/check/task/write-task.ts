@@ -1,17 +1,18 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
 import { draftOf, TASK_VERSION } from './read-task';
-import { noLocks, plainWorld, type Check, type ClassTask, type WorldVariant } from './task';
+import { noLocks, plainWorld, type Check, type ClassTask, type Locks, type WorldVariant } from './task';
 
 /** The project of a task, with everything: for the teacher. */
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
 
-/** The same without the solution and without hidden worlds: what pupils get. */
+/** The same without the solution and without hidden worlds: what pupils get. On their page the locks hold. */
 export const projectForPupils = (task: ClassTask): Project => {
   const [first] = task.worlds;
   const visible = task.worlds.filter(({ hidden }) => !hidden);
   // How many of the hidden ones are wanted says how many there are.
-  return projectOfTask({ ...task, worlds: [first, ...visible.slice(1)], least: null, solution: null });
+  const given = projectOfTask({ ...task, worlds: [first, ...visible.slice(1)], least: null, solution: null });
+  return { ...given, task: { ...given.task, handedOut: true } };
 };
 
 /**
@@ -38,7 +39,7 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
     ...(seconds !== null && { seconds }),
     ...(stars !== null && { stars }),
     ...(solution !== null && { solution }),
-    ...(!isSame(locks, noLocks) && { locks }),
+    ...(!isSame(locks, noLocks) && { locks: lockData(locks) }),
   };
   return JSON.parse(JSON.stringify(plain)) as Carried;
 }
@@ -46,6 +47,13 @@ function dataOf({ id, checks, worlds, least, seconds, stars, solution, locks }: 
 /** `null` stands for what is left out. */
 const said = (fields: object): object =>
   Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
+
+/** What is locked, and nothing of the rest. */
+const lockData = ({ tools, lines, ...flags }: Locks): object => ({
+  ...(tools !== null && { tools: tools.length === 0 ? true : tools }),
+  ...Object.fromEntries(Object.entries(flags).filter(([, isLocked]) => isLocked)),
+  ...(lines.length > 0 && { lines }),
+});
 
 const checkData = ({ points, needed, ...check }: Check): object => ({
   ...said(check),

@@ -41,6 +41,7 @@ import { provideTask } from '../task/parts';
 import { createTask } from '../task/task-model';
 import { useLiveEdits } from '../work/model/use-live-edits';
 import { WorkModel } from '../work/model/work-model';
+import { keepTask } from './keep-task';
 import { tellIdleHand } from './tell-idle-hand';
 import { browserEngine, createRun, type RunEngine } from './create-run';
 
@@ -51,8 +52,12 @@ export type AllParts = ReturnType<typeof createParts>;
 export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = browserEngine) {
   const page = { notices: createNotices(), dialogs: createDialogs() };
   const host = new HostView(wish);
-  const settings = createSettings(heldSettings(wish.settings));
+  const settings = createSettings(
+    heldSettings(wish.settings),
+    (names) => keeper.value?.refusesSettings(names) === true,
+  );
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
+  const { keeper } = work;
   keepWork(work, opened.storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
@@ -70,6 +75,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   emptyConsole({ work, ...running, ...talk });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   tellIdleHand({ ...page, ...running, work, editor });
+  keepTask({ ...page, ...mine, ...running, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
   const slot = new DebugSlot({ ...mine, ...running, engine });

@@ -18,6 +18,8 @@ export interface CanvasProps {
    * a new state paints the canvas and renders no component.
    */
   newest: () => Snapshot | null;
+  /** Whether the hand may take nothing; who tries is told. Left out: it may. */
+  refuses?: () => boolean;
   /** The robot to draw, or `null` for none. */
   robot: RobotLook | null;
   /** The robot's options: they show its attachments before a run. */

@@ -77,10 +77,13 @@ export function editorExtensions(options: {
   lineNumbers: Extension;
   /** The container of lists and cards: outside the pane, which cuts off what leaves it. */
   popups: HTMLElement;
+  /** What a task brings. */
+  kept: Extension;
   onChange(text: string): void;
   onRun(): void;
 }): Extension {
   return [
+    options.kept,
     options.lineNumbers,
     highlightActiveLine(),
     highlightActiveLineGutter(),

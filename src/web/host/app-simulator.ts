@@ -4,6 +4,7 @@ import type { HostedPage } from './hosted-page';
 import { filesProblem } from '#embed/files-problem';
 import type { EmbeddedSimulator, HostSettings, Refusal, SimulatorEvent } from '#embed/simulator';
 import { withFiles } from '#project/devices';
+import { isSame } from '#core/same';
 import type { Project } from '#project/project';
 import { editProblem } from '#scene/check-edit';
 import type { SceneEdit } from '#scene/edit';
@@ -17,6 +18,7 @@ import type { WorkParts } from '../work/model/parts';
 import type { VisitParts } from '../visit/parts';
 import type { LayoutParts } from '../layout/parts';
 import { isOurs } from '../work/use-courses';
+import { withoutGiven } from '../work/model/keeper';
 import { workName } from '../work/work-name';
 import { isSameWork } from '../work/storage/history';
 import { travelling } from '../work/settings/travelling';
@@ -41,7 +43,7 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
     project: () => presentProject(app),
     settings: () => settingsOf(app),
     sensorWishes: () => app.sensors.wishes.value,
-    ...hostWork(app, change),
+    ...hostWork(app),
     change,
     ...hostRuns(app),
     input: (action, device) => inputs.take(action, device),
@@ -56,10 +58,7 @@ export function appSimulator(app: HostedPage): EmbeddedSimulator {
 }
 
 /** Opening and editing. */
-function hostWork(
-  app: HostedPage,
-  change: (wish: HostSettings) => Refusal,
-): Pick<EmbeddedSimulator, 'openProject' | 'setFiles' | 'setScene' | 'edit'> {
+function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'setFiles' | 'setScene' | 'edit'> {
   const { run, work, host, hand } = app;
   /** What a host opened last. The host has its own copy, so it need not be put aside. */
   let brought: Project | null = null;
@@ -83,35 +82,52 @@ function hostWork(
       const problem = filesProblem(project.files) ?? (settings ? settingsProblem(settings) : null);
       if (problem !== null) return problem;
       open(project);
-      return settings === undefined ? null : change(settings);
+      if (settings !== undefined) bringSettings(app, settings);
+      return null;
     },
     setFiles(files, device) {
       const { project } = work.work.value;
       const place = placeOfDevice(work.devices.value, device);
       const problem = filesProblem(files) ?? (typeof place === 'string' ? place : null);
-      if (problem === null) open(withFiles(project, Number(place), files));
-      return problem;
+      if (problem !== null) return problem;
+      const wished = withFiles(project, Number(place), files);
+      const { keeper } = work;
+      const given = keeper.value === null ? wished : keeper.value.changed(project, wished, false);
+      if (given === null) return KEPT;
+      open(given);
+      return null;
     },
     setScene(scene: Scene) {
-      open({ ...work.work.value.project, scene, course: null });
+      open({ ...withoutGiven(work.work.value.project), scene, course: null });
       return null;
     },
     edit(edit: SceneEdit) {
       const problem = editProblem(work.scene.value, edit);
       if (problem !== null) return problem.message;
+      if (work.keeper.value?.refuses('course') === true) return KEPT;
       app.editor.commit(edit);
       return null;
     },
   };
 }
 
-function changeSettings({ settings, host }: Pick<WorkParts, 'settings'> & VisitParts, wish: HostSettings): Refusal {
+/** Why a host is refused what the open task locks. */
+const KEPT = 'The task that is open keeps this as it is.';
+
+function changeSettings(app: WorkParts & VisitParts, wish: HostSettings): Refusal {
   const problem = settingsProblem(wish);
   if (problem !== null) return problem;
+  const now: Readonly<Record<string, unknown>> = { ...app.settings.current.value };
+  const others = Object.entries(heldSettings(wish)).filter(([name, value]) => !isSame(value, now[name]));
+  if (app.work.keeper.value?.refusesSettings(others.map(([name]) => name)) === true) return KEPT;
+  bringSettings(app, wish);
+  return null;
+}
+
+function bringSettings({ settings, host }: Pick<WorkParts, 'settings'> & VisitParts, wish: HostSettings): void {
   settings.hold(heldSettings(wish));
   if (wish.parts !== undefined) host.parts.value = wish.parts;
   if (wish.labels !== undefined) host.labels.value = wish.labels;
-  return null;
 }
 
 /** Starting, stopping, and everything in between. */

@@ -28,7 +28,7 @@ async function hostAtRun() {
   const sensors = new SensorsModel(run);
   const nothing = (): void => undefined;
   const own = shallowRef(defaultSettings('en'));
-  const settings = { current: own, own, change: nothing, hold: nothing };
+  const settings = { current: own, own, change: nothing, bring: nothing, hold: nothing };
   const work = new WorkModel({ project, open: MAIN, previous: [] }, () => 0);
   const taker = hostInputs({ run, sensors, settings, work });
   void run.start();

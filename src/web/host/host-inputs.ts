@@ -20,12 +20,12 @@ export interface HostInputs {
 export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts): HostInputs {
   const { run, work, sensors } = parts;
   let isOwn = false;
-  const act = (action: InputAction, place: number | undefined): void => {
+  const act = (action: InputAction, place: number | undefined): boolean => {
     isOwn = true;
     try {
-      if (action.type === 'sensor' && typeof action.value === 'number')
-        sensors.set(action.id, action.value, place ?? 0);
-      else run.input(action, place);
+      return action.type === 'sensor' && typeof action.value === 'number'
+        ? sensors.set(action.id, action.value, place ?? 0)
+        : run.input(action, place);
     } finally {
       isOwn = false;
     }
@@ -40,8 +40,9 @@ export function hostInputs(parts: Pick<RunParts, 'run' | 'sensors'> & WorkParts)
       const scene = work.scene.value;
       const check = createInputCheck(hardware.board, scene, hardware.robot !== null);
       const problem = check(action, scene, movableIds(new Set(), scene, scene));
-      if (problem === null) act(action, device === undefined && action.type === 'radio' ? undefined : place);
-      return problem;
+      if (problem !== null) return problem;
+      const isTaken = act(action, device === undefined && action.type === 'radio' ? undefined : place);
+      return isTaken ? null : 'The task that is open is done without the hand.';
     },
   };
 }

@@ -25,7 +25,7 @@ function setupFor(board: string, inputs: readonly InputEvent[]): RunSetup {
 
 describe('what holds for every run', () => {
   it('starts a run on every board, also what was set for another one or in a wider range', () => {
-    const sensors = new SensorsModel({ input: () => undefined, device: 0 });
+    const sensors = new SensorsModel({ input: () => true, device: 0 });
     for (const id of ['pin3', 'pinLogo', 'buttonA', 'lightLevel']) sensors.set(id, 1);
     sensors.set('accelerometerX', 7000); // in a run that had set the range to 8 g
     for (const type of boardTypes) {
@@ -37,7 +37,7 @@ describe('what holds for every run', () => {
 
   it('is all of it where the board has everything', () => {
     for (const type of boardTypes) {
-      const sensors = new SensorsModel({ input: () => undefined, device: 0 });
+      const sensors = new SensorsModel({ input: () => true, device: 0 });
       const infos = new Board(type, new Clock()).sensors.describe();
       for (const info of infos) if (info.kind === 'range') sensors.set(info.id, info.start);
       expect(fittingInputs(sensors.startInputs(), type)).toEqual(sensors.startInputs());

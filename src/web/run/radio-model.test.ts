@@ -6,7 +6,7 @@ import { RADIO_ENTRIES, RadioModel, readable } from './radio-model';
 
 function model() {
   const sent: InputAction[] = [];
-  const run = { input: (action: InputAction) => sent.push(action), nowUs: computed(() => 2_000_000) };
+  const run = { input: (action: InputAction) => sent.push(action) > 0, nowUs: computed(() => 2_000_000) };
   return { radio: new RadioModel(run), sent };
 }
 const packet = (text: string, timeUs = 0) => ({

@@ -23,6 +23,8 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   setup(kept?: RunSetup): RunSetup;
   /** Place of the device whose board and program are shown. Left out: the first. */
   device?(): number;
+  /** Whether nobody may do that; left out: all may be done. */
+  refuses?(action: InputAction): boolean;
   /** Something was done to a board, whether a run takes it or not. */
   onInput(action: InputAction, device: number): void;
   onStart(): void;
@@ -254,14 +256,17 @@ export class RunModel {
    * happens.
    *
    * @param device its place; left out: the one that is shown, and for a packet by radio all of them
+   * @returns whether it may be done at all
    */
-  input(action: InputAction, device?: number): void {
+  input(action: InputAction, device?: number): boolean {
+    if (this.host.refuses?.(action) === true) return false;
     this.past.value = this.recording.value.asked.value = null; // what is done, is done now
     this.host.onInput(action, device ?? this.device);
     const place = device ?? (action.type === 'radio' ? null : this.device);
     const name = place === null || (place === 0 && action.type !== 'radio') ? undefined : this.names[place];
     const message = { type: 'input', action, ...(name !== undefined && { device: name }) } as const;
     if (this.isActive.value && !this.send(message)) this.host.onRefused('Too much is done before the program begins.');
+    return true;
   }
 
   /** A device in the picture that is shown, or `null`. */

@@ -16,10 +16,11 @@ export class SensorsModel {
 
   constructor(private readonly run: Pick<RunModel, 'input' | 'device'>) {}
 
-  /** Sets a sensor of a device, now and at the start of every further run. */
-  set(id: string, value: number, device = this.run.device): void {
-    this.put(device, { ...this.all.value[device], [id]: value });
-    this.run.input({ type: 'sensor', id, value }, device);
+  /** Sets a sensor of a device, now and at the start of every further run. @returns whether that may be done */
+  set(id: string, value: number, device = this.run.device): boolean {
+    const mayBe = this.run.input({ type: 'sensor', id, value }, device);
+    if (mayBe) this.put(device, { ...this.all.value[device], [id]: value });
+    return mayBe;
   }
 
   /** A movement of the board: each call reports it to the program again. */

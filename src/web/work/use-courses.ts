@@ -7,6 +7,7 @@ import { projectOf, type Course } from './catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
+import { withoutGiven } from './model/keeper';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
 import { useOpenings } from './use-openings';
@@ -73,7 +74,7 @@ export function useCourses(app: Workplace) {
 }
 
 /** A program for one device takes the place of all. */
-const alone = ({ devices: _, ...project }: Project): Project => project;
+const alone = ({ devices: _, ...project }: Project): Project => withoutGiven(project);
 
 /** The robot that a course and its program are made for. */
 function robotOf({ scene, files }: Project) {

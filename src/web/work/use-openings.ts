@@ -66,5 +66,5 @@ function bringSettings({ settings }: Pick<WorkParts, 'settings'>, { settings: br
   const before = settings.current.value;
   const after = travelling(withTravelling(before, brought));
   const isOther = (after.robot === NO_ROBOT) !== (before.robot === NO_ROBOT);
-  settings.change(isOther ? { ...after, showArena: after.robot !== NO_ROBOT } : after);
+  settings.bring(isOther ? { ...after, showArena: after.robot !== NO_ROBOT } : after);
 }

@@ -18,6 +18,8 @@ import { toMm, toPx, type View } from '../view/view-transform';
 /** What the hand sees and does. */
 export interface HandPorts extends PicturePorts, ThingPorts {
   readonly place: (thing: HeldThing, pose: Pose) => void;
+  /** Whether nothing may be taken; who tries is told. Left out: all may. */
+  readonly refuses?: () => boolean;
   /** Called when the picture has changed. */
   readonly changed: () => void;
 }
@@ -97,7 +99,7 @@ export class Hand {
     if (this.pointers.size > 1 || press.pansOnly) return;
     const target = this.targetAt(press.at, press.touch);
     this.selected = target.kind === 'robot' || target.kind === 'ring';
-    if (target.kind !== 'floor') this.take(target, press);
+    if (target.kind !== 'floor' && !this.isRefused()) this.take(target, press);
     this.ports.changed();
   }
 
@@ -172,6 +174,7 @@ export class Hand {
     const from = this.hold?.pose ?? (robot === null ? null : this.poseOf({ kind: 'robot' }, robot.pose));
     const pose = from === null ? null : nudgedPose(from, key, fine);
     if (from === null || pose === null) return false;
+    if (this.isRefused()) return true;
     const thing: HeldThing = { kind: 'robot' };
     this.hold ??= {
       thing,
@@ -229,6 +232,10 @@ export class Hand {
       x: centre.x + radius * Math.cos(pose.headingRad),
       y: centre.y - radius * Math.sin(pose.headingRad),
     };
+  }
+
+  private isRefused(): boolean {
+    return this.ports.refuses?.() === true;
   }
 
   private take(target: Exclude<Target, { kind: 'floor' }>, press: Press): void {

@@ -17,6 +17,8 @@ export interface HandPlace {
   readonly robot: () => RobotShape | null;
   readonly blocks: () => readonly PlacedBlock[];
   readonly place: (thing: HeldThing, pose: Pose) => void;
+  /** Whether nothing may be taken. */
+  readonly refuses?: (() => boolean) | undefined;
   readonly redraw: () => void;
 }
 
@@ -57,6 +59,7 @@ export function useArenaHand(where: HandPlace): ArenaHand {
     robot: where.robot,
     blocks: where.blocks,
     place: where.place,
+    refuses: () => where.refuses?.() === true,
     pan: (byPx) => picture.panBy(byPx),
     zoom: (factor, aroundPx) => picture.zoomBy(factor, aroundPx),
     changed: () => {

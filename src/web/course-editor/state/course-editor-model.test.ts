@@ -16,7 +16,7 @@ function editing(kind: LayoutKind = 'wide') {
   const work = new WorkModel({ project, open: 'main.py', previous: [] }, () => 0);
   const current = shallowRef(defaultSettings('de'));
   const change: SettingsModel['change'] = (part) => void (current.value = { ...current.value, ...part });
-  const settings: SettingsModel = { current, own: current, change, hold: change };
+  const settings: SettingsModel = { current, own: current, change, bring: change, hold: change };
   const edits: CourseStep[] = [];
   work.onStep((step) => edits.push(step));
   const scope = effectScope();

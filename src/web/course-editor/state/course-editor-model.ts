@@ -175,6 +175,7 @@ class CourseEditor implements CourseEditorModel {
   }
 
   readonly choose = (tool: ArenaTool): void => {
+    if (this.around.work.keeper.value?.refusesTool(tool) === true) return;
     this.drag.value = null;
     this.measure.value = null;
     if (tool === this.tool.value) return;

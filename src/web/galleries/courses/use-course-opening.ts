@@ -27,7 +27,9 @@ export function useCourseOpening() {
   }
   return {
     open,
-    openSolved: (course: Course): void => open(solved(course)),
+    openSolved(course: Course): void {
+      if (app.work.keeper.value?.refuses('solution') !== true) open(solved(course));
+    },
     /** It is the one in the arena, changed or not. */
     isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,
   };

@@ -91,10 +91,10 @@ function useBringing(
   hardware: ComputedRef<Hardware | null>,
 ): Pick<DeviceModel, 'allowRobot' | 'bringRobot' | 'setUpForCourse'> {
   function changeBoth(wish: (before: Settings) => Partial<Settings>): void {
-    settings.change(wish(settings.current.value), wish(settings.own.value));
+    settings.bring(wish(settings.current.value), wish(settings.own.value));
   }
   function choose(wish: Pick<Settings, 'robot'> & Partial<Settings>): void {
-    settings.change({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
+    settings.bring({ ...wish, ...arenaFor(wish.robot, settings.current.value) });
   }
   return {
     allowRobot: () => {

@@ -17,6 +17,7 @@ import type { SceneEdit } from '#scene/edit';
 import { advanced, historyOf, redone, undone, type History, type Step } from '#scene/history';
 import type { Scene } from '#scene/scene';
 
+import { withoutGiven, type Keeper } from './keeper';
 import { putAside, type Previous, type Work } from '../storage/history';
 
 /** A step of the course that was just done, taken back, or done again. */
@@ -52,6 +53,8 @@ export class WorkModel {
   isBrought = false;
   /** The edit that a gesture still under way in the arena amounts to; `null` without one. It is saved with the work. */
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
+  /** Of the task that is open, what it keeps as it is; `null`: nothing. */
+  readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
   private readonly listeners = new Set<(step: CourseStep) => void>();
@@ -128,8 +131,10 @@ export class WorkModel {
     if (this.find(name) !== undefined) this.work.value = { ...this.work.value, open: name };
   }
 
-  setText(name: string, text: string): void {
-    this.setFiles(this.files.value.map((file) => (file.name === name ? { name, text } : file)));
+  /** @param isTyped in the page's editor, not brought from elsewhere */
+  setText(name: string, text: string, isTyped = false): void {
+    const files = this.files.value.map((file) => (file.name === name ? { name, text } : file));
+    this.setFiles(files, this.work.value.open, isTyped);
   }
 
   /** Adds a file and shows it; its name must be free. */
@@ -202,7 +207,7 @@ export class WorkModel {
 
   /** Opens another course; the files stay. The work so far is put aside if `nameOfOld` is given. */
   setScene(scene: Scene, course: string | null, nameOfOld: string | null = null): void {
-    this.put({ ...this.work.value.project, scene, course }, this.work.value.open, nameOfOld);
+    this.put({ ...withoutGiven(this.work.value.project), scene, course }, this.work.value.open, nameOfOld);
   }
 
   /** Opens another project, perhaps from a file. The work so far is put aside if `nameOfOld` is given. */
@@ -233,7 +238,7 @@ export class WorkModel {
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
     const before = this.history.value;
-    if (history === before || step === undefined) return false;
+    if (history === before || step === undefined || this.keeper.value?.refuses('course') === true) return false;
     const { present } = history;
     this.history.value = history;
     const { course, scene } = this.origin;
@@ -251,9 +256,8 @@ export class WorkModel {
     this.work.value = { ...this.work.value, previous: putAside(previous, entry) };
   }
 
-  private setFiles(files: readonly SourceFile[], open = this.work.value.open): void {
-    const project = withFiles(this.work.value.project, this.place.value, files);
-    this.work.value = { ...this.work.value, open, project };
+  private setFiles(files: readonly SourceFile[], open = this.work.value.open, isTyped = false): void {
+    this.setProject(withFiles(this.work.value.project, this.place.value, files), open, isTyped);
   }
 
   /** What makes the work a task for a class (`#check/task`); `null`: nothing. */
@@ -262,7 +266,14 @@ export class WorkModel {
     this.setProject(task === null ? project : { ...project, task });
   }
 
-  private setProject(project: Project): void {
-    this.work.value = { ...this.work.value, project };
+  /** What is handed in besides the program (`#check/hand-in`). */
+  setHandIn(handIn: Carried): void {
+    this.work.value = { ...this.work.value, project: { ...this.work.value.project, handIn } };
+  }
+
+  private setProject(wished: Project, open = this.work.value.open, isTyped = false): void {
+    const { keeper, work } = this;
+    const project = keeper.value === null ? wished : keeper.value.changed(work.value.project, wished, isTyped);
+    if (project !== null) work.value = { ...work.value, open, project };
   }
 }

@@ -18,12 +18,22 @@ export interface SettingsModel {
    * @param own what is stored, where the pupil has chosen only a part of a value whose rest is the host's
    */
   change(part: Partial<Settings>, own?: Partial<Settings>): void;
+  /** The same with what a work comes with that is being opened. */
+  bring(part: Partial<Settings>, own?: Partial<Settings>): void;
   /** Sets something for this visit only, as a host or an address wishes; it holds until the pupil changes it. */
   hold(part: Partial<Settings>): void;
 }
 
-/** Reads the stored settings and stores every change. @param held what this visit has otherwise */
-export function createSettings(held: Partial<Settings> = {}): SettingsModel {
+/**
+ * Reads the stored settings and stores every change.
+ *
+ * @param held what this visit has otherwise
+ * @param refuses whether what the pupil wants to change has to stay as it is
+ */
+export function createSettings(
+  held: Partial<Settings> = {},
+  refuses: (names: readonly string[]) => boolean = () => false,
+): SettingsModel {
   const own = shallowRef(storedSettings());
   const visit = shallowRef(held);
   const current = computed(() => ({ ...own.value, ...visit.value }));
@@ -37,14 +47,13 @@ export function createSettings(held: Partial<Settings> = {}): SettingsModel {
       }
     }
   });
-  return {
-    own,
-    current,
-    change: (part, stored = part) => {
+  const changing =
+    (mayBeRefused: boolean): SettingsModel['change'] =>
+    (part, stored = part) => {
       const chosen = Object.entries(part).flatMap(([name, value]) =>
         isSame(value, current.value[name as keyof Settings]) ? [] : [name],
       );
-      if (chosen.length === 0) return;
+      if (chosen.length === 0 || (mayBeRefused && refuses(chosen))) return;
       const isChosen = ([name]: readonly [string, unknown]): boolean => chosen.includes(name);
       const before = visit.value;
       // In this order observers never see a value that is neither the old one nor the new one.
@@ -54,7 +63,12 @@ export function createSettings(held: Partial<Settings> = {}): SettingsModel {
         (entry) => !isChosen(entry) || (entry[0] in before && !isSame(entry[1], stored[entry[0] as keyof Settings])),
       );
       visit.value = Object.fromEntries(rest);
-    },
+    };
+  return {
+    own,
+    current,
+    change: changing(true),
+    bring: changing(false),
     hold: (part) => {
       visit.value = { ...visit.value, ...part };
     },

@@ -1,0 +1,157 @@
+// @vitest-environment happy-dom
+import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { withoutSecrets } from '#check/task/write-task';
+import { defaultScene } from '#scene/scene';
+import type { SceneEdit } from '#scene/edit';
+import type { Project } from '#project/project';
+import { createPage, type TestPage } from '../app/testing/page';
+import { inputsOf, show, startRun } from '../app/testing/run';
+import { appSimulator } from '../host/app-simulator';
+import { useDevice } from '../work/hardware/use-device';
+import { useCourses } from '../work/use-courses';
+import { knownCourses } from '../work/catalogue/known-courses';
+
+const PROGRAM = 'import robot\n\ndef turn():\n    robot.left(90)\n\n# mine\n';
+const BLOCK: SceneEdit = {
+  type: 'add',
+  objects: [{ type: 'block', id: 'b', at: [100, 100], size: [50, 50], angle: 0 }],
+};
+
+/** The task as the class gets it: it asks for a loop, and locks this. */
+const given = (locks: object): Project =>
+  withoutSecrets({
+    files: [{ name: 'main.py', text: PROGRAM }],
+    ...{ scene: defaultScene(), course: null },
+    task: { version: 1, checks: [{ type: 'loop', id: 'loop' }], locks },
+  });
+
+/** A pupil's page on which it is open. */
+async function pupil(locks: object): Promise<TestPage & { readonly said: () => string | undefined }> {
+  const page = createPage();
+  page.work.openProject(given(locks), null);
+  await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+  const said = (): string | undefined => page.notices.current.value?.values?.['text'] as string | undefined;
+  return { ...page, said };
+}
+const program = ({ work }: TestPage): string | undefined => work.files.value[0]?.text;
+const linesOf = ({ work }: TestPage): unknown => (work.work.value.project.task?.['locks'] as { lines?: unknown }).lines;
+
+beforeEach(() => {
+  sessionStorage.clear();
+  localStorage.clear();
+});
+
+describe('a task with a locked course', () => {
+  it('is not changed by tools, undo or a host, and says so; the ruler stays', async () => {
+    const page = await pupil({ course: true });
+    const { scene } = page.work;
+    const before = scene.value;
+    expect(page.editor.commit(BLOCK)).toBe(false);
+    expect(appSimulator(page).edit(BLOCK)).toMatch(/keeps this as it is/);
+    page.editor.choose('pen');
+    expect([scene.value === before, page.editor.tool.value]).toEqual([true, 'hand']);
+    expect(page.said()).toMatch(/course|Parcours/);
+    page.editor.choose('ruler');
+    expect(page.editor.tool.value).toBe('ruler');
+  });
+
+  it('puts the tool away that was in the hand when it was opened', async () => {
+    const page = createPage();
+    page.editor.choose('eraser');
+    page.work.openProject(given({ course: true }), null);
+    await vi.waitFor(() => expect(page.editor.tool.value).toBe('hand'));
+  });
+});
+
+it('a task that leaves the pen alone has no eraser', async () => {
+  const page = await pupil({ tools: ['pen'] });
+  page.editor.choose('pen');
+  page.editor.choose('eraser');
+  expect([page.editor.tool.value, page.editor.commit(BLOCK)]).toEqual(['pen', true]);
+});
+
+it('a task that locks the hand keeps robot, blocks and sensors from it, by whatever way', async () => {
+  const page = createPage();
+  page.sensors.set('lightLevel', 3);
+  page.hand.pose.value = { xMm: 1, yMm: 2, headingDeg: 0 };
+  page.work.openProject(given({ hand: true }), null);
+  await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+  expect([page.sensors.wishes.value, page.hand.pose.value]).toEqual([{}, null]);
+  await startRun(page);
+  await show(page);
+  const host = appSimulator(page);
+  page.sensors.set('lightLevel', 7);
+  page.sensors.gesture('shake');
+  page.run.input({ type: 'place', pose: { xMm: 1, yMm: 2, headingDeg: 0 } });
+  expect(host.input({ type: 'sensor', id: 'lightLevel', value: 9 })).toMatch(/without the hand/);
+  page.run.input({ type: 'button', button: 'a', down: true });
+  expect(inputsOf(page)).toEqual([{ type: 'button', button: 'a', down: true }]);
+  expect(page.sensors.wishes.value).toEqual({});
+});
+
+it('a task that locks the speed runs at 1×, and gives the pupil’s own back afterwards', async () => {
+  const page = createPage();
+  const speed = (): unknown => page.settings.current.value.speed;
+  page.settings.change({ speed: 4 });
+  page.work.openProject(given({ speed: true }), null);
+  await vi.waitFor(() => expect(speed()).toBe(1));
+  page.settings.change({ speed: 'max' });
+  expect(appSimulator(page).change({ speed: 8 })).toMatch(/keeps this/);
+  expect(speed()).toBe(1);
+  page.work.openProject({ ...given({}), task: { version: 1 } }, null);
+  expect(speed()).toBe(4);
+});
+
+it('a task that locks the robot keeps it and the board, but not the look of the page', async () => {
+  const page = await pupil({ robot: true });
+  const before = page.settings.current.value;
+  const device = useDevice(page);
+  device.chooseRobot('callibot');
+  device.chooseDevice('calliope-mini-3');
+  device.chooseReality(1);
+  expect(appSimulator(page).change({ robot: 'callibot' })).toMatch(/keeps this/);
+  expect(page.settings.current.value).toEqual(before);
+  page.settings.change({ theme: 'dark' });
+  expect(page.settings.current.value.theme).toBe('dark');
+  page.work.addDevice({ name: 'B', files: [], sameAs: '', device: 'auto', firmware: '', robot: 'auto', robotOptions: {} }, 'A'); // prettier-ignore
+  expect(page.work.hasSeveral.value).toBe(false);
+});
+
+describe('a task with locked lines', () => {
+  it('lets the pupil write around them, and knows after a reload where they are', async () => {
+    const page = await pupil({ lines: [3, 4] });
+    page.work.setText('main.py', `# Anna\n${PROGRAM}`, true);
+    expect(linesOf(page)).toEqual([4, 5]);
+    page.work.setText('main.py', `# Anna\n${PROGRAM}turn()\n`, true);
+    expect([program(page), linesOf(page)]).toEqual([`# Anna\n${PROGRAM}turn()\n`, [4, 5]]);
+  });
+
+  it('takes no program that lacks them: not typed, not from a file, not from a host', async () => {
+    const page = await pupil({ lines: [3, 4] });
+    const other = PROGRAM.replace('left', 'right');
+    page.work.setText('main.py', other, true);
+    page.work.replace({ name: 'main.py', text: other }, 'old');
+    expect(appSimulator(page).setFiles([{ name: 'main.py', text: other }])).toMatch(/keeps this/);
+    expect([program(page), linesOf(page)]).toEqual([PROGRAM, [3, 4]]);
+    expect(page.said()).toMatch(/lines|Zeilen/);
+    expect(appSimulator(page).setFiles([{ name: 'main.py', text: `${PROGRAM}turn()` }])).toBeNull();
+    expect(program(page)).toBe(`${PROGRAM}turn()`);
+  });
+});
+
+describe('what is not the task', () => {
+  it('is free: the teacher’s own copy of it, and what is opened after it', async () => {
+    const page = await pupil({ course: true });
+    page.work.openProject({ ...given({}), task: { version: 1, locks: { course: true } } }, null);
+    expect(page.editor.commit(BLOCK)).toBe(true);
+  });
+
+  it('is a course from the gallery, into which the program is taken along', async () => {
+    const page = await pupil({ course: true });
+    const course = knownCourses.value?.[0];
+    if (course !== undefined) useCourses(page).openScene(course);
+    else page.work.setScene({ ...defaultScene(), name: 'Other' }, null);
+    expect([page.work.keeper.value, page.work.work.value.project.task]).toEqual([null, undefined]);
+    expect(page.editor.commit(BLOCK)).toBe(true);
+  });
+});

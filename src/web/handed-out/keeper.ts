@@ -1,0 +1,148 @@
+import type { Extension } from '@codemirror/state';
+import { computed, effectScope, watch } from 'vue';
+
+import { keptLines } from '#check/task/kept-lines';
+import { isHandedOut, locksOf } from '#check/task/read-task';
+import { noLocks, type LockName, type Locks } from '#check/task/task';
+import { isSame } from '#core/same';
+import type { Stop } from '#core/stop';
+import { MAIN, type Project } from '#project/project';
+import type { InputAction } from '#simulation/input';
+
+import type { CourseEditorParts } from '../course-editor/state/parts';
+import type { PageParts } from '../page/parts';
+import { say } from '../page/i18n/say';
+import type { RunParts } from '../run/parts';
+import type { Keeper } from '../work/model/keeper';
+import type { WorkParts } from '../work/model/parts';
+import { handedOutWords as words } from './handed-out-words';
+import { lockedLines } from './locked-lines';
+
+/** What a keeper needs of the page. */
+export type KeptPage = Pick<PageParts, 'notices'> &
+  WorkParts &
+  Pick<RunParts, 'run' | 'sensors' | 'hand'> &
+  Pick<CourseEditorParts, 'editor'>;
+
+/** What is fixed with the robot, of the settings. */
+const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'];
+
+/** Keeps what the open task locks, as long as one that was handed out is open. */
+export function keep(app: KeptPage): Stop {
+  const scope = effectScope(true);
+  scope.run(() => {
+    const keeper = new TaskKeeper(app);
+    app.work.keeper.value = keeper;
+    beginWith(app, keeper);
+  });
+  return () => {
+    app.work.keeper.value = null;
+    scope.stop();
+  };
+}
+
+/** What was chosen before the task came, and is locked by it. */
+function beginWith(app: KeptPage, keeper: TaskKeeper): void {
+  const { settings, editor, sensors, hand } = app;
+  watch(
+    [() => keeper.locks, app.work.openings],
+    ([locks]) => {
+      if (!keeper.hasTool(editor.tool.value)) editor.choose('hand');
+      if (!locks.hand) return;
+      sensors.reset(new Map());
+      hand.reset();
+    },
+    { immediate: true },
+  );
+  watch(
+    () => keeper.locks.speed,
+    (isLocked, _, onEnd) => {
+      if (!isLocked) return;
+      const { speed } = settings.current.value;
+      settings.hold({ speed: 1 });
+      onEnd(() => settings.hold({ speed }));
+    },
+    { immediate: true, flush: 'sync' },
+  );
+}
+
+class TaskKeeper implements Keeper {
+  private readonly current = computed((before?: Locks) => {
+    const { task } = this.app.work.work.value.project;
+    const locks = task === undefined || !isHandedOut({ task }) ? noLocks : locksOf(task);
+    return before !== undefined && isSame(before, locks) ? before : locks;
+  });
+
+  constructor(private readonly app: KeptPage) {}
+
+  get locks(): Locks {
+    return this.current.value;
+  }
+
+  refuses(what: LockName): boolean {
+    if (this.locks[what]) this.tell(say(words[what]));
+    return this.locks[what];
+  }
+
+  hasTool(tool: string): boolean {
+    const { course, tools } = this.locks;
+    if (tool === 'hand') return true;
+    // Points are bent in the course of selecting.
+    return (!course || tool === 'ruler') && (tools?.includes(tool === 'points' ? 'select' : tool) ?? true);
+  }
+
+  refusesTool(tool: string): boolean {
+    if (this.hasTool(tool)) return false;
+    this.tell(say(this.locks.course ? words.course : words.tools));
+    return true;
+  }
+
+  refusesInput({ type }: InputAction): boolean {
+    return (type === 'place' || type === 'place-block' || type === 'sensor') && this.refuses('hand');
+  }
+
+  refusesSettings(names: readonly string[]): boolean {
+    return (
+      (names.some((name) => OF_THE_ROBOT.includes(name)) && this.refuses('robot')) ||
+      (names.includes('speed') && this.refuses('speed')) ||
+      (names.includes('arenaSenses') && this.refuses('hand'))
+    );
+  }
+
+  changed(before: Project, after: Project): Project | null {
+    if (after.task !== before.task) return after;
+    if (!isSame(hardwareOf(before), hardwareOf(after)) && this.refuses('robot')) return null;
+    return this.withLines(before, after);
+  }
+
+  inEditor(file: string): Extension {
+    const isStart = file === MAIN && this.app.work.place.value === 0;
+    if (!isStart || this.locks.lines.length === 0) return [];
+    return lockedLines(
+      () => this.locks.lines,
+      say(words.line),
+      () => this.tell(say(words.lines)),
+    );
+  }
+
+  /** Where the locked lines are now goes with the work, so that it is known after a reload, too. */
+  private withLines(before: Project, after: Project): Project | null {
+    const { task } = after;
+    const { lines } = this.locks;
+    if (task === undefined || lines.length === 0 || mainOf(before) === mainOf(after)) return after;
+    const kept = keptLines(mainOf(before), mainOf(after), lines);
+    if (kept === null) this.tell(say(words.lines));
+    if (kept === null || isSame(kept, lines)) return kept && after;
+    return { ...after, task: { ...task, locks: { ...(task['locks'] as object), lines: kept } } };
+  }
+
+  private tell(text: string): void {
+    this.app.notices.show({ kind: 'info', key: 'notice.text', values: { text } });
+  }
+}
+
+const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';
+
+/** The further devices without their programs and names. */
+const hardwareOf = ({ devices }: Project): unknown =>
+  (devices?.others ?? []).map(({ name: _, files: __, ...hardware }) => hardware);

@@ -1,0 +1,35 @@
+import type { Extension } from '@codemirror/state';
+
+import type { LockName, Locks } from '#check/task/task';
+import type { Project } from '#project/project';
+import type { InputAction } from '#simulation/input';
+
+/**
+ * Keeps what a task that was handed out locks, while it is open. Each way of changing something asks here, so pointer, keys,
+ * menus and hosts are all refused alike, and are told why. A late part makes it (`handed-out`).
+ */
+export interface Keeper {
+  readonly locks: Locks;
+  /** Whether this is locked; whoever asks wants to change it, and has been told. */
+  refuses(what: LockName): boolean;
+  /** Whether a tool of the course editor is there. The hand always is. */
+  hasTool(tool: string): boolean;
+  refusesTool(tool: string): boolean;
+  refusesInput(action: InputAction): boolean;
+  /** @param names of settings */
+  refusesSettings(names: readonly string[]): boolean;
+  /**
+   * The project as it becomes when the pupil changes it, or `null`: refused.
+   *
+   * @param isTyped in the page's editor
+   */
+  changed(before: Project, after: Project, isTyped: boolean): Project | null;
+  /** What the editor of a file has besides. */
+  inEditor(file: string): Extension;
+}
+
+/** The project for something else: a task that was handed out belongs to its own course and program. */
+export function withoutGiven(project: Project): Project {
+  const { task, ...others } = project;
+  return task?.['handedOut'] === true ? others : project;
+}
