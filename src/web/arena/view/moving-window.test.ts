@@ -1,23 +1,43 @@
 import { describe, expect, it } from 'vitest';
-import { boxAround, movingWindow, unionOf } from './moving-window';
+import { boxAround, movingWindow, unionOf, type PxBox } from './moving-window';
 
 const canvas = { widthPx: 700, heightPx: 500 };
 
 describe('the window of the moving things', () => {
-  it('is 128 px wide around something of 100 px', () => {
-    const content = boxAround({ x: 300, y: 200 }, 50);
-    expect(movingWindow(content, canvas, 1, null)).toEqual({ left: 236, top: 136, width: 128, height: 128 });
+  it('is 192 px wide around something of 130 px, which is in its middle', () => {
+    const content = boxAround({ x: 300, y: 200 }, 65);
+    expect(movingWindow(content, canvas, 1, null)).toEqual({ left: 204, top: 104, width: 192, height: 192 });
   });
 
-  it('stays where it is while the robot drives 10 px in it, and follows it after 20 px', () => {
-    const before = movingWindow(boxAround({ x: 300, y: 200 }, 50), canvas, 1, null);
-    expect(movingWindow(boxAround({ x: 310, y: 200 }, 50), canvas, 1, before)).toEqual(before);
-    expect(movingWindow(boxAround({ x: 320, y: 200 }, 50), canvas, 1, before)).toEqual({ ...before, left: 256 });
+  it('always has room for 32 px: around something of 120 px it is 192 px wide, too', () => {
+    const { width } = movingWindow(boxAround({ x: 300, y: 200 }, 60), canvas, 1, null);
+    expect(width).toBe(192);
+  });
+
+  const driving = (from: PxBox, xs: readonly number[]): PxBox[] => {
+    const places = [from];
+    for (const x of xs) places.push(movingWindow(boxAround({ x, y: 200 }, 65), canvas, 1, places.at(-1) ?? null));
+    return places;
+  };
+
+  it('stays where it is while the robot drives 30 px in it, then goes ahead of it', () => {
+    const before = movingWindow(boxAround({ x: 300, y: 200 }, 65), canvas, 1, null);
+    const [, stays, goes, still] = driving(before, [330, 332, 382]);
+    expect(stays).toEqual(before);
+    expect(goes).toEqual({ ...before, left: 257 });
+    expect(still).toEqual(goes);
+  });
+
+  it('goes ahead of a robot that drives back, too', () => {
+    const before = movingWindow(boxAround({ x: 300, y: 200 }, 65), canvas, 1, null);
+    const [, goes, still] = driving(before, [268, 218]);
+    expect(goes).toEqual({ ...before, left: 150 });
+    expect(still).toEqual(goes);
   });
 
   it('stays on the canvas at its lower right corner', () => {
     const window = movingWindow(boxAround({ x: 690, y: 490 }, 50), canvas, 1, null);
-    expect(window).toEqual({ left: 700 - 64, top: 500 - 64, width: 64, height: 64 });
+    expect(window).toEqual({ left: 700 - 128, top: 500 - 128, width: 128, height: 128 });
   });
 
   it('starts on a whole pixel of a screen with 1.25 pixels per px', () => {
@@ -29,7 +49,7 @@ describe('the window of the moving things', () => {
   it('keeps its size while it is at most twice as large as needed, and shrinks after that', () => {
     const before = { left: 0, top: 0, width: 320, height: 640 };
     const window = movingWindow(boxAround({ x: 300, y: 200 }, 90), canvas, 1, before);
-    expect([window.width, window.height]).toEqual([320, 192]);
+    expect([window.width, window.height]).toEqual([320, 256]);
   });
 
   it('is never larger than the canvas', () => {

@@ -30,6 +30,10 @@ export function unionOf(boxes: readonly PxBox[]): PxBox {
 
 /** Sizes of the window are multiples of this many px: a canvas with a new size every frame is slow. */
 const STEP_PX = 64;
+/** What is shown can move at least this far in a new window, in px. */
+const SLACK_PX = 32;
+/** How much of its room a window that follows has ahead; the rest is for trembling and turning. */
+const AHEAD = 0.85;
 
 /**
  * The place of the small canvas with the moving things: around what must be drawn, on whole pixels, within the canvas.
@@ -37,7 +41,7 @@ const STEP_PX = 64;
  * the arena makes that four times cheaper.
  *
  * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is while
- * everything fits: moving a canvas makes the browser sort all its layers again.
+ * everything fits, and then goes ahead of what left it: moving a canvas makes the browser sort all its layers again.
  */
 export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, before: PxBox | null): PxBox {
   const left = Math.max(0, content.left);
@@ -48,9 +52,9 @@ export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, 
   const height = windowSide(bottom - top, canvas.heightPx, before?.height ?? 0);
   const whole = (px: number): number => Math.floor(px * ratio) / ratio;
   const place = (from: number, to: number, side: number, canvasSide: number, last: number | undefined): number => {
-    const mayStay = last !== undefined && last <= from && to <= last + side && last + side <= canvasSide;
-    // In the middle, so that it can stay wherever its content goes.
-    return mayStay ? last : whole(Math.max(0, Math.min(from - (side - Math.max(0, to - from)) / 2, canvasSide - side)));
+    if (last !== undefined && last <= from && to <= last + side && last + side <= canvasSide) return last;
+    const room = side - Math.max(0, to - from);
+    return whole(Math.max(0, Math.min(from - room * roomBefore(from, to, side, last), canvasSide - side)));
   };
   return {
     left: place(left, right, width, canvas.widthPx, before?.left),
@@ -60,8 +64,16 @@ export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, 
   };
 }
 
+/** What part of the room lies before the content: most of it where the content goes, half where nobody knows. */
+function roomBefore(from: number, to: number, side: number, last: number | undefined): number {
+  if (last === undefined) return 0.5;
+  const [isBack, isOn] = [from < last, to > last + side];
+  if (isBack === isOn) return 0.5;
+  return isBack ? AHEAD : 1 - AHEAD;
+}
+
 function windowSide(needed: number, canvasSide: number, before: number): number {
-  const snug = Math.min(canvasSide, Math.ceil((Math.max(0, needed) + 1) / STEP_PX) * STEP_PX);
+  const snug = Math.min(canvasSide, Math.ceil((Math.max(0, needed) + SLACK_PX) / STEP_PX) * STEP_PX);
   const keeps = before >= snug && before <= Math.max(2 * snug, 4 * STEP_PX) && before <= canvasSide;
   return keeps ? before : snug;
 }
