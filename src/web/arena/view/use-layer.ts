@@ -19,39 +19,44 @@ export interface Layer {
  * @returns asks for the layer to be painted
  */
 export function useLayer(layer: Layer): () => void {
+  let on: Put | null = null;
   const paint = (): void => {
     const canvas = layer.canvas.value;
-    const context = canvas?.getContext('2d') ?? null;
-    if (canvas === null || context === null) return;
+    if (canvas === null) return;
+    if (on?.canvas !== canvas) on = { canvas, context: canvas.getContext('2d'), at: '' };
+    const { context } = on;
+    if (context === null) return;
     const ratio = layer.ratio();
     const place = layer.place();
-    putOn(canvas, place, ratio);
+    put(on, place, ratio);
     context.setTransform(ratio, 0, 0, ratio, -place.left * ratio, -place.top * ratio);
     context.clearRect(place.left, place.top, place.width, place.height);
     context.save();
     layer.paint(context);
     context.restore();
   };
-  const gate = createFrameGate(
-    paint,
-    (callback) => requestAnimationFrame(callback),
-    (handle) => cancelAnimationFrame(handle),
-  );
+  const gate = createFrameGate(paint);
   onBeforeUnmount(() => gate.close());
   return () => gate.soon();
 }
 
-function putOn(canvas: HTMLCanvasElement, place: PxBox, ratio: number): void {
-  const width = Math.round(place.width * ratio);
-  const height = Math.round(place.height * ratio);
-  if (canvas.width !== width) canvas.width = width;
-  if (canvas.height !== height) canvas.height = height;
-  setStyle(canvas, 'width', `${String(place.width)}px`);
-  setStyle(canvas, 'height', `${String(place.height)}px`);
-  setStyle(canvas, 'transform', `translate(${String(place.left)}px, ${String(place.top)}px)`);
+/** A canvas as it was put on its place. */
+interface Put {
+  readonly canvas: HTMLCanvasElement;
+  readonly context: CanvasRenderingContext2D | null;
+  at: string;
 }
 
-/** Writing costs even where nothing changes. */
-function setStyle(canvas: HTMLCanvasElement, name: 'width' | 'height' | 'transform', value: string): void {
-  if (canvas.style[name] !== value) canvas.style[name] = value;
+/** Writing and even reading its style costs where nothing changes. */
+function put(on: Put, { left, top, width, height }: PxBox, ratio: number): void {
+  const at = [left, top, width, height, ratio].join();
+  if (at === on.at) return;
+  on.at = at;
+  const { canvas } = on;
+  const pixels = { width: Math.round(width * ratio), height: Math.round(height * ratio) };
+  if (canvas.width !== pixels.width) canvas.width = pixels.width;
+  if (canvas.height !== pixels.height) canvas.height = pixels.height;
+  canvas.style.width = `${String(width)}px`;
+  canvas.style.height = `${String(height)}px`;
+  canvas.style.transform = `translate(${String(left)}px, ${String(top)}px)`;
 }

@@ -6,8 +6,7 @@ function gateWithFrames() {
   let done = 0;
   const gate = createFrameGate(
     () => (done += 1),
-    (callback) => frames.push(callback),
-    () => (frames.length = 0),
+    (callback) => void frames.push(callback),
   );
   return { gate, done: () => done, nextFrame: () => frames.shift()?.() };
 }

@@ -10,33 +10,45 @@ export interface FrameGate {
  * Makes a gate around `action`: the first call in a frame acts at once, so that a snapshot that arrives is seen in the
  * same frame; all further calls in the frame are answered together by one action in the next.
  *
- * @param requestFrame like `requestAnimationFrame`
- * @param cancelFrame like `cancelAnimationFrame`
+ * @param requestFrame calls back in the next frame
  */
-export function createFrameGate(
-  action: () => void,
-  requestFrame: (callback: () => void) => number,
-  cancelFrame: (handle: number) => void,
-): FrameGate {
-  let frame: number | null = null;
+export function createFrameGate(action: () => void, requestFrame = requestSharedFrame): FrameGate {
+  let isDone = false;
   let again = false;
   const act = (): void => {
     again = false;
-    frame = requestFrame(() => {
-      frame = null;
+    isDone = true;
+    requestFrame(() => {
+      isDone = false;
       if (again) act();
     });
     action();
   };
   return {
     soon() {
-      if (frame === null) act();
-      else again = true;
+      if (isDone) again = true;
+      else act();
     },
     close() {
-      if (frame !== null) cancelFrame(frame);
-      frame = null;
       again = false;
     },
   };
+}
+
+let waiting: (() => void)[] = [];
+
+/** Asks the browser once for all gates: each request of its own costs. */
+function requestSharedFrame(callback: () => void): void {
+  if (waiting.push(callback) > 1) return;
+  requestAnimationFrame(() => {
+    const callbacks = waiting;
+    waiting = [];
+    for (const each of callbacks) {
+      try {
+        each();
+      } catch (error) {
+        reportError(error); // the others still have their turn
+      }
+    }
+  });
 }

@@ -25,8 +25,9 @@ export function numberText(value: number, language: Language, decimals?: number)
   return format.format(value + 0); // + 0 makes −0 a 0
 }
 
-/** What stands between the whole of a number and its decimals. */
-export const decimalSign = (language: Language): string => numberText(0.5, language, 1).charAt(1);
+/** What stands between the whole of a number and its decimals; clocks ask for it with every picture. */
+export const decimalSign = (language: Language): string => (signs[language] ??= numberText(0.5, language, 1).charAt(1));
+const signs: Partial<Record<Language, string>> = {};
 
 /** A day and a time of day, as they are written in a language: `21.11.2026, 23:04`. */
 export const dateText = (atMs: number, language: Language): string =>
