@@ -11,6 +11,7 @@ import { drawRobot, paintedRadiusMm } from '../robot/draw-robot';
 import { ringRadiusPx, type Hand } from '../hand/hand';
 import type { OverlayPicture } from './overlays';
 import { boxAround, unionOf, type PxBox } from '../view/moving-window';
+import { shiftToWholePixels } from '../view/whole-pixels';
 import type { Palette } from '../model/palette';
 import type { RobotPainting } from '../robot/robot-painting';
 import { toPx, type ArenaSize, type CanvasSize, type View } from '../view/view-transform';
@@ -108,6 +109,7 @@ export function drawMoving(
   const { robot, cone } = scene;
   context.save();
   clipTo(context, sightPx(view, scene.arena, canvas));
+  if (robot !== null) shiftToWholePixels(context, toPx(view, { x: robot.now.pose.xMm, y: robot.now.pose.yMm }));
   scene.overlay?.under(context);
   if (cone !== null) {
     context.save();

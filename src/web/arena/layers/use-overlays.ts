@@ -17,6 +17,9 @@ export interface OverlaySources {
   readonly ready: () => void;
 }
 
+/** Puts more around the robot that is shown than its overlays. */
+export type AroundRobot = (overlay: OverlayPicture | null) => OverlayPicture | null;
+
 /** The overlays of a scene. Their code is loaded when the first one is wanted. */
 export function useOverlays(sources: OverlaySources): (scene: MovingScene) => OverlayPicture | null {
   const overlays = shallowRef<Overlays | null>(null);

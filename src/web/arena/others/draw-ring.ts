@@ -1,6 +1,9 @@
 import type { Vec } from '#core/geometry';
+import type { OverlayPicture } from '../layers/overlays';
 import { canvasFont } from '../model/palette';
+import { emptyCanvas } from '../robot/robot-sprite';
 import type { PxBox } from '../view/moving-window';
+import { putPicture } from '../view/whole-pixels';
 import { deviceColor } from '../model/device-colors';
 
 /** A ring around a robot with the number of its device and its name. */
@@ -45,20 +48,67 @@ export const bodyBox = ({ middle, radiusPx }: DeviceRing): PxBox => ({
 });
 
 /** Where `drawDeviceRing` draws, in px. */
-export function ringBoxes(ring: DeviceRing): readonly PxBox[] {
+function ringBoxes(ring: DeviceRing): readonly PxBox[] {
   const { middle, radiusPx } = ring;
   const side = 2 * radiusPx + 8;
   return [{ left: middle.x - side / 2, top: middle.y - side / 2, width: side, height: side }, nameBox(ring)];
 }
 
-/** Draws the ring, and for the device that is shown a breath of its colour within. */
-export function drawDeviceRing(
-  context: CanvasRenderingContext2D,
-  { middle, radiusPx, color, isShown }: DeviceRing,
-): void {
-  context.save();
-  context.beginPath();
-  context.arc(middle.x, middle.y, radiusPx, 0, 2 * Math.PI);
+/** An overlay with a ring below the robot and its name over everything. */
+export function withRing(ring: DeviceRing, overlay: OverlayPicture | null): OverlayPicture {
+  return {
+    boxes: [...ringBoxes(ring), ...(overlay?.boxes ?? [])],
+    under(context) {
+      overlay?.under(context);
+      drawDeviceRing(context, ring);
+    },
+    over(context) {
+      overlay?.over(context);
+      drawDeviceName(context, ring);
+    },
+  };
+}
+
+/** The ring, and for the device that is shown a breath of its colour within. */
+function drawDeviceRing(context: CanvasRenderingContext2D, ring: DeviceRing): void {
+  putPicture(context, ringOf(ring, context.getTransform().a), ring.middle);
+}
+
+/** The pill with number and name. */
+function drawDeviceName(context: CanvasRenderingContext2D, ring: DeviceRing): void {
+  const { left, top, width, height } = nameBox(ring);
+  const { bitmap } = pillOf(ring, context.getTransform().a);
+  putPicture(context, bitmap, { x: left + width / 2, y: top + height / 2 });
+}
+
+/** Painted once: curves and letters on a canvas of the page cost more than all the rest of a picture. */
+function keeps<Picture>() {
+  const made = new Map<string, Picture>();
+  return (key: readonly unknown[], make: () => Picture): Picture => {
+    const text = key.join();
+    const picture = made.get(text) ?? make();
+    if (made.size >= MOST) made.clear();
+    made.set(text, picture);
+    return picture;
+  };
+}
+/** Eight devices on screens of a few resolutions, under names that change now and then. */
+const MOST = 60;
+const rings = keeps<HTMLCanvasElement>();
+const pills = keeps<Pill>();
+
+function ringOf(ring: DeviceRing, ratio: number): HTMLCanvasElement {
+  const { color, radiusPx, isShown } = ring;
+  return rings([color, radiusPx, isShown, ratio], () => paintedRing(ring, ratio));
+}
+
+function paintedRing({ radiusPx, color, isShown }: DeviceRing, ratio: number): HTMLCanvasElement {
+  const side = 2 * Math.ceil((radiusPx + 4) * ratio);
+  const bitmap = emptyCanvas(side, side);
+  const context = bitmap.getContext('2d');
+  if (context === null) return bitmap;
+  context.setTransform(ratio, 0, 0, ratio, side / 2, side / 2);
+  context.arc(0, 0, radiusPx, 0, 2 * Math.PI);
   if (isShown) {
     context.globalAlpha = 0.1;
     context.fillStyle = deviceColor(color);
@@ -71,13 +121,7 @@ export function drawDeviceRing(
   context.strokeStyle = deviceColor(color);
   context.lineWidth = 2.5;
   context.stroke();
-  context.restore();
-}
-
-/** Draws the pill with number and name. */
-export function drawDeviceName(context: CanvasRenderingContext2D, ring: DeviceRing): void {
-  const { left, top, width, height } = nameBox(ring);
-  context.drawImage(pillOf(ring, context.getTransform().a).bitmap, left, top, width, height);
+  return bitmap;
 }
 
 interface Pill {
@@ -86,21 +130,10 @@ interface Pill {
   readonly width: number;
 }
 
-const made = new Map<string, Pill>();
-/** Eight devices on screens of a few resolutions, under names that change now and then. */
-const MOST = 60;
-
-/** A pill, painted once: letters on a canvas of the page cost more than all the rest of a picture. */
 function pillOf(ring: DeviceRing, ratio: number): Pill {
   const { place, color } = ring;
   const text = shownName(ring);
-  const key = [place, color, ratio, text].join();
-  const known = made.get(key);
-  if (known !== undefined) return known;
-  if (made.size >= MOST) made.clear();
-  const pill = painted({ place, color }, text, ratio);
-  made.set(key, pill);
-  return pill;
+  return pills([place, color, ratio, text], () => painted({ place, color }, text, ratio));
 }
 
 function painted({ place, color }: Pick<DeviceRing, 'place' | 'color'>, text: string, ratio: number): Pill {

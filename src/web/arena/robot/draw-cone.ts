@@ -68,9 +68,9 @@ export function drawCone(
     context.fill();
   };
   const beyond = fanMm(cone) * view.pxPerMm;
+  // Two colours: with a third one the fan alone would cost more than all the rest of the picture.
   const fade = context.createRadialGradient(from.x, from.y, 0, from.x, from.y, beyond);
   fade.addColorStop(0, withAlpha(palette.cone, 0.3));
-  fade.addColorStop(0.55, withAlpha(palette.cone, 0.14));
   fade.addColorStop(1, withAlpha(palette.cone, 0));
   context.fillStyle = fade;
   fan(beyond);

@@ -2,7 +2,14 @@
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { TurnedBody, type BodyLook } from './turned-body';
 
-const fake = () => ({ save: vi.fn(), restore: vi.fn(), translate: vi.fn(), setTransform: vi.fn(), drawImage: vi.fn() });
+const fake = () => ({
+  save: vi.fn(),
+  restore: vi.fn(),
+  translate: vi.fn(),
+  setTransform: vi.fn(),
+  getTransform: () => ({ a: 2, b: 0, c: 0, d: 2, e: 0.3, f: 0 }),
+  drawImage: vi.fn(),
+});
 type Fake = ReturnType<typeof fake>;
 const asContext = (context: Fake): CanvasRenderingContext2D => context as unknown as CanvasRenderingContext2D;
 const sprite = {};
@@ -29,15 +36,15 @@ describe('a robot that keeps its heading', () => {
     paint.mockClear();
   });
 
-  it('is turned once, and then put down as a picture', () => {
+  it('is turned once, and then put down as a picture on whole pixels', () => {
     draw();
     expect(paint.mock.calls).toEqual([[screen]]);
     draw();
     draw({ headingRad: 1.0005 });
     expect(paint.mock.calls).toEqual([[screen], [aside]]);
     expect(screen.drawImage.mock.calls.map(([, ...place]) => place as unknown)).toEqual([
-      [80, 30, 40, 40],
-      [80, 30, 40, 40],
+      [160, 60],
+      [160, 60],
     ]);
   });
 

@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import { putPicture } from '../view/whole-pixels';
 import { emptyCanvas } from './robot-sprite';
 
 /** What a turned body looks like: with the same one it is the same picture. */
@@ -39,8 +40,7 @@ export class TurnedBody {
     if (!isSame) [this.last, this.kept] = [look, null];
     else this.kept ??= turned(reachPx, look.ratio, paint);
     if (this.kept !== null) {
-      const side = this.kept.width / look.ratio;
-      context.drawImage(this.kept, at.x - side / 2, at.y - side / 2, side, side);
+      putPicture(context, this.kept, at);
       return;
     }
     context.save();
