@@ -22,7 +22,8 @@ export function useStops(
 
   function toggle(editor: EditorView, from: number): true {
     const { number } = editor.state.doc.lineAt(from);
-    slot.need((debug) => debug.points.toggle(key(), number));
+    const file = key(); // the debugger may come late, when another file is shown
+    slot.need((debug) => debug.points.toggle(file, number));
     return true;
   }
   function show(): void {
