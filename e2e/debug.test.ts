@@ -2,7 +2,7 @@ import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { openedCourse } from './opened-course';
-import { consoleIn, on, openApp, pasteProgram, robotIn } from './page';
+import { consoleIn, on, openApp, openWork, pasteProgram, robotIn, type Shown } from './page';
 import { by, gone, until } from './parts';
 import { tablet, withFingers } from './touch';
 
@@ -136,20 +136,20 @@ while True:
     sleep(150)
     word = word + "b"
 `;
-const card = (place: number): string => `.device-row .card:nth-child(${String(place + 1)}) .select`;
-
-/** Opens the page with the work of an earlier visit. */
-async function openWith(app: App, work: string): Promise<void> {
-  await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
-  await app.evaluate((kept) => sessionStorage.setItem('parcours.work', kept), work);
-  await app.goto('./');
+/** Where the first device's robot stands; of a board alone the arena tells no place. */
+async function robotOfFirst(app: App): Promise<Shown> {
+  await app.click(card(0));
+  await expect.poll(() => variables(app)).toContainEqual(expect.stringMatching(/^n int \d/));
+  await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(0);
+  return robotIn(app);
 }
+const card = (place: number): string => `.device-row .card:nth-child(${String(place + 1)}) .select`;
 
 test(
   'of several devices all stand at the break point of one, and each is stepped as it is chosen',
   IN_ONE_ENGINE,
   async ({ app }) => {
-    await openWith(app, pair());
+    await openWork(app, pair());
     await until(app, card(1));
     await app.click(card(1));
     await expect.poll(() => app.text('.cm-content')).toContain('word');
@@ -158,13 +158,13 @@ test(
     await app.click(on('run'));
     await expect.poll(() => at(app)).toMatch(/ 5$/); // that of the board, which comes into sight
     await expect.poll(() => variables(app)).toContain("word str 'a'");
-    const stood = await robotIn(app);
+    const stood = await robotOfFirst(app);
+    await app.click(card(1));
+    await expect.poll(() => at(app)).toMatch(/ 5$/);
     await app.click(by('step-over'));
     await expect.poll(() => at(app)).toMatch(/ 4$/);
     await expect.poll(() => variables(app)).toContainEqual(expect.stringContaining("word str 'ab'"));
-    expect((await robotIn(app)).xMm).toBe(stood.xMm); // no time goes by for adding two words
-    await app.click(card(0));
-    await expect.poll(() => variables(app)).toContainEqual(expect.stringMatching(/^n int \d/));
+    expect(await robotOfFirst(app)).toEqual(stood); // no time goes by for adding two words
     await app.click(by('step-over'));
     await app.click(by('step-over'));
     await expect.poll(async () => (await robotIn(app)).xMm).toBeGreaterThan(stood.xMm);
@@ -178,7 +178,7 @@ test.describe('with fingers on a tablet', () => {
     IN_ONE_ENGINE,
     async ({ page }) => {
       const { app, fingers } = await withFingers(page);
-      await openWith(app, openedCourse('empty'));
+      await openWork(app, openedCourse('empty'));
       await until(app, on('editor'));
       await pasteProgram(app, PROGRAM);
       await fingers.tap(number(8));

@@ -15,10 +15,14 @@ print("done")
 const ghost = (app: App): Promise<string> =>
   app.evaluate(() => document.querySelector('[data-testid="ghost"]')?.textContent?.trim() ?? '');
 
+/** How many runs that the console still tells of have come to their end. */
+const ended = async (app: App): Promise<number> => (await consoleIn(app)).split('done').length - 1;
+
 async function run(app: App, program: string): Promise<void> {
   await pasteProgram(app, program.trimEnd());
+  const before = await ended(app);
   await app.click(on('run'));
-  await expect.poll(() => consoleIn(app)).toContain('done');
+  await expect.poll(() => ended(app)).toBe(before + 1);
 }
 
 async function choose(app: App, id: string): Promise<void> {

@@ -34,6 +34,13 @@ export async function openApp(app: App, settings: Partial<Settings> = {}): Promi
   await expect.poll(() => app.evaluate((css) => document.querySelector(css) !== null, EDITOR)).toBe(true);
 }
 
+/** Opens the page with the work of an earlier visit. @param address what stands behind the page's: `./#task` */
+export async function openWork(app: App, work: string, address = './'): Promise<void> {
+  await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
+  await app.evaluate((kept) => sessionStorage.setItem('parcours.work', kept), work);
+  await app.goto(address);
+}
+
 /** The closed line as somebody has it open who was here before. */
 export const closedLine = (): string => openedCourse('closed-line');
 

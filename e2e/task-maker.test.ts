@@ -5,15 +5,13 @@ import { join } from 'node:path';
 import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
-import { openedCourse } from './opened-course';
+import { closedLine, openWork } from './page';
 import { by, until } from './parts';
 
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 
 async function openMaker(app: App): Promise<void> {
-  await app.goto('./logo.svg'); // its storage is the app's, and it loads in no time
-  await app.evaluate((kept) => sessionStorage.setItem('parcours.work', kept), openedCourse('closed-line'));
-  await app.goto('./#task');
+  await openWork(app, closedLine(), './#task');
   await until(app, by('maker-add-check'));
 }
 
