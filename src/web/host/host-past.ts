@@ -2,12 +2,10 @@ import { watch } from 'vue';
 
 import type { EmbeddedDebugger } from '#embed/debugger';
 import type { Refusal } from '#embed/simulator';
-import type { Snapshot } from '#simulation/snapshot';
-import { Rows } from '#tape/rows/rows';
 
 import { lookAt } from '../run/look-at';
 import type { RunParts } from '../run/parts';
-import type { Recording } from '../run/recording';
+import { RecordedRows } from '../run/recorded-rows';
 import { goOn } from '../run/run-again';
 import { wholeRecording } from '../run/whole-recording';
 
@@ -15,7 +13,7 @@ import { wholeRecording } from '../run/whole-recording';
 export function hostPast({
   run,
 }: Pick<RunParts, 'run'>): Pick<EmbeddedDebugger, 'lookAt' | 'lookNow' | 'goOn' | 'isLookingBack'> {
-  const moments = new Moments();
+  const recorded = new RecordedRows();
   return {
     async lookAt(timeUs) {
       const { phase } = run;
@@ -24,7 +22,7 @@ export function hostPast({
       if (endUs >= 0 && timeUs > endUs)
         return `The run has come to ${endUs / 1000} ms; there is no moment at ${timeUs / 1000} ms.`;
       const recording = await wholeRecording(run);
-      const moment = recording && moments.at(recording, timeUs);
+      const moment = recording && recorded.of(recording).at(timeUs);
       if (moment === null) return 'This needs a run that has been.';
       run.past.value = moment;
       lookAt(run, timeUs, moment);
@@ -55,22 +53,4 @@ function isThere(run: RunParts['run']): Promise<Refusal> {
       resolve(run.isActive.value ? null : 'The run was stopped before it was there.');
     });
   });
-}
-
-/** The moments of the recording that was asked for last, unpacked once. */
-class Moments {
-  private of: Recording | null = null;
-  private rows = new Rows<Snapshot>();
-  private taken = 0;
-
-  at(recording: Recording, timeUs: number): Snapshot | null {
-    if (recording !== this.of) {
-      this.of = recording;
-      this.rows = new Rows<Snapshot>();
-      this.taken = 0;
-    }
-    for (const piece of recording.pieces.slice(this.taken)) this.rows.push(piece);
-    this.taken = recording.pieces.length;
-    return this.rows.at(timeUs);
-  }
 }

@@ -1,7 +1,7 @@
 import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 
 import type { Snapshot } from '#simulation/snapshot';
-import { Rows } from '#tape/rows/rows';
+import { RecordedRows } from '../run/recorded-rows';
 import type { RunModel } from '../run/run-model';
 import { Marks, type Mark } from './marks';
 
@@ -77,28 +77,24 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
 
 /** The moments of the run's recording, unpacked as they come. */
 function useRows(run: RunModel) {
-  let rows = new Rows<Snapshot>(MOST_BYTES);
   let found = new Marks(1);
-  let taken = 0;
+  const recorded = new RecordedRows(
+    {
+      begin: ({ setup }) => (found = new Marks(setup?.devices.length ?? 1)),
+      chunk: (chunk) => found.add(chunk),
+    },
+    MOST_BYTES,
+  );
   const endUs = shallowRef(run.nowUs.value);
   const marks = shallowRef<readonly Mark[]>([]);
   watch(
     [run.recording, () => run.recording.value.count.value],
-    ([recording], [before]) => {
-      if (recording !== before) {
-        rows = new Rows<Snapshot>(MOST_BYTES);
-        found = new Marks(recording.setup?.devices.length ?? 1);
-        taken = 0;
-      }
-      for (const piece of recording.pieces.slice(taken)) {
-        const chunk = rows.push(piece);
-        if (chunk !== null) found.add(chunk);
-      }
-      taken = recording.pieces.length;
+    ([recording]) => {
+      const rows = recorded.of(recording);
       if (rows.endUs >= 0) endUs.value = rows.endUs;
       marks.value = [...found.all];
     },
     { immediate: true },
   );
-  return { rows: () => rows, marks, endUs };
+  return { rows: () => recorded.of(run.recording.value), marks, endUs };
 }
