@@ -1,10 +1,10 @@
 import { clockText } from '../../run/use-run-text';
 import { beginFilm, type Pixels } from '../../run/film-client';
+import type { RunTape } from '../../run/unpack-tape';
 import { lightPalette } from '../../arena/model/palette';
 import { drawPill } from '../../arena/picture/draw-pill';
 import { FRAME_US } from './stretch';
 import type { RunPainter } from './run-painter';
-import type { RunTape } from './run-tape';
 
 /** Pictures from which the colours of a film are chosen. */
 const SAMPLES = 5;

@@ -5,13 +5,14 @@ import { liveScene } from '../../arena/picture/live-scene';
 import { shownLanguage } from '../../page/i18n';
 import { numberText } from '../../page/i18n/number-text';
 import { useRun } from '../../run/parts';
+import type { RunTape } from '../../run/unpack-tape';
 import { clockText } from '../../run/use-run-text';
 import { wholeRecording } from '../../run/whole-recording';
 import { colorsOfDevices } from '../../work/hardware/device-colors';
 import { hardwareNow } from '../../work/hardware/use-hardware';
 import { useWork } from '../../work/model/parts';
 import { runPainter, type RunPainter } from './run-painter';
-import { runTape, type RunTape } from './run-tape';
+import { runTape } from './run-tape';
 import { firstStretch, withEnd, type Stretch } from './stretch';
 import type { Caption } from './strip';
 
