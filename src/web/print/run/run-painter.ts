@@ -86,6 +86,7 @@ function createPainter(
   const view: View = { pxPerMm, leftPx: RIM_PX, bottomPx: RIM_PX + seen.heightPx };
   const canvas = emptyCanvas(seen.widthPx, seen.heightPx);
   const context = contextOf(emptyCanvas(size.widthPx, size.heightPx));
+  const paintTrail = trailPainter(size.widthPx, size.heightPx);
   const kinds = createSceneKinds(came);
   const movers = scene.objects.filter((object): object is Mover => object.type === 'mover');
   let still: { readonly look: string; readonly canvas: HTMLCanvasElement } | null = null;
@@ -122,7 +123,7 @@ function createPainter(
       trails?.lookAt(moment.timeUs);
       for (const place of robots.keys())
         if (trails !== null)
-          drawTrailOn(context, size, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
+          paintTrail(context, (on) => drawTrail(on, view, trails.of(place), 0, traceOf(colors, place)));
       for (const mover of movers) kinds.mover(context, view, mover, moment.movers[mover.id] ?? null, palette);
       drawBlocks(context, view, blocks, palette);
       for (const [place, device] of [moment, ...moment.others].entries()) drawRobotOf(device, place, blocks);
@@ -136,15 +137,16 @@ function createPainter(
 const traceOf = (colors: readonly number[], place: number) =>
   colors.length < 2 ? palette : { ...palette, trace: deviceColor(colors[place] ?? place) };
 
-/** A trail draws its rim under what is there: it has a canvas of its own. */
-function drawTrailOn(
-  context: CanvasRenderingContext2D,
-  { widthPx, heightPx }: { readonly widthPx: number; readonly heightPx: number },
-  draw: (on: CanvasRenderingContext2D) => void,
-): void {
-  const own = emptyCanvas(widthPx, heightPx);
-  draw(contextOf(own));
-  context.drawImage(own, 0, 0);
+type Draw = (on: CanvasRenderingContext2D) => void;
+
+/** A trail draws its rim under what is there: it gets a canvas of its own, one for all of them. */
+function trailPainter(widthPx: number, heightPx: number): (context: CanvasRenderingContext2D, draw: Draw) => void {
+  const own = contextOf(emptyCanvas(widthPx, heightPx));
+  return (context, draw) => {
+    own.clearRect(0, 0, widthPx, heightPx);
+    draw(own);
+    context.drawImage(own.canvas, 0, 0);
+  };
 }
 
 /** Read often, so that it need not be fetched from a graphics card. */

@@ -1,0 +1,9 @@
+import { say } from '../../page/i18n/say';
+import { runWords as words } from './run-words';
+
+/** Shows a picture of a run as the only thing in its place, named for screen readers. */
+export function showIn(host: HTMLElement | null, picture: HTMLCanvasElement): void {
+  picture.setAttribute('role', 'img');
+  picture.setAttribute('aria-label', say(words.preview));
+  host?.replaceChildren(picture);
+}
