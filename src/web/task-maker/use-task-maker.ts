@@ -4,7 +4,6 @@ import { freeId } from '#check/task/read-checks';
 import { draftOf, lacksGoals } from '#check/task/read-task';
 import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
-import { defaultScene } from '#scene/scene';
 
 import { presentProject } from '../share/save-work';
 import type { WorkParts } from '../work/model/parts';
@@ -47,4 +46,4 @@ export const worldName = ({ id }: Pick<WorldVariant, 'id'>): string => (id === p
 
 /** Where the robot of a world starts: there where it says, else where the course has it. */
 export const startOf = ({ project }: ClassTask, world: WorldVariant): NonNullable<WorldVariant['start']> =>
-  world.start ?? (project.scene ?? defaultScene()).robot;
+  world.start ?? project.scene.robot;

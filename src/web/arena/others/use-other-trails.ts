@@ -1,4 +1,4 @@
-import type { ShallowRef } from 'vue';
+import { computed, type ShallowRef } from 'vue';
 import type { Vec } from '#core/geometry';
 import { createTrailLayer, type ShownTrail } from '../robot/draw-trail';
 import { deviceColor } from '../model/device-colors';
@@ -33,18 +33,19 @@ export interface OtherTrailSources {
 export function useOtherTrails(sources: OtherTrailSources): (place: number) => Tail | null {
   const layer = createTrailLayer();
   const paletteOf = coloredPalettes();
-  const paint = (shown: readonly ShownTrail[], canvas: HTMLCanvasElement): void => {
+  const paint = (trails: readonly ShownTrail[], canvas: HTMLCanvasElement): void => {
     const picture = sources.picture();
     const frame = { canvas, ...picture.canvas.value, ratio: picture.ratio.value, view: picture.view.value };
-    layer.paint(shown, { ...frame, arena: sources.arena() }, performance.now());
+    layer.paint(trails, { ...frame, arena: sources.arena() }, performance.now());
   };
+  const shown = computed(() =>
+    sources.trails().map(({ color, trail }) => ({ trail, palette: paletteOf(sources.palette(), color) })),
+  );
   return (place) => {
     const canvas = sources.canvas.value;
-    const trails = sources.trails();
-    const own = trails.find((one) => one.place === place);
+    const own = sources.trails().find((one) => one.place === place);
     if (canvas === null || own === undefined) return null;
-    const shown = trails.map(({ color, trail }) => ({ trail, palette: paletteOf(sources.palette(), color) }));
-    paint(shown, canvas);
+    paint(shown.value, canvas);
     const pointsPx = layer.tail(own.trail, sources.picture().view.value);
     return { pointsPx, palette: paletteOf(sources.palette(), own.color) };
   };
