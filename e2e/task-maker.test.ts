@@ -97,8 +97,12 @@ test('the page of a task bars no screen reader, and stays over a reload', IN_ONE
   await app.click(by('maker-add-world'));
   await until(app, by('maker-leds'));
   await app.click(`${by('maker-leds')} button`);
+  await app.click(by('maker-lock-tools'));
+  await app.click(by('maker-tool-pen'));
+  await app.click(by('maker-line-2'));
   expect(await violationsOn(app)).toEqual([]);
   await expect.poll(() => projectOf(app)).toContain('"image":"99090:99999:99999:09990:00900"');
+  expect(await projectOf(app)).toContain('"locks":{"tools":["pen"],"lines":[2]}');
   await app.goto('./logo.svg');
   await app.goto('./#task');
   await until(app, by('maker-leds'));

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import { checkTypes, type ClassTask } from '#check/task/task';
-import { draftOf, taskOf } from '#check/task/read-task';
+import { draftOf, isHandedOut, taskOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { createPage } from '../app/testing/page';
 import { freshCheck } from './check-fields';
@@ -65,6 +65,19 @@ describe('the task of the open work', () => {
     expect(made.lacksGoals.value).toBe(true);
     expect(made.task.value).not.toBeNull();
     expect(taskOf(page.work.work.value.project)).toHaveProperty('problem');
+  });
+
+  it('has locks, which are made for the class and hold in its copy alone', () => {
+    const { page, made, task } = maker();
+    const locks = { ...task().locks, course: true, hand: true, tools: ['pen'], lines: [1] };
+    made.change({ locks });
+    expect(task().locks).toEqual(locks);
+    const own = page.work.work.value.project;
+    const given = withoutSecrets(own);
+    expect([isHandedOut(own), isHandedOut(given)]).toEqual([false, true]);
+    expect(draftOf(given)).toMatchObject({ task: { locks } });
+    made.change({ locks: { ...locks, tools: [] } });
+    expect(draftOf(withoutSecrets(page.work.work.value.project))).toMatchObject({ task: { locks: { tools: [] } } });
   });
 
   it('that cannot be read is told, and can be begun anew', () => {
