@@ -1,5 +1,6 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { handInOf } from '#check/hand-in/read-hand-in';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
 import type { SceneEdit } from '#scene/edit';
@@ -153,5 +154,68 @@ describe('what is not the task', () => {
     else page.work.setScene({ ...defaultScene(), name: 'Other' }, null);
     expect([page.work.keeper.value, page.work.work.value.project.task]).toEqual([null, undefined]);
     expect(page.editor.commit(BLOCK)).toBe(true);
+  });
+});
+
+describe('what is told of a hand-in', () => {
+  const told = (page: TestPage): unknown => page.work.keeper.value?.noticed();
+
+  it('is nothing, if the program was typed here and the run left to itself', async () => {
+    const page = await pupil({});
+    page.work.setText('main.py', `${PROGRAM}turn()\n`, true);
+    page.work.create('more.py');
+    page.work.rename('more.py', 'most.py');
+    await startRun(page);
+    await show(page);
+    expect(told(page)).toEqual([]);
+  });
+
+  it.each<[string, (page: TestPage) => void]>([
+    ['a file that takes its place', ({ work }) => work.replace({ name: 'main.py', text: 'forward()' }, 'old')],
+    ['a file beside it', ({ work }) => void work.takeIn({ name: 'more.py', text: 'forward()' })],
+    ['a host', (page) => void appSimulator(page).setFiles([{ name: 'main.py', text: 'forward()' }])],
+  ])('is that the program came from elsewhere: from %s; also after it was typed on', async (_, bring) => {
+    const page = await pupil({});
+    bring(page);
+    page.work.setText('main.py', 'forward() # mine', true);
+    expect(told(page)).toEqual(['outside']);
+    const kept = page.work.work.value.project;
+    expect(handInOf(kept)).toMatchObject({ handIn: { said: { remarks: ['outside'] } } });
+  });
+
+  it('is the hand in the last run, but not in those before it', async () => {
+    const page = await pupil({});
+    page.run.input({ type: 'button', button: 'a', down: true });
+    await startRun(page);
+    await show(page);
+    expect(told(page)).toEqual([]);
+    page.run.input({ type: 'button', button: 'a', down: true });
+    expect(told(page)).toEqual(['hand']);
+    await page.run.reset();
+    expect(told(page)).toEqual(['hand']);
+    await startRun(page);
+    expect(told(page)).toEqual([]);
+  });
+
+  it('is a sensor that was set before the run began', async () => {
+    const page = await pupil({});
+    page.sensors.set('lightLevel', 3);
+    await startRun(page);
+    expect(told(page)).toEqual(['hand']);
+  });
+
+  it('is not what the task itself does in its visible world', async () => {
+    const page = createPage();
+    const inputs = [{ timeUs: 500_000, action: { type: 'button', button: 'a', down: true } }];
+    const project = given({});
+    const worlds = [{ id: 'visible', hidden: false, inputs, sensors: { lightLevel: 9 } }];
+    page.work.openProject({ ...project, task: { ...project.task, worlds } }, null);
+    await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+    await startRun(page);
+    page.run.input({ type: 'button', button: 'a', down: true });
+    page.sensors.set('lightLevel', 9);
+    expect(told(page)).toEqual([]);
+    page.run.input({ type: 'button', button: 'b', down: true });
+    expect(told(page)).toEqual(['hand']);
   });
 });

@@ -1,6 +1,7 @@
 import type { Extension } from '@codemirror/state';
 import { computed, effectScope, watch } from 'vue';
 
+import type { SaidRemark } from '#check/hand-in/hand-in';
 import { keptLines } from '#check/task/kept-lines';
 import { isHandedOut, locksOf } from '#check/task/read-task';
 import { noLocks, type LockName, type Locks } from '#check/task/task';
@@ -17,6 +18,9 @@ import type { Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
 import { lockedLines } from './locked-lines';
+import { bringsText, fromOutside, isFromOutside } from './outside';
+import { UsedHand } from './used-hand';
+import { wholePastes } from './whole-pastes';
 
 /** What a keeper needs of the page. */
 export type KeptPage = Pick<PageParts, 'notices'> &
@@ -73,7 +77,13 @@ class TaskKeeper implements Keeper {
     return before !== undefined && isSame(before, locks) ? before : locks;
   });
 
-  constructor(private readonly app: KeptPage) {}
+  /** The hand in the last run. */
+  private readonly hand: UsedHand;
+  private readonly copied = { text: '' };
+
+  constructor(private readonly app: KeptPage) {
+    this.hand = new UsedHand(app);
+  }
 
   get locks(): Locks {
     return this.current.value;
@@ -82,6 +92,14 @@ class TaskKeeper implements Keeper {
   refuses(what: LockName): boolean {
     if (this.locks[what]) this.tell(say(words[what]));
     return this.locks[what];
+  }
+
+  noticed(): readonly SaidRemark[] {
+    const { project } = this.app.work.work.value;
+    return [
+      ...(this.hand.isUsed ? (['hand'] as const) : []),
+      ...(isFromOutside(project) ? (['outside'] as const) : []),
+    ];
   }
 
   hasTool(tool: string): boolean {
@@ -97,8 +115,11 @@ class TaskKeeper implements Keeper {
     return true;
   }
 
-  refusesInput({ type }: InputAction): boolean {
-    return (type === 'place' || type === 'place-block' || type === 'sensor') && this.refuses('hand');
+  refusesInput(action: InputAction): boolean {
+    const { type } = action;
+    if ((type === 'place' || type === 'place-block' || type === 'sensor') && this.refuses('hand')) return true;
+    this.hand.does(action);
+    return false;
   }
 
   refusesSettings(names: readonly string[]): boolean {
@@ -109,20 +130,23 @@ class TaskKeeper implements Keeper {
     );
   }
 
-  changed(before: Project, after: Project): Project | null {
-    if (after.task !== before.task) return after;
+  changed(before: Project, wished: Project, isTyped: boolean): Project | null {
+    if (wished.task !== before.task) return wished;
+    const after = !isTyped && bringsText(before, wished) ? fromOutside(wished) : wished;
     if (!isSame(hardwareOf(before), hardwareOf(after)) && this.refuses('robot')) return null;
     return this.withLines(before, after);
   }
 
   inEditor(file: string): Extension {
-    const isStart = file === MAIN && this.app.work.place.value === 0;
-    if (!isStart || this.locks.lines.length === 0) return [];
-    return lockedLines(
-      () => this.locks.lines,
-      say(words.line),
-      () => this.tell(say(words.lines)),
-    );
+    const { work } = this.app;
+    const pasted = wholePastes(this.copied, () => {
+      const { handIn } = fromOutside(work.work.value.project);
+      if (handIn !== undefined) work.setHandIn(handIn);
+    });
+    const isStart = file === MAIN && work.place.value === 0;
+    if (!isStart || this.locks.lines.length === 0) return pasted;
+    const refuse = (): void => this.tell(say(words.lines));
+    return [pasted, lockedLines(() => this.locks.lines, say(words.line), refuse)];
   }
 
   /** Where the locked lines are now goes with the work, so that it is known after a reload, too. */

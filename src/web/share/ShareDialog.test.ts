@@ -2,6 +2,7 @@
 import { afterEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import type { SaidRemark } from '#check/hand-in/hand-in';
 import { handInOf } from '#check/hand-in/read-hand-in';
 import type { WorldResult } from '#check/result';
 import { sceneWith, targetAt } from '#check/testing/tasks';
@@ -13,6 +14,7 @@ import { byId, fieldById, isThere, tap, write } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { courses } from '../work/catalogue/courses';
+import type { Keeper } from '../work/model/keeper';
 import { openAddress, readyCourses } from './open-address';
 import OpenLinkDialog from './OpenLinkDialog.vue';
 import { qrPath, QR_CHARACTERS } from './qr-code';
@@ -43,9 +45,10 @@ describe('a hand-in', () => {
     ...{ held: ['goals'], missed: {}, hash: 'abc', trail: [] },
   };
   /** The dialog on a program in a course with a target; what its run comes to is this. */
-  async function handIn(run: WorldResult | null) {
+  async function handIn(run: WorldResult | null, noticed: readonly SaidRemark[] = []) {
     const page = pageWith('print(1)\n');
     page.work.setScene(sceneWith([targetAt(700, 450)]), null);
+    page.work.keeper.value = { noticed: () => noticed } as Keeper;
     await nextTick();
     const prover = vi.fn(() => Promise.resolve(run));
     mountOn(page, ShareDialog, { prover });
@@ -68,6 +71,12 @@ describe('a hand-in', () => {
     expect(inLink()?.said).toEqual({ task: '', alias: 'Ada', verdict: 'passed', tries: 0, hash: 'abc', remarks: [] });
     expect(inLink()?.project.files).toEqual([{ name: 'main.py', text: 'print(1)\n' }]);
     expect(prover).toHaveBeenCalledOnce();
+  });
+
+  it('tells what the page has noticed, and shows the pupil that it does', async () => {
+    await handIn(passed, ['hand', 'outside']);
+    expect(byId('hand-in-told').textContent).toMatch(/Hand geholfen.*nicht aus diesem Editor/);
+    expect(inLink()?.said?.remarks).toEqual(['hand', 'outside']);
   });
 
   it('that has not passed says why, and can be handed in', async () => {

@@ -1,6 +1,6 @@
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
-import { handInLimits, type Said } from '#check/hand-in/hand-in';
+import { handInLimits, type Said, type SaidRemark } from '#check/hand-in/hand-in';
 import { handInOf } from '#check/hand-in/read-hand-in';
 import { Lane } from '#check/lane';
 import type { WorldResult } from '#check/result';
@@ -38,8 +38,14 @@ export const MOST_ALIAS = handInLimits.aliasCharacters;
  * A hand-in of the present project.
  *
  * @param tries number of runs so far
+ * @param noticed what the page tells of the work
  */
-export function useHandIn(project: () => Project, tries: () => number, prove: Prover = proved): HandInWish {
+export function useHandIn(
+  project: () => Project,
+  tries: () => number,
+  noticed: () => readonly SaidRemark[] = () => [],
+  prove: Prover = proved,
+): HandInWish {
   const task = computed(() => {
     const read = taskOf(project());
     return 'task' in read ? read.task : null;
@@ -65,7 +71,7 @@ export function useHandIn(project: () => Project, tries: () => number, prove: Pr
           verdict: verdictOf(run.value),
           tries: tries(),
           hash: run.value?.hash ?? '',
-          remarks: [],
+          remarks: noticed(),
         }
       : null,
   );

@@ -1,5 +1,6 @@
 import type { Extension } from '@codemirror/state';
 
+import type { SaidRemark } from '#check/hand-in/hand-in';
 import type { LockName, Locks } from '#check/task/task';
 import type { Project } from '#project/project';
 import type { InputAction } from '#simulation/input';
@@ -24,6 +25,8 @@ export interface Keeper {
    * @param isTyped in the page's editor
    */
   changed(before: Project, after: Project, isTyped: boolean): Project | null;
+  /** What is told of the work when it is handed in. */
+  noticed(): readonly SaidRemark[];
   /** What the editor of a file has besides. */
   inEditor(file: string): Extension;
 }
