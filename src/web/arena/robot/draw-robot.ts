@@ -3,7 +3,7 @@ import type { RobotState } from '#robots/robot';
 import type { ArenaRobot, RobotLook } from '../model/arena-model';
 import { attachmentPainter } from './draw-attachments';
 import { bumperSprites } from './draw-bumper';
-import { drawGlow, floorLight } from '../../page/drawing/draw-glow';
+import { drawGlow, floorLight, glowOf } from '../../page/drawing/draw-glow';
 import { ledOpacity } from '../../board/drawing/led-brightness';
 import type { Palette } from '../model/palette';
 import type { Box, RobotDrawing, Spot } from './robot-drawing';
@@ -70,7 +70,7 @@ export function drawRobot(
   painting.turned.draw(context, at, reachPx, { headingRad: robot.pose.headingRad, size, ratio, of }, still);
   enter(context, at);
   if (sprite === null) drawPlainBody(context, look, palette);
-  else drawTreads(context, drawing, robot);
+  else drawTreads(context, painting, robot, size * ratio);
   context.restore();
   attachments?.drawFront(context, view, ratio, { robot, painting, ...appearance });
 }
@@ -117,9 +117,14 @@ function drawLights(
   drawRedLight(context, drawing.leds.right, state.leds.right);
 }
 
-function drawTreads(context: CanvasRenderingContext2D, { wheels }: RobotDrawing, robot: ArenaRobot): void {
-  if (wheels.left !== null) drawTread(context, wheels.left, robot.wheelTurnRad[0]);
-  if (wheels.right !== null) drawTread(context, wheels.right, robot.wheelTurnRad[1]);
+function drawTreads(
+  context: CanvasRenderingContext2D,
+  { treads, drawing: { wheels } }: RobotPainting,
+  { wheelTurnRad: [left, right] }: ArenaRobot,
+  pixelsPerMm: number,
+): void {
+  if (wheels.left !== null) treads.draw(context, wheels.left, left, pixelsPerMm);
+  if (wheels.right !== null) treads.draw(context, wheels.right, right, pixelsPerMm);
 }
 
 function drawInto(context: CanvasRenderingContext2D, image: HTMLCanvasElement, box: Box, backMm = 0): void {
@@ -135,39 +140,11 @@ function drawUnderglow(context: CanvasRenderingContext2D, spots: readonly Spot[]
   });
 }
 
-/** Marks of the tread, about as far apart as on the real tyre. */
-const TREAD_MARKS = 24;
-
-/**
- * The upper half of a turning tyre, seen from above: marks crowd and fade where the tyre bends down. Rolling
- * forward, its top moves to the front (up in the drawing).
- */
-function drawTread(context: CanvasRenderingContext2D, tyre: Box, turnRad: number): void {
-  const radius = tyre.height / 2;
-  const middle = { x: tyre.x + tyre.width / 2, y: tyre.y + radius };
-  const half = tyre.width * 0.4;
-  const pitch = (2 * Math.PI) / TREAD_MARKS;
-  const first = turnRad - Math.floor(turnRad / pitch) * pitch;
-  context.strokeStyle = '#68727c';
-  context.lineJoin = 'round';
-  for (let mark = 0; mark < TREAD_MARKS / 2; mark += 1) {
-    const angle = -Math.PI / 2 + first + mark * pitch;
-    const facing = Math.cos(angle);
-    if (facing < 0.12) continue;
-    const y = middle.y - radius * 0.985 * Math.sin(angle);
-    context.globalAlpha = 0.25 + 0.65 * facing;
-    context.lineWidth = 0.35 + 0.85 * facing;
-    context.beginPath();
-    context.moveTo(middle.x - half, y + 0.8 * facing);
-    context.lineTo(middle.x, y - 0.9 * facing);
-    context.lineTo(middle.x + half, y + 0.8 * facing);
-    context.stroke();
-  }
-  context.globalAlpha = 1;
-}
+const blueGlow = glowOf([74, 184, 255]);
+const redGlow = glowOf([255, 45, 34]);
 
 function drawLineLight(context: CanvasRenderingContext2D, spot: Spot): void {
-  drawGlow(context, spot, spot.radius * 2.4, [74, 184, 255], 0.75);
+  blueGlow(context, spot, spot.radius * 2.4, 0.75);
   disc(context, spot, spot.radius, '#ffffff');
   disc(context, spot, spot.radius * 0.84, '#4fc3ff');
   disc(context, { x: spot.x - spot.radius * 0.22, y: spot.y - spot.radius * 0.25 }, spot.radius * 0.36, '#d4f1ff');
@@ -175,7 +152,7 @@ function drawLineLight(context: CanvasRenderingContext2D, spot: Spot): void {
 
 function drawRedLight(context: CanvasRenderingContext2D, spot: Spot | null, brightness: number): void {
   if (spot === null || brightness <= 0) return;
-  drawGlow(context, { x: spot.x, y: spot.y - 1 }, spot.radius * 5.4, [255, 45, 34], 0.95 * brightness);
+  redGlow(context, { x: spot.x, y: spot.y - 1 }, spot.radius * 5.4, 0.95 * brightness);
   disc(context, spot, spot.radius * 1.24, '#ffd9d3');
   disc(context, spot, spot.radius, '#ff4a3d');
   disc(context, { x: spot.x - spot.radius * 0.25, y: spot.y - spot.radius * 0.3 }, spot.radius * 0.42, '#ffe3de');

@@ -1,6 +1,7 @@
 import type { RobotLook } from '../model/arena-model';
 import type { RobotDrawing } from './robot-drawing';
 import type { SpriteShelf } from './robot-sprite';
+import type { TreadShelf } from './tread-sprite';
 import type { TurnedBody } from './turned-body';
 
 /** A robot type made ready to be drawn. */
@@ -9,6 +10,7 @@ export interface RobotPainting {
   readonly drawing: RobotDrawing;
   readonly sprites: SpriteShelf;
   readonly turned: TurnedBody;
+  readonly treads: TreadShelf;
   /** Requests a redraw, once something that the picture needs has loaded. */
   readonly redraw: () => void;
 }

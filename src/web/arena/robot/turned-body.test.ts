@@ -48,6 +48,12 @@ describe('a robot that keeps its heading', () => {
     ]);
   });
 
+  it('is kept some frames later where others may have come to rest in the same frame', () => {
+    body = new TurnedBody(2);
+    for (let frame = 0; frame < 4; frame++) draw();
+    expect(paint.mock.calls).toEqual([[screen], [screen], [screen], [aside]]);
+  });
+
   it.each([
     ['it turns', { headingRad: 1.01 }],
     ['the zoom changes', { size: 0.6 }],

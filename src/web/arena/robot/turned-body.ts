@@ -23,6 +23,11 @@ const SAME_RAD = 0.002;
 export class TurnedBody {
   private last: BodyLook | null = null;
   private kept: HTMLCanvasElement | null = null;
+  /** Frames that it has looked the same. */
+  private frames = 0;
+
+  /** @param patience it is kept after so many frames more; another one for each robot, as robots may end a turn together */
+  constructor(private readonly patience = 0) {}
 
   /**
    * @param at the robot's place
@@ -37,8 +42,8 @@ export class TurnedBody {
     paint: (context: CanvasRenderingContext2D) => void,
   ): void {
     const isSame = this.last !== null && same(this.last, look);
-    if (!isSame) [this.last, this.kept] = [look, null];
-    else this.kept ??= turned(reachPx, look.ratio, paint);
+    if (!isSame) [this.last, this.kept, this.frames] = [look, null, 0];
+    else if (this.frames++ >= this.patience) this.kept ??= turned(reachPx, look.ratio, paint);
     if (this.kept !== null) {
       putPicture(context, this.kept, at);
       return;

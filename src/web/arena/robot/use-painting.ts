@@ -5,15 +5,31 @@ import type { RobotLook } from '../model/arena-model';
 import { readRobotDrawing } from './robot-drawing';
 import type { RobotPainting } from './robot-painting';
 import { createSpriteShelf } from './robot-sprite';
+import { TreadShelf } from './tread-sprite';
 import { TurnedBody } from './turned-body';
 
-/** What a robot is painted with; `null` without a robot and until its drawing is there. */
-export function usePainting(robot: () => RobotLook | null, redraw: () => void): ComputedRef<RobotPainting | null> {
+/**
+ * What a robot is painted with; `null` without a robot and until its drawing is there.
+ *
+ * @param patience see `TurnedBody`
+ */
+export function usePainting(
+  robot: () => RobotLook | null,
+  redraw: () => void,
+  patience = 0,
+): ComputedRef<RobotPainting | null> {
   const svg = useDrawing(robot);
   return computed(() => {
     const look = robot();
     if (look === null || svg.value === null) return null;
     const drawing = readRobotDrawing(svg.value);
-    return { look, drawing, sprites: createSpriteShelf(drawing, redraw), turned: new TurnedBody(), redraw };
+    return {
+      look,
+      drawing,
+      sprites: createSpriteShelf(drawing, redraw),
+      turned: new TurnedBody(patience),
+      treads: new TreadShelf(),
+      redraw,
+    };
   });
 }

@@ -1,9 +1,14 @@
 import type { Rgb } from '#core/rgb';
 
+interface Place {
+  readonly x: number;
+  readonly y: number;
+}
+
 /** Light that falls off softly from a centre; nothing when `alpha` is 0. */
 export function drawGlow(
   context: CanvasRenderingContext2D,
-  at: { readonly x: number; readonly y: number },
+  at: Place,
   radius: number,
   color: Rgb,
   alpha: number,
@@ -18,6 +23,29 @@ export function drawGlow(
   context.arc(at.x, at.y, radius, 0, 2 * Math.PI);
   context.fill();
 }
+
+/** The light of a lamp that has one colour: painted once, since gradients cost most of what a robot does. */
+export function glowOf(
+  color: Rgb,
+): (context: CanvasRenderingContext2D, at: Place, radius: number, alpha: number) => void {
+  let kept: HTMLCanvasElement | null = null;
+  return (context, at, radius, alpha) => {
+    kept ??= paintedGlow(color);
+    context.globalAlpha = alpha;
+    context.drawImage(kept, at.x - radius, at.y - radius, 2 * radius, 2 * radius);
+    context.globalAlpha = 1;
+  };
+}
+
+function paintedGlow(color: Rgb): HTMLCanvasElement {
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = 2 * GLOW_PX;
+  const context = canvas.getContext('2d');
+  if (context !== null) drawGlow(context, { x: GLOW_PX, y: GLOW_PX }, GLOW_PX, color, 1);
+  return canvas;
+}
+/** Radius of the kept picture: it is soft, so that it can be stretched. */
+const GLOW_PX = 48;
 
 /** Roughly a bell curve: distance from the centre, share of the light. */
 const FALL_OFF = [

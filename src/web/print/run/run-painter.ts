@@ -13,6 +13,7 @@ import { drawTrail } from '../../arena/robot/draw-trail';
 import { readRobotDrawing } from '../../arena/robot/robot-drawing';
 import type { RobotPainting } from '../../arena/robot/robot-painting';
 import { createSpriteShelf, emptyCanvas } from '../../arena/robot/robot-sprite';
+import { TreadShelf } from '../../arena/robot/tread-sprite';
 import { TurnedBody } from '../../arena/robot/turned-body';
 import { toPx, type View } from '../../arena/view/view-transform';
 import type { Trails } from '../../run/trails';
@@ -70,7 +71,14 @@ export async function runPainter(run: PaintedRun, longestPx: number, first: Snap
 
 async function paintingOf(look: RobotLook, redraw: () => void): Promise<RobotPainting> {
   const drawing = readRobotDrawing(await fetchDrawing(look.id));
-  return { look, drawing, sprites: createSpriteShelf(drawing, redraw), turned: new TurnedBody(), redraw };
+  return {
+    look,
+    drawing,
+    sprites: createSpriteShelf(drawing, redraw),
+    turned: new TurnedBody(),
+    treads: new TreadShelf(),
+    redraw,
+  };
 }
 
 function createPainter(
