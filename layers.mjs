@@ -97,7 +97,7 @@ export const webLayers = {
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   'handed-out': ['page', 'run', 'work', 'course-editor'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
-  'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor'],
+  'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
   app: [

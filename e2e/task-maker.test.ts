@@ -97,11 +97,23 @@ test('the page of a task bars no screen reader, and stays over a reload', IN_ONE
   await app.click(by('maker-add-world'));
   await until(app, by('maker-leds'));
   await app.click(`${by('maker-leds')} button`);
+  for (const [list, chosen] of Object.entries({ object: '', sensor: 'lightLevel', input: 'button a' }))
+    await app.evaluate(
+      (wish) => {
+        const lists = document.querySelectorAll<HTMLSelectElement>(`[data-testid=maker-add-${wish.list}]`);
+        const select = lists[lists.length - 1]!; // of the hidden world
+        select.value = wish.chosen === '' ? select.options[1]!.value : wish.chosen;
+        select.dispatchEvent(new Event('change', { bubbles: true }));
+      },
+      { list, chosen },
+    );
+  await until(app, by('maker-input'));
   await app.click(by('maker-lock-tools'));
   await app.click(by('maker-tool-pen'));
   await app.click(by('maker-line-2'));
   expect(await violationsOn(app)).toEqual([]);
   await expect.poll(() => projectOf(app)).toContain('"image":"99090:99999:99999:09990:00900"');
+  expect(await projectOf(app)).toMatch(/"edits":\[.*"sensors":\{"lightLevel":127\},"inputs":\[.*"button":"a"/);
   expect(await projectOf(app)).toContain('"locks":{"tools":["pen"],"lines":[2]}');
   await app.goto('./logo.svg');
   await app.goto('./#task');
