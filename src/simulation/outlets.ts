@@ -45,6 +45,8 @@ export interface RunOutlets {
   readonly set?: (set: OutputSet, device: number) => void;
   /** What the run shows, every 20 ms of simulated time, after the world has moved. */
   readonly moment?: (snapshot: Snapshot) => void;
+  /** Whether the moment at this time is wanted; one that is not is not even made. Left out: all are. */
+  readonly isMomentWanted?: (timeUs: number) => boolean;
 }
 
 /** Those of them that one device tells. */

@@ -290,7 +290,8 @@ export class Simulation {
     this.judge?.step(this.nowUs);
     for (const device of this.devices) device.sendTrail();
     this.recorder.step(this.nowUs);
-    if (this.outlets.moment && this.nowUs % TRACE_PERIOD_US === 0) this.outlets.moment(this.snapshot());
+    const { moment, isMomentWanted } = this.outlets;
+    if (moment && this.nowUs % TRACE_PERIOD_US === 0 && isMomentWanted?.(this.nowUs) !== false) moment(this.snapshot());
   }
 
   private takeInputs(): void {

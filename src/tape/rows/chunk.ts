@@ -9,6 +9,8 @@ export type Series = readonly number[];
 
 /** What one piece of a tape holds. */
 export interface ChunkContent {
+  /** It needs none of the pieces before it: its columns and values are all there are. */
+  readonly isFirst: boolean;
   /** Columns and values that no earlier piece has told. */
   readonly newColumns: readonly Column[];
   readonly newValues: readonly Leaf[];
@@ -25,9 +27,10 @@ const WAYS = { constant: 0, changes: 1, motion: 2 } as const;
 const MOST_BYTES = 8_000_000;
 
 /** Writes a piece as bytes. */
-export function writeChunk({ newColumns, newValues, moments, columns }: ChunkContent): Uint8Array {
+export function writeChunk({ isFirst, newColumns, newValues, moments, columns }: ChunkContent): Uint8Array {
   const out = new ByteWriter();
-  out.text(JSON.stringify([newColumns.map(({ path, step }) => [path, Math.round(1 / step)]), newValues]));
+  const told = newColumns.map(({ path, step }) => [path, Math.round(1 / step)]);
+  out.text(JSON.stringify([isFirst, told, newValues]));
   out.uint(moments);
   out.uint(columns.length);
   for (const codes of columns) writeColumn(out, codes);
@@ -70,6 +73,8 @@ function writeMotion(out: ByteWriter, codes: Series): void {
 
 /** A piece that was read: any of its moments can be made again. */
 export interface Chunk {
+  /** It needs none of the pieces before it. */
+  readonly isFirst: boolean;
   readonly moments: number;
   /** All columns and values up to this piece. */
   readonly columns: readonly Column[];
@@ -83,25 +88,32 @@ export interface Told {
   readonly values: readonly Leaf[];
 }
 
+/** What is told before the first piece. */
+export const NOTHING_TOLD: Told = { columns: [], values: [] };
+
 /** Reads a piece, or says `null` where the bytes are none. */
-export function readChunk(bytes: Uint8Array, { columns: known, values }: Told): Chunk | null {
+export function readChunk(bytes: Uint8Array, before: Told): Chunk | null {
   const plain = unpacked(bytes, MOST_BYTES);
   if (typeof plain === 'string') return null;
   const from = new ByteReader(plain);
   const head = headOf(from.text());
   if (head === null) return null;
-  const columns = [...known, ...head.columns];
+  const { isFirst } = head;
+  const known = isFirst ? NOTHING_TOLD : before;
+  // Most pieces tell nothing new: then the lists are the same ones.
+  const columns = head.columns.length === 0 ? known.columns : [...known.columns, ...head.columns];
+  const values = head.values.length === 0 ? known.values : [...known.values, ...head.values];
   const moments = from.uint();
   if (from.uint() !== columns.length || moments > MOST_BYTES) return null;
   const codes = columns.map(() => readColumn(from, moments));
   if (!from.isGood) return null;
-  return { moments, columns, values: [...values, ...head.values], codes };
+  return { isFirst, moments, columns, values, codes };
 }
 
-function headOf(text: string): Told | null {
+function headOf(text: string): (Told & Pick<Chunk, 'isFirst'>) | null {
   try {
-    const [columns, values] = JSON.parse(text) as [[Key[], number][], Leaf[]];
-    return { columns: columns.map(([path, perUnit]) => ({ path, step: 1 / perUnit })), values };
+    const [isFirst, columns, values] = JSON.parse(text) as [boolean, [Key[], number][], Leaf[]];
+    return { isFirst, columns: columns.map(([path, perUnit]) => ({ path, step: 1 / perUnit })), values };
   } catch {
     return null;
   }

@@ -5,7 +5,7 @@ import { LeafTree } from './leaves';
 /** Moments in a piece: 5 s. Chosen: one is packed and unpacked in a few ms, and what all repeat is a small part of it. */
 const MOMENTS = 250;
 
-/** Takes moment after moment and makes pieces of the tape of them. */
+/** Takes moment after moment and makes pieces of the tape of them. The first can be read without any other; the others need those before. */
 export class RowWriter {
   private readonly tree = new LeafTree();
   private readonly codes = new Codes();
@@ -41,6 +41,7 @@ export class RowWriter {
       return own;
     });
     const piece = writeChunk({
+      isFirst: this.toldColumns === 0,
       newColumns: tree.columns.slice(this.toldColumns),
       newValues: codes.values.slice(this.toldValues),
       moments,

@@ -1,13 +1,12 @@
-import { momentOf, readChunk, timesOf, writeChunk, type Chunk, type Told } from './chunk';
+import { momentOf, NOTHING_TOLD, readChunk, timesOf, writeChunk, type Chunk, type Told } from './chunk';
 
 /** A piece with what is needed to read it again. */
 interface Piece {
   readonly bytes: Uint8Array;
   readonly fromUs: number;
   readonly toUs: number;
-  /** Columns and values that the pieces before it have told. */
-  readonly columnsBefore: number;
-  readonly valuesBefore: number;
+  /** What the pieces before it have told. */
+  readonly before: Told;
   /** Every how many moments one was kept. */
   readonly thinned: number;
 }
@@ -21,7 +20,7 @@ const WHOLE = 12;
 /** The moments of a tape, to be looked up by time. */
 export class Rows<Moment extends { readonly timeUs: number }> {
   private pieces: readonly Piece[] = [];
-  private told: Told = { columns: [], values: [] };
+  private told: Told = NOTHING_TOLD;
   private unpacked = new Map<Piece, Chunk>();
 
   /** @param mostBytes above this the oldest pieces lose every second moment, again and again; left out: never. The last
@@ -37,9 +36,9 @@ export class Rows<Moment extends { readonly timeUs: number }> {
     const chunk = readChunk(bytes, this.told);
     const times = chunk && timesOf(chunk);
     if (!chunk || !times || (times[0] ?? 0) <= this.endUs) return null;
-    const before = { columnsBefore: this.told.columns.length, valuesBefore: this.told.values.length };
+    const before = chunk.isFirst ? NOTHING_TOLD : this.told;
     const span = { fromUs: times[0] ?? 0, toUs: times.at(-1) ?? 0 };
-    this.pieces = [...this.pieces, { bytes, ...span, ...before, thinned: 1 }];
+    this.pieces = [...this.pieces, { bytes, ...span, before, thinned: 1 }];
     this.told = { columns: chunk.columns, values: chunk.values };
     while (this.bytes > this.mostBytes && this.thinOldest());
     return chunk;
@@ -67,16 +66,11 @@ export class Rows<Moment extends { readonly timeUs: number }> {
   private chunkOf(piece: Piece): Chunk | null {
     const known = this.unpacked.get(piece);
     if (known) return known;
-    const chunk = this.read(piece);
+    const chunk = readChunk(piece.bytes, piece.before);
     if (!chunk) return null;
     if (this.unpacked.size >= UNPACKED) this.unpacked.delete([...this.unpacked.keys()][0] ?? piece);
     this.unpacked.set(piece, chunk);
     return chunk;
-  }
-
-  private read({ bytes, columnsBefore, valuesBefore }: Piece): Chunk | null {
-    const { columns, values } = this.told;
-    return readChunk(bytes, { columns: columns.slice(0, columnsBefore), values: values.slice(0, valuesBefore) });
   }
 
   /**
@@ -89,7 +83,7 @@ export class Rows<Moment extends { readonly timeUs: number }> {
     const least = Math.min(...old.map(({ thinned }) => thinned));
     const at = old.findIndex(({ thinned }) => thinned === least);
     const piece = old[at];
-    const chunk = piece && this.read(piece);
+    const chunk = piece && readChunk(piece.bytes, piece.before);
     if (!chunk || chunk.moments < 3) return false;
     this.pieces = this.pieces.with(at, { ...piece, bytes: thinner(chunk, piece), thinned: piece.thinned * 2 });
     this.unpacked.delete(piece);
@@ -97,12 +91,13 @@ export class Rows<Moment extends { readonly timeUs: number }> {
   }
 }
 
-function thinner(chunk: Chunk, { columnsBefore, valuesBefore }: Piece): Uint8Array {
+function thinner(chunk: Chunk, { before }: Piece): Uint8Array {
   const stays = (_: unknown, moment: number): boolean => moment % 2 === 0 || moment === chunk.moments - 1;
   const columns = chunk.codes.map((codes) => codes.filter(stays));
   return writeChunk({
-    newColumns: chunk.columns.slice(columnsBefore),
-    newValues: chunk.values.slice(valuesBefore),
+    isFirst: chunk.isFirst,
+    newColumns: chunk.columns.slice(before.columns.length),
+    newValues: chunk.values.slice(before.values.length),
     moments: columns[0]?.length ?? 0,
     columns,
   });

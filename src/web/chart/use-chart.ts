@@ -5,6 +5,7 @@ import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 
 import { shownLanguage } from '../page/i18n';
 import { say } from '../page/i18n/say';
+import { fillInSilently, useFilled } from '../run/fill/fill-in';
 import type { RunParts } from '../run/parts';
 import type { WorkParts } from '../work/model/parts';
 import { chartWords as words } from './series/chart-words';
@@ -70,6 +71,7 @@ export function useChart(app: Pick<RunParts, 'run'> & Pick<WorkParts, 'work'>) {
     { immediate: true },
   );
   watch([run.present, () => run.recording.value.count.value], updateSoon);
+  useFilled(() => run.recording.value, (tape) => fillInSilently(tape, run)); // prettier-ignore
   watch(chosenIds, update);
   onScopeDispose(() => clearTimeout(timer));
 

@@ -44,7 +44,7 @@ async function opened() {
   await startRun(page);
   await show(page, { timeUs: 1_000_000 });
   page.run.pause();
-  const knowInputs = (): void => page.say({ type: 'inputs', inputs: [] });
+  const knowInputs = (): void => page.say({ type: 'inputs', inputs: [], nowUs: 0 });
   return { page, past, tell, workers, wishes, knowInputs, answerWith: (look: Look | null) => (answer = look) };
 }
 let given: Awaited<ReturnType<typeof opened>>;

@@ -41,8 +41,8 @@ function tapeOf(untilMs: number): Uint8Array {
 /** Waits for a promise while the worker answers what it is asked for. */
 async function whileAnswering<T>(page: ReturnType<typeof createPage>, promise: Promise<T>): Promise<T> {
   await nextTick();
-  page.say({ type: 'tape', piece: tapeOf(100) });
-  page.say({ type: 'inputs', inputs: [] });
+  page.say({ type: 'tape', piece: tapeOf(100), thinSinceUs: null });
+  page.say({ type: 'inputs', inputs: [], nowUs: 2_000_000 });
   return promise;
 }
 

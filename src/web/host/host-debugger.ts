@@ -8,7 +8,7 @@ import { placeOfDevice } from '#simulation/several/place-of-device';
 import type { Debug } from '../debug/debug';
 import { fileKey } from '../debug/file-key';
 import { fetchAgain } from './fetch-again';
-import { wholeRecording } from '../run/whole-recording';
+import { wholeRecording } from '../run/fill/whole-recording';
 import { hostPast } from './host-past';
 import type { HostedPage } from './hosted-page';
 
@@ -121,7 +121,7 @@ async function momentNow({ run }: HostedPage, place: number): Promise<ProgramMom
 
 async function stepInPast(app: HostedPage, step: HostStep, place: number): Promise<Refusal> {
   const before = app.run.past.value;
-  if (app.run.phase.value === 'starting' || (await wholeRecording(app.run)) === null)
+  if (app.run.phase.value === 'starting' || (await wholeRecording(app.run, 'the inputs')) === null)
     return 'This needs a run that has been.';
   const { past } = await needed(app);
   const isThere = await (step === 'back' ? past.back(place) : past.step(step, place));

@@ -7,7 +7,7 @@ import { lookAt } from '../run/look-at';
 import type { RunParts } from '../run/parts';
 import { RecordedRows } from '../run/recorded-rows';
 import { goOn } from '../run/run-again';
-import { wholeRecording } from '../run/whole-recording';
+import { wholeRecording } from '../run/fill/whole-recording';
 
 /** The past of the run, for a host: the page may show it without its time line. */
 export function hostPast({
@@ -21,7 +21,7 @@ export function hostPast({
       const endUs = run.present.value?.timeUs ?? -1;
       if (endUs >= 0 && timeUs > endUs)
         return `The run has come to ${endUs / 1000} ms; there is no moment at ${timeUs / 1000} ms.`;
-      const recording = await wholeRecording(run);
+      const recording = await wholeRecording(run, 'all moments');
       const moment = recording && recorded.of(recording).at(timeUs);
       if (moment === null) return 'This needs a run that has been.';
       run.past.value = moment;
@@ -35,7 +35,7 @@ export function hostPast({
     async goOn(paused) {
       if (run.past.value === null) return 'This needs a moment of the past: look-at chooses one.';
       const { timeUs } = run.past.value;
-      if ((await wholeRecording(run)) === null) return 'This run cannot be run again.';
+      if ((await wholeRecording(run, 'the inputs')) === null) return 'This run cannot be run again.';
       const there = isThere(run);
       await goOn(run, timeUs, paused);
       return there;

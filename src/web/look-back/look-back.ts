@@ -1,7 +1,8 @@
 import { onScopeDispose, shallowRef, watch, type Ref, type ShallowRef } from 'vue';
 
 import type { Snapshot } from '#simulation/snapshot';
-import { RecordedRows } from '../run/recorded-rows';
+import { Rows } from '#tape/rows/rows';
+import type { Recording } from '../run/recording';
 import type { RunModel } from '../run/run-model';
 import { Marks, type Mark } from './marks';
 
@@ -23,16 +24,21 @@ export interface LookBack {
 
 /** Looks back at a run for as long as the component lives: `run.past` is what it looks at. */
 export function useLookBack(run: RunModel, speed: () => number): LookBack {
-  const { rows, marks, endUs } = useRows(run);
+  const { rows, marks, endUs } = useRows(run, () => {
+    if (taped !== null && taped === run.past.value) show(atUs.value); // now it is known better
+  });
   const atUs = shallowRef(run.nowUs.value);
   const playing = shallowRef<-1 | 0 | 1>(0);
   let frame = 0;
+  /** The moment that is shown, if it is one of the tape's. */
+  let taped: Snapshot | null = null;
 
   function show(timeUs: number, exact?: Snapshot): void {
     atUs.value = Math.min(Math.max(timeUs, 0), endUs.value);
     const moment = exact ?? rows().at(atUs.value);
     if (moment === null || run.past.value === null) return;
     run.past.value = moment;
+    taped = exact === undefined ? moment : null;
     run.trails.lookAt(moment.timeUs);
     if (atUs.value >= (run.recording.value.asked.value?.timeUs ?? 0)) run.recording.value.asked.value = null;
   }
@@ -75,26 +81,62 @@ export function useLookBack(run: RunModel, speed: () => number): LookBack {
   };
 }
 
-/** The moments of the run's recording, unpacked as they come. */
-function useRows(run: RunModel) {
-  let found = new Marks(1);
-  const recorded = new RecordedRows(
-    {
-      begin: ({ setup }) => (found = new Marks(setup?.devices.length ?? 1)),
-      chunk: (chunk) => found.add(chunk),
-    },
-    MOST_BYTES,
-  );
+/** Longest stretch of unpacking without a rest, in ms of wall time: half a frame. */
+const SLICE_MS = 8;
+
+/** A tape that is being unpacked. */
+interface Unpacked {
+  readonly of: Recording;
+  readonly pieces: Recording['pieces'];
+  readonly rows: Rows<Snapshot>;
+  readonly found: Marks;
+  taken: number;
+}
+
+const unpackingOf = (of: Recording): Unpacked => ({
+  ...{ of, pieces: of.pieces, taken: 0 },
+  rows: new Rows<Snapshot>(MOST_BYTES),
+  found: new Marks(of.setup?.devices.length ?? 1),
+});
+
+/**
+ * The moments of the run's recording, unpacked as they come, in slices.
+ *
+ * @param onOthers other pieces of the same run have taken the place of those so far
+ */
+function useRows(run: RunModel, onOthers: () => void) {
+  let next = unpackingOf(run.recording.value);
+  let shown = next;
+  /** Counts what has come, so that a rest can tell that it was for something older. */
+  let turn = 0;
   const endUs = shallowRef(run.nowUs.value);
   const marks = shallowRef<readonly Mark[]>([]);
-  watch(
-    [run.recording, () => run.recording.value.count.value],
-    ([recording]) => {
-      const rows = recorded.of(recording);
-      if (rows.endUs >= 0) endUs.value = rows.endUs;
-      marks.value = [...found.all];
-    },
-    { immediate: true },
-  );
-  return { rows: () => recorded.of(run.recording.value), marks, endUs };
+  function publish(): void {
+    if (shown.rows.endUs >= 0) endUs.value = shown.rows.endUs;
+    marks.value = [...shown.found.all];
+  }
+  async function unpack(recording: Recording): Promise<void> {
+    const mine = ++turn;
+    if (next.pieces !== recording.pieces) next = unpackingOf(recording);
+    if (shown.of !== recording) shown = next; // else those so far are shown until all others are there
+    let sinceMs = performance.now();
+    while (next.taken < next.pieces.length) {
+      const chunk = next.rows.push(next.pieces[next.taken++] ?? new Uint8Array());
+      if (chunk !== null) next.found.add(chunk);
+      if (performance.now() - sinceMs < SLICE_MS) continue;
+      if (shown === next) publish();
+      await new Promise((rested) => setTimeout(rested));
+      if (mine !== turn) return;
+      sinceMs = performance.now();
+    }
+    const isOther = shown !== next;
+    shown = next;
+    publish();
+    if (isOther) onOthers();
+  }
+  watch([run.recording, () => run.recording.value.count.value], ([recording]) => void unpack(recording), {
+    immediate: true,
+  });
+  onScopeDispose(() => (turn += 1));
+  return { rows: () => shown.rows, marks, endUs };
 }

@@ -7,7 +7,7 @@ import { say } from '../page/i18n/say';
 import type { RunParts } from '../run/parts';
 import { repeatShown } from '../run/repeat-shown';
 import type { RunModel } from '../run/run-model';
-import { wholeRecording } from '../run/whole-recording';
+import { wholeRecording } from '../run/fill/whole-recording';
 import type { WorkParts } from '../work/model/parts';
 import { fileName, saveText } from '../work/save-file';
 import { nameToSave } from '../work/work-name';
@@ -58,7 +58,7 @@ async function textOfRun(app: App): Promise<string | null> {
 
 /** The run up to now, with all that was done to it; `null`: it is gone. */
 async function recordedNow(run: RunModel): Promise<Recorded | null> {
-  const recording = await wholeRecording(run);
+  const recording = await wholeRecording(run, 'the inputs');
   const [setup, inputs] = [recording?.setup ?? null, recording?.inputs.value ?? null];
   const endUs = run.present.value?.timeUs ?? 0;
   if (setup === null || inputs === null) return null;

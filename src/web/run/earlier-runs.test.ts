@@ -31,10 +31,12 @@ function pageWithRuns(): { page: TestPage; runs: EarlierRuns; here: () => Parame
   return { page, runs, here };
 }
 
+const tape = (bytes: number) => ({ type: 'tape', piece: new Uint8Array(bytes), thinSinceUs: null }) as const;
+
 /** A run that comes to this, with so many bytes of tape. */
 async function drive(page: TestPage, seconds: number, came: Verdict | null = null, bytes = 100): Promise<void> {
   await startRun(page);
-  page.say({ type: 'tape', piece: new Uint8Array(bytes) });
+  page.say(tape(bytes));
   await show(page, { timeUs: seconds * 1_000_000, verdict: came, robot });
 }
 
@@ -52,7 +54,7 @@ describe('the runs before this one', () => {
   it('took as long as their program, whatever the world did afterwards', async () => {
     const { page, runs, here } = pageWithRuns();
     await startRun(page);
-    page.say({ type: 'tape', piece: new Uint8Array(9) });
+    page.say(tape(9));
     const ended = { kind: 'finished', exception: null, timeUs: 2_500_000 } as never;
     page.say({ type: 'program-ended', ended, device: 0 });
     await show(page, { timeUs: 60_000_000, robot });
@@ -61,14 +63,14 @@ describe('the runs before this one', () => {
   });
 
   it('leave nothing where nothing was recorded, or where a board has no robot', async () => {
-    const { page, runs } = pageWithRuns();
+    const { page, runs, here } = pageWithRuns();
     await startRun(page);
     await show(page, { timeUs: 20_000, robot });
     await startRun(page);
-    page.say({ type: 'tape', piece: new Uint8Array(9) });
+    page.say(tape(9));
     await show(page, { timeUs: 20_000 });
     await page.run.reset();
-    expect(runs.all.value).toEqual([]);
+    expect(runs.choices(here())).toEqual({});
   });
 
   it('have a best one: the soonest to pass, else the one that came farthest; without a task there is none', async () => {
@@ -110,9 +112,14 @@ describe('the runs before this one', () => {
     const kept = page.run.recording.value.setup!;
     await page.run.reset();
     expect(runs.wish.value).toBe('none');
-    await showAgain(page.run, { kept, untilUs: 1_000_000, first: page.run.present.value!, atUs: 0 });
+    await showAgain(page.run, {
+      kept,
+      untilUs: 1_000_000,
+      first: page.run.present.value!,
+      pieces: [new Uint8Array(9)],
+      atUs: 0,
+    });
     page.say({ type: 'started' });
-    page.say({ type: 'tape', piece: new Uint8Array(9) });
     await show(page, { timeUs: 1_000_000, robot });
     await startRun(page);
     expect(runs.wish.value).toBe('opened');

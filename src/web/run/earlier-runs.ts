@@ -28,8 +28,8 @@ export interface EarlierRun {
   readonly number: number;
   /** It came with a link or a file. */
   readonly isOpened: boolean;
-  /** All moments that the page had of it, packed. */
-  readonly pieces: readonly Uint8Array[];
+  /** Its moments. The last ones may still be on their way. */
+  readonly recording: Recording;
   readonly scene: Scene;
   /** Ids of the robots, by the place of their device; `null`: a board alone. */
   readonly robots: readonly (string | null)[];
@@ -63,7 +63,7 @@ export class EarlierRuns {
 
   /** The runs that can be chosen on a course with these robots; missing: there is none. */
   choices(course: GhostCourse): Partial<Record<Exclude<GhostWish, 'none'>, EarlierRun>> {
-    const fitting = this.all.value.filter((run) => isOn(run, course));
+    const fitting = this.all.value.filter((run) => run.recording.count.value > 0 && isOn(run, course));
     const own = fitting.filter(({ isOpened }) => !isOpened);
     const last = own.at(-1);
     const best = bestOf(own);
@@ -74,8 +74,8 @@ export class EarlierRuns {
   private keep(left: Recording): void {
     const { last, run } = this;
     this.last = null;
-    if (last === null || left.setup === null || left.pieces.length === 0) return;
-    const { pieces, isBrought: isOpened } = left;
+    if (last === null || left.setup === null) return;
+    const { isBrought: isOpened } = left;
     const { scene } = left.setup;
     const { verdict } = last;
     const robots = [last, ...last.others].map(({ robot }) => robot?.type ?? null);
@@ -83,7 +83,7 @@ export class EarlierRuns {
     const tookUs = verdict?.state === 'passed' && verdict.atMs !== null ? verdict.atMs * 1000 : endUs;
     if (robots.every((robot) => robot === null)) return; // nothing of it would be seen
     const number = this.number();
-    this.all.value = fewer([...this.all.value, { number, isOpened, pieces, scene, robots, verdict, tookUs }]);
+    this.all.value = fewer([...this.all.value, { number, isOpened, recording: left, scene, robots, verdict, tookUs }]);
     if (isOpened) this.wish.value = 'opened';
   }
 }
@@ -136,4 +136,4 @@ function fewer(runs: readonly EarlierRun[]): readonly EarlierRun[] {
 }
 
 const bytesOf = (runs: readonly EarlierRun[]): number =>
-  runs.reduce((sum, { pieces }) => sum + pieces.reduce((all, { length }) => all + length, 0), 0);
+  runs.reduce((sum, { recording }) => sum + recording.pieces.reduce((all, { length }) => all + length, 0), 0);

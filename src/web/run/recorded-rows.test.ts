@@ -11,7 +11,7 @@ function recordingOf(...timesUs: readonly number[]): Recording {
   for (const timeUs of timesUs) {
     writer.add({ timeUs });
     const piece = writer.finish();
-    if (piece !== null) recording.hear({ type: 'tape', piece });
+    if (piece !== null) recording.hear({ type: 'tape', piece, thinSinceUs: null });
   }
   return recording;
 }
@@ -23,7 +23,7 @@ describe('the moments of the recording that was asked for last', () => {
     const all = recordingOf(20_000, 40_000, 60_000);
     const now = new Recording(null);
     for (const piece of all.pieces) {
-      now.hear({ type: 'tape', piece });
+      now.hear({ type: 'tape', piece, thinSinceUs: null });
       recorded.of(now);
       recorded.of(now);
     }

@@ -5,7 +5,7 @@ import type { Recording } from './recording';
 
 /** Who hears of what is unpacked. */
 export interface RowsHearing {
-  /** Another recording is asked for than before. */
+  /** Another recording is asked for than before, or it has other pieces. */
   begin?(recording: Recording): void;
   /** A piece of it is unpacked. */
   chunk?(chunk: Chunk): void;
@@ -13,23 +13,17 @@ export interface RowsHearing {
 
 /** The moments of the recording that was asked for last; each of its pieces is unpacked once, as it comes. */
 export class RecordedRows {
-  private recording: Recording | null = null;
-  private rows: Rows<Snapshot>;
+  private pieces: Recording['pieces'] | null = null;
+  private rows = new Rows<Snapshot>();
   private taken = 0;
 
-  /** @param mostBytes above this the older moments are thinned; left out: never */
-  constructor(
-    private readonly hearing: RowsHearing = {},
-    private readonly mostBytes?: number,
-  ) {
-    this.rows = new Rows<Snapshot>(mostBytes);
-  }
+  constructor(private readonly hearing: RowsHearing = {}) {}
 
   /** The moments of a recording as far as they have come. */
   of(recording: Recording): Rows<Snapshot> {
-    if (recording !== this.recording) {
-      this.recording = recording;
-      this.rows = new Rows<Snapshot>(this.mostBytes);
+    if (recording.pieces !== this.pieces) {
+      this.pieces = recording.pieces;
+      this.rows = new Rows<Snapshot>();
       this.taken = 0;
       this.hearing.begin?.(recording);
     }

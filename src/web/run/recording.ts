@@ -4,9 +4,7 @@ import type { InputEvent } from '#simulation/input';
 import type { RunSetup } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
 import type { WhyAsked } from './why-asked';
-import type { FromWorker } from './worker/protocol';
-
-import type { Output } from './worker/protocol';
+import type { FromWorker, Output } from './worker/protocol';
 
 /** Most pieces of output that are kept. Chosen: a line every 20 ms for ten minutes and more. */
 const MOST_OUTPUT = 40_000;
@@ -18,12 +16,25 @@ interface Asked {
   readonly exact?: Snapshot;
 }
 
+/** All moments of a run up to a time. */
+export interface BroughtTape {
+  readonly pieces: readonly Uint8Array[];
+  readonly untilUs: number;
+}
+
 /** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
 export class Recording {
-  /** Number of pieces of the tape; changes with each that comes. */
+  /** Changes with each piece of the tape that comes, and when others take the place of thin ones. */
   readonly count = shallowRef(0);
-  /** The pieces, packed as they came: nothing is unpacked before somebody looks back. */
-  readonly pieces: Uint8Array[] = [];
+  /**
+   * The pieces, packed as they came: nothing is unpacked before somebody looks back. It is another list when others have
+   * taken the place of thin ones: whoever has read some of them begins anew.
+   */
+  pieces: readonly Uint8Array[] = [];
+  /** Of each piece: the time since which moments are missing, because it is thin; `null`: none are. */
+  thinSince: readonly (number | null)[] = [];
+  /** How many pieces there were, and until when, when all that was done to the run was told. */
+  told = { pieces: 0, untilUs: 0 };
   /** What the programs have printed, oldest first, as it came; the oldest half goes when it is too much. */
   output: readonly Output[] = [];
   /** Pieces of output that are gone. */
@@ -40,24 +51,38 @@ export class Recording {
   /**
    * @param setup of the run; `null`: there is none
    * @param left the run that this one has left
-   * @param isBrought it was recorded before, maybe by somebody else, and is looked at from its beginning on
+   * @param brought it was recorded before, maybe by somebody else, and is looked at from its beginning on: its tape
    */
   constructor(
     readonly setup: RunSetup | null,
     left: Recording | null = null,
-    readonly isBrought = false,
+    private brought: BroughtTape | null = null,
   ) {
     this.ghost = shallowRef(left);
+    this.isBrought = brought !== null;
+    for (const piece of brought?.pieces ?? []) this.add(piece, null);
   }
+  readonly isBrought: boolean;
 
   /** The run can be run again. */
   get canGoOn(): boolean {
     return this.setup !== null && this.inputs.value !== null;
   }
 
-  hear(message: Extract<FromWorker, { type: 'tape' | 'inputs' }>): void {
-    if (message.type === 'inputs') this.inputs.value = message.inputs;
-    else this.count.value = this.pieces.push(message.piece);
+  /** What the run's worker says of its tape. */
+  hear(message: FromWorker): void {
+    if (message.type === 'tape' && !this.brought) this.add(message.piece, message.thinSinceUs);
+    if (message.type !== 'inputs') return;
+    // Until here its moments were there before.
+    if (this.brought && message.nowUs >= this.brought.untilUs) this.brought = null;
+    this.told = { pieces: this.pieces.length, untilUs: message.nowUs };
+    this.inputs.value = message.inputs;
+  }
+
+  private add(piece: Uint8Array, thinSinceUs: number | null): void {
+    (this.pieces as Uint8Array[]).push(piece);
+    (this.thinSince as (number | null)[]).push(thinSinceUs);
+    this.count.value += 1;
   }
 
   addOutput(output: Output): void {

@@ -4,7 +4,7 @@ import type { Repeated, RepeatAnswer, RepeatRequest } from './worker/look/repeat
 export type { Repeated } from './worker/look/repeat';
 
 /** What of a request the page says. */
-export type RepeatWish = Pick<RepeatRequest, 'setup' | 'untilUs' | 'untilProgramEnds'>;
+export type RepeatWish = Pick<RepeatRequest, 'setup' | 'untilUs' | 'untilProgramEnds' | 'momentsSinceUs'>;
 
 /**
  * Runs a kept run again to its end, in a worker of its own.

@@ -22,15 +22,20 @@ export function goOn(run: RunModel, fromUs: number, paused = false): Promise<voi
 interface RunAgain {
   readonly kept: RunSetup;
   readonly untilUs: number;
-  /** What it showed at its beginning: shown until its moments are there. */
+  /** What it showed at its beginning. */
   readonly first: Snapshot;
+  /** All of its moments, up to `untilUs`. */
+  readonly pieces: readonly Uint8Array[];
   /** The moment from which it is looked at. */
   readonly atUs: number;
 }
 
-/** A run that was kept is run again as fast as it can, stands still at its end, and is looked back at from a moment. */
-export function showAgain(run: RunModel, { kept, untilUs, first, atUs }: RunAgain): Promise<void> {
-  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), isBrought: true });
+/**
+ * A run that was kept is looked back at from a moment. Meanwhile it is run again as fast as it can, and stands still at its
+ * end: from there it could go on.
+ */
+export function showAgain(run: RunModel, { kept, untilUs, first, pieces, atUs }: RunAgain): Promise<void> {
+  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), brought: { pieces, untilUs } });
   run.past.value = first;
   run.recording.value.asked.value = { timeUs: Math.min(atUs, untilUs), ...(atUs === 0 && { exact: first }) };
   return begun;

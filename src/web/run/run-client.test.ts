@@ -33,8 +33,9 @@ function bench(answersStop = true) {
   });
   const say = (worker: WorkerPort, data: FromWorker): void => worker.onmessage?.({ data } as MessageEvent<FromWorker>);
   const types = (index: number): string[] => workers[index]!.sent.map((message) => message.type);
+  const ends: FromWorker[] = [];
   const start = (): Promise<void> => {
-    client.expect();
+    client.expect((message) => ends.push(message));
     return client.start(setup, { speed: 1, paused: false });
   };
   /** A run that has begun. */
@@ -43,7 +44,7 @@ function bench(answersStop = true) {
     say(workers.at(-1)!, { type: 'started' });
     heard.length = 0;
   };
-  return { client, start, begin, workers, heard, say, types, killed: () => killed };
+  return { client, start, begin, workers, heard, ends, say, types, killed: () => killed };
 }
 
 describe('the page’s end of a run', () => {
@@ -65,6 +66,25 @@ describe('the page’s end of a run', () => {
     await b.start();
     expect(b.workers).toHaveLength(2);
     expect(b.workers[0]!.ended).toBe(true);
+  });
+
+  it('hears the end of the tape of a run that another one follows, for 0.3 s at most', async () => {
+    const b = bench();
+    await b.begin();
+    await b.start();
+    expect([b.types(0).slice(2), b.workers[0]!.ended]).toEqual([['tape'], false]);
+    const end: readonly FromWorker[] = [
+      { type: 'tape', piece: new Uint8Array(1), thinSinceUs: null },
+      { type: 'inputs', inputs: [], nowUs: 1 },
+    ];
+    for (const message of end) b.say(b.workers[0]!, message);
+    expect([b.ends, b.heard, b.workers[0]!.ended]).toEqual([end, [], true]);
+    b.say(b.workers[1]!, { type: 'started' });
+    await b.start();
+    vi.advanceTimersByTime(299);
+    expect(b.workers[1]!.ended).toBe(false);
+    vi.advanceTimersByTime(1);
+    expect(b.workers[1]!.ended).toBe(true);
   });
 
   it('stops by asking when the worker answers', async () => {

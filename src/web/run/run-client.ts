@@ -25,6 +25,9 @@ export interface ClientOptions {
 /** The messages of a run between its start and its end. */
 export type ToRun = Exclude<ToWorker, { type: 'prepare' | 'run' | 'stop' }>;
 
+/** A worker whose run is left gives the rest of its tape within this time, in ms, or not at all. Chosen: it may be in the midst of a slice. */
+const TAPE_ANSWER_MS = 300;
+
 /** How fast a run begins. */
 export type Pace = Pick<Extract<ToWorker, { type: 'run' }>, 'speed' | 'paused' | 'catchUpUs'>;
 
@@ -73,8 +76,13 @@ export class RunClient {
     }
   }
 
-  /** A run is about to start; the previous one, if any, is dropped. Messages from now on are for the new one. */
-  expect(): void {
+  /**
+   * A run is about to start; the previous one, if any, is dropped. Messages from now on are for the new one.
+   *
+   * @param hearEnd hears what the previous one still says: the rest of its tape, as far as it comes soon
+   */
+  expect(hearEnd: (message: FromWorker) => void): void {
+    this.leave(hearEnd);
     this.drop();
     this.turn += 1;
     this.early = [];
@@ -140,6 +148,19 @@ export class RunClient {
       };
       worker.postMessage({ type: 'stop' });
     });
+  }
+
+  /** The run is over for the page. Its worker gives what it has of the tape, then it is ended. */
+  private leave(hearEnd: (message: FromWorker) => void): void {
+    const worker = this.current;
+    if (worker === null || !this.hasBegun || this.onStopped !== null) return;
+    this.current = null;
+    setTimeout(() => worker.terminate(), TAPE_ANSWER_MS);
+    worker.onmessage = ({ data }) => {
+      hearEnd(data);
+      if (data.type === 'inputs') worker.terminate();
+    };
+    worker.postMessage({ type: 'tape' });
   }
 
   /** Ends the run at once, without telling anyone. */

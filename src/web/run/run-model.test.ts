@@ -214,7 +214,7 @@ describe('a run that is looked back at', () => {
     const say = (message: FromWorker): void => workers.at(-2)?.say(message); // the last one waits for the next run
     say(shows(3_000_000));
     run.lookBack();
-    say({ type: 'inputs', inputs: [press(1_000_000), press(2_000_000)] });
+    say({ type: 'inputs', inputs: [press(1_000_000), press(2_000_000)], nowUs: 2_000_000 });
     return { run, say };
   }
 

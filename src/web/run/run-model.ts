@@ -9,7 +9,7 @@ import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import { DebugPort } from './debug-port';
 import type { EarlierRuns } from './earlier-runs';
 import { PictureRequests } from './picture-requests';
-import { Recording } from './recording';
+import { Recording, type BroughtTape } from './recording';
 import { Trails } from './trails';
 import type { FromWorker, Output, RunEvents } from './worker/protocol';
 import { RunClient, type ClientOptions, type ToRun } from './run-client';
@@ -52,7 +52,7 @@ export interface Beginning {
   /** The run that is left for this one. */
   readonly left?: Recording | null;
   /** It was recorded before: when it has come there, it is looked at from its beginning on. */
-  readonly isBrought?: boolean;
+  readonly brought?: BroughtTape | null;
 }
 
 /**
@@ -147,10 +147,11 @@ export class RunModel {
   }
 
   /** Starts a new run in one of all ways. */
-  async begin({ kept, paused, catchUpUs = 0, left = null, isBrought = false }: Beginning): Promise<void> {
+  async begin({ kept, paused, catchUpUs = 0, left = null, brought = null }: Beginning): Promise<void> {
     this.starts += 1;
     const { starts } = this;
-    this.client.expect();
+    const { value: before } = this.recording;
+    this.client.expect((message) => before.hear(message));
     this.debug.begin();
     this.phase.value = 'starting';
     this.clear();
@@ -163,7 +164,7 @@ export class RunModel {
     if (!isWanted()) return; // a listener of the start has stopped it
     try {
       const setup = this.host.setup(kept);
-      this.recording.value = new Recording(setup, left, isBrought);
+      this.recording.value = new Recording(setup, left, brought);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
       await this.client.start(setup, { speed: this.speed, paused, catchUpUs });

@@ -100,7 +100,7 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
   const giveUp = new AbortController();
   const isLate = watchLate(app, () => giveUp.abort());
   try {
-    const wish = { setup, untilUs, untilProgramEnds };
+    const wish = { setup, untilUs, untilProgramEnds, momentsSinceUs: -1 };
     const repeated = await repeatShown(app, wish, (percent) => say(words.checking, { file, percent }), giveUp);
     if (isLate()) return;
     if (repeated === null) tell(app, 'info', say(words.givenUp, { file }), action);
@@ -110,7 +110,8 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
     } else {
       if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
       const { simulatedUs: untilUs } = result;
-      await showAgain(app.run, { kept: setup, untilUs, first: repeated.first, atUs });
+      const { first, pieces } = repeated;
+      await showAgain(app.run, { kept: setup, untilUs, first, pieces, atUs });
       const at = clockText(Math.min(atUs, untilUs), true);
       tell(app, 'ok', say(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
     }

@@ -1,4 +1,4 @@
-import { readChunk, timesOf, leavesAt, type Chunk, type Told } from '#tape/rows/chunk';
+import { readChunk, timesOf, leavesAt, NOTHING_TOLD, type Chunk, type Told } from '#tape/rows/chunk';
 import type { Key, Leaf } from '#tape/rows/leaves';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 
@@ -25,7 +25,8 @@ const RATE_OVER_S = 0.1;
 
 /** What the run measures, from its tape, and what the tape does not have yet from the picture that is shown. */
 export class TapeSource implements SeriesSource {
-  private told: Told = { columns: [], values: [] };
+  private told: Told = NOTHING_TOLD;
+  private from: TapedRun['pieces'] | null = null;
   private taken = 0;
   private curves = new Map<string, Curve>();
   private live = new Map<string, Curve>();
@@ -44,8 +45,9 @@ export class TapeSource implements SeriesSource {
 
   update(chosen: ReadonlySet<string>): boolean {
     const wanted = this.readings.filter(({ id }) => chosen.has(id));
-    if (wanted.some(({ id }) => !this.curves.has(id))) this.restart(wanted);
     const { pieces, present } = this.run();
+    if (pieces !== this.from || wanted.some(({ id }) => !this.curves.has(id))) this.restart(wanted);
+    this.from = pieces;
     const untilMs = performance.now() + SLICE_MS;
     while (this.taken < pieces.length && performance.now() < untilMs) {
       const chunk = readChunk(pieces[this.taken] ?? new Uint8Array(), this.told);
@@ -64,9 +66,9 @@ export class TapeSource implements SeriesSource {
     return reading.isRate ? rateOf(points) : points;
   }
 
-  /** Other curves are wanted: they are read from the begin of the tape. */
+  /** Other curves are wanted, or the tape has other pieces: they are read from the begin of the tape. */
   private restart(wanted: readonly Reading[]): void {
-    this.told = { columns: [], values: [] };
+    this.told = NOTHING_TOLD;
     this.taken = 0;
     this.tapedS = -1;
     this.curves = curvesFor(wanted);

@@ -7,7 +7,7 @@ import { numberText } from '../../page/i18n/number-text';
 import { useRun } from '../../run/parts';
 import type { RunTape } from '../../run/unpack-tape';
 import { clockText } from '../../run/use-run-text';
-import { wholeRecording } from '../../run/whole-recording';
+import { wholeRecording } from '../../run/fill/whole-recording';
 import { colorsOfDevices } from '../../work/hardware/device-colors';
 import { hardwareNow } from '../../work/hardware/use-hardware';
 import { useWork } from '../../work/model/parts';
@@ -43,7 +43,7 @@ export function useRunPictures(): RunPictures {
   let isWanted = true;
   onScopeDispose(() => (isWanted = false));
   void (async () => {
-    await wholeRecording(run);
+    await wholeRecording(run, 'all moments');
     const whole = await runTape(recording, () => isWanted);
     if (whole === null) return;
     stretch.value = firstStretch(atUs, whole.rows.endUs);

@@ -46,6 +46,11 @@ export class Pace {
     return this.catchUpUs > 0;
   }
 
+  /** The run goes as fast as it can. */
+  get isUnbound(): boolean {
+    return this.isCatchingUp || (!this.paused && this.anchor.speed === 'max');
+  }
+
   /** The run may be where it was to come: from here on it goes at its pace. @returns whether it has just come there */
   endCatchingUp(nowUs: number): boolean {
     if (!this.isCatchingUp || nowUs < this.catchUpUs) return false;

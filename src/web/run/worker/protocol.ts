@@ -86,10 +86,13 @@ export type FromWorker =
   | { readonly type: 'resting' }
   /** What sounded, was sent by radio and was logged by a device since its last such message; about once a frame. */
   | { readonly type: 'events'; readonly events: RunEvents; readonly device: number }
-  /** What the run showed, 50 moments for a second of simulated time: a piece for `Rows`, in their order. */
-  | { readonly type: 'tape'; readonly piece: Uint8Array }
-  /** What was done to the run so far; answers `tape`, and comes before `stopped`. */
-  | { readonly type: 'inputs'; readonly inputs: readonly InputEvent[] }
+  /**
+   * What the run showed, 50 moments for a second of simulated time: a piece for `Rows`, in their order. `thinSinceUs`: it has
+   * one moment for a second, since the run went as fast as it could, and those after this time are missing.
+   */
+  | { readonly type: 'tape'; readonly piece: Uint8Array; readonly thinSinceUs: number | null }
+  /** What was done to the run up to this time; answers `tape`, and comes when the programs end and before `stopped`. */
+  | { readonly type: 'inputs'; readonly inputs: readonly InputEvent[]; readonly nowUs: number }
   /** A break point or a step of this device has stopped the run, at this time of its clock; it is paused, after a `snapshot`. */
   | { readonly type: 'held'; readonly device: number; readonly timeUs: number }
   /** Stack and variables of a device as they are now, at this time of its clock. */

@@ -130,7 +130,7 @@ describe('the runner', () => {
     await b.pass(1000);
     expect(b.run.nowUs / 1e6).toBeCloseTo(6, 0);
     b.send({ type: 'tape' });
-    expect(b.posted.at(-1)).toEqual({ type: 'inputs', inputs: [] });
+    expect(b.posted.at(-1)).toMatchObject({ type: 'inputs', inputs: [] });
   });
 
   it('stands still while paused and moves 20 ms per step', async () => {

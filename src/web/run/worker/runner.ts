@@ -108,7 +108,7 @@ export class Runner {
         this.input(message);
         break;
       case 'tape':
-        if (this.run !== null) this.tape.tellAll(this.run.inputLog);
+        if (this.run !== null) this.tape.tellAll(this.run);
         break;
       case 'break-points':
         this.stops.setPoints(message.points, this.pace.isCatchingUp ? null : this.run);
@@ -137,7 +137,8 @@ export class Runner {
     this.events = createEventBoxes(setup.devices.length);
     const print = (text: string, device: number): void =>
       append(this.printed, { device, text, timeUs: this.run?.nowUs ?? 0 });
-    this.at.create(setup, this.firmware, { ...this.events.outlets, print, moment: this.tape.moment }).then(
+    const { moment, isMomentWanted } = this.tape;
+    this.at.create(setup, this.firmware, { ...this.events.outlets, print, moment, isMomentWanted }).then(
       (created) => {
         this.run = created;
         this.toldEnds = created.endings;
@@ -191,7 +192,7 @@ export class Runner {
       }
       this.outbox.flush();
       this.tellEvents();
-      this.tape.tellAll(run.inputLog);
+      this.tape.tellAll(run);
       this.tellPicture(run);
       run.dispose();
       this.run = null;
@@ -205,6 +206,7 @@ export class Runner {
     if (run === null || this.stopped) return;
     this.guarded(() => {
       if (this.resting) this.wake();
+      this.tape.setThin(this.pace.isUnbound);
       this.advance(run, this.at.nowMs() + SLICE_MS);
       this.endCatchingUp(run);
       const nowMs = this.at.nowMs();
@@ -311,7 +313,7 @@ export class Runner {
     for (const [device, ended] of this.toldEnds.entries())
       if (ended !== (before[device] ?? null))
         this.at.post(ended ? { type: 'program-ended', ended, device } : { type: 'program-restarted', device });
-    this.tape.setOver(this.hasToldEnd);
+    this.tape.setOver(this.hasToldEnd, run);
   }
 
   /** A program has ended or begun again since the page was told last. */

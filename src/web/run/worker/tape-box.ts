@@ -5,46 +5,82 @@ import type { FromWorker } from './protocol';
 
 /** Moments in a piece after the programs' end: a second. */
 const SHORT = 50;
+/** Time between two moments of a thin stretch, in µs. Chosen: a moment costs as much as 30 ms of a simple run, so 3 %. */
+const THIN_US = 1_000_000;
+/** Moments in a piece of a thin stretch. Chosen: it comes to the page every third of a second or so. */
+const THIN_MOMENTS = 30;
 
-/** Collects what a run shows, 50 times a second, and sends it to the page, packed. */
+/** What is asked of the run when all of its tape is wanted. */
+interface TapedRun {
+  readonly nowUs: number;
+  readonly inputLog: readonly InputEvent[];
+  snapshot(): Snapshot;
+}
+
+/**
+ * Collects what a run shows, 50 times a second, and sends it to the page, packed. While the run goes as fast as it can, that
+ * would take longer than the run itself: then it collects one moment a second. The page has the others made when it wants
+ * them, by running the run again.
+ */
 export class TapeBox {
-  private readonly writer = new RowWriter();
-  private pieces: Uint8Array[] = [];
+  private writer = new RowWriter();
+  private pieces: Extract<FromWorker, { type: 'tape' }>[] = [];
   private moments = 0;
+  /** Time of the last moment that was collected. */
+  private lastUs = -1;
+  /** The last moment before the thin stretch; `null`: all are collected. */
+  private thinSinceUs: number | null = null;
+  private wasThin = false;
   /** The programs have ended: the next run may begin at any time, so that nothing waits for long. */
   private isOver = false;
 
   constructor(private readonly post: (message: FromWorker) => void) {}
 
+  readonly isMomentWanted = (timeUs: number): boolean =>
+    this.thinSinceUs === null || this.lastUs < 0 || timeUs - this.lastUs >= THIN_US;
+
   readonly moment = (snapshot: Snapshot): void => {
     this.moments += 1;
+    this.lastUs = snapshot.timeUs;
     this.keep(this.writer.add(snapshot));
-    if (this.isOver && this.moments >= SHORT) this.keep(this.writer.finish());
+    const most = this.thinSinceUs !== null ? THIN_MOMENTS : this.isOver ? SHORT : Infinity;
+    if (this.moments >= most) this.keep(this.writer.finish());
   };
 
-  /** The programs have ended: sends all there is, and from now on each second. Or they have begun anew. */
-  setOver(isOver: boolean): void {
-    this.isOver = isOver;
-    if (!isOver) return;
+  /** The run goes as fast as it can, or not any more. */
+  setThin(isThin: boolean): void {
+    if (isThin === (this.thinSinceUs !== null)) return;
     this.keep(this.writer.finish());
-    this.tell();
+    this.thinSinceUs = isThin ? this.lastUs : null;
+    this.wasThin ||= isThin;
+  }
+
+  /** The programs have ended: sends all there is, and from now on each second. Or they have begun anew. */
+  setOver(isOver: boolean, run: TapedRun): void {
+    this.isOver = isOver;
+    if (isOver) this.tellAll(run);
   }
 
   /** Sends the pieces that have been filled. */
   tell(): void {
-    for (const piece of this.pieces.splice(0)) this.post({ type: 'tape', piece });
+    for (const piece of this.pieces.splice(0)) this.post(piece);
   }
 
   /** Sends all there is, the last piece also if it is not full, and what was done to the run. */
-  tellAll(inputs: readonly InputEvent[]): void {
+  tellAll(run: TapedRun): void {
+    if (this.thinSinceUs !== null && run.nowUs > this.lastUs) this.moment(run.snapshot());
     this.keep(this.writer.finish());
     this.tell();
-    this.post({ type: 'inputs', inputs });
+    this.post({ type: 'inputs', inputs: [...run.inputLog], nowUs: run.nowUs });
+    if (!this.wasThin) return;
+    // The page may put others in the place of the pieces so far: those to come must need none of them.
+    this.writer = new RowWriter();
+    if (this.thinSinceUs !== null) this.thinSinceUs = this.lastUs;
   }
 
   private keep(piece: Uint8Array | null): void {
     if (piece === null) return;
-    this.pieces.push(piece);
+    this.pieces.push({ type: 'tape', piece, thinSinceUs: this.thinSinceUs });
     this.moments = 0;
   }
 }

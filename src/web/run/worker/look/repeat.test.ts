@@ -4,7 +4,10 @@ import { describe, expect, it } from 'vitest';
 import { defaultScene } from '#scene/scene';
 import { soloRun, type RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
+import type { Snapshot } from '#simulation/snapshot';
 import { OutputHashes, resultOf } from '#tape/result';
+import { RowWriter } from '#tape/rows/row-writer';
+import { Rows } from '#tape/rows/rows';
 import { answerRepeat, type RepeatAnswer } from './repeat';
 
 const firmware = await WebAssembly.compile(readFileSync('.cache/vm/vm.wasm'));
@@ -17,11 +20,16 @@ const runOf = (robot: string): RunSetup =>
   });
 
 /** What the worker says, where each look at the clock takes 60 ms. */
-async function said(setup: RunSetup, untilUs: number, untilProgramEnds = false): Promise<readonly RepeatAnswer[]> {
+async function said(
+  setup: RunSetup,
+  untilUs: number,
+  untilProgramEnds = false,
+  momentsSinceUs = Infinity,
+): Promise<readonly RepeatAnswer[]> {
   const all: RepeatAnswer[] = [];
   let ms = 0;
   const at = { post: (answer: RepeatAnswer) => void all.push(answer), nowMs: () => (ms += 60) };
-  await answerRepeat({ type: 'repeat', firmware, setup, untilUs, untilProgramEnds }, at);
+  await answerRepeat({ type: 'repeat', firmware, setup, untilUs, untilProgramEnds, momentsSinceUs }, at);
   return all;
 }
 
@@ -33,7 +41,22 @@ describe('a kept run that is run again', () => {
     const first = run.snapshot();
     run.advanceTo(400_000);
     const [last] = (await said(setup, 400_000)).slice(-1);
-    expect(last).toEqual({ type: 'repeated', repeated: { result: resultOf(run, output), first } });
+    expect(last).toEqual({ type: 'repeated', repeated: { result: resultOf(run, output), first, pieces: [] } });
+  });
+
+  it('tells its moments after a time, the same as those of the run itself', async () => {
+    const setup = runOf('maqueen-lite');
+    const wanted: Snapshot[] = [];
+    const run = await Simulation.create(setup, firmware, { moment: (snapshot) => wanted.push(snapshot) });
+    run.advanceTo(400_000);
+    const [last] = (await said(setup, 400_000, false, 200_000)).slice(-1);
+    if (last?.type !== 'repeated') throw new Error('It did not come to its end.');
+    const [again, first] = [new Rows<Snapshot>(), new RowWriter()];
+    for (const piece of last.repeated.pieces) again.push(piece);
+    const later = wanted.filter(({ timeUs }) => timeUs > 200_000);
+    for (const moment of later) first.add(moment);
+    expect(again.at(0)?.timeUs).toBe(220_000);
+    expect(last.repeated.pieces).toEqual([first.finish()]);
   });
 
   it('says meanwhile how far it is', async () => {

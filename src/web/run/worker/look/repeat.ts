@@ -1,7 +1,9 @@
 /** Running a kept run again to its end, in a worker of its own: what it comes to is its proof. */
+import type { RunOutlets } from '#simulation/outlets';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Snapshot } from '#simulation/snapshot';
+import { RowWriter } from '#tape/rows/row-writer';
 import { OutputHashes, resultOf, type TapeResult } from '#tape/result';
 
 /** Simulated time between two looks at the wall clock. Chosen: some ms of wall time, as on the command line. */
@@ -16,12 +18,16 @@ export interface RepeatRequest {
   readonly setup: RunSetup;
   readonly untilUs: number;
   readonly untilProgramEnds: boolean;
+  /** The moments after this time are wanted, too; left out: none. −1: all. */
+  readonly momentsSinceUs?: number;
 }
 
 /** What a run came to, and what it showed at its first moment. */
 export interface Repeated {
   readonly result: TapeResult;
   readonly first: Snapshot;
+  /** The moments that were wanted: pieces for `Rows`, which need none before them. */
+  readonly pieces: readonly Uint8Array[];
 }
 
 /** To the page: how far it is, again and again; then one of the others. */
@@ -32,12 +38,14 @@ export type RepeatAnswer =
 
 /** Answers a request; never rejects. Whoever has lost patience ends the worker. */
 export async function answerRepeat(
-  { firmware, setup, untilUs, untilProgramEnds }: RepeatRequest,
+  { firmware, setup, untilUs, untilProgramEnds, momentsSinceUs = Infinity }: RepeatRequest,
   at: { post(message: RepeatAnswer): void; nowMs(): number },
 ): Promise<void> {
   try {
     const output = new OutputHashes(setup.devices.length);
-    const run = await Simulation.create(setup, firmware, { print: (text, device) => output.add(text, device) });
+    const tape = takeMoments(momentsSinceUs);
+    const print = (text: string, device: number): void => output.add(text, device);
+    const run = await Simulation.create(setup, firmware, { print, ...tape.outlets });
     const first = run.snapshot();
     const isOver = (): boolean => run.nowUs >= untilUs || (untilProgramEnds && (run.hasEnded || run.isOff));
     let toldMs = at.nowMs();
@@ -49,8 +57,29 @@ export async function answerRepeat(
       toldMs = at.nowMs();
       at.post({ type: 'repeating', nowUs: run.nowUs });
     }
-    at.post({ type: 'repeated', repeated: { result: resultOf(run, output), first } });
+    at.post({ type: 'repeated', repeated: { result: resultOf(run, output), first, pieces: tape.pieces() } });
   } catch (error) {
     at.post({ type: 'failed', message: error instanceof Error ? error.message : String(error) });
   }
+}
+
+/** Collects the moments after a time. */
+function takeMoments(sinceUs: number) {
+  const writer = new RowWriter();
+  const pieces: Uint8Array[] = [];
+  const keep = (piece: Uint8Array | null): void => {
+    if (piece !== null) pieces.push(piece);
+  };
+  const outlets: RunOutlets = {
+    isMomentWanted: (timeUs) => timeUs > sinceUs,
+    moment: (snapshot) => keep(writer.add(snapshot)),
+  };
+  return {
+    outlets,
+    /** All of them so far. */
+    pieces(): readonly Uint8Array[] {
+      keep(writer.finish());
+      return pieces;
+    },
+  };
 }

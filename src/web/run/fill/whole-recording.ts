@@ -1,15 +1,17 @@
 import { watch } from 'vue';
 
-import type { Recording } from './recording';
-import type { RunModel } from './run-model';
+import { fillInSilently } from './fill-in';
+import type { Recording } from '../recording';
+import type { RunModel } from '../run-model';
 
 /**
  * Looks back, and waits for the newest moments of the run and all that was done to it: of a run that goes on, they come a
  * moment later.
  *
+ * @param wants `all moments`: also those that a run at full speed has left out, which may take seconds
  * @returns the recording; `null`: the run is gone, or was never recorded
  */
-export async function wholeRecording(run: RunModel): Promise<Recording | null> {
+export async function wholeRecording(run: RunModel, wants: 'all moments' | 'the inputs'): Promise<Recording | null> {
   const recording = run.recording.value;
   if (run.isActive.value) {
     const come = new Promise<void>((resolve) => {
@@ -21,6 +23,7 @@ export async function wholeRecording(run: RunModel): Promise<Recording | null> {
     run.lookBack();
     await come;
   }
+  if (wants === 'all moments') await fillInSilently(recording, run);
   const isWhole = recording.canGoOn && run.recording.value === recording;
   return isWhole ? recording : null;
 }

@@ -1,0 +1,57 @@
+import { watch } from 'vue';
+
+import { fillGap, gapIn, type Gap } from './gap';
+import type { Recording } from '../recording';
+import { repeatInWorker, type Repeated, type RepeatWish } from '../repeat-client';
+import type { RunModel } from '../run-model';
+
+/** Runs a run again. @returns `null`: it was given up */
+type Repeat = (wish: RepeatWish) => Promise<Repeated | null>;
+
+/** The tapes that are being filled in. */
+const under = new WeakMap<Recording, Promise<void>>();
+/** Until when a tape was to be filled in, where somebody gave that up. */
+const givenUp = new WeakMap<Recording, number>();
+
+/**
+ * Makes the moments that are missing on a tape, by running the run again. Who asks while this is under way waits for the
+ * same; where it cannot be done, or was given up, the tape stays as it is.
+ */
+export function fillIn(recording: Recording, repeat: Repeat): Promise<void> {
+  const filling = under.get(recording) ?? fillGaps(recording, repeat).finally(() => under.delete(recording));
+  under.set(recording, filling);
+  return filling;
+}
+
+async function fillGaps(recording: Recording, repeat: Repeat): Promise<void> {
+  try {
+    for (let gap = gapIn(recording); gap && gap.untilUs !== givenUp.get(recording); gap = gapIn(recording)) {
+      const wish = wishFor(recording, gap);
+      const repeated = wish && (await repeat(wish));
+      if (repeated === null) givenUp.set(recording, gap.untilUs);
+      else fillGap(recording, gap, repeated.pieces);
+    }
+  } catch {
+    // The VM could not be loaded: what there is of the tape is shown.
+  }
+}
+
+function wishFor({ setup, inputs: { value: inputs } }: Recording, { sinceUs, untilUs }: Gap): RepeatWish | null {
+  if (setup === null || inputs === null) return null;
+  return { setup: { ...setup, inputs }, untilUs, untilProgramEnds: false, momentsSinceUs: sinceUs };
+}
+
+/** Does so without a word. */
+export const fillInSilently = (recording: Recording, { engine }: Pick<RunModel, 'engine'>): Promise<void> =>
+  fillIn(recording, (wish) => repeatInWorker(engine, wish, () => undefined, new AbortController().signal));
+
+/** For as long as the component lives, the tape is filled in each time that all that was done to its run is known. */
+export function useFilled(recording: () => Recording | null, fill: (recording: Recording) => Promise<void>): void {
+  watch(
+    [recording, () => recording()?.inputs.value],
+    ([now]) => {
+      if (now !== null && gapIn(now) !== null) void fill(now);
+    },
+    { immediate: true },
+  );
+}

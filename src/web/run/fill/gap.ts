@@ -1,0 +1,26 @@
+import type { Recording } from '../recording';
+
+/** A stretch of a run, after the first time and up to the second, that is not on its tape whole. */
+export interface Gap {
+  readonly sinceUs: number;
+  readonly untilUs: number;
+}
+
+/** The moments that are missing on a tape, as far as the run can be run again for them; `null`: none are. */
+export function gapIn({ told, thinSince }: Recording): Gap | null {
+  const place = thinSince.findIndex((since) => since !== null);
+  const sinceUs = thinSince[place] ?? null;
+  return sinceUs === null || place >= told.pieces ? null : { sinceUs, untilUs: told.untilUs };
+}
+
+/** Puts all moments of a gap in the place of what there is of them. @param pieces they need none before them */
+export function fillGap(recording: Recording, { sinceUs, untilUs }: Gap, pieces: readonly Uint8Array[]): void {
+  const { told, thinSince } = recording;
+  const gap = gapIn(recording);
+  if (gap?.sinceUs !== sinceUs || gap.untilUs !== untilUs) return; // the run has gone on
+  const place = thinSince.findIndex((since) => since !== null);
+  recording.pieces = [...recording.pieces.slice(0, place), ...pieces, ...recording.pieces.slice(told.pieces)];
+  recording.thinSince = [...thinSince.slice(0, place), ...pieces.map(() => null), ...thinSince.slice(told.pieces)];
+  recording.told = { pieces: place + pieces.length, untilUs };
+  recording.count.value += 1;
+}
