@@ -30,13 +30,13 @@ export function useStops(
     const debug = slot.debug.value;
     const editor = view.value;
     if (debug === null || editor === null || slot.marks === null) return;
-    const { stopMarks, showStops } = slot.marks;
+    const { stopMarks, showStopsCalmly } = slot.marks;
     if (isEmpty(place.get(editor.state))) {
       const onMove = (lines: readonly number[]): void => debug.points.set(key(), lines);
       editor.dispatch({ effects: place.reconfigure(stopMarks(onMove, (name) => debug.valueOf(name))) });
     }
     const at = debug.place.value;
-    showStops(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);
+    showStopsCalmly(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);
   }
   const shown = (): unknown[] => [view.value, slot.debug.value?.points.lines.value, slot.debug.value?.place.value];
   watch(shown, show, { flush: 'post' });

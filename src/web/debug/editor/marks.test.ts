@@ -1,8 +1,8 @@
 // @vitest-environment happy-dom
 import { EditorState } from '@codemirror/state';
 import { EditorView } from '@codemirror/view';
-import { describe, expect, it, vi } from 'vitest';
-import { pointLines, showStops, stopMarks } from './marks';
+import { afterEach, describe, expect, it, vi } from 'vitest';
+import { pointLines, showStops, showStopsCalmly, stopMarks } from './marks';
 
 function editor(onMove: (lines: readonly number[]) => void = vi.fn()): EditorView {
   return new EditorView({
@@ -52,5 +52,26 @@ describe('the line where the program stands', () => {
     showStops(view, [], 3);
     view.dispatch({ changes: { from: 0, insert: 'x' } });
     expect(standing(view)).toEqual([]);
+  });
+});
+
+describe('the line of the moments that somebody drags through', () => {
+  afterEach(() => void vi.useRealTimers());
+
+  it('is marked ten times a second at most, the last one always', () => {
+    vi.useFakeTimers();
+    const view = editor();
+    document.body.append(view.dom);
+    showStopsCalmly(view, [], 1);
+    expect(standing(view)).toEqual(['a']);
+    showStopsCalmly(view, [], 2);
+    showStopsCalmly(view, [], 3);
+    vi.advanceTimersByTime(99);
+    expect(standing(view)).toEqual(['a']);
+    vi.advanceTimersByTime(1);
+    expect(standing(view)).toEqual(['c']);
+    vi.advanceTimersByTime(100);
+    showStopsCalmly(view, [], 4);
+    expect(standing(view)).toEqual(['d']);
   });
 });

@@ -134,6 +134,28 @@ export function pointLines(state: EditorState): readonly number[] {
   return marks === undefined ? [] : linesOf(marks, state.doc);
 }
 
+/** Shortest time between two changes of the marks, in ms: who drags through time sees no more lines, and each costs. */
+const CALM_MS = 100;
+/** Of an editor: what is to be shown when the time since the last change is over; `null`: nothing new. */
+const calm = new WeakMap<EditorView, { next: Parameters<typeof showStops> | null }>();
+
+/** The same as `showStops`, but ten times a second at most; the last one always comes. */
+export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
+  const [view] = shown;
+  const resting = calm.get(view);
+  if (resting !== undefined) {
+    resting.next = shown;
+    return;
+  }
+  showStops(...shown);
+  const rest: { next: Parameters<typeof showStops> | null } = { next: null };
+  calm.set(view, rest);
+  setTimeout(() => {
+    calm.delete(view);
+    if (rest.next !== null && view.dom.isConnected) showStopsCalmly(...rest.next);
+  }, CALM_MS);
+}
+
 /** Shows break points and where the program stands; a line that has come to stand is brought into view. */
 export function showStops(view: EditorView, lines: readonly number[], line: number | null): void {
   const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];
