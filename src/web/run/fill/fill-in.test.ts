@@ -73,7 +73,7 @@ describe('the tape of a run at full speed', () => {
   });
 
   it('shows then what the same run shows in real time', async () => {
-    const press = (): void => page.run.input({ type: 'button', button: 'a', down: true });
+    const press = (): void => void page.run.input({ type: 'button', button: 'a', down: true });
     const fast = await driven('max', press);
     await fillInSilently(fast, page.run);
     const slow = await driven(1, press);
