@@ -1,6 +1,8 @@
 import type { ReadyCourses } from '#project/link/link';
 import { openJson } from '#project/open-json';
 import { FILE_BYTES, MAIN, nameProblem, projectLimits, type Project, type SourceFile } from '#project/project';
+import { isTapeFile } from '#tape/tape';
+import { handedRun } from './handed-run';
 import type { HandIn } from './hand-in';
 import { isTextWithLinks, linksInFile } from './links';
 import { handInOf, handInOfFiles } from './read-hand-in';
@@ -80,6 +82,12 @@ function handInOfZip(bytes: Uint8Array, courses: ReadyCourses): Content {
 }
 
 function handInOfJson(text: string): Content {
+  if (isTapeFile(text)) {
+    const run = handedRun(text);
+    return 'detail' in run
+      ? unread(run.isNewer ? 'newer' : 'project', { detail: run.detail })
+      : handInOfProject(run.project);
+  }
   const opened = openJson(text);
   if (opened.kind === 'problem')
     return unread(opened.problems[0]?.code === 'newer-version' ? 'newer' : 'project', { detail: opened.problem });

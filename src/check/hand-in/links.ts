@@ -8,8 +8,8 @@ export interface NamedLink {
 /** Files in which links are looked for. */
 export const isTextWithLinks = (file: string): boolean => /\.(txt|eml|md|csv|html?|url)$/i.test(file);
 
-/** An address of a project or a program, or only the part of it from `#` on. */
-const ADDRESS = /(?:https?:\/\/[^\s<>"']+|#p=\d{1,9}\.[\w-]+=*)/gi;
+/** An address of a project, a run or a program, or only the part of it from `#` on. */
+const ADDRESS = /(?:https?:\/\/[^\s<>"']+|#(?:p=\d{1,9}|r=\d{1,9}\.\d{1,12})\.[\w-]+=*)/gi;
 
 /** Chosen: a name stands on the line of its link or before it, and is short. */
 const NAME_CHARACTERS = 60;
@@ -47,7 +47,7 @@ function addressesIn(
     address: match[0].slice(0, lengthWithout(match[0], AFTER_ADDRESS)),
     start: match.index,
     end: match.index + match[0].length,
-  })).filter(({ address }) => /[#?&](p=\d|code=)/.test(address));
+  })).filter(({ address }) => /[#?&]([pr]=\d|code=)/.test(address));
 }
 
 /** The words without what parts them from the link. */
@@ -115,7 +115,7 @@ function textOfPage(html: string): string {
     if (/^a$/i.test(name) && link !== null) {
       // Where the address itself is shown it would be there twice.
       const shown = parts.splice(link.from).join('');
-      parts.push(/https?:|#p=/i.test(shown) ? ` ${link.address} ` : ` ${shown} ${link.address} `);
+      parts.push(/https?:|#[pr]=/i.test(shown) ? ` ${link.address} ` : ` ${shown} ${link.address} `);
       link = null;
     }
     if (/^a$/i.test(name) && address !== undefined) link = { address, from: parts.length };

@@ -137,8 +137,8 @@ const isLitter = (name: string): boolean => name.startsWith('.') || name === '__
 
 const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 
-/** `anna` for anna.py, anna.json and anna.parcours.json. */
-const handInName = (file: string): string => file.replace(/(\.parcours)?\.[^.]*$/, '') || file;
+/** `anna` for anna.py, anna.json, anna.parcours.json and anna.run.json. */
+const handInName = (file: string): string => file.replace(/(\.parcours|\.run)?\.[^.]*$/, '') || file;
 
 /** Sorted the same everywhere: by the letters' numbers. */
 const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>

@@ -1,5 +1,6 @@
 import { watch } from 'vue';
 
+import { projectOfRun } from '#check/hand-in/project-of-run';
 import { parseTape } from '#tape/file';
 import { readRunLink } from '#tape/link';
 import { differences } from '#tape/result';
@@ -16,7 +17,7 @@ import type { Workplace } from '../work/model/parts';
 import type { Course } from '../work/catalogue/course';
 import { courseName } from '../work/catalogue/first-course';
 import { readyCourses } from '../work/catalogue/ready-courses';
-import { projectOfRun } from '../work/project-of-run';
+
 import { isOurs } from '../work/use-courses';
 import { useOpenings } from '../work/use-openings';
 import { reasonOf } from './problem-words';

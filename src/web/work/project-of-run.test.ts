@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { describe, expect, it } from 'vitest';
 
+import { projectOfRun } from '#check/hand-in/project-of-run';
 import { nothingMeasured, type MyRobot } from '#my-robot/my-robot';
 import type { Project, ProjectSettings } from '#project/project';
 import { applyEdit } from '#scene/edit';
@@ -8,7 +9,7 @@ import { defaultScene } from '#scene/scene';
 import type { RunSetup } from '#simulation/run-setup';
 
 import { createPage } from '../app/testing/page';
-import { projectOfRun } from './project-of-run';
+
 import { runSetup } from './run-setup';
 import { useOpenings } from './use-openings';
 

@@ -1,0 +1,49 @@
+import { describe, expect, it } from 'vitest';
+
+import { defaultScene } from '#scene/scene';
+import { soloRun } from '#simulation/run-setup';
+import { tapeToText } from '#tape/file';
+import { runLinkOf } from '#tape/link';
+import type { HandIn } from './hand-in';
+import { contentOf, fileSource, listSources, type Source } from './sources';
+
+const files = { 'main.py': 'forward()\n', 'own.py': 'x = 1\n' };
+const setup = soloRun({
+  ...{ scene: { ...defaultScene(), name: 'Hall' }, files, seed: 1, reality: 0 },
+  ...{ robot: 'maqueen-lite', board: 'microbit-v2' },
+});
+const result = { traceHash: '0', simulatedUs: 5_000_000, devices: [] };
+/** What it came to is made up: a hand-in is run anyway. */
+const run = tapeToText({ madeBy: '0.0.0', setup, untilUs: 5_000_000, untilProgramEnds: true, result });
+const address = `https://parcours.example/#${runLinkOf(run, 1_000_000)}`;
+
+async function handInOf(source: Source | undefined): Promise<HandIn> {
+  const content = source === undefined ? null : await contentOf(source);
+  if (content === null || 'problem' in content) throw new Error(content?.problem.code ?? 'There is none.');
+  return content.handIn;
+}
+const programs = ({ project }: HandIn): object =>
+  Object.fromEntries(project.files.map(({ name, text }) => [name, text]));
+
+describe('a run that is handed in', () => {
+  it('by its link among others is the project in it, on the course that it was driven on', async () => {
+    const [ada, ben] = listSources(`Ada: ${address}\nBen: #${runLinkOf(run, 0)}.`, () => null);
+    expect([ada?.name, ben?.name]).toEqual(['Ada', 'Ben']);
+    const handIn = await handInOf(ada);
+    expect(programs(handIn)).toEqual(files);
+    expect([handIn.hasCourse, handIn.project.scene.name, handIn.said]).toEqual([true, 'Hall', null]);
+    expect(programs(await handInOf(ben))).toEqual(files);
+  });
+
+  it('as its file is the same', async () => {
+    const bytes = new TextEncoder().encode(run);
+    const source = fileSource({ path: 'Ada.run.json', read: () => ({ bytes }) }, () => null);
+    expect(programs(await handInOf(source))).toEqual(files);
+  });
+
+  it('by a link that is not whole, or from a newer Parcours, says so', async () => {
+    const newer = address.replace('#r=1.', '#r=2.');
+    const found = await Promise.all(listSources(`${address.slice(0, -9)}\n${newer}`, () => null).map(contentOf));
+    expect(found).toEqual([{ problem: { code: 'link', params: {} } }, { problem: { code: 'newer-link', params: {} } }]);
+  });
+});
