@@ -39,24 +39,24 @@ describe('a class', () => {
     const { model, passed } = classWith();
     await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
     expect(passed()).toEqual([['Ada', null], ['Ben', null]]); // prettier-ignore
-    await model.choose({ name: 'T', task });
+    await model.choose({ name: 'T', from: 'open', task });
     expect(passed()).toEqual([['Ada', true], ['Ben', false]]); // prettier-ignore
     expect(model.isChecking.value).toBe(false);
   });
 
   it('checks only what is new, and everything again for another task', async () => {
     const { model, asked } = classWith();
-    await model.choose({ name: 'T', task });
+    await model.choose({ name: 'T', from: 'open', task });
     await model.add([program('Ada', ahead(3000))]);
     await model.add([program('Ben', 'x = 1')]);
     expect(asked).toHaveLength(2);
-    await model.choose({ name: 'U', task });
+    await model.choose({ name: 'U', from: 'open', task });
     expect(asked).toHaveLength(4);
   });
 
   it('gives each of several with one name its own, tells of twins and of what cannot be read', async () => {
     const { model } = classWith();
-    await model.choose({ name: 'T', task });
+    await model.choose({ name: 'T', from: 'open', task });
     await model.add([program('Ada', ahead(3000)), brokenSource('Tim', { code: 'zip', params: {} })]);
     await model.add([program('Ada', ahead(3000))]);
     const told = model.found.value.handIns.map(({ name, result }) => [name, result.remarks.map(({ code }) => code)]);
@@ -65,7 +65,7 @@ describe('a class', () => {
 
   it('that is taken away while it is checked, is gone for good', async () => {
     const { model } = classWith({ starter: () => new Promise(() => undefined) });
-    await model.choose({ name: 'T', task });
+    await model.choose({ name: 'T', from: 'open', task });
     void model.add([program('Ada', ahead(3000))]);
     expect(model.isChecking.value).toBe(true);
     model.clear();
@@ -75,7 +75,7 @@ describe('a class', () => {
   it('says when nothing can be checked, and tries again with the next hand-in', async () => {
     const starter = vi.fn().mockRejectedValue(new Error('offline'));
     const { model } = classWith({ starter });
-    await model.choose({ name: 'T', task });
+    await model.choose({ name: 'T', from: 'open', task });
     await model.add([program('Ada', ahead(3000))]);
     expect([model.hasFailed.value, model.isChecking.value]).toEqual([true, false]);
     await model.add([program('Ben', ahead(3000))]);

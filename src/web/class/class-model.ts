@@ -9,6 +9,8 @@ import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 /** The task that hand-ins are checked for. */
 export interface OpenTask {
   readonly name: string;
+  /** Where it is from: the work that is open in the app, a file, or a ready course by its id. */
+  readonly from: string;
   readonly task: ClassTask;
 }
 
@@ -56,6 +58,13 @@ export class ClassModel {
     this.task.value = task;
     this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
     await this.check();
+  }
+
+  /** There is no task: what was checked for another one says nothing any more. */
+  leaveTask(): void {
+    this.stop();
+    this.task.value = null;
+    this.rows.value = this.rows.value.map((row) => ({ ...row, result: null }));
   }
 
   /** Adds hand-ins, and checks them. Of several with one name each gets its own. */

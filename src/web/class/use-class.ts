@@ -1,3 +1,4 @@
+import { isSame } from '#core/same';
 import { taskOf } from '#check/task/read-task';
 import type { Project } from '#project/project';
 
@@ -5,11 +6,14 @@ import { say } from '../page/i18n/say';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
-import { ClassModel } from './class-model';
+import { ClassModel, type OpenTask } from './class-model';
 import { classWords as words } from './class-words';
 
 /** The class of each work: it stays while the page is open, also when it is out of sight. */
 const classes = new WeakMap<WorkParts['work'], ClassModel>();
+
+/** `OpenTask.from` of the work that is open in the app, and of a file. */
+export const [OPEN, FILE] = ['open', 'file'];
 
 /** The class that is checked on this page. */
 export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
@@ -25,17 +29,20 @@ export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
 }
 
 /**
- * Makes the task of a project the one that the class is checked for.
+ * Makes the task of a project the one that the class is checked for; if it is already, nothing is checked again.
  *
  * @returns or why it cannot be, in words
  */
-export function chooseTask(model: ClassModel, project: Project, name: string): string | null {
+export function chooseTask(model: ClassModel, project: Project, { name, from }: Omit<OpenTask, 'task'>): string | null {
   const read = taskOf(project);
   if ('problem' in read) {
+    model.leaveTask();
     const [first] = read.problems;
     const hasNoGoals = first !== undefined && first.path === 'task.checks';
     return hasNoGoals ? say(words.noGoals) : say(words.badTask, { name, reason: read.problem });
   }
-  void model.choose({ name: read.task.id || name, task: read.task });
+  const before = model.task.value;
+  if (before?.from === from && isSame(before.task, read.task)) return null;
+  void model.choose({ name: read.task.id || name, from, task: read.task });
   return null;
 }
