@@ -39,24 +39,30 @@ const pasteInto = (app: App, mail: string): Promise<void> =>
     field.dispatchEvent(new Event('input', { bubbles: true }));
   }, mail);
 
-/** The table that the command line writes of the same e-mail. */
-function tableOfCommandLine(): string {
+/** The table and the report that the command line writes of the same e-mail. */
+function writtenByCommandLine(): { readonly table: string; readonly report: string } {
   const folder = mkdtempSync(join(tmpdir(), 'parcours-class-'));
   try {
-    const [mail, csv] = [join(folder, 'mail.txt'), join(folder, 'class.csv')];
+    const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((name) => join(folder, name)) as [string, string, string]; // prettier-ignore
     writeFileSync(mail, MAIL);
     try {
-      execFileSync('node', ['bin/parcours.mjs', 'check', 'closed-line', mail, '--csv', csv, '--lang', 'de']);
+      const files = ['--csv', csv, '--report', html];
+      execFileSync('node', ['bin/parcours.mjs', 'check', 'closed-line', mail, ...files, '--lang', 'de']);
     } catch {
       // Exit code 3: not all have passed.
     }
-    return readFileSync(csv, 'utf8');
+    return { table: readFileSync(csv, 'utf8'), report: readFileSync(html, 'utf8') };
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
 }
 
-test('a class that sends links is checked: table and report are those of the command line', async ({ app }) => {
+/** What the page has saved last. */
+const saved = (app: App): Promise<string> => app.evaluate(() => document.documentElement.dataset['saved'] ?? '');
+
+test('a class that sends links is checked: table and report are byte for byte those of the command line', async ({
+  app,
+}) => {
   test.setTimeout(120_000);
   await app.goto('./logo.svg');
   await app.evaluate(() =>
@@ -67,10 +73,11 @@ test('a class that sends links is checked: table and report are those of the com
   await app.evaluate(() => {
     // What is saved is kept here instead.
     URL.createObjectURL = (blob) => {
-      void (blob as Blob).text().then((text) => (document.title = text));
+      void (blob as Blob).text().then((text) => (document.documentElement.dataset['saved'] = text));
       return 'blob:kept';
     };
     HTMLAnchorElement.prototype.click = () => undefined;
+    window.open = () => null;
     const select = document.querySelector<HTMLSelectElement>('[data-testid=class-task]')!;
     select.value = 'closed-line';
     select.dispatchEvent(new Event('change', { bubbles: true }));
@@ -84,8 +91,10 @@ test('a class that sends links is checked: table and report are those of the com
     expect(table).toContain(words);
   await app.click(by('class-csv'));
   // The browser leaves out the sign at the beginning by which spreadsheets know UTF-8.
-  const wanted = tableOfCommandLine().replace(/^\ufeff/, '').replace(/\s+/g, ' ').trim(); // prettier-ignore
-  await expect.poll(() => app.evaluate(() => document.title)).toBe(wanted);
+  const { table: wanted, report } = writtenByCommandLine();
+  await expect.poll(() => saved(app)).toBe(wanted.replace(/^\ufeff/, ''));
+  await app.click(by('class-report'));
+  await expect.poll(() => saved(app)).toBe(report);
   await app.click(by('class-passed'));
   await expect.poll(() => app.text(by('class-table'))).not.toContain('Ben');
   await app.click(`${by('class-table')} .name`);
@@ -117,6 +126,6 @@ test('what a pupil hands in on the page is proved on the teacher’s', async ({ 
   await until(app, by('class-table'));
   await gone(app, 'progress');
   const table = (await app.text(by('class-table'))).replace(/\s+/g, ' ');
-  expect(table).toContain('Ada L. bestanden: bestanden 1/1 19.5 s 0 1');
+  expect(table).toContain('Ada L. bestanden 1/1 19.5 s 0 1');
   expect(table).not.toMatch(/anderer Lauf|Parcours verändert/);
 });

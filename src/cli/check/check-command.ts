@@ -2,12 +2,14 @@ import { writeFileSync } from 'node:fs';
 import { contentOf, type Source } from '#check/hand-in/sources';
 import { inLanes, Lane } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
+import type { Language } from '#core/languages';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
 import { remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
+import { readyTitle } from '../ready-courses';
 import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
@@ -166,11 +168,15 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
+/** What people call the task, as the page does: a ready course by its title. */
+const titleOf = (name: string, { id, project }: ClassTask, language: Language): string =>
+  id || (readyTitle(project.course, language) ?? (project.scene.name || name));
+
 /** @returns what is wrong with one of the files */
 function writeReports(found: ClassResult, task: ClassTask, options: CheckOptions): string | null {
   const { report, junit, csv, lang } = options;
   const files = [
-    [report, () => htmlOf(found, task, lang)],
+    [report, () => htmlOf({ ...found, task: titleOf(found.task, task, lang) }, task, lang)],
     [junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     [csv, () => `\ufeff${csvOf(found, lang)}`],
