@@ -105,7 +105,25 @@ test('a class that sends links is checked: table and report are byte for byte th
   await gone(app, by('class-task'));
 });
 
-test('what a pupil hands in on the page is proved on the teacher’s', async ({ app }) => {
+/** What of hand-ins lies in the browser's database. */
+const keptRows = (): Promise<string> =>
+  new Promise((resolve) => {
+    const opened = indexedDB.open('parcours', 1);
+    opened.onsuccess = () => {
+      const rows = opened.result
+        .transaction('pieces')
+        .objectStore('pieces')
+        .getAll(IDBKeyRange.bound('class.row.', 'class.row.~')) as IDBRequest<{ readonly text: string }[]>;
+      rows.onsuccess = () => {
+        opened.result.close();
+        resolve(rows.result.map(({ text }) => text).join());
+      };
+    };
+  });
+
+test('what a pupil hands in on the page is proved on the teacher’s, who keeps it over a reload as long as she wants', async ({
+  app,
+}) => {
   test.setTimeout(120_000);
   await app.goto('./logo.svg');
   await app.evaluate((work) => {
@@ -128,4 +146,15 @@ test('what a pupil hands in on the page is proved on the teacher’s', async ({ 
   const table = (await app.text(by('class-table'))).replace(/\s+/g, ' ');
   expect(table).toContain('Ada L. bestanden 1/1 19.5 s 0 1');
   expect(table).not.toMatch(/anderer Lauf|Parcours verändert/);
+  await app.click(`${by('class-table')} .name`);
+  await app.fill(by('class-note'), 'Prima');
+  await app.click(by('class-keep'));
+  await expect.poll(() => app.evaluate(keptRows)).toContain('Prima');
+  await app.reload();
+  await until(app, by('class-table'));
+  const again = (await app.text(by('class-table'))).replace(/\s+/g, ' ');
+  expect(again).toContain('Ada L. bestanden 1/1 19.5 s 0 1');
+  expect(again).toContain('Prima');
+  await app.click(by('class-keep'));
+  await expect.poll(() => app.evaluate(keptRows)).toBe('');
 });

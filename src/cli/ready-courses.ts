@@ -14,11 +14,11 @@ const inputs = import.meta.glob<string>('../../courses/*/inputs.json', {
   query: '?raw',
 });
 
-/** What ready courses and missions are called, by the files of their words; in English as their scene says. */
-const titles = import.meta.glob<{ readonly name?: string }>(
-  ['../../courses/*/words/*.json', '../../courses/missions/*/words/*.json'],
-  { eager: true, import: 'default' },
-);
+/** What ready courses are called, by the files of their words; one without a name is called as its scene says. */
+const titles = import.meta.glob<{ readonly name?: string }>('../../courses/*/words/*.json', {
+  eager: true,
+  import: 'default',
+});
 
 /** What `course.json` says of the devices of a course that has several. */
 interface CourseData {
@@ -33,11 +33,9 @@ export function readyCourse(id: string): Scene | null {
   return 'scene' in parsed ? parsed.scene : null;
 }
 
-/** What the page calls a ready course or a mission in this language; `null`: as its scene says. */
+/** What the page calls a ready course in this language; `null`: as its scene says. */
 export const readyTitle = (id: string | null, language: Language): string | null =>
-  titles[`../../courses/${id ?? ''}/words/${language}.json`]?.name ??
-  titles[`../../courses/missions/${id ?? ''}/words/${language}.json`]?.name ??
-  null;
+  titles[`../../courses/${id ?? ''}/words/${language}.json`]?.name ?? null;
 
 /**
  * The ready course of this id as a task for a class: its start program, its further devices with theirs, and what is

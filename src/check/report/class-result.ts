@@ -5,6 +5,8 @@ export interface NamedResult {
   /** Unlike the others. */
   readonly name: string;
   readonly result: CheckResult;
+  /** What the teacher has written to it; left out: nothing. */
+  readonly note?: string;
 }
 
 /** What became of a class. */
@@ -22,9 +24,10 @@ export function classResult(task: string, handIns: readonly NamedResult[]): Clas
     if (result.twin !== '') byTwin.set(result.twin, [...(byTwin.get(result.twin) ?? []), name]);
   return {
     task,
-    handIns: handIns.map(({ name, result }) => {
+    handIns: handIns.map((one) => {
+      const { name, result } = one;
       const names = (byTwin.get(result.twin) ?? []).filter((other) => other !== name);
-      return { name, result: names.length === 0 ? result : withRemark(result, twins(names)) };
+      return names.length === 0 ? one : { ...one, result: withRemark(result, twins(names)) };
     }),
   };
 }

@@ -72,7 +72,7 @@ function verdictOf(result: CheckResult, language: Language): string {
 const secondsOf = ({ atMs }: WorldResult): string => (atMs === null ? '' : secondsText(atMs));
 
 function rowOf(
-  { name, result }: NamedResult,
+  { name, result, note = '' }: NamedResult,
   place: number,
   { drawings, hasStars, language }: Sheet & { readonly hasStars: boolean },
 ): string {
@@ -80,6 +80,7 @@ function rowOf(
   const said = [
     ...(result.passed ? [] : reasonsAgainst(result, language)),
     ...result.remarks.map((remark) => remarkText(remark, language)),
+    ...(note === '' ? [] : [note]),
   ];
   const touches = result.worlds.reduce((sum, world) => sum + world.touches, 0);
   return [
@@ -93,7 +94,7 @@ function rowOf(
 }
 
 function sheetOf(
-  { name, result }: NamedResult,
+  { name, result, note = '' }: NamedResult,
   place: number,
   { drawings, title, language }: Sheet & { readonly title: string },
 ): string {
@@ -111,7 +112,7 @@ function sheetOf(
   return `<section id="hand-in-${place}">
 <h2>${escaped(name)}</h2>
 <p>${title} · ${verdictOf(result, language)} · ${words.points[language]}: ${result.points}</p>
-<ul>${[...facts, ...remarks].join('')}</ul>
+<ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}
 <div class="ways">${figures.join('')}</div>
 </section>`;
 }

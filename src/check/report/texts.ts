@@ -48,18 +48,20 @@ export function reasonsAgainst({ checks, worlds }: CheckResult, language: Langua
   return [...new Set(reasons.flatMap((reason) => (reason === null ? [] : [reasonText(reason, language)])))];
 }
 
-/** The result of a class as a table for a spreadsheet, a row for each hand-in; RFC 4180. */
+/** The result of a class as a table for a spreadsheet, a row for each hand-in, notes where there are some; RFC 4180. */
 export function csvOf({ handIns }: ClassResult, language: Language): string {
   const words = reportWords.report;
   const say = (name: keyof typeof words): string => words[name][language];
   const [worlds, checks] = [idsOf(handIns.map(({ result }) => result.worlds)), idsOf(handIns.map(({ result }) => result.checks))]; // prettier-ignore
+  const hasNotes = handIns.some(({ note = '' }) => note !== '');
   const headings = [
     ...[say('name'), say('passed'), say('points'), say('stars')],
     ...checks,
     ...worlds.flatMap((id) => [`${id}: ${say('passed')}`, `${id}: ms`, `${id}: ${say('touches')}`]),
     ...[say('missed'), say('remarks')],
+    ...(hasNotes ? [say('note')] : []),
   ];
-  const rows = handIns.map(({ name, result }) => [
+  const rows = handIns.map(({ name, result, note = '' }) => [
     ...[name, yes(result.passed), String(result.points), String(result.stars ?? '')],
     ...checks.map((id) => yes(result.checks.find((check) => check.id === id)?.passed ?? false)),
     ...worlds.flatMap((id) => {
@@ -68,6 +70,7 @@ export function csvOf({ handIns }: ClassResult, language: Language): string {
     }),
     result.passed ? '' : reasonsAgainst(result, language).join(' '),
     result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
+    ...(hasNotes ? [note] : []),
   ]);
   return [headings, ...rows].map((cells) => `${cells.map(cell).join(',')}\r\n`).join('');
 }

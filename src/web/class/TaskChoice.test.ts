@@ -2,6 +2,8 @@
 import { beforeEach, describe, expect, it } from 'vitest';
 import { nextTick } from 'vue';
 
+import { targetAt } from '#check/testing/tasks';
+
 import { mountOn } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import { ClassModel } from './class-model';
@@ -22,10 +24,7 @@ describe('the task that a class is checked for', () => {
     const { page, model } = classOn();
     mountOn(page, TaskChoice, { model });
     const before = objectsOf(model);
-    const { objects } = page.work.scene.value;
-    const target = objects.find(({ type }) => type === 'target');
-    if (target === undefined) throw new Error('The first course has no target.');
-    page.work.edit({ type: 'add', objects: [{ ...target, id: 'second', at: [300, 300] }] });
+    page.work.edit({ type: 'add', objects: [targetAt(300, 300, 'second')] });
     mountOn(page, TaskChoice, { model });
     expect(objectsOf(model)).toBe(before + 1);
   });

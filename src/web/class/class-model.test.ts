@@ -1,38 +1,13 @@
 import { describe, expect, it, vi } from 'vitest';
 
-import { brokenSource, fileSource, type Source } from '#check/hand-in/sources';
-import type { CheckRequest, StartThread } from '#check/lane';
-import { unreadable } from '#check/result';
+import { brokenSource } from '#check/hand-in/sources';
+import { htmlOf } from '#check/report/html';
+import { csvOf } from '#check/report/texts';
 import { ahead, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 
-import { ClassModel, type ClassPorts } from './class-model';
+import { classWith, program } from './testing/class';
 
 const task = taskWith(sceneWith([targetAt(700, 450)]));
-const program = (name: string, text: string): Source =>
-  fileSource({ path: `${name}.py`, read: () => ({ bytes: new TextEncoder().encode(text) }) }, () => null);
-
-/** A class whose threads answer at once: whoever writes `forward` passes. */
-function classWith(more: Partial<ClassPorts> = {}) {
-  const asked: string[] = [];
-  const start: StartThread = (heard) => ({
-    ask({ handIn }: CheckRequest) {
-      const text = handIn.project.files[0]?.text ?? '';
-      asked.push(text);
-      const result = {
-        ...unreadable(task.checks, { code: 'zip', params: {} }),
-        passed: text.includes('forward'),
-        remarks: [],
-        twin: text,
-      };
-      queueMicrotask(() => heard({ result }));
-    },
-    pulse: () => ({ beat: 0, world: 0 }),
-    stop: () => undefined,
-  });
-  const model = new ClassModel({ starter: () => Promise.resolve(start), every: () => () => undefined, lanes: 2, ...more }); // prettier-ignore
-  const passed = () => model.rows.value.map(({ name, result }) => [name, result?.passed ?? null]);
-  return { model, asked, passed };
-}
 
 describe('a class', () => {
   it('is checked as soon as there are a task and hand-ins', async () => {
@@ -61,6 +36,23 @@ describe('a class', () => {
     await model.add([program('Ada', ahead(3000))]);
     const told = model.found.value.handIns.map(({ name, result }) => [name, result.remarks.map(({ code }) => code)]);
     expect(told).toEqual([['Ada', ['twins']], ['Tim', ['unreadable']], ['Ada (2)', ['twins']]]); // prettier-ignore
+  });
+
+  it('has notes, which stay when it is checked for another task, and are in table and report', async () => {
+    const { model } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    model.write('Ada', 'Schön gelöst, <b>Ada</b>!');
+    await model.choose({ name: 'U', from: 'file', task });
+    expect(model.found.value.handIns.map(({ note }) => note)).toEqual(['Schön gelöst, <b>Ada</b>!', '']);
+    const [head, ada, ben] = csvOf(model.found.value, 'de').split('\r\n');
+    expect([head, ada, ben].map((line) => line?.split(',').slice(-2).join())).toEqual([
+      'Bemerkungen,Notiz',
+      '"Schön gelöst, <b>Ada</b>!"',
+      ',',
+    ]);
+    const report = htmlOf(model.found.value, task, 'de');
+    expect(report.split('Schön gelöst, &lt;b&gt;Ada&lt;/b&gt;!')).toHaveLength(3); // in the table, and on Ada's sheet
   });
 
   it('that is taken away while it is checked, is gone for good', async () => {

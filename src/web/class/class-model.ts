@@ -1,5 +1,7 @@
+import type { Content } from '#check/hand-in/contents';
 import type { HandIn } from '#check/hand-in/hand-in';
-import { contentOf, withOwnNames, type Source } from '#check/hand-in/sources';
+import { brokenSource, contentOf, withOwnNames, type Source } from '#check/hand-in/sources';
+import { unread } from '#check/hand-in/unread';
 import { inLanes, Lane, type Every, type StartThread } from '#check/lane';
 import { classResult, type ClassResult } from '#check/report/class-result';
 import { unreadable, type CheckResult } from '#check/result';
@@ -21,6 +23,13 @@ export interface Row {
   readonly handIn: HandIn | null;
   /** `null`: it waits, or is being checked. */
   readonly result: CheckResult | null;
+  /** What the teacher has written to it; empty: nothing. */
+  readonly note: string;
+}
+
+/** Somebody's hand-in as it can be kept: plain data. */
+export interface KeptRow extends Omit<Row, 'handIn'> {
+  readonly content: Content;
 }
 
 /** What a class needs of the page. */
@@ -48,7 +57,7 @@ export class ClassModel {
     this.found = computed(() =>
       classResult(
         this.task.value?.name ?? '',
-        this.rows.value.flatMap(({ name, result }) => (result === null ? [] : [{ name, result }])),
+        this.rows.value.flatMap(({ name, result, note }) => (result === null ? [] : [{ name, result, note }])),
       ),
     );
   }
@@ -74,7 +83,30 @@ export class ClassModel {
       this.rows.value.map(({ name }) => name),
     );
     this.sources = [...this.sources, ...named];
-    this.rows.value = [...this.rows.value, ...named.map(({ name }) => ({ name, handIn: null, result: null }))];
+    this.rows.value = [
+      ...this.rows.value,
+      ...named.map(({ name }) => ({ name, handIn: null, result: null, note: '' })),
+    ];
+    await this.check();
+  }
+
+  /** Writes something to a hand-in, in the place of what was written before. */
+  write(name: string, note: string): void {
+    this.rows.value = this.rows.value.map((row) => (row.name === name ? { ...row, note } : row));
+  }
+
+  /** A hand-in with what it holds, which may have to be read first. */
+  async keptRow({ name, result, note }: Row): Promise<KeptRow> {
+    const source = this.sources.find((one) => one.name === name) ?? brokenSource(name, unread('gone').problem);
+    return { name, result, note, content: await contentOf(source) };
+  }
+
+  /** Puts a class in the place of this one, as it was kept. What has no result yet is checked. */
+  async restore(task: OpenTask | null, rows: readonly KeptRow[]): Promise<void> {
+    this.stop();
+    this.task.value = task;
+    this.sources = rows.map(({ name, content }) => ({ name, read: () => content }));
+    this.rows.value = rows.map(({ content, ...row }) => ({ ...row, handIn: handInOf(content) }));
     await this.check();
   }
 
@@ -120,7 +152,10 @@ export class ClassModel {
     const content = await contentOf(source);
     const result = 'problem' in content ? unreadable(task.checks, content.problem) : await lane.check(content.handIn);
     if (turn !== this.turn) return;
-    const handIn = 'handIn' in content ? content.handIn : null;
-    this.rows.value = this.rows.value.with(place, { name: row.name, handIn, result });
+    // What is written meanwhile stays.
+    const now = this.rows.value[place] ?? row;
+    this.rows.value = this.rows.value.with(place, { ...now, handIn: handInOf(content), result });
   }
 }
+
+const handInOf = (content: Content): HandIn | null => ('handIn' in content ? content.handIn : null);

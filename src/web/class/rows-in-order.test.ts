@@ -12,13 +12,14 @@ const world = (atMs: number | null, touches: number): CheckResult['worlds'][numb
 const row = (name: string, points: number, atMs: number | null, touches = 0): Row => ({
   name,
   handIn: null,
+  note: '',
   result: {
     ...{ passed: atMs !== null, points, stars: null, checks: [], remarks: [], twin: '' },
     worlds: [world(atMs, touches)],
   },
 });
-const waiting: Row = { name: 'Zoe', handIn: null, result: null };
-const broken: Row = { name: 'Tim', handIn: null, result: unreadable([], { code: 'zip', params: {} }) };
+const waiting: Row = { name: 'Zoe', handIn: null, result: null, note: '' };
+const broken: Row = { name: 'Tim', handIn: null, note: '', result: unreadable([], { code: 'zip', params: {} }) };
 const rows = [row('Änne', 3, 9000), row('Ada', 1, null, 2), row('Anna 10', 2, 4000), row('Anna 9', 2, 4000), broken, waiting]; // prettier-ignore
 const names = (filter: Filter, order: Order): readonly string[] =>
   inOrder(rows, filter, order, 'de').map(({ name }) => name);

@@ -6,14 +6,16 @@ import { say } from '../page/i18n/say';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
+import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './class-model';
 import { classWords as words } from './class-words';
 
 /** The class of each work: it stays while the page is open, also when it is out of sight. */
 const classes = new WeakMap<WorkParts['work'], ClassModel>();
+const keepers = new WeakMap<ClassModel, ClassKeeper>();
 
-/** `OpenTask.from` of the work that is open in the app, and of a file. */
-export const [OPEN, FILE] = ['open', 'file'];
+/** `OpenTask.from` of the work that is open in the app, of a file, and of a class that was kept. */
+export const [OPEN, FILE, KEPT] = ['open', 'file', 'kept'];
 
 /** The class that is checked on this page. */
 export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
@@ -26,6 +28,13 @@ export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
   });
   classes.set(work, made);
   return made;
+}
+
+/** What keeps it in the browser; the first time it brings back what was kept. */
+export function keeperOf(model: ClassModel): ClassKeeper {
+  const keeper = keepers.get(model) ?? new ClassKeeper(model);
+  keepers.set(model, keeper);
+  return keeper;
 }
 
 /**

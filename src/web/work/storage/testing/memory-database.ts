@@ -45,7 +45,7 @@ export function stubDatabase(hasRoom = true): MemoryDatabase {
     const names = (query: string | Range): string[] => [...entries.keys()].filter((name) => isIn(name, query)).sort();
     const store = {
       put: (entry: { name: string; usedMs: number }) => later(() => entries.set(entry.name, entry)),
-      delete: (name: string) => later(() => entries.delete(name)),
+      delete: (query: string | Range) => later(() => names(query).forEach((name) => entries.delete(name))),
       getAll: (query: string | Range) => later(() => names(query).map((name) => entries.get(name))),
       getAllKeys: (query: string | Range) => later(() => names(query)),
     };
