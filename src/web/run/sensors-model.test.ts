@@ -5,7 +5,7 @@ import { SensorsModel } from './sensors-model';
 
 function model() {
   const sent: InputAction[] = [];
-  return { sensors: new SensorsModel({ input: (action) => sent.push(action), device: 0 }), sent };
+  return { sensors: new SensorsModel({ input: (action) => sent.push(action) > 0, device: 0 }), sent };
 }
 
 describe('sensors set by hand', () => {

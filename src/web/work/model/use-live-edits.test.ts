@@ -25,7 +25,7 @@ function beside() {
   const isActive = computed(() => ['starting', 'running', 'paused', 'stopping'].includes(phase.value));
   const snapshot = shallowRef<Snapshot | null>(null);
   const run = {
-    ...{ phase, isActive, present: snapshot, input: (action: InputAction) => told.push(action) },
+    ...{ phase, isActive, present: snapshot, input: (action: InputAction) => told.push(action) > 0 },
     reset: () => Promise.resolve(void (snapshot.value = null)),
   };
   const hand = createHand();
