@@ -2,6 +2,8 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { withoutSecrets } from '#check/task/write-task';
+import { defaultScene } from '#scene/scene';
 import { byId, fieldById, idsShown, isThere, pressKey, tap, write } from '../../app/testing/find';
 import { leavePage, mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
@@ -285,6 +287,18 @@ describe('the page of a course', () => {
     await galleryAt(whole.id);
     expect(isThere('show-solution')).toBe(false);
     expect(isThere(`open-${whole.id}`)).toBe(true);
+  });
+
+  it('offers none while a task is open that a teacher has handed out without solutions', async () => {
+    const { page } = await galleryAt('slalom');
+    expect(isThere('show-solution')).toBe(true);
+    const locks = { solution: true };
+    const task = { version: 1, checks: [{ type: 'loop', id: 'loop' }], locks };
+    page.work.openProject(
+      withoutSecrets({ files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null, task }),
+      null,
+    );
+    await vi.waitFor(() => expect(isThere('show-solution')).toBe(false));
   });
 
   it('copies its address and says so', async () => {
