@@ -90,6 +90,18 @@ describe('the tape of a run at full speed', () => {
     expect(thin).toEqual([-1]);
   });
 
+  it('misses nothing of what came before it was asked for while it stood still', () => {
+    const { box, pass, run, thin } = taping();
+    box.setThin(true);
+    pass(3);
+    box.setThin(false);
+    box.tellAll(run());
+    box.setThin(true);
+    pass(60);
+    box.tellAll(run());
+    expect(thin.at(-1)).toBe(60_000);
+  });
+
   it('can be read without what came before, once it was asked for', () => {
     const { box, pass, run, pieces } = taping();
     box.setThin(true);

@@ -68,7 +68,8 @@ export class TapeBox {
 
   /** Sends all there is, the last piece also if it is not full, and what was done to the run. */
   tellAll(run: TapedRun): void {
-    if (this.thinSinceUs !== null && run.nowUs > this.lastUs) this.moment(run.snapshot());
+    // Also where it stands still by now: the moments that will be missing next are those from here on.
+    if (this.wasThin && run.nowUs > this.lastUs) this.moment(run.snapshot());
     this.keep(this.writer.finish());
     this.tell();
     this.post({ type: 'inputs', inputs: [...run.inputLog], nowUs: run.nowUs });
