@@ -73,7 +73,12 @@ export async function pasteProgram(app: App, source: string): Promise<void> {
     },
     { css: EDITOR, text: source },
   );
-  await expect.poll(() => programIn(app)).toBe(source);
+  const fromTheTop = async (): Promise<string> => {
+    // Its end comes into sight; of what lies far above, the editor may leave out lines.
+    await app.evaluate((css) => document.querySelector(css)?.scrollTo(0, 0), EDITOR_BOX);
+    return programIn(app);
+  };
+  await expect.poll(fromTheTop).toBe(source);
 }
 
 /** Whether something is on the page. */
