@@ -4,6 +4,7 @@
  */
 import type { Pose, Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
+import { createShelf } from '../../page/drawing/shelf';
 import { drawLightBoard, drawLights, RIM, type LightBoard } from '../../board/lights/draw-lights';
 import { layOut } from '../../board/lights/light-form';
 import type { LightForm } from '../../work/settings/light-wish';
@@ -166,18 +167,12 @@ function drawChain(
 
 /** Drawn boards of chains, kept for a while: zooming and driving ask for the same ones again and again. */
 function createBoardShelf() {
-  const made = new Map<string, LightBoard>();
+  const made = createShelf<LightBoard>(12);
   return {
     /** A board with at least this many canvas pixels per distance between lights. */
     at(form: LightForm, count: number, unit: number): LightBoard {
       const fine = Math.SQRT2 ** resolutionStep(unit);
-      const key = [form, count, fine].join();
-      const known = made.get(key);
-      if (known !== undefined) return known;
-      if (made.size >= 12) made.clear();
-      const board = drawLightBoard(layOut(form, count), fine);
-      made.set(key, board);
-      return board;
+      return made([form, count, fine], () => drawLightBoard(layOut(form, count), fine));
     },
   };
 }

@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import { createShelf } from '../../page/drawing/shelf';
 import type { OverlayPicture } from '../layers/overlays';
 import { canvasFont } from '../model/palette';
 import { emptyCanvas } from '../robot/robot-sprite';
@@ -81,21 +82,11 @@ function drawDeviceName(context: CanvasRenderingContext2D, ring: DeviceRing): vo
   putPicture(context, bitmap, { x: left + width / 2, y: top + height / 2 });
 }
 
-/** Painted once: curves and letters on a canvas of the page cost more than all the rest of a picture. */
-function keeps<Picture>() {
-  const made = new Map<string, Picture>();
-  return (key: readonly unknown[], make: () => Picture): Picture => {
-    const text = key.join();
-    const picture = made.get(text) ?? make();
-    if (made.size >= MOST) made.clear();
-    made.set(text, picture);
-    return picture;
-  };
-}
 /** Eight devices on screens of a few resolutions, under names that change now and then. */
 const MOST = 60;
-const rings = keeps<HTMLCanvasElement>();
-const pills = keeps<Pill>();
+/** Painted once: curves and letters on a canvas of the page cost more than all the rest of a picture. */
+const rings = createShelf<HTMLCanvasElement>(MOST);
+const pills = createShelf<Pill>(MOST);
 
 function ringOf(ring: DeviceRing, ratio: number): HTMLCanvasElement {
   const { color, radiusPx, isShown } = ring;

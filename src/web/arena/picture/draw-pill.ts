@@ -1,4 +1,5 @@
 import type { Vec } from '#core/geometry';
+import { createShelf } from '../../page/drawing/shelf';
 import { canvasFont, type Palette } from '../model/palette';
 import type { CanvasSize } from '../view/view-transform';
 
@@ -34,20 +35,14 @@ interface Pill {
 /** So many are kept. Chosen: a robot on its rounds shows that many distances, each of them again and again; 1 MB at most. */
 const MOST = 120;
 
-const made = new Map<string, Pill>();
+const made = createShelf<Pill>(MOST);
 
 /**
  * A pill, painted once: words on a canvas of the page make the browser lay out styles in the middle of a frame, and this
  * one is not on the page (measured: a sixth of the script's time while driving).
  */
 function pillOf(text: string, look: PillLook, ink: string, ratio: number): Pill {
-  const key = [ratio, look.ground, look.height, ink, text].join();
-  const known = made.get(key);
-  if (known !== undefined) return known;
-  if (made.size >= MOST) made.clear();
-  const pill = painted(text, look, ink, ratio);
-  made.set(key, pill);
-  return pill;
+  return made([ratio, look.ground, look.height, ink, text], () => painted(text, look, ink, ratio));
 }
 
 const fontOf = ({ fontPx }: PillLook): string => `600 ${String(fontPx)}px ${canvasFont}`;

@@ -1,3 +1,4 @@
+import { createShelf } from '../../page/drawing/shelf';
 import type { Box } from './robot-drawing';
 import { emptyCanvas, resolutionStep } from './robot-sprite';
 
@@ -16,7 +17,7 @@ const MOST = 120;
  * are drawn for every frame.
  */
 export class TreadShelf {
-  private readonly made = new Map<string, HTMLCanvasElement>();
+  private readonly made = createShelf<HTMLCanvasElement>(MOST);
 
   /**
    * Draws the upper half of a tyre, seen from above, in mm of the drawing.
@@ -33,13 +34,9 @@ export class TreadShelf {
 
   private at(tyre: Box, position: number, pixelsPerMm: number): HTMLCanvasElement {
     const step = resolutionStep(pixelsPerMm);
-    const key = [tyre.width, tyre.height, position, step].join();
-    const known = this.made.get(key);
-    if (known !== undefined) return known;
-    if (this.made.size >= MOST) this.made.clear();
-    const made = painted(tyre, (position / POSITIONS) * PITCH_RAD, Math.SQRT2 ** step);
-    this.made.set(key, made);
-    return made;
+    return this.made([tyre.width, tyre.height, position, step], () =>
+      painted(tyre, (position / POSITIONS) * PITCH_RAD, Math.SQRT2 ** step),
+    );
   }
 }
 
