@@ -205,9 +205,6 @@ function solutionIn(
     : readFiles(fields['solution'], 'task.solution', reader);
 }
 
-/** Whether it is a pupil's: then the page keeps what it locks. */
-export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
-
 /** What a task locks; nothing, where that cannot be read. */
 export function locksOf(task: Carried): Locks {
   const reader = new Reader();

@@ -1,11 +1,12 @@
 import { watch } from 'vue';
 
 import type { KeptPage } from '../handed-out/keeper';
+import { isHandedOut } from '../work/model/keeper';
 
 /** Keeps what a task locks that was handed out. What does so comes with the first such task. */
 export function keepTask(app: KeptPage): void {
   watch(
-    () => app.work.work.value.project.task?.['handedOut'] === true,
+    () => isHandedOut(app.work.work.value.project),
     (isGiven, _, onEnd) => {
       if (!isGiven) return;
       let isWanted = true;

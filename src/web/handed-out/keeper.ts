@@ -3,7 +3,7 @@ import { computed, effectScope, watch } from 'vue';
 
 import type { SaidRemark } from '#check/hand-in/hand-in';
 import { keptLines } from '#check/task/kept-lines';
-import { isHandedOut, locksOf } from '#check/task/read-task';
+import { locksOf } from '#check/task/read-task';
 import { noLocks, type LockName, type Locks } from '#check/task/task';
 import { isSame } from '#core/same';
 import type { Stop } from '#core/stop';
@@ -14,7 +14,7 @@ import type { CourseEditorParts } from '../course-editor/state/parts';
 import type { PageParts } from '../page/parts';
 import { say } from '../page/i18n/say';
 import type { RunParts } from '../run/parts';
-import type { Keeper } from '../work/model/keeper';
+import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
 import { lockedLines } from './locked-lines';

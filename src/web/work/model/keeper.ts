@@ -31,8 +31,11 @@ export interface Keeper {
   inEditor(file: string): Extension;
 }
 
+/** Whether its task is a pupil's: then the page keeps what it locks. */
+export const isHandedOut = ({ task }: Pick<Project, 'task'>): boolean => task?.['handedOut'] === true;
+
 /** The project for something else: a task that was handed out belongs to its own course and program. */
 export function withoutGiven(project: Project): Project {
-  const { task, ...others } = project;
-  return task?.['handedOut'] === true ? others : project;
+  const { task: _, ...others } = project;
+  return isHandedOut(project) ? others : project;
 }
