@@ -1,9 +1,10 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
 import { checkTypes, type ClassTask } from '#check/task/task';
-import { draftOf, isHandedOut, taskOf } from '#check/task/read-task';
+import { draftOf, taskOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { createPage } from '../app/testing/page';
+import { isHandedOut } from '../work/model/keeper';
 import { freshCheck } from './check-fields';
 import { freshWorld, startOf, useTaskMaker, worldName } from './use-task-maker';
 
