@@ -71,6 +71,25 @@ test('a break point stops the program and all time; line by line it goes on, and
   await expect.poll(() => consoleIn(app)).toContain('n is 128');
 });
 
+test(
+  'the line where the program stands is in sight, though the bar for steps takes room below it',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app);
+    await pasteProgram(app, `${'# far down\n'.repeat(40)}from mbrobot import *\nwhile True:\n    delay(50)`);
+    await app.click(on('run'));
+    await until(app, by('look-back-open'));
+    await app.click(by('look-back-open'));
+    await until(app, by('step-bar'));
+    const isInSight = (): Promise<boolean> =>
+      app.evaluate(() => {
+        const { bottom = Infinity } = document.querySelector('.cm-standingLine')?.getBoundingClientRect() ?? {};
+        return bottom <= (document.querySelector('.cm-scroller')?.getBoundingClientRect().bottom ?? 0);
+      });
+    await expect.poll(isInSight).toBe(true);
+  },
+);
+
 test('an error is looked into: its line with the variables of then, line by line back and on again', async ({
   app,
 }) => {

@@ -1,5 +1,12 @@
 import { RangeSet, StateEffect, StateField, type EditorState, type Extension, type Text } from '@codemirror/state';
-import { Decoration, EditorView, gutterLineClass, GutterMarker, type DecorationSet } from '@codemirror/view';
+import {
+  Decoration,
+  EditorView,
+  gutterLineClass,
+  GutterMarker,
+  ViewPlugin,
+  type DecorationSet,
+} from '@codemirror/view';
 
 import type { Shown } from '#vm/debug/shown';
 import { showTapped, values } from './values';
@@ -74,6 +81,22 @@ function standingAt(doc: Text, line: number | null): Standing {
   return { line: Decoration.set([standingLine.range(from)]), mark: RangeSet.of(standingMark.range(from)) };
 }
 
+const toLine = (from: number): StateEffect<unknown> => EditorView.scrollIntoView(from, { y: 'nearest', yMargin: 40 });
+
+/** A bar below that comes with the first stop takes room from the editor: its line is then brought into view again. */
+const staysInView = ViewPlugin.define((view) => {
+  let heightPx = view.scrollDOM.clientHeight;
+  // The editor itself hears of no change of its size so soon after one of its content.
+  const observer = new ResizeObserver(() => {
+    const nowPx = view.scrollDOM.clientHeight;
+    const stands = view.state.field(standing, false)?.line.iter();
+    if (nowPx < heightPx && stands?.value) view.dispatch({ effects: toLine(stands.from) });
+    heightPx = nowPx;
+  });
+  observer.observe(view.scrollDOM);
+  return { destroy: () => observer.disconnect() };
+});
+
 const look = EditorView.theme({
   // In the column of the marks, which is there anyway.
   '.cm-deviceGutter .cm-breakPoint': { position: 'relative' },
@@ -120,6 +143,7 @@ export const stopMarks = (
   values(valueOf),
   points,
   standing,
+  staysInView,
   look,
   EditorView.updateListener.of(({ docChanged, startState, state }) => {
     if (!docChanged || startState.field(points, false) === undefined) return;
@@ -159,7 +183,6 @@ export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
 /** Shows break points and where the program stands; a line that has come to stand is brought into view. */
 export function showStops(view: EditorView, lines: readonly number[], line: number | null): void {
   const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];
-  if (line !== null && isWithin(view.state.doc, line))
-    effects.push(EditorView.scrollIntoView(view.state.doc.line(line).from, { y: 'nearest', yMargin: 40 }));
+  if (line !== null && isWithin(view.state.doc, line)) effects.push(toLine(view.state.doc.line(line).from));
   view.dispatch({ effects });
 }
