@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { boxAround, movingWindow, unionOf, type PxBox } from './moving-window';
+import { boxAround, movingWindow, patientWindow, unionOf, type PxBox } from './moving-window';
 
 const canvas = { widthPx: 700, heightPx: 500 };
 
@@ -59,6 +59,29 @@ describe('the window of the moving things', () => {
       width: 700,
       height: 500,
     });
+  });
+});
+
+describe('a window that shrinks late', () => {
+  const [small, large] = [boxAround({ x: 300, y: 200 }, 40), boxAround({ x: 300, y: 200 }, 240)];
+
+  it('keeps its size while somebody jumps between a short cone and a long one', () => {
+    const window = patientWindow();
+    let place: PxBox | null = null;
+    const widths = new Set<number>();
+    for (let picture = 0; picture < 100; picture += 1) {
+      place = window(picture % 10 === 0 ? large : small, canvas, 1, place);
+      widths.add(place.width);
+    }
+    expect([...widths]).toEqual([512]);
+  });
+
+  it('is small again half a second after the last long cone', () => {
+    const window = patientWindow();
+    let place = window(large, canvas, 1, null);
+    for (let picture = 0; picture < 30; picture += 1) place = window(small, canvas, 1, place);
+    expect(place.width).toBe(512);
+    expect(window(small, canvas, 1, place).width).toBe(128);
   });
 });
 

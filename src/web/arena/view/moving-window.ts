@@ -43,13 +43,19 @@ const AHEAD = 0.85;
  * It grows when it must, and shrinks only when it has become twice as large as it must be. It stays where it is while
  * everything fits, and then goes ahead of what left it: moving a canvas makes the browser sort all its layers again.
  */
-export function movingWindow(content: PxBox, canvas: CanvasSize, ratio: number, before: PxBox | null): PxBox {
+export function movingWindow(
+  content: PxBox,
+  canvas: CanvasSize,
+  ratio: number,
+  before: PxBox | null,
+  mayShrink = true,
+): PxBox {
   const left = Math.max(0, content.left);
   const top = Math.max(0, content.top);
   const right = Math.min(canvas.widthPx, content.left + content.width);
   const bottom = Math.min(canvas.heightPx, content.top + content.height);
-  const width = windowSide(right - left, canvas.widthPx, before?.width ?? 0);
-  const height = windowSide(bottom - top, canvas.heightPx, before?.height ?? 0);
+  const width = windowSide(right - left, canvas.widthPx, before?.width ?? 0, mayShrink);
+  const height = windowSide(bottom - top, canvas.heightPx, before?.height ?? 0, mayShrink);
   const whole = (px: number): number => Math.floor(px * ratio) / ratio;
   const place = (from: number, to: number, side: number, canvasSide: number, last: number | undefined): number => {
     if (last !== undefined && last <= from && to <= last + side && last + side <= canvasSide) return last;
@@ -72,10 +78,28 @@ function roomBefore(from: number, to: number, side: number, last: number | undef
   return isBack ? AHEAD : 1 - AHEAD;
 }
 
-function windowSide(needed: number, canvasSide: number, before: number): number {
+function windowSide(needed: number, canvasSide: number, before: number, mayShrink: boolean): number {
   const snug = Math.min(canvasSide, Math.ceil((Math.max(0, needed) + SLACK_PX) / STEP_PX) * STEP_PX);
-  const keeps = before >= snug && before <= Math.max(2 * snug, 4 * STEP_PX) && before <= canvasSide;
-  return keeps ? before : snug;
+  const largest = mayShrink ? Math.min(canvasSide, Math.max(2 * snug, 4 * STEP_PX)) : canvasSide;
+  return before >= snug && before <= largest ? before : snug;
+}
+
+/** Pictures in a row for which a window must have been too large before it shrinks: half a second. */
+const PATIENCE = 30;
+
+/**
+ * A window that shrinks late: who jumps through time sees a long cone and a short one in turn, and a canvas that changes
+ * its size each time costs more than all that is painted on it.
+ */
+export function patientWindow(): typeof movingWindow {
+  let tooLarge = 0;
+  return (content, canvas, ratio, before) => {
+    const [kept, fitting] = [false, true].map((mayShrink) =>
+      movingWindow(content, canvas, ratio, before, mayShrink),
+    ) as [PxBox, PxBox];
+    tooLarge = fitting.width < kept.width || fitting.height < kept.height ? tooLarge + 1 : 0;
+    return tooLarge > PATIENCE ? fitting : kept;
+  };
 }
 
 /** A thing moves this far on its own canvas until the canvas follows, in px. */
