@@ -6,9 +6,8 @@
  *
  * Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
-import { fromBase64Url, toBase64Url } from '#core/base64-url';
 import { packed, unpacked } from '#core/deflate';
-import { fnvOfBytes } from '#core/fnv';
+import { sealed, unsealed } from '#core/sealed';
 
 /** The version of links to runs that this app makes and the newest that it reads. */
 export const RUN_LINK_VERSION = 1;
@@ -19,7 +18,6 @@ export const RUN_LINK_CHARACTERS = 8_000;
 /** Longest link that is read, and the most that it may unpack to. Chosen: far beyond what is made. */
 const MOST_READ = 500_000;
 const UNPACKED_BYTES = 4_000_000;
-const SUM_BYTES = 4;
 
 /** What a link holds, or why it holds nothing. */
 export type ReadRunLink = { readonly text: string; readonly atUs: number } | { readonly fault: 'damaged' | 'newer' };
@@ -30,10 +28,7 @@ export const isRunLink = (fragment: string): boolean => /^#?r=/.test(fragment);
 /** The link to a run. @param text the run's file @param atUs the moment from which it is looked at */
 export function runLinkOf(text: string, atUs: number): string {
   const bytes = packed(new TextEncoder().encode(text));
-  const all = new Uint8Array(SUM_BYTES + bytes.length);
-  new DataView(all.buffer).setUint32(0, fnvOfBytes(bytes), true);
-  all.set(bytes, SUM_BYTES);
-  return `r=${RUN_LINK_VERSION}.${Math.round(atUs / 1000)}.${toBase64Url(all)}`;
+  return `r=${RUN_LINK_VERSION}.${Math.round(atUs / 1000)}.${sealed(bytes)}`;
 }
 
 /** Reads the part of an address behind `#`, with or without it. Never throws. */
@@ -43,10 +38,8 @@ export function readRunLink(fragment: string): ReadRunLink {
   const [, version, ms, data] = /^#?r=(\d{1,9})\.(\d{1,12})\.([\w-]+)=*$/.exec(fragment.trim()) ?? [];
   if (version !== String(RUN_LINK_VERSION) || data === undefined || data.length > MOST_READ)
     return { fault: 'damaged' };
-  const all = fromBase64Url(data);
-  if (all === null || all.length <= SUM_BYTES) return { fault: 'damaged' };
-  const bytes = all.subarray(SUM_BYTES);
-  if (new DataView(all.buffer).getUint32(0, true) !== fnvOfBytes(bytes)) return { fault: 'damaged' };
+  const bytes = unsealed(data);
+  if (bytes === null) return { fault: 'damaged' };
   const text = unpacked(bytes, UNPACKED_BYTES);
   if (typeof text === 'string') return { fault: 'damaged' };
   return { text: new TextDecoder().decode(text), atUs: Number(ms) * 1000 };

@@ -10,12 +10,11 @@
  *
  * An unchanged ready course is only named. Only A–Z a–z 0–9 - _ . = occur, which link detectors accept.
  */
-import { fnvOfBytes } from '#core/fnv';
 import { isRecord } from '#core/record';
+import { sealed, unsealed } from '#core/sealed';
 import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene, type Task } from '#scene/scene';
 import { serializeScene } from '#scene/serialize';
 
-import { fromBase64Url, toBase64Url } from '#core/base64-url';
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
 import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
 import { apart, joined, sceneChecksum, type Content } from './link-content';
@@ -149,16 +148,9 @@ const withoutPrograms = ({ first, others }: ProjectDevices): ProjectDevices => (
 
 const EMPTY_PROGRAM = { name: MAIN, text: '' };
 
-const SUM_BYTES = 4;
-
 /** The link that holds these bytes. */
-export function linkOfBytes({ version, bytes }: LinkBytes): string {
-  const all = new Uint8Array(SUM_BYTES + bytes.length);
-  all.set(bytes, SUM_BYTES);
-  const sum = fnvOfBytes(bytes);
-  all.set([sum & 0xff, (sum >>> 8) & 0xff, (sum >>> 16) & 0xff, sum >>> 24]);
-  return `${LINK_NAME}=${String(version)}.${toBase64Url(all)}`;
-}
+export const linkOfBytes = ({ version, bytes }: LinkBytes): string =>
+  `${LINK_NAME}=${String(version)}.${sealed(bytes)}`;
 
 /** Whether the part of an address behind `#` says that it is a link to a project. */
 export const isProjectLink = (fragment: string): boolean => /^#?p=/.test(fragment);
@@ -177,9 +169,8 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     return failed('newer-version', message, { version: Number(version), known: LINK_VERSION });
   }
   const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9] as const).find((one) => String(one) === version);
-  const all = known === undefined ? null : fromBase64Url(data);
-  if (known === undefined || all === null || !isWhole(all)) return damaged();
-  const bytes = all.subarray(SUM_BYTES);
+  const bytes = known === undefined ? null : unsealed(data);
+  if (known === undefined || bytes === null) return damaged();
   const content = contentOfBytes({ version: known, bytes });
   if (content === 'too-large') {
     const isModelled = known === 2 || (known > 2 && bytes[0] === 2);
@@ -187,12 +178,6 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
     return failed('too-large', `The link unpacks to more than ${String(max)} bytes. It is not opened.`, { max });
   }
   return content === 'damaged' ? damaged() : readContent(content, courses);
-}
-
-/** Whether the checksum fits what follows it. */
-function isWhole(all: Uint8Array): boolean {
-  const [a = 0, b = 0, c = 0, d = 0] = all;
-  return all.length > SUM_BYTES && fnvOfBytes(all.subarray(SUM_BYTES)) === (a | (b << 8) | (c << 16) | (d << 24)) >>> 0;
 }
 
 function readContent(content: Content, courses: ReadyCourses): ReadLink {

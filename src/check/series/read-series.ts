@@ -1,0 +1,154 @@
+/**
+ * Reads the file of a series, `parcours-series` version 1; `schemas/series.schema.json` describes it. What is wrong with the
+ * series refuses it; what is wrong with one of its tasks is told in that task's place, and the others work.
+ */
+import { isRecord } from '#core/record';
+import { fnvOfText } from '#core/fnv';
+import { readJsonFile, summaryOf } from '#scene/json-file';
+import { shown } from '#scene/problem';
+import { Reader, type Fields } from '#scene/reader';
+import { formatOf, parseProjectValue } from '#project/file';
+import { projectOfLink, type ReadyCourses } from '#project/link/link';
+import type { ProjectProblem } from '#project/problem';
+import { freeTaskId, seriesLimits, type Series, type SeriesTask, type TaskSource, type Unread } from './series';
+
+/** The name of the format in a file. */
+export const SERIES_FORMAT = 'parcours-series';
+
+/** The version that this app writes, and the newest that it reads. A file of each version is kept in `kept/`. */
+export const SERIES_VERSION = 1;
+
+/** What can be wrong with a series, besides what a project file has. */
+export type SeriesProblemCode = ProjectProblem['code'] | 'not-a-series';
+
+/** One thing that is wrong with a series as a whole. */
+export interface SeriesProblem extends Omit<ProjectProblem, 'code'> {
+  readonly code: SeriesProblemCode;
+}
+
+/** A series, or everything that is wrong with the file; `problem` is the first one's message and how many follow. */
+export type ReadSeries =
+  { readonly series: Series } | { readonly problem: string; readonly problems: readonly SeriesProblem[] };
+
+/** Whether a JSON value says that it is a series, of any version. */
+export const isSeriesFile = (value: unknown): value is Fields => formatOf(value) === SERIES_FORMAT;
+
+/** Whether a text seems to be the file of a series: only then it is worth reading. */
+export const looksLikeSeries = (text: string): boolean => /^\ufeff?\s*\{[^{[]*"parcours-series"/.test(text);
+
+/** Reads the file of a series. Never throws. @param courses the ready courses, for links that name one */
+export function parseSeries(text: string, courses: ReadyCourses): ReadSeries {
+  const read = readJsonFile(text, 'series', seriesLimits.characters);
+  return 'problem' in read ? refused([read.problem]) : parseSeriesValue(read.value, courses);
+}
+
+/** Reads a series that is already a JavaScript value. Never throws. */
+export function parseSeriesValue(value: unknown, courses: ReadyCourses): ReadSeries {
+  if (!isSeriesFile(value)) {
+    const message = `This is not a series of tasks: "format" must be "${SERIES_FORMAT}".`;
+    return refused([problemOf('not-a-series', 'format', formatOf(value), message)]);
+  }
+  const { version } = value;
+  if (version !== SERIES_VERSION) return refused([versionProblem(version)]);
+  const reader = new Reader();
+  const fields = reader.fields(value, '', ['format', 'version', 'id', 'title', 'text', 'tasks']);
+  const title = reader.text(fields['title'], 'title', seriesLimits.titleCharacters, '');
+  const entries = reader.list(fields['tasks'], 'tasks', seriesLimits.tasks);
+  const given = reader.text(fields['id'], 'id', seriesLimits.idCharacters, '');
+  if (!/^[\w-]*$/.test(given))
+    reader.report('unknown-value', 'id', given, `${shown(given)} may have letters, digits, "_" and "-" only.`, {});
+  const text = reader.text(fields['text'], 'text', seriesLimits.textCharacters, '');
+  if (reader.problems.length > 0) return refused(reader.problems);
+  const tasks: SeriesTask[] = [];
+  for (const [index, entry] of entries.entries()) tasks.push(taskIn(entry, index, tasks, courses));
+  return { series: { id: given || idOf(title, entries), title, text, tasks } };
+}
+
+const refused = (problems: readonly SeriesProblem[]): ReadSeries => ({ problem: summaryOf(problems), problems });
+
+const problemOf = (code: SeriesProblemCode, path: string, value: unknown, message: string): SeriesProblem => ({
+  ...{ code, path, message, params: {} },
+  value: value === undefined ? '' : shown(value),
+});
+
+function versionProblem(version: unknown): SeriesProblem {
+  const isNewer = typeof version === 'number' && Number.isInteger(version) && version > SERIES_VERSION;
+  const message = isNewer
+    ? `Series version ${String(version)} is newer than this app (${String(SERIES_VERSION)}). Reload the page to update.`
+    : `Series version ${shown(version)} is unknown; this app reads version ${String(SERIES_VERSION)}.`;
+  const problem = problemOf(isNewer ? 'newer-version' : 'unknown-version', 'version', version, message);
+  return { ...problem, params: { version: shown(version).slice(0, 20), known: SERIES_VERSION } };
+}
+
+/** For a series without an id, as somebody writes it by hand: the same as long as it says the same. */
+const idOf = (title: string, tasks: readonly unknown[]): string =>
+  `s${fnvOfText(JSON.stringify([title, tasks])).toString(36)}`;
+
+/** The four ways of saying where a task is. */
+const SOURCES = ['course', 'project', 'link', 'file'] as const;
+
+function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], courses: ReadyCourses): SeriesTask {
+  const reader = new Reader();
+  const path = `tasks[${String(index)}]`;
+  const fields = reader.fields(entry, path, ['id', 'title', ...SOURCES]);
+  const id = reader.text(fields['id'], `${path}.id`, seriesLimits.idCharacters, '') || String(index + 1);
+  const title = reader.text(fields['title'], `${path}.title`, seriesLimits.titleCharacters, '');
+  const isTaken = before.some((other) => other.id === id);
+  if (isTaken) reader.report('duplicate-id', `${path}.id`, id, `another task has the id ${JSON.stringify(id)}.`);
+  const given = SOURCES.filter((source) => fields[source] !== undefined);
+  if (given.length !== 1 && isRecord(entry)) {
+    const what = `needs one of ${SOURCES.join(', ')}, and has ${given.length === 0 ? 'none' : given.join(', ')}.`;
+    reader.report('missing', `${path}.course`, undefined, what, {});
+  }
+  const [source] = given;
+  const from = reader.problems.length > 0 || source === undefined ? null : sourceIn(source, fields, path, courses);
+  return {
+    id: isTaken ? freeTaskId(before) : id,
+    title,
+    from: from ?? unread(entry, reader.problems),
+  };
+}
+
+function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string, courses: ReadyCourses): TaskSource {
+  const reader = new Reader();
+  const at = `${path}.${source}`;
+  const value = fields[source];
+  if (source === 'project') return projectIn(fields, value, at);
+  if (source === 'link') return linkedIn(fields, value, at, courses);
+  const text = reader.text(value, at, seriesLimits.fileCharacters);
+  if (text === '') reader.report('missing', at, undefined, 'must not be empty.');
+  if (reader.problems.length > 0) return unread(fields, reader.problems);
+  return source === 'course' ? { kind: 'course', course: text } : { kind: 'file', file: text };
+}
+
+/** The task in a value that must be a project; a series in its place is told as one. */
+export function projectIn(entry: unknown, value: unknown, at: string): TaskSource {
+  if (isSeriesFile(value)) {
+    const message = `${at}: is a series itself; a series holds tasks only. Add its tasks one by one.`;
+    return unread(entry, [{ ...problemOf('wrong-type', at, value, message), code: 'wrong-type' }]);
+  }
+  const parsed = parseProjectValue(value);
+  if ('project' in parsed) return { kind: 'project', project: parsed.project };
+  const inside = (problem: ProjectProblem): ProjectProblem => ({
+    ...problem,
+    path: `${at}.${problem.path}`,
+    message: `${at}: ${problem.message}`,
+  });
+  return unread(entry, parsed.problems.map(inside));
+}
+
+function linkedIn(entry: unknown, value: unknown, at: string, courses: ReadyCourses): TaskSource {
+  const text = typeof value === 'string' ? value : '';
+  const read = projectOfLink(text.slice(Math.max(text.indexOf('#'), 0)), courses);
+  if ('project' in read) return { kind: 'project', project: read.project };
+  const { message, params } = read.problem;
+  return unread(entry, [{ code: 'damaged', path: at, value: '', params, message: `${at}: ${message}` }]);
+}
+
+/** A task that cannot be had. @param value what the file says of it */
+export const unread = (value: unknown, problems: readonly ProjectProblem[]): Unread => ({
+  kind: 'unread',
+  value,
+  problem: summaryOf(problems),
+  problems,
+});

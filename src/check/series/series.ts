@@ -1,0 +1,57 @@
+import type { ProjectProblem } from '#project/problem';
+import type { Project } from '#project/project';
+
+/** Tasks in an order, which a teacher hands out together. */
+export interface Series {
+  /** What this browser has done of it is kept under this name: letters, digits, `_` and `-`. */
+  readonly id: string;
+  readonly title: string;
+  /** What it is about; empty: nothing is said. */
+  readonly text: string;
+  readonly tasks: readonly SeriesTask[];
+}
+
+/** A task of a series. */
+export interface SeriesTask {
+  /** Unlike the others of the series. It stays when the order changes. */
+  readonly id: string;
+  /** What it is called in the series; empty: as its course is. */
+  readonly title: string;
+  readonly from: TaskSource;
+}
+
+/** Where a task is, or why it cannot be had. */
+export type TaskSource =
+  /** The id of a ready course, with its program. */
+  | { readonly kind: 'course'; readonly course: string }
+  | { readonly kind: 'project'; readonly project: Project }
+  /** A file beside that of the series: its address, seen from there. */
+  | { readonly kind: 'file'; readonly file: string }
+  | Unread;
+
+/** A task that cannot be read: it has a place in the series, and says so there. */
+export interface Unread {
+  readonly kind: 'unread';
+  /** What it says in the file, so that nothing is lost when the series is saved again. */
+  readonly value: unknown;
+  /** In English, with the place in the file. */
+  readonly problem: string;
+  readonly problems: readonly ProjectProblem[];
+}
+
+/** Limits of a series. Chosen: a school year of lessons, which a page still shows at once. */
+export const seriesLimits = {
+  tasks: { min: 0, max: 60 },
+  idCharacters: 40,
+  titleCharacters: 120,
+  textCharacters: 2000,
+  fileCharacters: 1000,
+  /** Of the whole file. */
+  characters: 12_000_000,
+} as const;
+
+/** A number or word for a task that no other has: `1`, `2`, … */
+export function freeTaskId(tasks: readonly Pick<SeriesTask, 'id'>[]): string {
+  for (let number = tasks.length + 1; ; number += 1)
+    if (!tasks.some(({ id }) => id === String(number))) return String(number);
+}
