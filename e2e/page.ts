@@ -73,12 +73,7 @@ export async function pasteProgram(app: App, source: string): Promise<void> {
     },
     { css: EDITOR, text: source },
   );
-  const fromTheTop = async (): Promise<string> => {
-    // Its end comes into sight; of what lies far above, the editor may leave out lines.
-    await app.evaluate((css) => document.querySelector(css)?.scrollTo(0, 0), EDITOR_BOX);
-    return programIn(app);
-  };
-  await expect.poll(fromTheTop).toBe(source);
+  await expect.poll(() => programIn(app)).toBe(source);
 }
 
 /** Whether something is on the page. */
@@ -89,12 +84,15 @@ export const isThere = (app: App, css: string): Promise<boolean> =>
 export const attribute = (app: App, css: string, name: string): Promise<string | null> =>
   app.evaluate((of) => document.querySelector(of.css)?.getAttribute(of.name) ?? null, { css, name });
 
-/** The text in the editor. */
+/** The text in the editor, all of it: of a long one the page holds only the lines near those in sight. */
 export function programIn(app: App): Promise<string> {
-  return app.evaluate(
-    (css) => Array.from(document.querySelectorAll(`${css} .cm-line`), (line) => line.textContent).join('\n'),
-    EDITOR,
-  );
+  return app.evaluate((css) => {
+    type Tile = { readonly root: { readonly view: { readonly state: { readonly doc: { toString(): string } } } } };
+    const content: (Element & { readonly cmTile?: Tile }) | null = document.querySelector(css);
+    if (content === null) return '';
+    if (content.cmTile === undefined) throw new Error('The editor keeps its text elsewhere than under cmTile.');
+    return content.cmTile.root.view.state.doc.toString();
+  }, EDITOR);
 }
 
 /** Where the arena shows the robot. */
