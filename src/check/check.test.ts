@@ -193,6 +193,43 @@ describe('a task gives', () => {
     expect((await checked(task, 'x = 1')).points).toBe(0);
     expect((await checked(task, toGoal)).points).toBe(2);
   });
+
+  it('touches count until everything is reached, also after the goals of the course', async () => {
+    const wall = { type: 'wall', id: 'w', from: [900, 200], to: [900, 700], thickness: 10 } as const;
+    const checks = [{ type: 'goals' }, { type: 'touches', most: 0 }, { type: 'console', text: 'done' }];
+    const task = taskWith(sceneWith([targetAt(700, 450), wall]), { checks });
+    const done = "print('done')\n";
+    expect(await checked(task, ahead(3000) + done)).toMatchObject({ passed: true, worlds: [{ touches: 0 }] });
+    const { passed, worlds } = await checked(task, ahead(9000) + done);
+    expect(passed).toBe(false);
+    expect(worlds[0]).toMatchObject({ touches: 1, reason: { code: 'touches', params: { count: 1, most: 0 } } });
+  });
+});
+
+describe('why something is missed', () => {
+  const wall = { type: 'wall', id: 'w', from: [900, 200], to: [900, 700], thickness: 10 } as const;
+  const checks = [
+    { type: 'stop', seconds: 1 },
+    { type: 'touches', most: 0 },
+    { type: 'console', text: 'done' },
+  ];
+  const task = taskWith(sceneWith([targetAt(700, 450), wall]), { checks: [{ type: 'goals' }, ...checks] });
+  const codesOf = async (program: string) => {
+    const result = await checked(task, program);
+    const [world] = result.worlds;
+    return [world?.reason?.code, ...result.checks.map(({ reason }) => reason?.code ?? 'held')];
+  };
+
+  it('is what ended the run, not what could not come any more', async () =>
+    expect(await codesOf(ahead(9000))).toEqual(['touches', 'held', 'touches', 'touches', 'touches']));
+
+  it('is the error that came before a robot without a program drove on into the wall', async () =>
+    expect(await codesOf('from mbrobot import *\nforward()\nx = y\n')).toEqual([
+      ...['exception', 'held', 'exception', 'touches', 'exception'],
+    ]));
+
+  it('is told of each where a program just ended too early', async () =>
+    expect(await codesOf(ahead(3000))).toEqual(['console', 'held', 'held', 'console', 'console']));
 });
 
 describe('rounds and checkpoints', () => {

@@ -153,6 +153,11 @@ export class Simulation {
     return this.judge?.verdict() ?? null;
   }
 
+  /** Number of touches up to now of all robots that count for the task, also after its verdict; 0 without a robot. */
+  get touches(): number {
+    return this.judge?.touches ?? 0;
+  }
+
   /** Free bytes on a program's heap now, or when it ended. */
   heapFree(device = 0): number {
     return this.devices[device]?.heapFree() ?? 0;

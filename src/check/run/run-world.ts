@@ -124,8 +124,7 @@ function look(simulation: Simulation, watched: readonly Watched[]): number | nul
 }
 
 function glanceAt(simulation: Simulation, reachedUs: number | null): Glance {
-  const { nowUs: timeUs, verdict } = simulation;
-  const touches = verdict?.touches ?? simulation.snapshot().robot?.collisions ?? 0;
+  const { nowUs: timeUs, verdict, touches } = simulation;
   return { timeUs, verdict, touches, reachedUs };
 }
 
@@ -158,28 +157,30 @@ function outcomeOf(simulation: Simulation, watched: readonly Watched[], reachedU
   const counts =
     reachedUs !== null || !ends.some(({ check, state }) => check.needed && (state === 'open' || state === 'met'));
   const isHeld = ({ state }: (typeof ends)[number]): boolean => state === 'met' || (state === 'held' && counts);
-  const first = ends.find((end) => end.check.needed && !isHeld(end) && end.state !== 'held');
+  const lacking = ends.filter((end) => end.check.needed && (end.state === 'open' || end.state === 'failed'));
+  const failed = lacking.find(({ state }) => state === 'failed');
+  const first = failed ?? lacking[0];
   const passed = first === undefined;
-  const reason =
-    first === undefined ? null : (endReason(simulation, first.state === 'failed') ?? first.watcher.reason());
-  const missed = ends.filter((end) => !isHeld(end));
+  // What ended the run is why everything that was still to come did not.
+  const ended = endReason(simulation, failed?.atUs ?? null);
+  const cause = ended ?? failed?.watcher.reason() ?? null;
+  const reason = first === undefined ? null : (cause ?? first.watcher.reason());
+  const whyMissed = ({ state, watcher }: (typeof ends)[number]): Reason => {
+    if (state === 'failed') return watcher.reason();
+    return (state === 'held' ? reason : cause) ?? watcher.reason();
+  };
   return {
     passed,
     reason,
     atMs: passed ? (reachedUs ?? simulation.nowUs) / 1000 : first.atUs === null ? null : first.atUs / 1000,
     held: ends.filter(isHeld).map(({ check }) => check.id),
-    missed: Object.fromEntries(
-      missed.map(({ check, state, watcher }) => [
-        check.id,
-        state === 'held' ? (reason ?? watcher.reason()) : watcher.reason(),
-      ]),
-    ),
+    missed: Object.fromEntries(ends.filter((end) => !isHeld(end)).map((end) => [end.check.id, whyMissed(end)])),
   };
 }
 
-/** How the program ended, if that is why something was not reached. */
-function endReason({ ended }: Simulation, hasFailed: boolean): Reason | null {
-  if (hasFailed || ended === null) return null;
+/** How the program ended, if that is why something was not reached: not where something had failed before. */
+function endReason({ ended }: Simulation, failedUs: number | null): Reason | null {
+  if (ended === null || (failedUs !== null && failedUs < ended.timeUs)) return null;
   if (ended.exception !== null) {
     const { type, message, line } = ended.exception;
     return { code: 'exception', params: { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 } };

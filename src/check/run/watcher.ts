@@ -18,7 +18,7 @@ export interface Standing {
 export interface Glance {
   readonly timeUs: number;
   readonly verdict: Verdict | null;
-  /** Touches up to now, or until the verdict. */
+  /** Touches up to now, also after the goals of the course are reached. */
   readonly touches: number;
   /** When all that is needed was reached; `null`: it is not yet. */
   readonly reachedUs: number | null;

@@ -77,6 +77,11 @@ export class Judge {
     return this.final ?? (this.isAsked() ? this.openVerdict() : null);
   }
 
+  /** Number of touches of walls, blocks, the edge or obstacles up to now, also after the decision, of all robots that count. */
+  get touches(): number {
+    return this.entrants.reduce((sum, { collisions }) => sum + collisions, 0);
+  }
+
   /** The task is open, and time alone will decide it. */
   get awaitsTime(): boolean {
     return this.final === null && this.isAsked() && this.brief.task.seconds !== null;
@@ -144,7 +149,7 @@ export class Judge {
       ...countsOf(entrants, task.robots),
       blocks: { delivered: this.delivered, of: blocksWanted },
       stars: task.stars === undefined ? null : 0,
-      touches: entrants.reduce((sum, { collisions }) => sum + collisions, 0),
+      touches: this.touches,
       robots: task.robots === undefined ? [] : entrants.map((entrant) => entrant.verdict()),
     };
   }
