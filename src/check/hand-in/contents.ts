@@ -25,11 +25,11 @@ export const MOST_FILE_BYTES = 4 * projectLimits.textCharacters;
 /** The hand-in of a file: a program, a project, a text with a link to one, or a zip of one. Never throws. */
 export function handInOfBytes(name: string, bytes: Uint8Array, courses: ReadyCourses): Content {
   if (/\.zip$/i.test(name)) return handInOfZip(bytes, courses);
+  if (!/\.(json|py)$/i.test(name) && !isTextWithLinks(name)) return unread('kind');
   const text = textOf(bytes);
   if (text === null) return unread('not-text');
   if (/\.json$/i.test(name)) return handInOfJson(text);
   if (isTextWithLinks(name)) return handInOfText(name, text, courses);
-  if (!/\.py$/i.test(name)) return unread('kind');
   return handInOfPrograms([{ name: MAIN, text }]);
 }
 

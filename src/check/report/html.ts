@@ -1,7 +1,9 @@
 import type { Language } from '#core/languages';
 import { filledIn } from '#core/words';
 import type { CheckResult, WorldResult } from '../result';
-import type { ClassTask } from '../task/task';
+import { checkText } from '../task/check-text';
+import { ledDrawing } from '../task/led-drawing';
+import { worldName, type Check, type ClassTask } from '../task/task';
 import { passedOf, type ClassResult, type NamedResult } from './class-result';
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
@@ -25,7 +27,7 @@ export function htmlOf(found: ClassResult, task: ClassTask, language: Language):
     .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
     .join('');
   const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
-  const sheets = handIns.map((one, place) => sheetOf(one, place, { drawings, title, language })).join('\n');
+  const sheets = handIns.map((one, place) => sheetOf(one, place, { drawings, title, task, language })).join('\n');
   return `<!doctype html>
 <html lang="${language}">
 <head>
@@ -93,19 +95,27 @@ function rowOf(
   ].join('');
 }
 
+/** What a check asks, in words, with the picture that is to be shown. */
+function askedOf({ checks }: ClassTask, id: string, language: Language): string {
+  const check = checks.find((one): one is Check => one.id === id);
+  if (check === undefined) return escaped(id);
+  const words = escaped(checkText(check, language));
+  return check.type === 'display' ? `${words} ${ledDrawing(check.image)}` : words;
+}
+
 function sheetOf(
   { name, result, note = '' }: NamedResult,
   place: number,
-  { drawings, title, language }: Sheet & { readonly title: string },
+  { drawings, title, task, language }: Sheet & { readonly title: string; readonly task: ClassTask },
 ): string {
   const words = reportWords.report;
   const facts = result.checks.map(
     ({ id, passed, reason }) =>
-      `<li>${markOf(passed)} ${escaped(id)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
+      `<li>${markOf(passed)} ${askedOf(task, id, language)}${reason === null ? '' : `: ${escaped(reasonsAgainst({ ...result, worlds: [], checks: [{ id, passed, reason }] }, language)[0] ?? '')}`}</li>`,
   );
   const remarks = result.remarks.map((remark) => `<li>${escaped(remarkText(remark, language))}</li>`);
   const figures = result.worlds.map((world) => {
-    const label = filledIn(words.world[language], { id: world.id });
+    const label = filledIn(words.world[language], { id: worldName(world) });
     const seconds = secondsOf(world);
     return `<figure>${drawings.way(world, `${name}, ${label}`)}<figcaption>${markOf(world.passed)} ${escaped(label)}${seconds === '' ? '' : ` · ${seconds}`}</figcaption></figure>`;
   });

@@ -84,7 +84,24 @@ describe('the result of a class', () => {
     expect(html).not.toMatch(/<script|src=|href="http|<b>"/);
     expect(html).toContain('1 von 3 bestanden');
     expect(html.match(/<section /g)).toHaveLength(3);
+    expect(html).toContain('✓</b> Ziel des Parcours</li>');
+    expect(html).toContain('Welt 1');
     expect(html.match(/stroke="#1e66d0"/g)?.length).toBeGreaterThan(1);
+  });
+});
+
+describe('what a check asks', () => {
+  it('is told in words, a picture of the display is drawn', async () => {
+    const checks = [
+      { type: 'display', image: '90009:00000:00000:00000:00000' },
+      { type: 'touches', most: 0 },
+    ];
+    const asked = taskWith(sceneWith([]), { checks });
+    const html = htmlOf(classResult('t', [{ name: 'A', result: await checked(asked, 'x = 1\n') }]), asked, 'de');
+    expect(html).toMatch(/Bild auf dem Display <svg class="leds"/);
+    expect(html.match(/#ff6a58/g)).toHaveLength(2);
+    expect(html).toContain('keine Berührung');
+    expect(html).toContain('Das verlangte Bild war nie auf dem Display.');
   });
 });
 

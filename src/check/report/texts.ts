@@ -68,7 +68,7 @@ export function csvOf({ handIns }: ClassResult, language: Language): string {
       const world = result.worlds.find((one) => one.id === id);
       return world === undefined ? ['', '', ''] : [yes(world.passed), String(world.atMs ?? ''), String(world.touches)];
     }),
-    result.passed ? '' : reasonsAgainst(result, language).join(' '),
+    result.passed ? '' : reasonsAgainst(result, language).join(' · '),
     result.remarks.map((remark) => remarkText(remark, language)).join(' · '),
     ...(hasNotes ? [note] : []),
   ]);

@@ -5,10 +5,11 @@ import type de from './words/de.json';
 
 const words = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
-/** What a check asks, in a few words. */
+/** What a check asks, in a few words; a picture is shown beside them (`ledDrawing`). */
 export function checkText(check: Check, language: Language): string {
   const values = Object.entries(check).filter((entry): entry is [string, string | number] =>
     ['string', 'number'].includes(typeof entry[1]),
   );
-  return filledIn(words[check.type][language], Object.fromEntries(values));
+  const name = check.type === 'touches' && check.most === 0 ? 'untouched' : check.type;
+  return filledIn(words[name][language], Object.fromEntries(values));
 }

@@ -120,6 +120,9 @@ export const plainWorld: WorldVariant = {
   ...{ edits: [], sensors: {}, inputs: [] },
 };
 
+/** What people call a world: the visible one has a name in the data that is no word for them. */
+export const worldName = ({ id }: Pick<WorldVariant, 'id'>): string => (id === plainWorld.id ? '1' : id);
+
 /** What a pupil's page leaves as it is: a help, no security. What matters is told when hand-ins are checked. */
 export interface Locks {
   /** The tools of the course editor that there are, by their ids; `null`: all. */

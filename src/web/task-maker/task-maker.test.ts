@@ -1,12 +1,12 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it } from 'vitest';
-import { checkTypes, type ClassTask } from '#check/task/task';
+import { checkTypes, worldName, type ClassTask } from '#check/task/task';
 import { draftOf, taskOf } from '#check/task/read-task';
 import { withoutSecrets } from '#check/task/write-task';
 import { createPage } from '../app/testing/page';
 import { isHandedOut } from '../work/model/keeper';
 import { freshCheck } from './check-fields';
-import { freshWorld, startOf, useTaskMaker, worldName } from './use-task-maker';
+import { freshWorld, startOf, useTaskMaker } from './use-task-maker';
 
 const FILES = [{ name: 'main.py', text: 'forward()\n' }];
 

@@ -41,9 +41,6 @@ export function freshWorld(task: ClassTask): WorldVariant {
   return { ...plainWorld, id: freeId(String(count + 1), task.worlds), hidden: true, seed: count };
 }
 
-/** What a world is called on the page: the visible one has a name in the data that is no word for people. */
-export const worldName = ({ id }: Pick<WorldVariant, 'id'>): string => (id === plainWorld.id ? '1' : id);
-
 /** Where the robot of a world starts: there where it says, else where the course has it. */
 export const startOf = ({ project }: ClassTask, world: WorldVariant): NonNullable<WorldVariant['start']> =>
   world.start ?? project.scene.robot;
