@@ -14,9 +14,18 @@ export function presentProject({ work, settings }: WorkParts): Project {
   return { ...work.work.value.project, settings: travelling(settings.current.value) };
 }
 
-/** Saves everything as one file. @param project what is saved; left out: the present work */
-export function saveProject(app: Pick<PageParts, 'notices'> & WorkParts, project = presentProject(app)): void {
-  saveText(app, fileName(nameToSave(app), 'parcours.json'), projectToText(project), 'application/json');
+/**
+ * Saves everything as one file.
+ *
+ * @param project what is saved; left out: the present work
+ * @param name what the file is called; left out: as the work
+ */
+export function saveProject(
+  app: Pick<PageParts, 'notices'> & WorkParts,
+  project = presentProject(app),
+  name = nameToSave(app),
+): void {
+  saveText(app, fileName(name, 'parcours.json'), projectToText(project), 'application/json');
 }
 
 /** Saves the course alone. */
