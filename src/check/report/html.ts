@@ -88,7 +88,7 @@ function rowOf(
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
     `<th scope="row"><a href="#hand-in-${place}">${escaped(name)}</a></th>`,
-    `<td>${verdictOf(result, language)}</td><td class="number">${result.points}</td>`,
+    `<td class="verdict">${verdictOf(result, language)}</td><td class="number">${result.points}</td>`,
     hasStars ? `<td>${'★'.repeat(result.stars ?? 0)}</td>` : '',
     `<td class="number">${first === undefined ? '' : secondsOf(first)}</td><td class="number">${touches}</td>`,
     `<td>${said.map(escaped).join('<br>')}</td></tr>`,
