@@ -10,6 +10,7 @@ import { refuseCallsAsNative } from './native-calls.mjs';
 import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
+import { exportState, fixMemory } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
 import {
   addressOfText,
@@ -69,6 +70,7 @@ export function transform(published, report) {
   hideLibrary(module);
   speakAsTheDevice(module);
   echoPasted(module);
+  fixMemory(module);
 
   report('spilling pointers for the collector');
   const spilled = build(module, ['spill-pointers']);
@@ -80,6 +82,7 @@ export function transform(published, report) {
   meter(metered, findInterpreter(metered));
   chargeWork(metered, work);
   tellScopes(metered, scopeEnd);
+  exportState(metered);
 
   report('making it suspendable');
   binaryen.setOptimizeLevel(2);

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { runProgram } from './testing/run-program';
+import { deviceWith, runProgram } from './testing/run-program';
 
 const KIB = 1024;
 
@@ -198,5 +198,14 @@ print(micropython, gc, errno)`);
     const { console } = runProgram(`import micropython\n@micropython.${kind}\ndef f(r0):\n    return 1`);
     expect(console).toContain('SyntaxError: invalid micropython decorator');
     expect(console).toContain(`main.py, line 2: machine code (@micropython.${kind}) ${why}.`);
+  });
+
+  it('answers a line of millions of characters with MemoryError, and goes on', () => {
+    const { vm, console } = deviceWith('try:\n    input()\nexcept MemoryError:\n    print("full")\nprint("on")');
+    vm.resume(1000);
+    vm.feed(`${'ä'.repeat(1_300_000)}\r`);
+    for (let s = 1; vm.ended === null && s < 10; s++) vm.resume(s * 1_000_000);
+    expect(vm.ended?.kind).toBe('finished');
+    expect(console().slice(-8)).toBe('full\non\n');
   });
 });

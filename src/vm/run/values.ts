@@ -19,6 +19,9 @@ function isAscii(text: string): boolean {
   return true;
 }
 
+/** What is longer is cut: it still is more than the board's memory can take. Chosen, several times 64 KiB. */
+const MOST_CHARACTERS = 256 * 1024;
+
 /** The bytes of one value at the boundary: kind and two words. */
 export const VALUE_BYTES = 12;
 
@@ -90,7 +93,7 @@ export class Memory {
       const address = this.malloc(text.length + 1);
       return { address, length: this.putAscii(address, text) };
     }
-    const bytes = encoder.encode(text);
+    const bytes = encoder.encode(text.slice(0, MOST_CHARACTERS));
     const address = this.malloc(bytes.length + 1);
     this.bytes.set(bytes, address);
     this.bytes[address + bytes.length] = 0;

@@ -1,0 +1,28 @@
+// What a VM's state consists of: its memory, of a fixed size, and its global variables.
+import { onlyMatch } from './wat.mjs';
+
+/**
+ * 4 MiB in pages of 64 KiB. The published 16 MiB are for programs of a browser. Ours need 1.8: heap, C stack, a suspended
+ * program's stack, and the C code's own data; the rest is for long texts on their way. JavaScript's collector counts all of
+ * it for each VM that was given up, touched or not: with 16 MiB it took a quarter of the time of short runs.
+ */
+const MEMORY_PAGES = 64;
+
+/** Gives the memory its size for good: the host refuses to let it grow (../run/firmware.ts, emscripten_resize_heap). */
+export function fixMemory(module) {
+  const [declared] = onlyMatch(module.head, 'memory', /\(memory \S+ 259 32768\)/);
+  module.head = module.head.replace(declared, declared.replace('259 32768', `${MEMORY_PAGES} ${MEMORY_PAGES}`));
+}
+
+/**
+ * Exports each global variable that can change, so that the host can copy all of a VM's state (../run/library-copy.ts). Those
+ * that suspending adds later are 0 while nothing is suspended.
+ */
+export function exportState(module) {
+  const exported = new Set(
+    [...module.head.matchAll(/\(export "[^"]*" \(global \$([^\s)]+)\)\)/g)].map(([, name]) => name),
+  );
+  const variables = [...module.head.matchAll(/\(global \$([^\s)]+) \(mut /g)].map(([, name]) => name);
+  for (const name of variables.filter((each) => !exported.has(each)))
+    module.head += `\n (export "state:${name}" (global $${name}))`;
+}
