@@ -24,6 +24,16 @@ export class Scopes {
 
   constructor(private readonly memory: Memory) {}
 
+  /** All that was compiled, by the addresses of the code. */
+  get all(): ReadonlyMap<number, Scope> {
+    return this.byCode;
+  }
+
+  /** Takes over what the same memory's scopes were elsewhere. */
+  know(scopes: ReadonlyMap<number, Scope>): void {
+    for (const [code, scope] of scopes) this.byCode.set(code, scope);
+  }
+
   /** The addresses of all code that was compiled. */
   get codes(): Iterable<number> {
     return this.byCode.keys();

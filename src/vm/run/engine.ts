@@ -48,6 +48,14 @@ export interface Watch {
   look(catchUp: () => void): boolean;
 }
 
+/** What the loaded library has said of itself. */
+export interface Agreed {
+  /** Address of its function that callbacks go through; 0: there is none yet. */
+  readonly dispatcher: number;
+  /** The functions of `_hal` that Python cannot look up any more. */
+  readonly hidden: ReadonlySet<string>;
+}
+
 /** An error in our code or the C code: the VM is in a state that it cannot leave, and its run ends. */
 export class VmFault extends Error {}
 
@@ -69,12 +77,11 @@ export class Engine implements Machine {
   /** A syscall waits until that time has passed. */
   private isDue = false;
   private pausing = false;
-  private dispatcher = 0;
+  agreed: Agreed = { dispatcher: 0, hidden: new Set() };
   private ending = false;
   /** The watch that was there when the program went on last. */
   private watch: Watch | null = null;
   private stops: Stop[] = [];
-  private hidden: ReadonlySet<string> = new Set();
 
   private readonly firmware: Firmware;
   private readonly ram: Memory;
@@ -109,13 +116,13 @@ export class Engine implements Machine {
   }
 
   schedule(callback: number): boolean {
-    if (!this.dispatcher) return false;
-    return this.firmware.mp_sched_schedule(this.dispatcher, (callback << 1) | 1) !== 0;
+    const { dispatcher } = this.agreed;
+    return dispatcher !== 0 && this.firmware.mp_sched_schedule(dispatcher, (callback << 1) | 1) !== 0;
   }
 
   /** The library's function (its address) that callbacks go through. */
   setDispatcher(address: number): void {
-    this.dispatcher = address;
+    this.agreed = { ...this.agreed, dispatcher: address };
   }
 
   onEnd(stop: Stop): void {
@@ -149,7 +156,7 @@ export class Engine implements Machine {
 
   /** Hides the functions of these names in `_hal` from now on. Python keeps those that it has already taken. */
   hide(names: readonly string[]): void {
-    this.hidden = new Set(names);
+    this.agreed = { ...this.agreed, hidden: new Set(names) };
   }
 
   /** Releases everything that was registered with `onEnd`. */
@@ -224,7 +231,7 @@ export class Engine implements Machine {
 
   /** The reference of a function of `_hal`, or −1. */
   lookup(name: string): number {
-    return this.hidden.has(name) ? -1 : (this.references.get(name) ?? -1);
+    return this.agreed.hidden.has(name) ? -1 : (this.references.get(name) ?? -1);
   }
 
   /** Python calls a function of `_hal`. A program that was suspended in such a call also resumes here. */

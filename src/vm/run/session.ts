@@ -9,6 +9,7 @@ import { HAL_REFERENCE, instantiateFirmware, type Firmware, type FirmwareHost } 
 import { createHal } from './hal/hal';
 import { createHeapCalls } from './hal/heap';
 import { deviceLibrary } from './library';
+import { findCopy, keepCopy, restoreCopy, stateOf } from './library-copy';
 import { createLoader, type FileLookup } from './loader';
 import { Heap } from './heap';
 import { createReplCalls } from './hal/repl';
@@ -274,12 +275,30 @@ export class Session {
     };
   }
 
-  /** Loads the library, which takes no time. */
+  /**
+   * Loads the library, which takes no time. What that makes of a VM is kept: the next one for such a board gets it as a copy.
+   * While somebody looks on, it is loaded before their eyes.
+   */
   private loadLibrary(): void {
     this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;
     this.firmware.library_gas.value = 0x7fffffff;
     const [major, minor] = this.setup.board.firmware.micropython;
     this.firmware.before_1_19.value = Number(major === 1 && minor < 19);
+    if (this.setup.observer !== undefined || this.ports.hold.watch !== null) return this.boot();
+    const { firmware, memory, engine, scopes } = this;
+    const wanted = { module: this.setup.firmware, board: this.setup.board, fileNames: this.ports.files.names };
+    const copy = findCopy(wanted);
+    if (copy === null) {
+      const before = stateOf(firmware, memory);
+      this.boot();
+      return keepCopy(wanted, before, this.firmware, memory, { agreed: engine.agreed, scopes: scopes.all });
+    }
+    restoreCopy(copy, firmware, memory);
+    engine.agreed = copy.agreed;
+    scopes.know(copy.scopes);
+  }
+
+  private boot(): void {
     if (!this.engine.run(this.executor(BOOT), Infinity)) throw new VmFault('The library did not load.');
   }
 
