@@ -21,6 +21,16 @@ describe('a hand-in for a course with goals', () => {
     expect(result.worlds[0]?.atMs).toBeGreaterThan(15_000);
   });
 
+  it('has its way with the time of each point: from 0 on, never back, until it was decided', async () => {
+    const { worlds } = await checked(taskWith(goal), toGoal);
+    const { trail, trailMs, atMs } = worlds[0]!;
+    const times = trailMs.flat();
+    expect(trailMs.map(({ length }) => length)).toEqual(trail.map(({ length }) => length));
+    expect(times[0]).toBeLessThan(100);
+    expect(times.toSorted((one, other) => one - other)).toEqual(times);
+    expect(Math.abs(times.at(-1)! - atMs!)).toBeLessThan(100);
+  });
+
   it('gives the same result twice, to the last bit', async () => {
     const task = taskWith(goal);
     expect(await checked(task, toGoal)).toEqual(await checked(task, toGoal));

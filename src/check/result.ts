@@ -43,6 +43,8 @@ export interface WorldResult {
   readonly hash: string;
   /** The way of the first robot in mm: pieces, where the hand did not lift it. */
   readonly trail: readonly (readonly Point[])[];
+  /** Simulated ms at which it was at each of these points. */
+  readonly trailMs: readonly (readonly number[])[];
 }
 
 /** Why a check does not hold. */

@@ -43,14 +43,26 @@ export async function runWorld(
   const outcome = outcomeOf(simulation, watched, reachedUs);
   const { touches } = glanceAt(simulation, reachedUs);
   simulation.dispose();
-  return { id, hidden, ...outcome, touches, hash: simulation.traceHash, trail: trail.trail() };
+  return { id, hidden, ...outcome, touches, hash: simulation.traceHash, ...trail.way() };
 }
 
 /** The result of a world in which nothing could run. */
 export function notRun({ checks }: ClassTask, { id, hidden }: WorldVariant, reason: Reason): WorldResult {
   const runs = checks.filter((check) => !isFact(check));
   const missed = Object.fromEntries(runs.map((check) => [check.id, reason]));
-  return { id, hidden, passed: false, reason, atMs: null, touches: 0, held: [], missed, hash: '', trail: [] };
+  return {
+    id,
+    hidden,
+    passed: false,
+    reason,
+    atMs: null,
+    touches: 0,
+    held: [],
+    missed,
+    hash: '',
+    trail: [],
+    trailMs: [],
+  };
 }
 
 /** The longest time of a run. The course's own limit decides in its last step. */
@@ -70,7 +82,7 @@ function outletsOf(watched: readonly Watched[], trail: TrailKeeper, nowUs: () =>
       if (device === 0) for (const watcher of prints) watcher.print?.(text, nowUs());
     },
     trail: (point, device) => {
-      if (device === 0) trail.add(point);
+      if (device === 0) trail.add(point, nowUs());
     },
     ...(moments.length > 0 && {
       moment: (snapshot) => {

@@ -1,18 +1,25 @@
 import type { Point } from '#scene/scene';
 import type { TrailPoint } from '#simulation/trail';
+import type { WorldResult } from '../result';
 
 /** Chosen: smooth in a drawing as large as a hand, 2 kB in a file. */
 const MOST_POINTS = 300;
 
+/** A point of a way, and the simulated time (ms) at which the robot was there. */
+interface Passed {
+  readonly at: Point;
+  readonly ms: number;
+}
+
 /** Takes down a way with a bounded number of points: the longer it gets, the farther they are apart. */
 export class TrailKeeper {
-  private pieces: Point[][] = [[]];
+  private pieces: Passed[][] = [[]];
   private count = 0;
   private every = 1;
   private skipped = 0;
 
   /** @param point `null`: the hand has lifted the robot */
-  add(point: TrailPoint): void {
+  add(point: TrailPoint, timeUs: number): void {
     if (point === null) {
       if (this.pieces.length < MOST_POINTS) this.pieces.push([]);
       this.skipped = 0;
@@ -21,14 +28,18 @@ export class TrailKeeper {
     this.skipped -= 1;
     if (this.skipped > 0) return;
     this.skipped = this.every;
-    this.pieces.at(-1)?.push([Math.round(point.x), Math.round(point.y)]);
+    this.pieces.at(-1)?.push({ at: [Math.round(point.x), Math.round(point.y)], ms: Math.round(timeUs / 1000) });
     this.count += 1;
     if (this.count > MOST_POINTS) this.thin();
   }
 
-  /** The way so far. */
-  trail(): readonly (readonly Point[])[] {
-    return this.pieces.filter(({ length }) => length > 0);
+  /** The way so far, with its times. */
+  way(): Pick<WorldResult, 'trail' | 'trailMs'> {
+    const pieces = this.pieces.filter(({ length }) => length > 0);
+    return {
+      trail: pieces.map((piece) => piece.map(({ at }) => at)),
+      trailMs: pieces.map((piece) => piece.map(({ ms }) => ms)),
+    };
   }
 
   private thin(): void {

@@ -155,7 +155,7 @@ function every(ms: number, act: () => void): () => void {
 
 const withoutWays = (result: CheckResult): CheckResult => ({
   ...result,
-  worlds: result.worlds.map((world) => ({ ...world, trail: [] })),
+  worlds: result.worlds.map((world) => ({ ...world, trail: [], trailMs: [] })),
 });
 
 async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }: Running): Promise<CheckResult> {

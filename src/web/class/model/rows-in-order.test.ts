@@ -7,7 +7,7 @@ import { inOrder, isToLookAt, stateOf, type Filter, type Order } from './rows-in
 
 const world = (atMs: number | null, touches: number): CheckResult['worlds'][number] => ({
   ...{ id: 'visible', hidden: false, passed: atMs !== null, reason: null, atMs, touches },
-  ...{ held: [], missed: {}, hash: '', trail: [] },
+  ...{ held: [], missed: {}, hash: '', trail: [], trailMs: [] },
 });
 const row = (name: string, points: number, atMs: number | null, touches = 0): Row => ({
   name,
