@@ -6,7 +6,7 @@ import { targetAt } from '#check/testing/tasks';
 
 import { mountOn } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
-import { ClassModel } from './class-model';
+import { ClassModel } from './model/class-model';
 import TaskChoice from './TaskChoice.vue';
 
 /** A page, and a class of which nothing is handed in. */

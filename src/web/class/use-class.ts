@@ -7,7 +7,7 @@ import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
 import { ClassKeeper } from './class-keeper';
-import { ClassModel, type OpenTask } from './class-model';
+import { ClassModel, type OpenTask } from './model/class-model';
 import { classWords as words } from './class-words';
 
 /** The class of each work: it stays while the page is open, also when it is out of sight. */

@@ -101,13 +101,12 @@ export class ClassModel {
     return { name, result, note, content: await contentOf(source) };
   }
 
-  /** Puts a class in the place of this one, as it was kept. What has no result yet is checked. */
-  async restore(task: OpenTask | null, rows: readonly KeptRow[]): Promise<void> {
+  /** Puts a class in the place of this one, as it was kept. Nothing is checked. */
+  restore(task: OpenTask | null, rows: readonly KeptRow[]): void {
     this.stop();
     this.task.value = task;
     this.sources = rows.map(({ name, content }) => ({ name, read: () => content }));
     this.rows.value = rows.map(({ content, ...row }) => ({ ...row, handIn: handInOf(content) }));
-    await this.check();
   }
 
   /** Takes everything away that was handed in. */
@@ -126,7 +125,7 @@ export class ClassModel {
   }
 
   /** Checks what has no result yet. */
-  private async check(): Promise<void> {
+  async check(): Promise<void> {
     this.stop();
     const { turn } = this;
     const open = this.task.value;

@@ -1,0 +1,18 @@
+/** What tabs of one browser tell one another of the class that is kept: it was written, or is kept no longer. */
+export type ClassNews = 'written' | 'ended';
+
+/** The other tabs. */
+export interface ClassTabs {
+  tell(news: ClassNews): void;
+  hear(told: (news: ClassNews) => void): void;
+}
+
+/** The other tabs of this browser; in one that cannot reach them, whoever writes still sees what lies there. */
+export function classTabs(): ClassTabs {
+  if (typeof BroadcastChannel === 'undefined') return { tell: () => undefined, hear: () => undefined };
+  const channel = new BroadcastChannel('parcours.class');
+  return {
+    tell: (news) => channel.postMessage(news),
+    hear: (told) => channel.addEventListener('message', ({ data }: MessageEvent<ClassNews>) => told(data)),
+  };
+}
