@@ -13,20 +13,13 @@ import { isUnread, reasonsAgainst, secondsText } from './texts';
 
 /**
  * The report of a class as one HTML file that needs nothing else: a table of all, then a sheet for each hand-in. Printed,
- * each sheet is a page.
+ * each sheet is a page. Of one hand-in it is the sheet alone.
  */
 export function htmlOf(found: ClassResult, task: ClassTask, language: Language): string {
   const { handIns } = found;
-  const words = reportWords.report;
   const drawings = new Drawings(task);
   const title = escaped(found.task);
-  const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
-  const hasStars = handIns.some(({ result }) => result.stars !== null);
-  const columns = ['way', 'name', 'result', 'points', ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
-  const head = columns
-    .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
-    .join('');
-  const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
+  const table = handIns.length === 1 ? '' : tableOf(found, { drawings, language });
   const sheets = handIns.map((one, place) => sheetOf(one, place, { drawings, title, task, language })).join('\n');
   return `<!doctype html>
 <html lang="${language}">
@@ -38,20 +31,34 @@ export function htmlOf(found: ClassResult, task: ClassTask, language: Language):
 </head>
 <body>
 <svg width="0" height="0" aria-hidden="true"><defs>${drawings.shared()}</defs></svg>
-<main>
-<h1>${title}</h1>
+<main>${table}
+${sheets}
+</main>
+</body>
+</html>
+`;
+}
+
+/** All of a class, a row for each. */
+function tableOf(found: ClassResult, { drawings, language }: Sheet): string {
+  const { handIns, task } = found;
+  const words = reportWords.report;
+  const summary = filledIn(words.summary[language], { passed: passedOf(found), of: handIns.length });
+  const hasStars = handIns.some(({ result }) => result.stars !== null);
+  const columns = ['way', 'name', 'result', 'points', ...(hasStars ? (['stars'] as const) : []), 'time', 'touches', 'remarks'] as const; // prettier-ignore
+  const head = columns
+    .map((name) => `<th${numbers.includes(name) ? ' class="number"' : ''}>${words[name][language]}</th>`)
+    .join('');
+  const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
+  return `
+<h1>${escaped(task)}</h1>
 <p class="summary">${handIns.length === 0 ? words.nobody[language] : summary}</p>
 <table>
 <thead><tr>${head}</tr></thead>
 <tbody>
 ${rows}
 </tbody>
-</table>
-${sheets}
-</main>
-</body>
-</html>
-`;
+</table>`;
 }
 
 /** Columns of figures. */

@@ -1,7 +1,5 @@
 import type { ClassResult } from '#check/report/class-result';
-import { htmlOf } from '#check/report/html';
 import { csvOf } from '#check/report/texts';
-import type { ClassTask } from '#check/task/task';
 
 import { shownLanguage } from '../page/i18n';
 import type { PageParts } from '../page/parts';
@@ -15,9 +13,7 @@ export function saveTable(app: Told, found: ClassResult): void {
   saveText(app, fileName(found.task, 'csv'), `\ufeff${csvOf(found, shownLanguage())}`, 'text/csv');
 }
 
-/** Opens the report in a tab of its own, where it can be printed; where the browser allows none, it is saved. */
-export function openReport(app: Told, found: ClassResult, task: ClassTask): void {
-  const html = htmlOf(found, task, shownLanguage());
-  const url = URL.createObjectURL(new Blob([html], { type: 'text/html' }));
-  if (window.open(url, '_blank') === null) saveText(app, fileName(found.task, 'html'), html, 'text/html');
+/** Saves a report as a file that needs nothing else. */
+export function saveReport(app: Told, name: string, html: string): void {
+  saveText(app, fileName(name, 'html'), html, 'text/html');
 }
