@@ -36,7 +36,7 @@ export class Drawings {
   }
 
   /** The way in a world over its course. */
-  way(world: WorldResult, label: string): string {
+  way(world: Pick<WorldResult, 'id' | 'trail'>, label: string): string {
     const course = this.courses.get(world.id);
     if (course === undefined) return '';
     const [width, height] = course.size;

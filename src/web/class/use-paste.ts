@@ -1,0 +1,52 @@
+import { onBeforeUnmount, onMounted, shallowRef, type Ref } from 'vue';
+
+import { listSources } from '#check/hand-in/sources';
+
+import { say } from '../page/i18n/say';
+import { readyCourses } from '../share/open-address';
+import { chosenFiles, sourcesOf } from './added-files';
+import type { ClassModel } from './model/class-model';
+import { classWords as words } from './class-words';
+
+/** What is said about a paste goes after this. Chosen: read twice; on a projector nothing old should stand. */
+const SAID_MS = 8000;
+
+/**
+ * Takes hand-ins that are pasted anywhere on the page: links with whatever stands around them, also behind words of a
+ * formatted text, or files. What is pasted into a field is the field's.
+ *
+ * @returns what became of it, for a while
+ */
+export function usePaste(model: ClassModel): Readonly<Ref<string>> {
+  const said = shallowRef('');
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const tell = (text: string): void => {
+    said.value = text;
+    clearTimeout(timer);
+    timer = setTimeout(() => (said.value = ''), SAID_MS);
+  };
+
+  async function take(event: ClipboardEvent): Promise<void> {
+    const { clipboardData, target } = event;
+    const isField = target instanceof Element && target.closest('input, textarea, select, [contenteditable]') !== null;
+    if (isField || clipboardData === null) return;
+    event.preventDefault();
+    event.stopPropagation();
+    // All of it must be read before anything is waited for.
+    const [text, page] = ['text/plain', 'text/html'].map((type) => clipboardData.getData(type));
+    const files = chosenFiles(clipboardData.files);
+    const inText = listSources(text ?? '', readyCourses);
+    const links = inText.length > 0 ? inText : listSources(page ?? '', readyCourses, 'pasted.html');
+    const sources = files.length > 0 ? await sourcesOf(files) : links;
+    tell(sources.length === 0 ? say(words.noLinks) : say(words.pasted, { count: sources.length }));
+    if (sources.length > 0) await model.add(sources);
+  }
+  const listener = (event: ClipboardEvent): void => void take(event);
+
+  onMounted(() => document.addEventListener('paste', listener));
+  onBeforeUnmount(() => {
+    clearTimeout(timer);
+    document.removeEventListener('paste', listener);
+  });
+  return said;
+}

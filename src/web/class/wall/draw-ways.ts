@@ -1,0 +1,93 @@
+import type { WorldResult } from '#check/result';
+
+import { drivenUntil } from './timed-way';
+import type { Size } from './wall-cards';
+
+/** A way in the picture of all. */
+export interface LabelledWay {
+  readonly label: string;
+  readonly way: Pick<WorldResult, 'trail' | 'trailMs'>;
+  /** Simulated ms until it had passed; `null`: it has not. */
+  readonly passedMs: number | null;
+}
+
+/** Dark enough for the floor, which is light in every theme. None is red: a way is no verdict. */
+const COLORS = ['#1e66d0', '#a3278f', '#0b7a75', '#8a5200', '#5b3fc4', '#2f6f1d', '#b0480a', '#46515e'] as const;
+
+/** Of a line, in mm: two ways side by side on a course can be told apart. */
+const WIDTH_MM = 7;
+/** Of the dot that drives, in mm. */
+const ROBOT_MM = 22;
+
+/** What is drawn. */
+export interface WaysPicture {
+  readonly ways: readonly LabelledWay[];
+  /** Simulated ms until which they are driven. */
+  readonly untilMs: number;
+  /** Of the course, in mm. */
+  readonly course: Size;
+  /** Pixels of the canvas for a mm, and for a px of the page. */
+  readonly scale: number;
+  readonly ratio: number;
+}
+
+/** Draws ways over one another, each with its robot and name where it is by then. */
+export function drawWays(
+  context: CanvasRenderingContext2D,
+  { ways, untilMs, course, scale, ratio }: WaysPicture,
+): void {
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.clearRect(0, 0, course.width * scale, course.height * scale);
+  context.lineJoin = 'round';
+  const driven = ways.map(({ way, label, passedMs }, place) => ({
+    ...{ pieces: drivenUntil(way, untilMs), color: COLORS[place % COLORS.length] ?? COLORS[0] },
+    label: passedMs !== null && passedMs <= untilMs ? `${label} ✓` : label,
+  }));
+  context.globalAlpha = 0.75;
+  context.lineWidth = WIDTH_MM * scale;
+  for (const { pieces, color } of driven) {
+    context.strokeStyle = color;
+    context.beginPath();
+    for (const piece of pieces)
+      for (const [place, [x, y]] of piece.entries()) {
+        const at = [x * scale, (course.height - y) * scale] as const;
+        if (place === 0) context.moveTo(...at);
+        else context.lineTo(...at);
+      }
+    context.stroke();
+  }
+  context.globalAlpha = 1;
+  context.font = `600 ${String(14 * ratio)}px Roboto, 'Segoe UI', sans-serif`;
+  for (const { pieces, color, label } of driven) {
+    const [x, y] = pieces.at(-1)?.at(-1) ?? [];
+    if (x === undefined || y === undefined) continue;
+    drawRobot(context, { x: x * scale, y: (course.height - y) * scale, color, label, radius: ROBOT_MM * scale, ratio });
+  }
+}
+
+interface Robot {
+  readonly x: number;
+  readonly y: number;
+  readonly color: string;
+  readonly label: string;
+  readonly radius: number;
+  readonly ratio: number;
+}
+
+/** A dot and its name, both with a light rim; the name stays inside of the picture. */
+function drawRobot(context: CanvasRenderingContext2D, { x, y, color, label, radius, ratio }: Robot): void {
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fillStyle = color;
+  context.strokeStyle = '#fff';
+  context.lineWidth = 2 * ratio;
+  context.fill();
+  context.stroke();
+  const width = context.measureText(label).width;
+  const beside = x + radius + 4 * ratio;
+  const left = beside + width < context.canvas.width ? beside : x - radius - 4 * ratio - width;
+  const baseline = Math.min(context.canvas.height - 4 * ratio, Math.max(14 * ratio, y + 5 * ratio));
+  context.lineWidth = 4 * ratio;
+  context.strokeText(label, left, baseline);
+  context.fillText(label, left, baseline);
+}
