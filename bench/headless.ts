@@ -1,5 +1,4 @@
 import { spawn } from 'node:child_process';
-import { once } from 'node:events';
 import { existsSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -9,6 +8,7 @@ import { soloRun, type DeviceSetup, type RunSetup } from '#simulation/run-setup'
 import { Simulation } from '#simulation/simulation';
 import { TapeBox } from '#web/run/worker/tape-box';
 import { atBreakPoints } from '#vm/debug/stops';
+import { checkMemorySubject, checkSubject } from './check';
 import { FULL, fullCourse } from './full-course';
 import type { Subject } from './subject';
 
@@ -38,9 +38,6 @@ const MOST_COST = 5;
 const WARM_US = 2_000_000;
 const RECORDED_US = 60_000_000;
 const RECORDING_ROUNDS = 5;
-
-/** Hand-ins of a class. */
-const CLASS = 24;
 
 /** What happens without a browser. Measured in the project's folder after set-up. */
 export const headlessSubjects: readonly Subject<undefined>[] = [
@@ -80,21 +77,8 @@ export const headlessSubjects: readonly Subject<undefined>[] = [
       }));
     },
   },
-  {
-    budgets: [
-      { what: `CLI, check of ${CLASS} hand-ins, 20 s of a line follower each`, budget: '<= 3 s' },
-      { what: 'CLI, check, hand-ins a second and core once warm', budget: '>= 15' },
-    ],
-    async measure() {
-      const classS = await checkSeconds(CLASS, 'all');
-      // What more hand-ins take on one thread, without its start.
-      const perHandIn = ((await checkSeconds(4 * CLASS, 1)) - (await checkSeconds(CLASS, 1))) / (3 * CLASS);
-      return [
-        { text: `${classS.toFixed(1)} s`, met: classS <= 3 },
-        { text: (1 / perHandIn).toFixed(1), met: perHandIn <= 1 / 15 },
-      ];
-    },
-  },
+  checkSubject,
+  checkMemorySubject,
   {
     budgets: [{ what: 'CLI start to first output', budget: '<= 0.5 s' }],
     async measure() {
@@ -204,22 +188,6 @@ async function recordingPercents(): Promise<readonly number[]> {
       if (kind !== 'plain' && bytes === 0) throw new Error('Nothing was recorded.');
     }
   return [(100 * (best.thin - best.plain)) / best.plain, (100 * (best.whole - best.plain)) / RECORDED_US];
-}
-
-/** Checks so many hand-ins of the ready course's solution. */
-async function checkSeconds(count: number, jobs: number | 'all'): Promise<number> {
-  const folder = mkdtempSync(join(tmpdir(), 'parcours-bench-'));
-  try {
-    const program = readFileSync('courses/closed-line/main.py', 'utf8');
-    for (let place = 0; place < count; place++) writeFileSync(join(folder, `${place}.py`), `# ${place}\n${program}`);
-    const words = ['check', 'closed-line', folder, '--quiet', ...(jobs === 'all' ? [] : ['--jobs', String(jobs)])];
-    const startMs = performance.now();
-    const [code] = (await once(spawn(process.execPath, ['dist/cli/main.mjs', ...words]), 'exit')) as [number];
-    if (code !== 0) throw new Error(`The check ended with ${code}.`);
-    return (performance.now() - startMs) / 1000;
-  } finally {
-    rmSync(folder, { recursive: true });
-  }
 }
 
 /** From the start of the process to the first thing that the program prints. */
