@@ -42,7 +42,7 @@ afterEach(() => void vi.restoreAllMocks());
 describe('a hand-in', () => {
   const passed: WorldResult = {
     ...{ id: 'visible', hidden: false, passed: true, reason: null, atMs: 14200, touches: 0 },
-    ...{ held: ['goals'], missed: {}, hash: 'abc', trail: [] },
+    ...{ held: ['goals'], missed: {}, hash: 'abc', trail: [], trailMs: [] },
   };
   /** The dialog on a program in a course with a target; what its run comes to is this. */
   async function handIn(run: WorldResult | null, noticed: readonly SaidRemark[] = []) {
