@@ -76,7 +76,7 @@ export const webLayers = {
   code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices', 'debug'],
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
-  print: ['page', 'run', 'work', 'task', 'arena', 'look-back'],
+  print: ['page', 'run', 'work', 'task', 'arena', 'look-back', 'share'],
   share: ['page', 'run', 'work', 'visit', 'console', 'device-log'],
   'first-steps': [
     'page',

@@ -128,6 +128,11 @@ const SCREENS = {
     );
     await until(app, by('picture-preview'));
   },
+  worksheet: async (app: App) => {
+    await SCREENS.print(app);
+    await app.click(by('print-sheet'));
+    await until(app, by('sheet-page'));
+  },
   'all courses': async (app: App) => {
     await app.goto('./#courses');
     await until(app, by('course-slalom'));
@@ -182,6 +187,7 @@ const LOOKS: readonly {
       'link to share',
       'help',
       'print',
+      'worksheet',
       'all courses',
       'a course',
       'missions',
@@ -190,7 +196,7 @@ const LOOKS: readonly {
   {
     language: 'fr',
     theme: 'light',
-    screens: ['list of courses', 'real device', 'link to share', 'missions', 'all robots', 'a robot'],
+    screens: ['list of courses', 'real device', 'link to share', 'worksheet', 'missions', 'all robots', 'a robot'],
   },
   {
     language: 'it',

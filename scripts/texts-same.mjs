@@ -7,7 +7,7 @@
 export const sameWords = {
   fr: new Set(
     (
-      'apostrophe auto bot buzzer calli code console csv cyan distance firmware magenta max menu message messages missions module modules obstacles parcours ' +
+      'apostrophe auto bot buzzer calli code console csv cyan date distance firmware magenta max menu message messages missions module modules obstacles page parcours ' +
       'pause place png point points radio rectangle repl robot servo servos simulation slalom suggestions svg variable variables zone'
     ).split(' '),
   ),

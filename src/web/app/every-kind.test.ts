@@ -240,7 +240,7 @@ describe.each(types)('the kind %s', (type) => {
     const drawn = counting();
     drawObject(drawn.context, fitView(empty.size, { widthPx: 800, heightPx: 600 }), made(), lightPalette);
     expect(drawn.count()).toBeGreaterThan(0);
-    expect(printKinds[type].svg(made(), (at) => at)).toMatch(/^<.*>$/s);
+    expect(printKinds[type].svg(made(), (at) => at, 0)).toMatch(/^<.*>$/s);
   });
 
   it('has words in every language', async () => {

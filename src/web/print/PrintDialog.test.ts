@@ -235,9 +235,93 @@ describe('the course true to scale', () => {
   });
 });
 
+describe('the worksheet', () => {
+  const description = 'Fahre **links** um das Tor.';
+  const card = {
+    ...{ language: 'de', title: 'Das Tor', hints: ['Nimm left().'], translations: [], picture: '', solution: true },
+  } as const;
+  const withTask: Partial<Scene> = { description, task: { seconds: 20, noTouch: true, card } };
+  const pages = (): readonly string[] =>
+    [...document.querySelectorAll('[data-testid="sheet-page"]')].map((page) =>
+      decodeURIComponent(page.getAttribute('src')!),
+    );
+  const sheet = async (change: Partial<Scene> = {}): Promise<string> => {
+    await dialog(change);
+    await tap('print-sheet');
+    await vi.waitFor(() => expect(pages()).not.toEqual([]), 20_000); // its part of the page is fetched
+    return pages().join('');
+  };
+  const wish = async (id: string): Promise<string> => {
+    byId(`sheet-${id}`).click();
+    await nextTick();
+    await nextTick();
+    return pages().join('');
+  };
+
+  it('has task, course with its scale, a code and lines to write on, on one page', async () => {
+    const shown = await sheet(withTask);
+    expect(pages()).toHaveLength(1);
+    for (const words of ['Das Tor', 'Name', 'Klasse', 'Datum', 'um das Tor.', 'Halte 20 s durch', 'nichts berühren'])
+      expect(shown).toContain(words);
+    expect(shown).toMatch(/120 × 90 cm, Massstab 1:\d+ \(1 cm auf dem Blatt = \d+ cm\)/);
+    expect(shown).toMatch(/So will ich vorgehen.*Das habe ich beobachtet/);
+    expect(shown).not.toContain('left()');
+  });
+
+  it('has the name of the course for a title where there is no task', async () => {
+    expect(await sheet()).toContain('>Meine Strecke<');
+    expect(isThere('sheet-hints')).toBe(false);
+  });
+
+  it('has the hints, no code and no lines if that is wanted', async () => {
+    const before = await sheet(withTask);
+    await wish('hints');
+    await vi.waitFor(() => expect(pages().join('')).toContain('left()'));
+    expect(before).toContain('crispEdges');
+    expect(await wish('qr')).not.toContain('crispEdges');
+    byId('sheet-space-none').dispatchEvent(new Event('change', { bubbles: true }));
+    await nextTick();
+    expect(pages().join('')).not.toContain('So will ich vorgehen');
+  });
+
+  it('opens the course without the program of the editor, which may be a solution, unless that is wanted', async () => {
+    const without = await sheet(withTask);
+    expect(fieldById('sheet-program').checked).toBe(false);
+    expect(await wish('program')).not.toBe(without);
+  });
+
+  it('says that a link is too long to be read from paper, and what to do; the sheet has no code then', async () => {
+    const objects = Array.from({ length: 150 }, (_, place) => ({
+      ...{ type: 'label', id: String(place), at: [place * 7, (place * 373) % 900] as const, angle: (place * 77) % 360 },
+      ...{ text: `Nr. ${String(place * 7919)} ${String((place * 104729) % 99991)}`, height: 20 + (place % 31) },
+    })) as Scene['objects'];
+    const shown = await sheet({ ...withTask, objects });
+    expect(textOf(byId('sheet-no-qr'))).toMatch(
+      /^Ohne QR-Code: Der Link hat \d+ Zeichen, .*1628 .*«Als Datei speichern»/,
+    );
+    expect(shown).not.toContain('crispEdges');
+  });
+
+  it('shows names of starts and numbers of checkpoints in 9 pt at least, also of four robots in a large arena', async () => {
+    const starts = ['Ada', 'Ben', 'Cem'].map((name, place) => ({
+      ...{ type: 'start', id: name, name, at: [3000, 1000 + 1500 * place] as const, heading: 0 },
+      ...{ robot: null, options: {}, color: null },
+    }));
+    const checkpoint = { type: 'checkpoint', id: 'c', at: [6000, 3000], size: [600, 600], angle: 0, round: true, number: 7, blocks: 0 }; // prettier-ignore
+    const objects = [...starts, checkpoint] as unknown as Scene['objects'];
+    const shown = await sheet({ ...withTask, size: [8000, 6000], objects });
+    const scale = Number(/Massstab 1:(\d+)/.exec(shown)![1]);
+    for (const words of ['Ada', 'Ben', 'Cem', '7']) {
+      const [, size = ''] = new RegExp(`font-size="([\\d.]+)"[^>]*>${words}</text>`).exec(shown)!;
+      expect((Number(size) / scale) * (72 / 25.4)).toBeGreaterThanOrEqual(9);
+    }
+  });
+});
+
 describe('a part alone', () => {
   it('is printed at true size on one sheet of A4, under its name, without robot and task', async () => {
     await dialog({ description: 'Fahr ins Ziel.' }, partCourse(readyPart('curve'), 'Kurve'));
+    expect(isThere('print-sheet')).toBe(false);
     expect([sheets(), isThere('print-task')]).toEqual([1, false]);
     await tap('print-picture');
     expect([box('robot').disabled, isThere('picture-task')]).toEqual([true, false]);

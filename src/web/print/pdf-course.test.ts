@@ -121,7 +121,7 @@ describe('a course printed true to scale', () => {
 describe('the task of a course in its print', () => {
   const task: PaperTask = {
     ...{ title: 'Œuvre d’été', text: 'Fahre **links** mit `left()`.', picture: null, goalsTitle: 'Ziel' },
-    ...{ goals: ['Erreiche das Ziel'], rules: [], stars: [], hints: [] },
+    ...{ goals: ['Erreiche das Ziel'], rules: [], checksTitle: '', checks: [], stars: [], hints: [] },
   };
 
   it('has a sheet of A4 of its own behind all others', () => {

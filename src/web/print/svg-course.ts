@@ -8,7 +8,7 @@ import { lightPalette as colors } from '../arena/model/palette';
 import { readRobotDrawing } from '../arena/robot/robot-drawing';
 import { kindOf } from './kinds/index';
 import type { ToPicture } from './kinds/kind';
-import { SVG_FONT } from './kinds/svg-parts';
+import { RIM_SHARE, SVG_FONT } from './kinds/svg-parts';
 import { jointsSvg } from './kinds/wall';
 import { element, escapeXml, figure, pathThrough } from './kinds/svg-write';
 import { taskSvg, type PictureTask } from './task/svg-task';
@@ -25,6 +25,8 @@ export interface PictureOptions {
   readonly background: string | null;
   /** Without it the floor is transparent. */
   readonly floor: boolean;
+  /** No sign of a zone and no name of a start is set in smaller type, in mm of the arena; left out: all as it is. */
+  readonly leastTypeMm?: number;
   /** The task below the arena, or beside a high one; `null`: it is not told. */
   readonly task: PictureTask | null;
 }
@@ -42,17 +44,16 @@ export interface CoursePicture {
 /** Room for the rulers, in parts of the arena's longer side: they grow with the arena, as on a screen. */
 const RULER_SHARE = 0.055;
 
-/** Room around the arena without rulers. */
-export const RIM_SHARE = 0.004;
-
 /** The objects in the order of painting: what lies on the floor first, numbers of zones over the lines, then what stands. */
-function objectsSvg({ objects }: Scene, to: ToPicture): string[] {
+function objectsSvg({ objects }: Scene, to: ToPicture, leastMm: number): string[] {
   const layer = (wanted: number): string[] =>
-    objects.filter((object) => kindOf(object).layer === wanted).map((object) => kindOf(object).svg(object, to));
+    objects
+      .filter((object) => kindOf(object).layer === wanted)
+      .map((object) => kindOf(object).svg(object, to, leastMm));
   return [
     ...layer(0),
     ...layer(1),
-    ...objects.flatMap((object) => kindOf(object).signSvg?.(object, to) ?? []),
+    ...objects.flatMap((object) => kindOf(object).signSvg?.(object, to, leastMm) ?? []),
     ...layer(2),
     jointsSvg(objects, to),
     ...layer(3),
@@ -79,7 +80,7 @@ export function courseSvg(scene: Scene, options: PictureOptions): CoursePicture 
   const inside = [
     options.background === null || scene.background === null ? '' : backgroundSvg(scene, options.background, to),
     options.grid ? gridSvg(scene.size) : '',
-    ...objectsSvg(scene, to),
+    ...objectsSvg(scene, to, options.leastTypeMm ?? 0),
     pathSvg(options.path, to, unit),
     options.robot === null ? '' : robotSvg(options.robot, to),
   ].join('\n');

@@ -1,6 +1,7 @@
 import type { Scene } from '#scene/scene';
 
 import { say } from '../page/i18n/say';
+import type { CheckInWords } from '../task/checks-in-words';
 import { goalsInWords, rulesInWords } from '../task/goals';
 import type { ShownText } from '../task/task-text';
 import { taskWords as words } from '../task/task-words';
@@ -10,9 +11,15 @@ import type { PaperTask } from './task/task-blocks';
 /**
  * The task of a course as it is printed, in the language of the page.
  *
+ * @param checks what is checked besides the goals of the course
  * @param withHints otherwise they stay on the screen, where pupils ask for them one by one
  */
-export async function taskOnPaper(scene: Scene, text: ShownText, withHints: boolean): Promise<PaperTask> {
+export async function taskOnPaper(
+  scene: Scene,
+  text: ShownText,
+  checks: readonly CheckInWords[],
+  withHints: boolean,
+): Promise<PaperTask> {
   const { stars } = scene.task;
   const times = [...(stars ?? [])].sort((one, other) => other - one);
   return {
@@ -22,6 +29,8 @@ export async function taskOnPaper(scene: Scene, text: ShownText, withHints: bool
     goalsTitle: say(words.goalsTitle),
     goals: goalsInWords(scene, null).map((goal) => say(words.goals[goal.words], goal.values)),
     rules: rulesInWords(scene, null).map((rule) => say(words.rules[rule.words], rule.values)),
+    checksTitle: say(words.checks.title),
+    checks: checks.map((check) => `${check.text} (${check.gives})`),
     stars:
       stars === undefined ? [] : [say(words.stars.one), ...times.map((seconds) => say(words.stars.two, { seconds }))],
     hints: withHints

@@ -6,6 +6,7 @@ import type { Scene } from '#scene/scene';
 import { useDrawing } from '../work/hardware/use-drawing';
 import { useHardware } from '../work/hardware/use-hardware';
 import { useRun } from '../run/parts';
+import { checksInWords } from '../task/checks-in-words';
 import { useTask } from '../task/parts';
 import { useWork } from '../work/model/parts';
 import { courseName } from '../work/catalogue/first-course';
@@ -66,7 +67,9 @@ export function usePrint(other: Scene | null = null) {
     hasTask: computed(() => other === null && task.hasText.value),
     hasHints: computed(() => task.text.value.hints.length > 0),
     /** The task as it is printed, with the hints only on request. */
-    paperTask: (withHints: boolean): Promise<PaperTask> => taskOnPaper(scene.value, task.text.value, withHints),
+    paperTask: (withHints: boolean): Promise<PaperTask> =>
+      taskOnPaper(scene.value, task.text.value, checksInWords(app.work.work.value.project), withHints),
+    optionsFor,
     svg: (wish: PictureWish): string => courseSvg(scene.value, optionsFor(wish)).svg,
     savePng: (wish: PictureWish, longestPx: number) =>
       save('png', () => coursePng(scene.value, optionsFor(wish), longestPx)),

@@ -1,29 +1,60 @@
 import encodeQR from 'qr';
 
-/** Most characters that a QR code of the largest kind holds as bytes, with the least error correction (ISO/IEC 18004). */
-export const QR_CHARACTERS = 2953;
-
 /**
- * A link as the drawing of a QR code: an SVG path of its dark squares, a unit each.
- *
- * @returns `null` when the link is too long
+ * How much of a code may be hidden or dirty, and the most characters that the largest code then holds as bytes (ISO/IEC
+ * 18004).
  */
-export function qrPath(link: string): { readonly path: string; readonly size: number } | null {
-  if (link.length > QR_CHARACTERS) return null;
-  // On a screen nothing is dirty or torn: the least correction gives the largest squares.
-  const rows = encodeQR(link, 'raw', { ecc: 'low', encoding: 'byte', border: 4 });
-  const runs = rows.flatMap((row, y) => runsOf(row).map(([x, length]) => `M${x} ${y}h${length}v1h-${length}z`));
-  return { path: runs.join(''), size: rows.length };
+const CHARACTERS = { low: 2953, medium: 2331 } as const;
+
+/** Most characters of a QR code with the least error correction. */
+export const QR_CHARACTERS = CHARACTERS.low;
+
+/** Free squares around a code. */
+export const QR_RIM = 4;
+
+/** Dark squares side by side. */
+export interface QrRun {
+  readonly x: number;
+  readonly y: number;
+  readonly length: number;
 }
 
-/** Dark squares side by side, as start and length. */
-function runsOf(row: readonly boolean[]): readonly (readonly [start: number, length: number])[] {
-  const runs: [number, number][] = [];
+/** A QR code as its dark squares, a unit each. */
+export interface QrCode {
+  /** Squares along a side, with the rim. */
+  readonly size: number;
+  readonly runs: readonly QrRun[];
+}
+
+/**
+ * A link as a QR code.
+ *
+ * @param correction on a screen nothing is dirty or torn: the least gives the largest squares
+ * @returns `null` when the link is too long
+ */
+export function qrCode(link: string, correction: keyof typeof CHARACTERS = 'low'): QrCode | null {
+  if (link.length > CHARACTERS[correction]) return null;
+  const rows = encodeQR(link, 'raw', { ecc: correction, encoding: 'byte', border: QR_RIM });
+  return { size: rows.length, runs: rows.flatMap(runsOf) };
+}
+
+/** The same as the drawing: an SVG path. */
+export function qrPath(link: string): { readonly path: string; readonly size: number } | null {
+  const code = qrCode(link);
+  return code && { path: pathOf(code), size: code.size };
+}
+
+/** The dark squares of a code as an SVG path. */
+export const pathOf = ({ runs }: QrCode): string =>
+  runs.map(({ x, y, length }) => `M${x} ${y}h${length}v1h-${length}z`).join('');
+
+function runsOf(row: readonly boolean[], y: number): readonly QrRun[] {
+  const runs: { x: number; y: number; length: number }[] = [];
   for (const [x, isDark] of row.entries()) {
     if (!isDark) continue;
     const last = runs.at(-1);
-    if (last !== undefined && last[0] + last[1] === x) last[1] += 1;
-    else runs.push([x, 1]);
+    if (last !== undefined && last.x + last.length === x) last.length += 1;
+    else runs.push({ x, y, length: 1 });
   }
   return runs;
 }

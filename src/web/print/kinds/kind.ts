@@ -17,9 +17,9 @@ export interface PrintKind<O extends AnyObject = SceneObject> {
    * An object as SVG, in mm of the picture, with presentation attributes only: office programs read no style sheets.
    * Simpler than on the screen (no shadows), with the same shapes, colours and signs.
    */
-  svg(object: O, to: ToPicture): string;
-  /** What is put over the strokes. */
-  signSvg?(object: O, to: ToPicture): string;
+  svg(object: O, to: ToPicture, leastMm: number): string;
+  /** What is put over the strokes. `leastMm`: no sign and no name is set in smaller type, in mm of the picture. */
+  signSvg?(object: O, to: ToPicture, leastMm: number): string;
   /** Prints what lies on the floor. `shown`: what of the world the sheet shows. Left out: it stands on it. */
   pdf?(pdf: jsPDF, object: O, to: ToSheet, shown: Bounds): void;
 }

@@ -5,7 +5,7 @@ import { robotColors, type Point, type Start } from '#scene/scene';
 import { lightPalette as colors } from '../../arena/model/palette';
 import { deviceColor } from '../../arena/model/device-colors';
 import { polygon, write } from './pdf-parts';
-import { element, escapeXml, pathThrough } from './svg-write';
+import { element, escapeXml, figure, pathThrough } from './svg-write';
 import type { PrintKind, ToPicture, ToSheet } from './kind';
 import { rect, SVG_FONT, turned } from './svg-parts';
 
@@ -33,7 +33,10 @@ const ARROW: readonly Point[] = [
 
 const colorOf = ({ color }: Start): string => (color === null ? colors.label : deviceColor(robotColors.indexOf(color)));
 
-function startSvg(start: Start, to: ToPicture): string {
+function startSvg(start: Start, to: ToPicture, leastMm: number): string {
+  const size = Math.max(1.2 * NAME_MM, leastMm);
+  // Larger than it is, the name has no room in the box.
+  const behind = leastMm > 1.2 * NAME_MM ? HALF_MM + 0.85 * size : BEHIND_MM + NAME_MM / 3;
   const color = colorOf(start);
   const side = START_SIDE_MM - LINE_MM;
   const box = rect([side, side], 0, {
@@ -49,9 +52,9 @@ function startSvg(start: Start, to: ToPicture): string {
       : element(
           'text',
           {
-            transform: `rotate(90) translate(0 ${String(BEHIND_MM + NAME_MM / 3)})`,
+            transform: `rotate(90) translate(0 ${figure(behind)})`,
             'font-family': SVG_FONT,
-            'font-size': NAME_MM * 1.2,
+            'font-size': size,
             'font-weight': 600,
             'text-anchor': 'middle',
             fill: color,

@@ -9,6 +9,9 @@ import type { ToPicture } from './kind';
 /** Fonts of the texts in a picture; every viewer has one of them. */
 export const SVG_FONT = 'Roboto, Arial, Helvetica, sans-serif';
 
+/** Room around an arena without rulers, in parts of its longer side. */
+export const RIM_SHARE = 0.004;
+
 /** A group in the frame of a box: origin in its centre, turned as it is. */
 export const boxFrame = (
   { at, angle }: { readonly at: Point; readonly angle: number },

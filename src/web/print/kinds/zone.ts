@@ -17,7 +17,7 @@ import { boxFrame, diagonals, formSvg, icon, rect, turned, written } from './svg
 export const zone: PrintKind<Zone> = {
   layer: 0,
   svg: zoneSvg,
-  signSvg: (zone, to) => element('g', { transform: turned(to(signAt(zone)), 0) }, signSvg(zone)),
+  signSvg: (zone, to, leastMm) => element('g', { transform: turned(to(signAt(zone)), 0) }, signSvg(zone, leastMm)),
   pdf: printZone,
 };
 
@@ -67,8 +67,8 @@ const signAt = (zone: Zone): Point => {
   return [x, y];
 };
 
-function signSvg({ type, number, blocks, ...zone }: Zone): string {
-  const radius = Math.min(20, 0.3 * roomIn(formOf(zone)).acrossMm);
+function signSvg({ type, number, blocks, ...zone }: Zone, leastMm: number): string {
+  const radius = Math.max(leastMm, Math.min(20, 0.3 * roomIn(formOf(zone)).acrossMm));
   const color = colors[type];
   if (type === 'target' && blocks === 0)
     return icon(mdiFlagCheckered, radius * 2.2, color, { stroke: colors.signGround, 'stroke-width': 4, 'stroke-linejoin': 'round' }) + icon(mdiFlagCheckered, radius * 2.2, color); // prettier-ignore

@@ -61,6 +61,9 @@ export interface PlacedRow {
 /** From row to row, in parts of the type size. */
 export const LEADING = 1.4;
 
+/** Where the base line of a row is, in type sizes from its top. */
+export const BASE = (LEADING - 1) / 2 + 0.8;
+
 /** Sets blocks in rows of this width. */
 export const setRows = (blocks: readonly PaperBlock[], widthMm: number): readonly Row[] =>
   blocks.flatMap((block) => (block.kind === 'words' ? rowsOf(block, widthMm) : [pictureRow(block)]));
@@ -153,18 +156,22 @@ function* cut(
   else yield* text;
 }
 
-/** Spreads rows over pages of this height: what is tied stays together where a page can hold it. */
-export function breakPages(rows: readonly Row[], heightMm: number): readonly (readonly PlacedRow[])[] {
+/**
+ * Spreads rows over pages of this height: what is tied stays together where a page can hold it.
+ *
+ * @param usedMm how much of the first page is taken, from its top
+ */
+export function breakPages(rows: readonly Row[], heightMm: number, usedMm = 0): readonly (readonly PlacedRow[])[] {
   const pages: PlacedRow[][] = [[]];
-  let end = 0;
+  let end = usedMm;
+  const isTop = (): boolean => end === 0 && pages.at(-1)?.length === 0;
   const heightOf = (some: readonly Row[]): number => some.reduce((sum, row) => sum + row.aboveMm + row.heightMm, 0);
   const place = (row: Row, needed: number): void => {
-    const isFirst = pages.at(-1)?.length === 0;
-    if (!isFirst && end + needed > heightMm) {
+    if (!isTop() && end + needed > heightMm) {
       pages.push([]);
       end = 0;
     }
-    const topMm = pages.at(-1)?.length === 0 ? 0 : end + row.aboveMm;
+    const topMm = isTop() ? 0 : end + row.aboveMm;
     pages.at(-1)?.push({ row, topMm });
     end = topMm + row.heightMm;
   };

@@ -1,10 +1,9 @@
 import type { Point } from '#scene/scene';
 
 import { lightPalette as colors } from '../../arena/model/palette';
-import { element, escapeXml } from '../kinds/svg-write';
 import { SVG_FONT } from '../kinds/svg-parts';
-import { CODE_SCALE } from './letter-widths';
-import { breakPages, LEADING, setRows, type Piece, type PlacedRow } from './set-rows';
+import { breakPages, setRows } from './set-rows';
+import { rowSvg } from './svg-rows';
 import { textBlocks, titleBlock } from './task-blocks';
 
 /** What a picture says of the task. */
@@ -29,7 +28,7 @@ const HIGH = 1.2;
 /** How far the fonts of viewers may be wider than ours without a row running out of the picture. */
 const SLACK = 0.96;
 
-const MONO = 'Roboto Mono, Courier New, Courier, monospace';
+const LOOK = { 'font-family': SVG_FONT, fill: colors.label };
 
 /**
  * Writes title and text of a task below an arena, or beside a high one.
@@ -50,26 +49,7 @@ export function taskSvg({ title, text }: PictureTask, arena: Point, corner: Poin
   const last = rows.at(-1);
   const bottom = top + (last === undefined ? 0 : last.topMm + last.row.heightMm) + 0.5 * em;
   return {
-    svg: rows.map((row) => rowSvg(row, left, top)).join('\n'),
+    svg: rows.map((row) => rowSvg(row, [left, top], LOOK)).join('\n'),
     size: isBeside ? [left + width + gap, Math.max(size[1], bottom)] : [size[0], bottom],
   };
-}
-
-function rowSvg({ row, topMm }: PlacedRow, left: number, top: number): string {
-  const { sizeMm, pieces, sign } = row;
-  const y = top + topMm + ((LEADING - 1) / 2 + 0.8) * sizeMm;
-  const look = { 'font-family': SVG_FONT, 'font-size': sizeMm, fill: colors.label };
-  const mark =
-    sign?.kind === 'mark' ? element('text', { x: left + 0.2 * sizeMm, y, ...look }, escapeXml(sign.text)) : '';
-  if (pieces.length === 0) return mark;
-  // One text for the row: a viewer with other fonts moves its parts along.
-  const x = left + (pieces[0]?.xMm ?? 0);
-  return mark + element('text', { x, y, ...look }, ...pieces.map((piece) => pieceSvg(piece, sizeMm)));
-}
-
-function pieceSvg({ kind, text }: Piece, sizeMm: number): string {
-  const words = escapeXml(text);
-  if (kind === 'text') return words;
-  if (kind === 'bold') return element('tspan', { 'font-weight': 700 }, words);
-  return element('tspan', { 'font-family': MONO, 'font-weight': 600, 'font-size': CODE_SCALE * sizeMm }, words);
 }

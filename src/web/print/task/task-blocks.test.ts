@@ -5,7 +5,7 @@ import { taskBlocks, type PaperTask } from './task-blocks';
 
 const task: PaperTask = {
   ...{ title: 'Der Slalom', text: 'Fahre.', picture: null, goalsTitle: 'Das ist das Ziel' },
-  ...{ goals: [], rules: [], stars: [], hints: [] },
+  ...{ goals: [], rules: [], checksTitle: 'Ausserdem geprüft', checks: [], stars: [], hints: [] },
 };
 
 /** Each block as its sign and its words. */
@@ -25,6 +25,12 @@ describe('the task on paper', () => {
     expect(blocksOf({ text, ...rest })).toEqual([
       ...['Der Slalom', 'Fahre los, / immer weiter.', '• um das Tor', '• ins Ziel', '1. rechts', '2. links'],
       ...['Das ist das Ziel', 'o Erreiche das Ziel', '• nichts berühren', '* geschafft', '** unter 9 s'],
+    ]);
+  });
+
+  it('has what else is checked behind the goals', () => {
+    expect(blocksOf({ goals: ['Erreiche das Ziel'], checks: ['nutzt eine Schleife (1 Punkt)'] }).slice(2)).toEqual([
+      ...['Das ist das Ziel', 'o Erreiche das Ziel', 'Ausserdem geprüft', '• nutzt eine Schleife (1 Punkt)'],
     ]);
   });
 

@@ -14,6 +14,9 @@ export interface PaperTask {
   /** What is to be reached, and what is to be kept to. */
   readonly goals: readonly string[];
   readonly rules: readonly string[];
+  /** What else is checked; empty: nothing. */
+  readonly checksTitle: string;
+  readonly checks: readonly string[];
   /** For what there is one star, two, three. Empty: there are none. */
   readonly stars: readonly string[];
   /** Empty: none are printed. */
@@ -33,9 +36,8 @@ const HEADING = 1.15;
 const INDENT = 1.6;
 const STARS_INDENT = 4.2;
 
-/** The blocks of the task's sheet, in the order of the card. */
-export function taskBlocks(task: PaperTask, widthMm: number): readonly PaperBlock[] {
-  const em = TEXT_MM;
+/** The blocks of the task's sheet, in the order of the card. @param em its type size in mm */
+export function taskBlocks(task: PaperTask, widthMm: number, em = TEXT_MM): readonly PaperBlock[] {
   const entries = (texts: readonly string[], indent: number, signOf: (index: number) => Sign): Paragraph[] =>
     texts.map((text, index) => ({
       ...plain(text, em),
@@ -44,15 +46,18 @@ export function taskBlocks(task: PaperTask, widthMm: number): readonly PaperBloc
       aboveMm: (index === 0 ? 0.6 : 0.25) * em,
       staysWithNext: index < texts.length - 1,
     }));
+  const mark = (): Sign => ({ kind: 'mark', text: '•' });
+  const checks = entries(task.checks, INDENT, mark);
   const goals = [
     ...entries(task.goals, INDENT, () => ({ kind: 'ring' })),
-    ...entries(task.rules, INDENT, () => ({ kind: 'mark', text: '•' })),
+    ...entries(task.rules, INDENT, mark),
     ...entries(task.stars, STARS_INDENT, (index) => ({ kind: 'stars', count: index + 1 })),
   ];
   return [
     ...titleBlock(task.title, em),
     ...textBlocks(task.text, em, task.picture === null ? null : pictureSize(task.picture.size, widthMm)),
     ...(goals.length === 0 ? [] : [heading(task.goalsTitle, em), ...goals]),
+    ...(checks.length === 0 ? [] : [heading(task.checksTitle, em), ...checks]),
     ...task.hints.flatMap(({ title, text }) => [heading(title, em), ...textBlocks(text, em, null)]),
   ];
 }
@@ -88,7 +93,8 @@ function pictureSize([width, height]: Point, roomMm: number): Point {
   return [width * scale, height * scale];
 }
 
-const plain = (text: string, sizeMm: number): Paragraph => ({
+/** A paragraph without any look. */
+export const plain = (text: string, sizeMm: number): Paragraph => ({
   ...{ kind: 'words', lines: [[{ kind: 'text', text }]], sizeMm },
   ...{ indentMm: 0, sign: null, aboveMm: 0, staysWithNext: false },
 });
@@ -98,6 +104,7 @@ const bold = (text: string, sizeMm: number): Paragraph => ({
   lines: [[{ kind: 'bold', text }]],
 });
 
-const heading = (text: string, em: number): Paragraph => ({
+/** A heading over what comes next. */
+export const heading = (text: string, em: number): Paragraph => ({
   ...{ ...bold(text, HEADING * em), aboveMm: 1.5 * em, staysWithNext: true },
 });

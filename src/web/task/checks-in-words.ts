@@ -1,0 +1,32 @@
+import { checkText } from '#check/task/check-text';
+import { ledDrawing } from '#check/task/led-drawing';
+import { draftOf } from '#check/task/read-task';
+import type { Project } from '#project/project';
+
+import { shownLanguage } from '../page/i18n';
+import { say } from '../page/i18n/say';
+import { taskWords } from './task-words';
+
+/** What a project is checked for besides the goals of its course, in the language of the page, with what it gives. */
+export interface CheckInWords {
+  readonly id: string;
+  readonly text: string;
+  /** What the display is to show, as SVG; `null`: it is about something else. */
+  readonly leds: string | null;
+  readonly gives: string;
+}
+
+const words = taskWords.checks;
+
+/** The checks of a project's task, as pupils read them. */
+export function checksInWords(project: Project): readonly CheckInWords[] {
+  const read = draftOf(project);
+  const all = 'task' in read ? read.task.checks : [];
+  return all.flatMap((check) => {
+    if (check.type === 'goals') return [];
+    const points = check.points === 1 ? say(words.point) : say(words.points, { points: check.points });
+    const gives = check.needed ? points : `${points}, ${say(words.optional)}`;
+    const leds = check.type === 'display' ? ledDrawing(check.image) : null;
+    return [{ id: check.id, text: checkText(check, shownLanguage()), leds, gives }];
+  });
+}
