@@ -5,8 +5,9 @@ import { join } from 'node:path';
 import { linkOf } from '../src/project/link/link';
 import { defaultScene } from '../src/scene/scene';
 import { expect, test, type App } from './app';
+import { kindsInNode } from './in-node';
 import { openedCourse } from './opened-course';
-import { isThere } from './page';
+import { isThere, openWork } from './page';
 import { by, gone, until } from './parts';
 
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
@@ -126,7 +127,7 @@ test('a class that sends links is checked: table and report are byte for byte th
   await gone(app, by('class-task'));
 });
 
-/** What of hand-ins lies in the browser's database. */
+/** What of hand-ins lies in the browser's database: a list as JSON. */
 const keptRows = (): Promise<string> =>
   new Promise((resolve) => {
     const opened = indexedDB.open('parcours', 1);
@@ -137,7 +138,7 @@ const keptRows = (): Promise<string> =>
         .getAll(IDBKeyRange.bound('class.row.', 'class.row.~')) as IDBRequest<{ readonly text: string }[]>;
       rows.onsuccess = () => {
         opened.result.close();
-        resolve(rows.result.map(({ text }) => text).join());
+        resolve(`[${rows.result.map(({ text }) => text).join()}]`);
       };
     };
   });
@@ -193,5 +194,66 @@ test('what a pupil hands in on the page is proved on the teacher’s, who keeps 
   // Another page of the same browser follows.
   await expect.poll(there).toContain('Noch besser');
   await app.click(by('class-keep'));
-  await expect.poll(() => app.evaluate(keptRows)).toBe('');
+  await expect.poll(() => app.evaluate(keptRows)).toBe('[]');
+});
+
+/** The line of `--json` that the command line prints of an e-mail, by these options. */
+function lineOfCommandLine(task: string, mail: string): string {
+  const folder = mkdtempSync(join(tmpdir(), 'parcours-class-'));
+  const files = { 'task.json': task, 'mail.txt': mail };
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(folder, name), text);
+  const given = ['check', join(folder, 'task.json'), join(folder, 'mail.txt'), '--json', '--lang', 'de'];
+  try {
+    execFileSync('node', ['bin/parcours.mjs', ...given], { encoding: 'utf8' });
+    throw new Error('All have passed.');
+  } catch (error) {
+    return (error as { readonly stdout: string }).stdout.trim().split('\n').at(-1) ?? '';
+  } finally {
+    rmSync(folder, { recursive: true, force: true });
+  }
+}
+
+test('hand-ins of every kind, for a task with hidden worlds: what the page finds is what the command line finds, to the byte', async ({
+  app,
+}) => {
+  test.setTimeout(120_000);
+  const { aClass, lineOf } = await kindsInNode();
+  const { task, work, mail } = await aClass();
+  const wanted = lineOfCommandLine(task, mail);
+  const { handIns } = JSON.parse(wanted) as {
+    readonly handIns: readonly {
+      readonly name: string;
+      readonly passed: boolean;
+      readonly remarks: readonly string[];
+    }[];
+  };
+  expect(handIns.filter(({ passed }) => passed).map(({ name }) => name)).toEqual(['Ada', 'Ivo', 'Zoë 🤖 «7b»', 'Lea', 'Nina']); // prettier-ignore
+  const told = handIns.flatMap(({ name, remarks }) => (remarks.length === 0 ? [] : [`${name}: ${remarks.join(' ')}`]));
+  expect(told).toEqual([
+    'Ada: Gleiches Programm wie: Zoë 🤖 «7b»',
+    'Cem: Gleiches Programm wie: Ada (2)',
+    'Hana: Beim Üben half die Hand.',
+    'Ivo: Der Parcours wurde geändert; geprüft wurde mit dem der Aufgabe.',
+    'Zoë 🤖 «7b»: Gleiches Programm wie: Ada',
+    'Kai: nicht lesbar: Der Link ist beschädigt oder unvollständig. Bitte ganz kopieren und neu senden.',
+    'Lea: für eine andere Aufgabe: another',
+    'Max: Das Programm ist noch das ausgeteilte.',
+    'Nina: Das Programm wurde ausserhalb der Seite geändert.',
+    'Ada (2): Die Abgabe sagt «bestanden», der Lauf hier nicht. Gleiches Programm wie: Cem',
+  ]);
+  await openWork(app, work, './#class');
+  await until(app, by('class-links'));
+  await app.evaluate(() => {
+    document.querySelector<HTMLInputElement>('[data-testid=class-keep]')!.click();
+  });
+  await pasteInto(app, mail);
+  await app.click(by('class-check-links'));
+  await until(app, by('class-table'));
+  await gone(app, 'progress');
+  type Rows = Parameters<typeof lineOf>[0];
+  const found = async (): Promise<string> => {
+    const rows = JSON.parse(await app.evaluate(keptRows)) as Rows;
+    return rows.length === handIns.length && rows.every(({ result }) => result !== null) ? lineOf(rows) : '';
+  };
+  await expect.poll(found).toBe(wanted);
 });

@@ -1,17 +1,23 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 import { runnerImport } from 'vite';
+import type * as ClassKinds from './class-kinds';
 import type { ProbeResult, ProbeTask } from './probe/messages';
 import type { runBare } from './probe/run-bare';
 
 /** The run of a probe in Node, to compare with what it gives in the worker of an engine. */
 export async function runInNode(task: Omit<ProbeTask, 'firmware'>): Promise<ProbeResult> {
   const firmware = new WebAssembly.Module(readFileSync(new URL('../.cache/vm/vm.wasm', import.meta.url)));
-  // Playwright's own loader takes no JSON, which the VM's library is.
-  const bare = fileURLToPath(new URL('./probe/run-bare.ts', import.meta.url));
-  const { module } = await runnerImport<{ readonly runBare: typeof runBare }>(bare, {
-    configFile: false,
-    logLevel: 'warn',
-  });
-  return module.runBare({ ...task, firmware });
+  const bare = await loaded<{ readonly runBare: typeof runBare }>('./probe/run-bare.ts');
+  return bare.runBare({ ...task, firmware });
+}
+
+/** The class with a hand-in of every kind. */
+export const kindsInNode = (): Promise<typeof ClassKinds> => loaded('./class-kinds.ts');
+
+/** Playwright's own loader takes no JSON, which the VM's library and all words are. */
+async function loaded<Module>(path: string): Promise<Module> {
+  const file = fileURLToPath(new URL(path, import.meta.url));
+  const { module } = await runnerImport<Module>(file, { configFile: false, logLevel: 'warn' });
+  return module;
 }
