@@ -38,7 +38,7 @@ const whole: Project = {
       { id: '2', start: { at: [400, 450] } },
       { id: '3', seed: 3, reality: 0.5 },
     ],
-    ...{ seconds: 15, stars: [5, 6], locks: { lines: [1] } },
+    ...{ seconds: 8, stars: [5, 6], locks: { lines: [1] } },
   },
 };
 
