@@ -72,6 +72,7 @@ export const webLayers = {
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'several-devices',
     'look-back',
   ], // prettier-ignore
+  projector: ['page', 'run', 'work', 'layout', 'task', 'console', 'arena'],
   'several-devices': ['page', 'run', 'work', 'board'],
   code: ['page', 'run', 'work', 'visit', 'layout', 'console', 'several-devices', 'debug'],
   device: ['page', 'run', 'work', 'layout', 'arena'],
@@ -103,6 +104,6 @@ export const webLayers = {
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker', 'why', 'handed-out',
+    'debug', 'class', 'task-maker', 'why', 'handed-out', 'projector',
   ], // prettier-ignore
 };

@@ -8,8 +8,8 @@ import LanguageList from './LanguageList.vue';
 import LanguageMenu from './LanguageMenu.vue';
 import MainList from './MainList.vue';
 import MainMenu from './MainMenu.vue';
-import SpeedList from './SpeedList.vue';
-import SpeedMenu from './SpeedMenu.vue';
+import SpeedList from '../arena/SpeedList.vue';
+import SpeedMenu from '../arena/SpeedMenu.vue';
 import { downloads } from './testing/downloads';
 import { press } from './testing/editing';
 import { mountOn, named, setWindow, textOf } from './testing/mount-on';
@@ -182,6 +182,7 @@ describe('the main menu', () => {
       'Roboter-Galerie',
       'Aufgabe stellen',
       'Lösungen prüfen',
+      'Beamer-Ansicht',
     ]);
   });
 

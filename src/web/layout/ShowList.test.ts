@@ -86,6 +86,19 @@ describe('what the arena shows', () => {
     expect(mounted.find('[data-testid="show-fullscreen"]').exists()).toBe(false);
   });
 
+  it.each([390, 1024])('leads to the projector view on a page of %i px, also out of the arena alone', async (width) => {
+    setWindow(width, 800);
+    const { page, item, mounted, done } = menu();
+    page.layout.tab.value = 'arena';
+    page.alone.enter();
+    await nextTick();
+    item('projector').element.click();
+    await nextTick();
+    expect([page.alone.isAlone.value, page.alone.hasSide.value, done()]).toEqual([true, true, 1]);
+    expect(mounted.find('[data-testid="show-projector"]').exists()).toBe(false);
+    page.alone.leave();
+  });
+
   it('has no such point on a larger screen, where it is a button of its own', () => {
     expect(menu().mounted.find('[data-testid="show-fullscreen"]').exists()).toBe(false);
   });

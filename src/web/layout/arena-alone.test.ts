@@ -32,6 +32,17 @@ describe('the arena alone on the screen', () => {
     expect([alone.isAlone.value, isShown()]).toEqual([false, false]);
   });
 
+  it('is the next time without task and timer, however it was left', () => {
+    alone.hasSide.value = true;
+    alone.enter();
+    escape();
+    expect(alone.hasSide.value).toBe(false);
+    alone.hasSide.value = true;
+    alone.enter();
+    document.dispatchEvent(new Event('fullscreenchange'));
+    expect([alone.hasSide.value, isShown()]).toEqual([false, false]);
+  });
+
   it('is left with Escape', () => {
     alone.enter();
     escape();

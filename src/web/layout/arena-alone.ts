@@ -4,12 +4,21 @@ import { shallowRef, watch, type ShallowRef } from 'vue';
 export class ArenaAlone {
   private readonly alone = shallowRef(false);
   readonly isAlone: Readonly<ShallowRef<boolean>> = this.alone;
+  /** Task and timer stand beside it: the projector view. */
+  readonly hasSide = shallowRef(false);
   /** How many controls in the arena's pane could lead back. */
   private users = 0;
 
   constructor() {
     // With the state, so that nothing on the page can be seen or reached behind the arena.
-    watch(this.alone, (alone) => document.documentElement.classList.toggle('arena-alone', alone), { flush: 'sync' });
+    watch(
+      this.alone,
+      (alone) => {
+        document.documentElement.classList.toggle('arena-alone', alone);
+        if (!alone) this.hasSide.value = false;
+      },
+      { flush: 'sync' },
+    );
   }
 
   /** Fills the screen; the window only, where the browser does not give the screen away. */

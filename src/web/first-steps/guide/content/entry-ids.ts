@@ -43,6 +43,7 @@ export const MENU_IDS = [
   'gallery',
   'task-maker',
   'class',
+  'projector',
   'device-check',
 ] as const;
 
