@@ -114,6 +114,7 @@ describe('the projector view', () => {
     const exception = {
       type: 'ZeroDivisionError',
       message: 'divide by zero',
+      line: 2,
       traceback:
         'Traceback (most recent call last):\n  File "main.py", line 2, in <module>\nZeroDivisionError: divide by zero\n',
     };
