@@ -231,8 +231,8 @@ const fetchedAhead = (part: string, files: string[]): string[] =>
 
 /**
  * What comes as one file, as it is needed at one time. All that the page needs at once: parted among the many late lists
- * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars, and the drawings
- * of the kinds of objects.
+ * and dialogs that share some of it, it would be 35 files more and 13 kB heavier. And the editor's bars, the drawings of the
+ * kinds of objects, and the verdict's bar with the words that the projector view tells, too.
  */
 const chunkGroups = [
   { name: 'page', tags: ['$initial' as const] },
@@ -241,6 +241,7 @@ const chunkGroups = [
     name: 'editor-bars',
     test: /\/course-editor\/(Editor(Actions|Bars)\.vue|palette\/|parts\/ToolIcon|words\/(editor-words\.ts|\w+\.json))/,
   },
+  { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];
 
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
