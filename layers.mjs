@@ -14,6 +14,7 @@ export const layers = {
   simulation: ['core', 'board', 'vm', 'devices', 'world', 'attachments', 'robots', 'libraries', 'scene'],
   tape: ['core', 'scene', 'vm', 'simulation'],
   python: [],
+  catalogue: ['core', 'scene', 'project'],
   check: ['core', 'board', 'scene', 'project', 'my-robot', 'simulation', 'tape', 'python'],
   embed: ['core', 'board', 'vm', 'scene', 'project', 'simulation', 'python'],
   reference: ['core', 'python'],
@@ -22,7 +23,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check',
+    'check', 'catalogue',
   ], // prettier-ignore
   web: [
     'core',
@@ -45,6 +46,7 @@ export const layers = {
     'device-check',
     'device-log',
     'check',
+    'catalogue',
   ],
 };
 

@@ -2,6 +2,9 @@ import { copyFile, mkdir } from 'node:fs/promises';
 import { fileURLToPath } from 'node:url';
 import { defineConfig, type Plugin } from 'vite';
 
+import { programs } from './build/programs.ts';
+import { scenes } from './build/scenes.ts';
+
 const here = (path: string): string => fileURLToPath(new URL(path, import.meta.url));
 
 /** Puts the VM beside the bundle that loads it. */
@@ -22,7 +25,7 @@ export default defineConfig(({ mode }) => {
   const outDir = here(bench ? 'dist/bench' : 'dist/cli');
   return {
     publicDir: false,
-    plugins: [vmBeside(outDir)],
+    plugins: [programs(), scenes(), vmBeside(outDir)],
     ssr: { noExternal: true, target: 'node' },
     build: {
       ssr: true,

@@ -2,6 +2,7 @@ import { execFileSync } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
+import { readProgram } from '../build/programs';
 import { linkOf } from '../src/project/link/link';
 import { defaultScene } from '../src/scene/scene';
 import { expect, test, type App } from './app';
@@ -42,14 +43,14 @@ const pasteInto = (app: App, mail: string): Promise<void> =>
   }, mail);
 
 /** The table and the report that the command line writes of the same e-mail. */
-function writtenByCommandLine(): { readonly table: string; readonly report: string } {
+function writtenByCommandLine(task = 'closed-line', text = MAIL): { readonly table: string; readonly report: string } {
   const folder = mkdtempSync(join(tmpdir(), 'parcours-class-'));
   try {
     const [mail, csv, html] = ['mail.txt', 'class.csv', 'class.html'].map((name) => join(folder, name)) as [string, string, string]; // prettier-ignore
-    writeFileSync(mail, MAIL);
+    writeFileSync(mail, text);
     try {
       const files = ['--csv', csv, '--report', html];
-      execFileSync('node', ['bin/parcours.mjs', 'check', 'closed-line', mail, ...files, '--lang', 'de']);
+      execFileSync('node', ['bin/parcours.mjs', 'check', task, mail, ...files, '--lang', 'de']);
     } catch {
       // Exit code 3: not all have passed.
     }
@@ -57,6 +58,19 @@ function writtenByCommandLine(): { readonly table: string; readonly report: stri
   } finally {
     rmSync(folder, { recursive: true, force: true });
   }
+}
+
+/** A mission's start program and solution as pupils find them who have the page in different languages. */
+async function missionMail(): Promise<string> {
+  const programs = await Promise.all(
+    ['start', 'main'].map((name) => readProgram(`courses/missions/12-closed-line/${name}.py`)),
+  );
+  const [start, main] = programs.map(({ source }) => source);
+  const filled = (text = ''): string => linkTo(text.replaceAll('$module', 'mbrobot'));
+  return [
+    `Ada: ${filled(main?.de)}`,
+    ...(['de', 'en', 'fr', 'it'] as const).map((language) => `${language}: ${filled(start?.[language])}`),
+  ].join('\n');
 }
 
 /** What the page has saved last. */
@@ -125,6 +139,33 @@ test('a class that sends links is checked: table and report are byte for byte th
   expect(href).toContain('#p=');
   await app.press('Escape');
   await gone(app, by('class-task'));
+});
+
+test('a class of a mission has the same title and remarks on the page and on the command line, in whatever language it worked', async ({
+  app,
+}) => {
+  test.setTimeout(120_000);
+  const [mission, mail] = ['closed-line-maqueen-lite', await missionMail()];
+  await app.goto('./logo.svg');
+  await app.evaluate(() =>
+    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true })),
+  );
+  await app.goto('./#class');
+  await until(app, by('class-task'));
+  await app.evaluate((id) => {
+    const select = document.querySelector<HTMLSelectElement>('[data-testid=class-task]')!;
+    select.value = id;
+    select.dispatchEvent(new Event('change', { bubbles: true }));
+  }, mission);
+  await pasteInto(app, mail);
+  await app.click(by('class-check-links'));
+  await until(app, by('class-table'));
+  await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
+  expect((await app.text(by('class-table'))).split('nicht bearbeitet')).toHaveLength(5);
+  await app.click(by('class-report'));
+  await until(app, by('class-report-page'));
+  const shown = await app.evaluate(() => document.querySelector('iframe')!.srcdoc);
+  expect(shown).toBe(writtenByCommandLine(mission, mail).report);
 });
 
 /** What of hand-ins lies in the browser's database: a list as JSON. */

@@ -16,6 +16,8 @@ export interface Checker {
   readonly firmware: WebAssembly.Module;
   /** Called often while a world runs, and at its beginning, with its place in the task: who watches sees that it goes on. */
   readonly beat?: (world: number) => void;
+  /** The `main.py` that was handed out, as pupils may have found it in other languages. */
+  readonly starts?: readonly string[];
   /**
    * From this world on nothing is run, because the program was stuck there in one endless call, or has broken the VM; left
    * out: all are run.
@@ -27,7 +29,8 @@ export interface Checker {
  * Checks a hand-in: its program is run in every world of the task, and looked at. The same task and hand-in give the same
  * result on every machine. Everything but the programs is the task's; what the pupil had else is told.
  */
-export async function check(task: ClassTask, handIn: HandIn, { firmware, beat, lost }: Checker): Promise<CheckResult> {
+export async function check(task: ClassTask, handIn: HandIn, checker: Checker): Promise<CheckResult> {
+  const { firmware, beat, lost, starts = [] } = checker;
   const worlds: WorldResult[] = [];
   for (const [place, world] of task.worlds.entries()) {
     beat?.(place);
@@ -37,16 +40,21 @@ export async function check(task: ClassTask, handIn: HandIn, { firmware, beat, l
         : await runWorld(task, handIn.project, world, { firmware, beat: () => beat?.(place) }),
     );
   }
-  return resultOf(task, handIn, worlds);
+  return resultOf(task, handIn, worlds, starts);
 }
 
-function resultOf(task: ClassTask, handIn: HandIn, worlds: readonly WorldResult[]): CheckResult {
+function resultOf(
+  task: ClassTask,
+  handIn: HandIn,
+  worlds: readonly WorldResult[],
+  starts: readonly string[],
+): CheckResult {
   const checks = task.checks.map((one) => outcomeOf(task, one, handIn, worlds));
   const passed =
     task.checks.every(({ needed }, place) => !needed || checks[place]?.passed === true) &&
     isEnough(task, worlds, ({ passed: holds }) => holds);
   const points = task.checks.reduce((sum, one, place) => sum + (checks[place]?.passed === true ? one.points : 0), 0);
-  const unchanged = isUnchanged(task, handIn);
+  const unchanged = isUnchanged(task, handIn, starts);
   return {
     passed,
     points,
@@ -96,8 +104,10 @@ function starsOf({ stars }: ClassTask, passed: boolean, points: number): number 
 }
 
 /** Whether the program is still the one that was handed out. */
-const isUnchanged = ({ project }: ClassTask, handIn: HandIn): boolean =>
-  isSame(runFilesOf(project, 0), runFilesOf(handIn.project, 0));
+function isUnchanged({ project }: ClassTask, handIn: HandIn, starts: readonly string[]): boolean {
+  const theirs = runFilesOf(handIn.project, 0);
+  return [runFilesOf(project, 0), ...starts.map((text) => ({ [MAIN]: text }))].some((files) => isSame(files, theirs));
+}
 
 function remarksOn(
   task: ClassTask,

@@ -1,3 +1,5 @@
+import { projectOf } from '#catalogue/course';
+import { readyCourseOf } from '#catalogue/starts';
 import type { Language } from '#core/languages';
 import { parseSceneValue } from '#scene/parse';
 import type { Scene } from '#scene/scene';
@@ -14,36 +16,32 @@ const inputs = import.meta.glob<string>('../../courses/*/inputs.json', {
   query: '?raw',
 });
 
-/** What ready courses are called, by the files of their words; one without a name is called as its scene says. */
-const titles = import.meta.glob<{ readonly name?: string }>('../../courses/*/words/*.json', {
-  eager: true,
-  import: 'default',
-});
-
 /** What `course.json` says of the devices of a course that has several. */
 interface CourseData {
   readonly devices?: readonly { readonly name: string; readonly robot: string }[];
 }
 
-/** The ready course of this id, which a link only names; `null` if there is none. */
+/** The ready course or mission of this id, which a link only names; `null` if there is none. */
 export function readyCourse(id: string): Scene | null {
   const value = scenes[`../../courses/${id}/scene.json`];
-  if (value === undefined) return null;
+  if (value === undefined) return readyCourseOf(id)?.scene ?? null;
   const parsed = parseSceneValue(value);
   return 'scene' in parsed ? parsed.scene : null;
 }
 
 /** What the page calls a ready course in this language; `null`: as its scene says. */
 export const readyTitle = (id: string | null, language: Language): string | null =>
-  titles[`../../courses/${id ?? ''}/words/${language}.json`]?.name ?? null;
+  readyCourseOf(id)?.texts[language].name ?? null;
 
 /**
- * The ready course of this id as a task for a class: its start program, its further devices with theirs, and what is
+ * The ready course or mission of this id as a task for a class: its start program, its further devices with theirs, and what is
  * pressed in it; `null` if there is none.
  */
 export function readyProject(id: string): Project | null {
   const scene = readyCourse(id);
   if (scene === null) return null;
+  const ready = readyCourseOf(id);
+  if (ready?.mission !== undefined) return projectOf(ready, 'en');
   const programOf = (name: string): string => programs[`../../courses/${id}/${name}.py`] ?? '';
   const [first, ...others] = courses[`../../courses/${id}/course.json`]?.devices ?? [];
   const further = others.map(({ name, robot }): FurtherDevice => {

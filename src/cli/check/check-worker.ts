@@ -5,7 +5,7 @@ import type { CheckAnswer, CheckRequest } from '#check/lane';
 import { taskOf } from '#check/task/read-task';
 import { BEAT, WORLD, type CheckerData } from './pool-messages';
 
-const { task: project, firmware, shared } = workerData as CheckerData;
+const { task: project, firmware, starts, shared } = workerData as CheckerData;
 const read = taskOf(project);
 if ('problem' in read) throw new Error(read.problem); // the main thread has read it, too
 const { task } = read;
@@ -16,7 +16,7 @@ const beat = (world: number): void => {
 };
 
 parentPort?.on('message', ({ handIn, lost }: CheckRequest) => {
-  check(task, handIn, { firmware, beat, ...(lost !== undefined && { lost }) }).then(
+  check(task, handIn, { firmware, beat, starts, ...(lost !== undefined && { lost }) }).then(
     (result) => parentPort?.postMessage({ result } satisfies CheckAnswer),
     (error: unknown) => {
       const broken = error instanceof Error ? (error.stack ?? error.message) : String(error);

@@ -3,6 +3,7 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'nod
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { missions } from '#catalogue/missions';
 import { linkOf } from '#project/link/link';
 import { readyCourse, readyProject } from '../ready-courses';
 import { parcours, useFolder } from '../testing/parcours';
@@ -111,6 +112,22 @@ describe('parcours check', () => {
     const { code, out, err } = parcours(...words);
     expect([code, out]).toEqual([2, '']);
     expect(err).toContain(problem);
+  });
+
+  it('takes a mission by its id, calls it by its title, and tells of its start program in whatever language', () => {
+    const mission = missions.find(({ id }) => id === 'closed-line-maqueen-lite')!;
+    const { program, solution, texts } = mission;
+    const written = Object.fromEntries(Object.entries(program).map(([language, text]) => [`${language}.py`, text]));
+    const handedIn = classOf('mission', { ...written, 'own.py': solution.de });
+    const report = join(folder, 'mission.html');
+    const { out } = parcours('check', mission.id, handedIn, '--json', '--lang', 'fr', '--report', report);
+    const { task, handIns } = jsonOf(out);
+    expect(task).toBe('closed-line-maqueen-lite');
+    expect(handIns.map(({ name, passed, remarks }) => [name, passed, remarks.length])).toEqual([
+      ...[['de', false, 1], ['en', false, 1], ['fr', false, 1], ['it', false, 1]], // prettier-ignore
+      ['own', true, 0],
+    ]);
+    expect(readFileSync(report, 'utf8')).toContain(`<h1>${texts.fr.name}</h1>`);
   });
 
   it('finds links in an e-mail, and tells of one that is damaged', () => {

@@ -5,6 +5,8 @@ export interface CheckerData {
   /** The task, as its project says it. */
   readonly task: Project;
   readonly firmware: WebAssembly.Module;
+  /** Its start program in other languages. */
+  readonly starts: readonly string[];
   /** Shared words, see `BEAT` and `WORLD`. */
   readonly shared: Int32Array;
 }

@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
+import { startsOf } from '#catalogue/starts';
 import type { CheckAnswer, StartThread } from '#check/lane';
 import type { ClassTask } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
@@ -13,8 +14,9 @@ const HEAP_MB = 512;
 export const startThread =
   (task: ClassTask, firmware: WebAssembly.Module): StartThread =>
   (heard) => {
+    const starts = startsOf(task.project);
     const shared = new Int32Array(new SharedArrayBuffer(2 * Int32Array.BYTES_PER_ELEMENT));
-    const workerData: CheckerData = { task: projectOfTask(task), firmware, shared };
+    const workerData: CheckerData = { task: projectOfTask(task), firmware, starts, shared };
     const worker = new Worker(fileURLToPath(new URL('./check-worker.mjs', import.meta.url)), {
       workerData,
       resourceLimits: { stackSizeMb: STACK_MB, maxOldGenerationSizeMb: HEAP_MB },

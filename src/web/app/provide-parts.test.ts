@@ -7,7 +7,7 @@ import type { SimulatorEvent } from '#embed/simulator';
 import { defaultScene } from '#scene/scene';
 
 import { noHost } from '../visit/host-view';
-import { courses } from '../work/catalogue/courses';
+import { courses } from '#catalogue/courses';
 import { firstCourse } from '../work/catalogue/first-course';
 import { nothingKept, openedFrom } from '../work/model/keep-work';
 import { workToText } from '../work/storage/history';

@@ -29,7 +29,7 @@ import { SoundPlayer } from '../run/sound/sound-player';
 import { heldSettings } from '../visit/held-settings';
 import { HostView, type HostWish } from '../visit/host-view';
 import { provideVisit } from '../visit/parts';
-import { projectOf } from '../work/catalogue/course';
+import { projectOf } from '#catalogue/course';
 import { fetchNameOf, firstCourse } from '../work/catalogue/first-course';
 import { deviceSettings } from '../work/hardware/hardware';
 import { tableNow } from '../work/hardware/use-hardware';

@@ -1,3 +1,4 @@
+import { startsOf } from '#catalogue/starts';
 import { isSame } from '#core/same';
 import { taskOf } from '#check/task/read-task';
 import type { Project } from '#project/project';
@@ -22,7 +23,7 @@ export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
   const known = classes.get(work);
   if (known !== undefined) return known;
   const made = new ClassModel({
-    starter: async (task) => startThread(task, await compileFirmware()),
+    starter: async (task) => startThread(task, await compileFirmware(), startsOf(task.project)),
     every,
     lanes: laneCount(),
   });

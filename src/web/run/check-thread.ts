@@ -5,9 +5,13 @@ import { projectOfTask } from '#check/task/write-task';
 import { createWorker } from './worker/create-worker';
 import type { FromChecker, ToChecker } from './worker/checker';
 
-/** Starts workers that check hand-ins of a task. They share the compiled VM. */
+/**
+ * Starts workers that check hand-ins of a task. They share the compiled VM.
+ *
+ * @param starts its start program in other languages
+ */
 export const startThread =
-  (task: ClassTask, firmware: WebAssembly.Module): StartThread =>
+  (task: ClassTask, firmware: WebAssembly.Module, starts: readonly string[] = []): StartThread =>
   (heard) => {
     const worker = createWorker();
     const send = (message: ToChecker): void => worker.postMessage(message);
@@ -18,7 +22,7 @@ export const startThread =
       else now.world = data.world;
     };
     worker.onerror = ({ message }) => heard({ broken: message });
-    send({ type: 'check-open', task: projectOfTask(task), firmware });
+    send({ type: 'check-open', task: projectOfTask(task), firmware, starts });
     return {
       ask(request) {
         now.world = 0;

@@ -16,7 +16,7 @@ import ConsolePane from '../console/ConsolePane.vue';
 import SharedConsole from '../console/SharedConsole.vue';
 import { colorsOfDevices } from '../work/hardware/device-colors';
 import { hardwareNow } from '../work/hardware/use-hardware';
-import { courses } from '../work/catalogue/courses';
+import { courses } from '#catalogue/courses';
 import { useCourses } from '../work/use-courses';
 import DeviceRow from './DeviceRow.vue';
 import { firstName, newBoard, newRobot, newTwin } from './new-device';

@@ -13,7 +13,7 @@ import { downloads } from '../app/testing/downloads';
 import { byId, fieldById, isThere, tap, write } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
-import { courses } from '../work/catalogue/courses';
+import { courses } from '#catalogue/courses';
 import type { Keeper } from '../work/model/keeper';
 import { openAddress, readyCourses } from './open-address';
 import OpenLinkDialog from './OpenLinkDialog.vue';

@@ -14,7 +14,7 @@ import { mountOn, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { startRun } from '../app/testing/run';
 import { t } from '../page/i18n';
-import { projectOf } from '../work/catalogue/course';
+import { projectOf } from '#catalogue/course';
 import { courseName, firstCourse } from '../work/catalogue/first-course';
 import { useCourses } from '../work/use-courses';
 import { useCommands } from './use-commands';

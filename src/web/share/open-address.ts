@@ -10,7 +10,7 @@ import { useDevice } from '../work/hardware/use-device';
 import { useOpenings } from '../work/use-openings';
 import { parametersOf, urlOf } from '../visit/address';
 import { say } from '../page/i18n/say';
-import type { Course } from '../work/catalogue/course';
+import type { Course } from '#catalogue/course';
 import { readyCourse } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';

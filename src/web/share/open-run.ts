@@ -14,7 +14,7 @@ import { repeatShown } from '../run/repeat-shown';
 import { showAgain } from '../run/run-again';
 import { clockText } from '../run/use-run-text';
 import type { Workplace } from '../work/model/parts';
-import type { Course } from '../work/catalogue/course';
+import type { Course } from '#catalogue/course';
 import { courseName } from '../work/catalogue/first-course';
 import { readyCourses } from '../work/catalogue/ready-courses';
 

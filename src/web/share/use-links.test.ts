@@ -9,7 +9,7 @@ import { defaultScene, type Scene } from '#scene/scene';
 import { mountOn } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { t } from '../page/i18n';
-import { courses } from '../work/catalogue/courses';
+import { courses } from '#catalogue/courses';
 import { openAddress, readyCourses } from './open-address';
 import { useLinks } from './use-links';
 

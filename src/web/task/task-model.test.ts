@@ -9,8 +9,8 @@ import { defaultScene, sceneDefaults, type Scene } from '#scene/scene';
 import { createPage, type TestPage } from '../app/testing/page';
 import { show, startRun } from '../app/testing/run';
 import { loadTexts, showLanguage } from '../page/i18n';
-import { courses } from '../work/catalogue/courses';
-import { ladderOf } from '../work/catalogue/missions';
+import { courses } from '#catalogue/courses';
+import { ladderOf } from '#catalogue/missions';
 import '../work/catalogue/ready-courses';
 import { useCourses } from '../work/use-courses';
 

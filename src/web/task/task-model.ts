@@ -4,7 +4,7 @@ import { shownLanguage } from '../page/i18n';
 import type { RunParts } from '../run/parts';
 import { firstCourse } from '../work/catalogue/first-course';
 import { knownCourses } from '../work/catalogue/known-courses';
-import type { Course } from '../work/catalogue/course';
+import type { Course } from '#catalogue/course';
 import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import { goalsInWords } from './goals';

@@ -1,7 +1,7 @@
 import type { Language } from '#core/languages';
 import type { Scene } from '#scene/scene';
 
-import type { Course } from '../work/catalogue/course';
+import type { Course } from '#catalogue/course';
 
 /** What the card of a task says, in one language. */
 export interface ShownText {

@@ -3,7 +3,7 @@ import { modulesImportedBy } from '#python/imports';
 import { AUTO, chooseHardware, NO_ROBOT } from '#simulation/hardware';
 import type { Language } from '../page/i18n/texts';
 import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
-import { projectOf, type Course } from './catalogue/course';
+import { projectOf, type Course } from '#catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';

@@ -9,7 +9,7 @@ import { leavePage, mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { loadTexts, showLanguage, shownLanguage } from '../../page/i18n';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { courses } from '../../work/catalogue/courses';
+import { courses } from '#catalogue/courses';
 import CourseGallery from './CourseGallery.vue';
 import { filter } from './session';
 

@@ -4,8 +4,8 @@ import type { Texts } from '#core/languages';
 import { parseScene } from '#scene/parse';
 import { serializeScene } from '#scene/serialize';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { projectOf, solved } from '../../work/catalogue/course';
-import { courses } from '../../work/catalogue/courses';
+import { projectOf, solved } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
 import { isUntouched } from '../../work/catalogue/examples';
 import { randomCourse } from './random-course';
 import {

@@ -4,7 +4,7 @@ import { randomTrack } from '#scene/random/track';
 import type { Scene } from '#scene/scene';
 
 import { LANGUAGES, type Language } from '../../page/i18n/texts';
-import type { Course, CourseLevel, CourseTexts } from '../../work/catalogue/course';
+import type { Course, CourseLevel, CourseTexts } from '#catalogue/course';
 import { type RandomKind, type RandomSize, type RandomWish, randomId } from '../../work/catalogue/random-wish';
 import { courseGalleryWords } from './course-gallery-words';
 

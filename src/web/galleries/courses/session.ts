@@ -1,6 +1,6 @@
 import { shallowRef } from 'vue';
 
-import type { CourseKind } from '../../work/catalogue/course';
+import type { CourseKind } from '#catalogue/course';
 import { newSeed, type RandomKind, type RandomWish } from '../../work/catalogue/random-wish';
 
 export type Filter = CourseKind | 'all' | 'random';

@@ -7,7 +7,7 @@ import { useRun } from '../../run/parts';
 import { useWork } from '../../work/model/parts';
 import { useLayout } from '../../layout/parts';
 import { useCourses } from '../../work/use-courses';
-import { solved, type Course } from '../../work/catalogue/course';
+import { solved, type Course } from '#catalogue/course';
 
 /** Name of the robot that a course and its program are made for. */
 export function robotName({ scene, solution }: Course): string {

@@ -6,7 +6,7 @@ import { byId, tap } from '../../app/testing/find';
 import { mountOn, setWindow, textOf } from '../../app/testing/mount-on';
 import { createPage, type TestPage } from '../../app/testing/page';
 import { loadTexts } from '../../page/i18n';
-import { ladderOf } from '../../work/catalogue/missions';
+import { ladderOf } from '#catalogue/missions';
 import '../../work/catalogue/ready-courses';
 import MissionGallery from './MissionGallery.vue';
 

@@ -7,7 +7,13 @@ import type { Project } from '#project/project';
 
 /** From the page: the task that all following hand-ins are checked for, then one after the other. */
 export type ToChecker =
-  | { readonly type: 'check-open'; readonly task: Project; readonly firmware: WebAssembly.Module }
+  | {
+      readonly type: 'check-open';
+      readonly task: Project;
+      readonly firmware: WebAssembly.Module;
+      /** Its start program in other languages. */
+      readonly starts: readonly string[];
+    }
   | { readonly type: 'check'; readonly request: CheckRequest };
 
 /** To the page. */
@@ -29,6 +35,7 @@ export interface CheckerPorts {
 export class Checker {
   private task: ClassTask | null = null;
   private firmware: WebAssembly.Module | null = null;
+  private starts: readonly string[] = [];
   private saidMs = -Infinity;
   private world = -1;
 
@@ -39,18 +46,19 @@ export class Checker {
     else this.ports.post({ type: 'checked', answer: await this.answer(message.request) });
   }
 
-  private open({ task, firmware }: Extract<ToChecker, { type: 'check-open' }>): void {
+  private open({ task, firmware, starts }: Extract<ToChecker, { type: 'check-open' }>): void {
     const read = taskOf(task);
     this.task = 'task' in read ? read.task : null; // the page has read it, too
     this.firmware = firmware;
+    this.starts = starts;
   }
 
   private async answer({ handIn, lost }: CheckRequest): Promise<CheckAnswer> {
-    const { task, firmware } = this;
+    const { task, firmware, starts } = this;
     if (task === null || firmware === null) return { broken: 'There is no task.' };
     try {
       const beat = (world: number): void => this.beat(world);
-      return { result: await check(task, handIn, { firmware, beat, ...(lost !== undefined && { lost }) }) };
+      return { result: await check(task, handIn, { firmware, beat, starts, ...(lost !== undefined && { lost }) }) };
     } catch (error) {
       return { broken: error instanceof Error ? error.message : String(error) };
     }

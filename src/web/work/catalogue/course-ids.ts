@@ -1,4 +1,4 @@
-import { missionId, missionRobots } from './mission-place';
+import { missionId, missionRobots } from '#catalogue/mission-place';
 
 const folders = import.meta.glob('../../../../courses/*/course.json', { query: '?raw' });
 const missions = import.meta.glob('../../../../courses/missions/*/mission.json', { query: '?raw' });

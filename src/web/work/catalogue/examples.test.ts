@@ -9,8 +9,8 @@ import { Simulation } from '#simulation/simulation';
 import type { TraceRow } from '#simulation/trace';
 import type { RobotSnapshot } from '#simulation/snapshot';
 import { LANGUAGES } from '../../page/i18n/texts';
-import { projectOf } from './course';
-import { courses } from './courses';
+import { projectOf } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
 import { examples, withExample, type ExampleOf } from './examples';
 
 let firmware: WebAssembly.Module;

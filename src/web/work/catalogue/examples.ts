@@ -5,7 +5,7 @@ import { robotSheets } from '#robots/sheets';
 import type { Scene } from '#scene/scene';
 
 import type { Language } from '../../page/i18n/texts';
-import type { Course } from './course';
+import type { Course } from '#catalogue/course';
 import { readyCourses } from './ready-courses';
 import { isSameArena } from './same-arena';
 

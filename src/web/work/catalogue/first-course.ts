@@ -2,9 +2,9 @@ import { MAIN, type Project } from '#project/project';
 import type { Scene } from '#scene/scene';
 
 import { shownLanguage, t } from '../../page/i18n';
-import type { Course } from './course';
+import type { Course } from '#catalogue/course';
 import { knownCourses } from './known-courses';
-import { missionsOf, type MissionFiles } from './mission';
+import { missionsOf, type MissionFiles } from '#catalogue/mission';
 
 // Only what a first visit shows comes with the page; the other courses lie in ready-courses.ts, which is fetched late.
 const files: MissionFiles = {

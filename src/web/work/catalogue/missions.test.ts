@@ -7,9 +7,9 @@ import { findProblems } from '#scene/rules';
 import { soloRun } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import { firstCourse } from './first-course';
-import type { MissionCourse } from './mission';
-import { missionRobots } from './mission-place';
-import { ladderOf, missionAfter, missions } from './missions';
+import type { MissionCourse } from '#catalogue/mission';
+import { missionRobots } from '#catalogue/mission-place';
+import { ladderOf, missionAfter, missions } from '#catalogue/missions';
 
 let firmware: WebAssembly.Module;
 beforeAll(() => {

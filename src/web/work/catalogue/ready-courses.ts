@@ -1,7 +1,7 @@
-import type { Course } from './course';
-import { courses } from './courses';
+import type { Course } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
 import { knownCourses } from './known-courses';
-import { missions } from './missions';
+import { missions } from '#catalogue/missions';
 
 /** All courses that come with the page: those of the gallery and the missions. */
 export const readyCourses: readonly Course[] = [...courses, ...missions];

@@ -10,28 +10,28 @@
  * - `start.py`: what the pupil finds on opening it.
  * - `words/de.json`, …: as those of a course (`courses.ts`), and `hints`.
  *
- * Fetched late, with the list. `first-course.ts` holds the one that comes with the page.
+ * On the page fetched late, with the list; `first-course.ts` there holds the one that comes with the page.
  */
 import { missionsOf, type MissionCourse, type MissionFiles } from './mission';
 import type { Mission, MissionRobot } from './mission-place';
 
 const files: MissionFiles = {
-  scenes: import.meta.glob('../../../../courses/missions/*/scene.json', {
+  scenes: import.meta.glob('../../courses/missions/*/scene.json', {
     query: '?scene',
     import: 'default',
     eager: true,
   }),
-  data: import.meta.glob('../../../../courses/missions/*/mission.json', {
+  data: import.meta.glob('../../courses/missions/*/mission.json', {
     query: '?raw',
     import: 'default',
     eager: true,
   }),
-  main: import.meta.glob('../../../../courses/missions/*/main.py', {
+  main: import.meta.glob('../../courses/missions/*/main.py', {
     query: '?languages',
     import: 'default',
     eager: true,
   }),
-  start: import.meta.glob('../../../../courses/missions/*/start.py', {
+  start: import.meta.glob('../../courses/missions/*/start.py', {
     query: '?languages',
     import: 'source',
     eager: true,

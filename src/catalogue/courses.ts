@@ -16,17 +16,16 @@
  *
  * How its solution drives is recorded in `courses/golden.json`.
  *
- * Fetched late, with the list.
+ * On the page fetched late, with the list.
  */
-import { shownLanguage } from '../../page/i18n';
 import { coursesOf, type Course, type CourseFiles } from './course';
 
 const files: CourseFiles = {
-  scenes: import.meta.glob('../../../../courses/*/scene.json', { query: '?scene', import: 'default', eager: true }),
-  data: import.meta.glob('../../../../courses/*/course.json', { query: '?raw', import: 'default', eager: true }),
-  main: import.meta.glob('../../../../courses/*/main.py', { query: '?languages', import: 'default', eager: true }),
-  start: import.meta.glob('../../../../courses/*/start.py', { query: '?languages', import: 'source', eager: true }),
-  others: import.meta.glob(['../../../../courses/*/*.py', '!**/{main,start}.py', '!**/{board,golden}/**'], {
+  scenes: import.meta.glob('../../courses/*/scene.json', { query: '?scene', import: 'default', eager: true }),
+  data: import.meta.glob('../../courses/*/course.json', { query: '?raw', import: 'default', eager: true }),
+  main: import.meta.glob('../../courses/*/main.py', { query: '?languages', import: 'default', eager: true }),
+  start: import.meta.glob('../../courses/*/start.py', { query: '?languages', import: 'source', eager: true }),
+  others: import.meta.glob(['../../courses/*/*.py', '!**/{main,start}.py', '!**/{board,golden}/**'], {
     query: '?languages',
     import: 'source',
     eager: true,
@@ -35,13 +34,3 @@ const files: CourseFiles = {
 
 /** The courses of the gallery, in its order. */
 export const courses: readonly Course[] = coursesOf(files);
-
-/** What a course says about itself, in the chosen language. */
-export function courseText(course: Course): string {
-  return course.texts[shownLanguage()].text;
-}
-
-/** What a course asks for, in the chosen language. */
-export function courseTask(course: Course): string {
-  return course.texts[shownLanguage()].task;
-}

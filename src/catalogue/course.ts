@@ -81,7 +81,7 @@ export interface CourseFiles {
 export function coursesOf(files: CourseFiles): Course[] {
   return Object.keys(files.main)
     .flatMap((path) => readCourse(path.replace('/main.py', ''), files))
-    .sort((one, other) => (one.place ?? Infinity) - (other.place ?? Infinity) || one.id.localeCompare(other.id, 'en'));
+    .sort((one, other) => (one.place ?? Infinity) - (other.place ?? Infinity) || (one.id < other.id ? -1 : 1));
 }
 
 function readCourse(folder: string, { scenes, data, main, start, others }: CourseFiles): Course[] {
