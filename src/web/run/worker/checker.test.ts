@@ -27,7 +27,7 @@ describe('the worker that checks hand-ins', () => {
 
   it('answers with the result, and shows signs of life meanwhile', async () => {
     const { made, said, hand } = checker();
-    await made.receive({ type: 'check-open', task: projectOfTask(task), firmware });
+    await made.receive({ type: 'check-open', task: projectOfTask(task), starts: [], firmware });
     await hand(ahead(3000));
     expect(said.at(-1)).toMatchObject({ type: 'checked', answer: { result: { passed: true } } });
     expect(said.slice(0, -1).every(({ type }) => type === 'check-beat')).toBe(true);
