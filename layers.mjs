@@ -80,7 +80,7 @@ export const webLayers = {
   device: ['page', 'run', 'work', 'layout', 'arena'],
   galleries: ['page', 'run', 'work', 'layout', 'task', 'device'],
   print: ['page', 'run', 'work', 'task', 'arena', 'look-back', 'share'],
-  share: ['page', 'run', 'work', 'visit', 'console', 'device-log'],
+  share: ['page', 'run', 'work', 'visit', 'task', 'console', 'device-log'],
   'first-steps': [
     'page',
     'run',
@@ -95,17 +95,19 @@ export const webLayers = {
     'debug',
     'class',
     'task-maker',
+    'series',
   ],
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   'handed-out': ['page', 'run', 'work', 'course-editor'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
   'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board'],
+  series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'class', 'task-maker'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker', 'why', 'handed-out', 'projector',
+    'debug', 'class', 'task-maker', 'series', 'why', 'handed-out', 'projector',
   ], // prettier-ignore
 };

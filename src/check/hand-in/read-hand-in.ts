@@ -25,8 +25,9 @@ export const handInOfFiles = (files: readonly SourceFile[]): HandIn => ({
 });
 
 function saidIn(data: Carried, reader: Reader): Said {
+  // The series that the work is a part of tells the page the way back, and nothing of what is checked.
   const { task, alias, verdict, tries, hash, remarks } = reader.fields(data, 'handIn', [
-    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks'],
+    ...['version', 'task', 'alias', 'verdict', 'tries', 'hash', 'remarks', 'series'],
   ]);
   const listed =
     remarks === undefined ? [] : reader.list(remarks, 'handIn.remarks', { min: 0, max: saidRemarks.length });

@@ -17,22 +17,36 @@ export async function readTasks(series: Series, load: LoadFile): Promise<Series>
 }
 
 async function taskInFile({ id, title }: SeriesTask, file: string, load: LoadFile): Promise<TaskSource> {
+  const value = { id, ...(title !== '' && { title }), file };
   const loaded = await load(file);
-  const from = 'text' in loaded ? taskOfText(loaded.text) : loaded;
+  if ('problem' in loaded) {
+    const said = `${file}: ${loaded.problem}`;
+    return { ...unread(value, [{ code: 'missing', path: file, value: '', params: {}, message: said }]), said };
+  }
+  const from = taskOfText(loaded.text);
   if ('kind' in from) return from;
-  const message = `${file}: ${from.problem}`;
-  const problem: ProjectProblem = { code: 'damaged', path: file, value: '', params: {}, message };
-  return unread({ id, ...(title !== '' && { title }), file }, [problem]);
+  return unread(
+    value,
+    from.problems.map((problem) => inFile(problem, file)),
+  );
 }
+
+const inFile = (problem: ProjectProblem, file: string): ProjectProblem => ({
+  ...problem,
+  path: problem.path === '' ? file : `${file}: ${problem.path}`,
+  message: `${file}: ${problem.message}`,
+});
 
 /** The task in the text of a file: a project, or a course with an empty program. */
 export function taskOfText(
   text: string,
-): Extract<TaskSource, { readonly kind: 'project' }> | { readonly problem: string } {
-  if (looksLikeSeries(text))
-    return { problem: 'is a series itself; a series holds tasks only. Add its tasks one by one.' };
+): Extract<TaskSource, { readonly kind: 'project' }> | { readonly problems: readonly ProjectProblem[] } {
+  if (looksLikeSeries(text)) {
+    const message = 'is a series itself; a series holds tasks only. Add its tasks one by one.';
+    return { problems: [{ code: 'wrong-type', path: '', value: '"parcours-series"', params: {}, message }] };
+  }
   const opened = openJson(text);
-  if (opened.kind === 'problem') return { problem: opened.problem };
+  if (opened.kind === 'problem') return { problems: opened.problems };
   if (opened.kind === 'project') return { kind: 'project', project: opened.project };
   return { kind: 'project', project: { files: [{ name: MAIN, text: '' }], scene: opened.scene, course: null } };
 }

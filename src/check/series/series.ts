@@ -37,6 +37,8 @@ export interface Unread {
   /** In English, with the place in the file. */
   readonly problem: string;
   readonly problems: readonly ProjectProblem[];
+  /** Why, in the words of whoever looked for its file. */
+  readonly said?: string;
 }
 
 /** Limits of a series. Chosen: a school year of lessons, which a page still shows at once. */

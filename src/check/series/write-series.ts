@@ -75,7 +75,7 @@ export function seriesToFolder(series: Series, nameOf: (task: SeriesTask) => str
 }
 
 /** Letters without marks, digits and `-`: every web server has such a file under such an address. */
-function plainName(name: string): string {
+export function plainName(name: string): string {
   const plain = name
     .normalize('NFKD')
     .toLowerCase()

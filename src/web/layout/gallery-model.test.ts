@@ -18,11 +18,26 @@ describe('the address of a gallery', () => {
     ['#my-robot', { kind: 'my-robot' }],
     ['#class', { kind: 'class' }],
     ['#task', { kind: 'task' }],
+    ['#make-series', { kind: 'make-series' }],
+    ['#s=1.abc', { kind: 'series', from: 's=1.abc' }],
+    ['#series=a/b/series.json', { kind: 'series', from: 'series=a/b/series.json' }],
+    ['#series/woche-3', { kind: 'series', from: 'series/woche-3' }],
   ])('%s is known', (hash, page) => expect(galleryPage(hash)).toEqual(page));
 
-  it.each(['', '#', '#robot', '#class/1', '#robots/a/b', '#courses/a/b', '#p=abc', '#Robots'])('“%s” is none', (hash) =>
-    expect(galleryPage(hash)).toBeNull(),
-  );
+  it.each([
+    '',
+    '#',
+    '#robot',
+    '#class/1',
+    '#robots/a/b',
+    '#courses/a/b',
+    '#p=abc',
+    '#Robots',
+    '#s=',
+    '#series',
+    '#series/',
+    '#slalom',
+  ])('“%s” is none', (hash) => expect(galleryPage(hash)).toBeNull());
 });
 
 describe('the galleries', () => {

@@ -1,18 +1,21 @@
 import { onScopeDispose, shallowRef, type ShallowRef } from 'vue';
 
-/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own, the checking of a class, the making of a task. */
+/** What a gallery shows: all robots or one, all courses or one, the missions for a robot, the measuring of one's own, the checking of a class, the making of a task or a series, a series. */
 export type GalleryPage =
   | { readonly kind: 'all' }
   | { readonly kind: 'robot'; readonly robot: string }
   | { readonly kind: 'courses' }
   | { readonly kind: 'course'; readonly course: string }
   | { readonly kind: 'missions'; readonly robot: string | null }
+  /** `from`: the address behind `#`, which holds it, says where it is, or names one that this browser keeps. */
+  | { readonly kind: 'series'; readonly from: string }
   | { readonly kind: (typeof PAGES)[number] };
 
 /**
  * Which gallery is open, and where: that of the robots, of the courses or of the missions. Their pages have addresses
- * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`, `#class`, `#task`):
- * teachers can hand them on, and the browser's back button leads back.
+ * (`#robots`, `#robots/callibot`, `#courses`, `#courses/slalom`, `#missions`, `#missions/callibot`, `#my-robot`, `#class`, `#task`,
+ * `#make-series`, and `#s=…`, `#series=…`, `#series/…` for a series of tasks): teachers can hand them on, and the browser's back
+ * button leads back.
  */
 export interface GalleryModel {
   /** `null`: closed. */
@@ -27,7 +30,9 @@ export interface GalleryModel {
   openMissions(robot?: string): void;
   /** Those for another robot in the same place: the back button leads past them. */
   replaceMissions(robot: string): void;
-  /** Opens the page on which the pupil's own robot is measured, or that on which a task is made, or hand-ins of a class are checked. */
+  /** Opens a series of tasks that this browser keeps. */
+  openSeries(id: string): void;
+  /** Opens the page on which the pupil's own robot is measured, or that on which a task or a series is made, or hand-ins of a class are checked. */
   openPage(page: (typeof PAGES)[number]): void;
   close(): void;
 }
@@ -36,12 +41,13 @@ const ROBOTS = 'robots';
 const COURSES = 'courses';
 const MISSIONS = 'missions';
 /** Those that have one page each. */
-const PAGES = ['my-robot', 'class', 'task'] as const;
+const PAGES = ['my-robot', 'class', 'task', 'make-series'] as const;
 /** Under this name the browser's history keeps how many pages were opened. */
 const DEPTH = 'galleryPages';
 
 /** What a page's address asks for: the part behind `#`. A course is known by what people write from memory, too. */
 export function galleryPage(hash: string): GalleryPage | null {
+  if (/^#s(eries[=/]|=)./.test(hash)) return { kind: 'series', from: hash.slice(1) };
   const [name, id = '', ...more] = hash
     .replace(/^#/, '')
     .replace(/^courses?[=/]/, 'courses/')
@@ -75,6 +81,7 @@ export function createGallery(): GalleryModel {
     open: (robot) => go(ROBOTS, robot),
     openCourses: (course) => go(COURSES, course),
     openPage: (page) => go(page),
+    openSeries: (id) => go('series', id),
     openMissions: (robot) => go(MISSIONS, robot),
     replaceCourse: (course) => replace(COURSES, course),
     replaceMissions: (robot) => replace(MISSIONS, robot),

@@ -3,7 +3,7 @@ import type { Scene } from '#scene/scene';
 import { say } from '../page/i18n/say';
 import type { CheckInWords } from '../task/checks-in-words';
 import { goalsInWords, rulesInWords } from '../task/goals';
-import type { ShownText } from '../task/task-text';
+import type { ShownText } from '../work/catalogue/task-text';
 import { taskWords as words } from '../task/task-words';
 import { sizedForPdf } from './picture-parts';
 import type { PaperTask } from './task/task-blocks';

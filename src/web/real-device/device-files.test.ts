@@ -5,7 +5,7 @@ import { findBuild, robotLibraries } from '#simulation/robot-libraries';
 import { filesForDevice } from './device-files';
 import { fingerprint, pythonBytes, pythonText } from './device-python';
 import { allLibraries, robotOwnLibraries } from './libraries';
-import { zipOf } from './zip';
+import { zipOf } from '../work/zip';
 
 const named = (main: string, more: Readonly<Record<string, string>> = {}) =>
   [['main.py', main] as const, ...Object.entries(more)].map(([name, text]) => ({ name, text }));

@@ -14,7 +14,7 @@ import { pageTimer } from './port';
 import { PutError, type PutProblem } from './problem';
 import { putFiles, type DeviceFile, type PutProgress, type PutResult, type PutWish } from './put-files';
 import { chooseSerialPort, serialAbility } from './serial-port';
-import { zipOf } from './zip';
+import { zipOf } from '../work/zip';
 
 /** State of the transfer. */
 export type DeviceState =

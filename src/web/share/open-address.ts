@@ -35,6 +35,7 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
   const fragment = address.includes('#') ? address.slice(address.indexOf('#')) : address.trim();
   if (isProjectLink(fragment)) return openProjectLink(app, fragment);
   if (isRunLink(fragment)) return openRunLink(app, fragment);
+  if (showSeries(address.trim(), fragment)) return null;
   const id = courseIn(address.trim());
   const course = id === null ? null : readyCourse(id.course);
   if (id !== null && course === null) return say(words.problems.unknownCourse, { course: id.course });
@@ -44,6 +45,17 @@ export function openAddress(app: Workplace, address: string, wish: 'held' | 'bro
   if (id.name === 'task') openWhole(course);
   else openScene(course);
   return null;
+}
+
+/** A series has an address of this page, which shows it; a relative one is seen from the page that it was given with. */
+function showSeries(address: string, fragment: string): boolean {
+  const [, inside, place] = /^#?(?:(s=\d.*)|series=(.+))$/.exec(fragment) ?? [];
+  if (inside !== undefined) location.hash = inside;
+  else if (place !== undefined) {
+    const base = urlOf(address.replace(/#.*/, ''), location.href) ?? location.href;
+    location.hash = `series=${urlOf(decodeURIComponent(place), String(base))?.href ?? place}`;
+  }
+  return (inside ?? place) !== undefined;
 }
 
 /** The ready course that an address names. */

@@ -1,3 +1,4 @@
+import { looksLikeSeries } from '#check/series/read-series';
 import { openJson } from '#project/open-json';
 import { isTapeFile } from '#tape/tape';
 
@@ -10,17 +11,19 @@ import { isReadyArena } from '../work/catalogue/examples';
 import { courseName } from '../work/catalogue/first-course';
 import { workName } from '../work/work-name';
 import { say } from '../page/i18n/say';
+import type { ShowsSeries } from './open-series';
 import { reasonOf } from './problem-words';
 import { shareWords as words } from './share-words';
 
 /** Where projects, courses and pictures are taken in. */
-export type TakesDocuments = Workplace & {
-  /** The course editor's windows, where a picture becomes the floor. */
-  readonly panels: {
-    /** Returns `false` where the page has no arena. */
-    offer(picture: Blob): boolean;
+export type TakesDocuments = Workplace &
+  ShowsSeries & {
+    /** The course editor's windows, where a picture becomes the floor. */
+    readonly panels: {
+      /** Returns `false` where the page has no arena. */
+      offer(picture: Blob): boolean;
+    };
   };
-};
 
 /** Files that may become the floor. */
 const PICTURE = /\.(png|jpe?g|svg)$/i;
@@ -33,6 +36,7 @@ const MAX_BYTES = 16 * 1024 * 1024;
  * put aside like work of one's own. A file that cannot be opened gives a message.
  */
 export async function openJsonFiles(app: TakesDocuments, files: readonly File[]): Promise<void> {
+  if (await hasSeries(app, files)) return;
   if (files.length > PREVIOUS_KEPT) {
     // More would push earlier ones, and the pupil's own work, out of what is kept.
     refuse(app, say(words.tooManyFiles, { count: files.length, max: PREVIOUS_KEPT }));
@@ -48,6 +52,16 @@ export async function openJsonFiles(app: TakesDocuments, files: readonly File[])
     const text = say(words.openedSeveral, { name: workName(app), count: files.length - 1 });
     app.notices.show({ kind: 'ok', key: 'notice.text', values: { text } });
   }
+}
+
+/** Whether one of the files is a series: that is opened, with the tasks in the others. */
+async function hasSeries(app: TakesDocuments, files: readonly File[]): Promise<boolean> {
+  const texts = new Map<string, string>();
+  for (const file of files)
+    if (/\.json$/i.test(file.name) && file.size <= MAX_BYTES) texts.set(file.name, (await textOf(file)) ?? '');
+  if (![...texts.values()].some(looksLikeSeries)) return false;
+  const { openSeriesAmong } = await import('./open-series');
+  return openSeriesAmong(app, texts);
 }
 
 /** @returns why the file was not opened; `null`: it was */

@@ -9,7 +9,7 @@ import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
 import { goalsInWords } from './goals';
 import { createKeptStars, type KeptStars } from './kept-stars';
-import { hasWords, taskText, type ShownText } from './task-text';
+import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text';
 
 /** The task of the open course as a card. */
 export interface TaskModel {

@@ -18,8 +18,8 @@ export function useCourses(app: Workplace) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
   /** What it runs on is chosen separately: the settings of the previous work do not come along. */
-  const open = ({ settings: _, ...project }: Project, name: string): void =>
-    openings.open(project, name, isOurs(app.work.work.value.project));
+  const open = ({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void =>
+    openings.open(project, name, ours);
 
   /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
   function openExample(entry: ExampleOf): void {
@@ -37,10 +37,10 @@ export function useCourses(app: Workplace) {
     device.chooseRobot(NO_ROBOT);
   }
 
-  /** Opens a course with its program, whatever the pupil has written: that is put aside. */
-  function openWhole(course: Course): void {
+  /** Opens a course with its program, whatever the pupil has written: that is put aside, unless it is known to be `ours`. */
+  function openWhole(course: Course, ours?: boolean): void {
     const project = projectOf(course, language());
-    open(project, courseName(course.scene, course.id));
+    open(project, courseName(course.scene, course.id), ours);
     const robot = robotOf(project);
     if (robot !== null) device.bringRobot(robot);
     device.setUpForCourse();

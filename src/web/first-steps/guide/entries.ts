@@ -20,6 +20,7 @@ import {
   mdiFitToScreenOutline,
   mdiFlagCheckered,
   mdiFolderOpenOutline,
+  mdiFormatListNumbered,
   mdiFormatListBulleted,
   mdiFullscreen,
   mdiGestureTap,
@@ -81,6 +82,8 @@ import { editorWords } from '../../course-editor/words/editor-words';
 import { debugWords } from '../../debug/debug-words';
 import { classWords } from '../../class/class-words';
 import { makerWords } from '../../task-maker/maker-words';
+import { seriesWords } from '../../series/series-words';
+import { seriesWayWords } from '../../task/series/series-way-words';
 import { deviceWords } from '../../device/device-words';
 import { showWords } from '../../layout/show-words';
 import type { GuideContent, OwnName } from './content/content';
@@ -153,6 +156,8 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   'show-arena': ofKey(mdiRobotOutline, 'bar.showArena', 'bar.hideArena', 'words.hide'),
   gallery: of(mdiRobotHappyOutline, () => say(deviceWords.gallery), 'gallery'),
   'task-maker': of(mdiClipboardEditOutline, () => say(makerWords.title), 'menu-task'),
+  'make-series': of(mdiFormatListNumbered, () => say(seriesWords.title), 'menu-make-series'),
+  series: of(mdiFormatListNumbered, () => say(seriesWayWords.back), 'menu-series'),
   class: of(mdiClipboardCheckOutline, () => say(classWords.title), 'menu-class'),
   projector: of(
     mdiProjectorScreenOutline,

@@ -42,6 +42,8 @@ export const MENU_IDS = [
   'show-arena',
   'gallery',
   'task-maker',
+  'make-series',
+  'series',
   'class',
   'projector',
   'device-check',

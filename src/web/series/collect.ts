@@ -1,0 +1,108 @@
+import { readZip } from '#check/hand-in/zip';
+import { readTasks, taskOfText } from '#check/series/read-files';
+import { looksLikeSeries, parseSeries } from '#check/series/read-series';
+import type { Series, SeriesTask } from '#check/series/series';
+import { seriesOfLink } from '#check/series/series-link';
+import { projectOfLink } from '#project/link/link';
+
+import type { AddedFile } from '../class/added-files';
+import { say } from '../page/i18n/say';
+import { readyCourses } from '../share/open-address';
+import { fileBeside } from '../share/open-series';
+import { linkReason, reasonOf } from '../share/problem-words';
+import { seriesReason } from '../share/series-reason';
+import { shareWords } from '../share/share-words';
+import { readyCourse } from '../work/catalogue/ready-courses';
+import { seriesWords } from './series-words';
+
+const words = seriesWords.make;
+
+/** What was found to add: tasks, whole series, and in words what is neither. */
+export interface Collected {
+  readonly tasks: readonly Omit<SeriesTask, 'id'>[];
+  /** Those in files of series, in which each file beside is read. */
+  readonly series: readonly Series[];
+  readonly refusals: readonly string[];
+}
+
+/** Largest file that is read, in bytes. Chosen: a project with a picture as floor has a few MB. */
+const MOST_BYTES = 16 * 1024 * 1024;
+
+/** The tasks in files that were dropped or chosen, also in folders and zips. */
+export async function collectFiles(added: readonly AddedFile[]): Promise<Collected> {
+  const texts = new Map<string, string>();
+  const refusals: string[] = [];
+  for (const { path, file } of added) {
+    const bytes = file.size > MOST_BYTES ? null : new Uint8Array(await file.arrayBuffer());
+    if (/\.json$/i.test(path) && bytes !== null) texts.set(path, new TextDecoder().decode(bytes));
+    else if (/\.zip$/i.test(path) && bytes !== null)
+      for (const [name, text] of textsInZip(bytes)) texts.set(name, text);
+    else refusals.push(say(words.refused, { file: path, reason: say(words.kinds) }));
+  }
+  return tasksIn(texts, refusals);
+}
+
+function textsInZip(bytes: Uint8Array): readonly (readonly [name: string, text: string])[] {
+  const zip = readZip(bytes);
+  if ('problem' in zip) return [];
+  return zip.entries.flatMap((entry) => {
+    const content = /\.json$/i.test(entry.path) ? entry.read(MOST_BYTES) : { problem: null };
+    return 'bytes' in content ? [[entry.path, new TextDecoder().decode(content.bytes)] as const] : [];
+  });
+}
+
+async function tasksIn(texts: ReadonlyMap<string, string>, refusals: string[]): Promise<Collected> {
+  const [tasks, series]: [Omit<SeriesTask, 'id'>[], Series[]] = [[], []];
+  const beside = new Map([...texts].map(([path, text]) => [nameOf(path), text]));
+  const isUsed = new Set<string>();
+  for (const [path, text] of texts) {
+    if (!looksLikeSeries(text)) continue;
+    const read = parseSeries(text, readyCourses);
+    if ('problem' in read) refusals.push(say(words.refused, { file: path, reason: seriesReason(read.problems) }));
+    else
+      series.push(
+        await readTasks(read.series, (file) => {
+          isUsed.add(nameOf(file));
+          return Promise.resolve(fileBeside(file, beside));
+        }),
+      );
+  }
+  for (const [path, text] of texts) {
+    if (looksLikeSeries(text) || isUsed.has(nameOf(path))) continue;
+    const from = taskOfText(text);
+    if ('problems' in from) refusals.push(say(words.refused, { file: path, reason: reasonOf(from.problems) }));
+    else tasks.push({ title: from.project.scene.name === '' ? stemOf(path) : '', from });
+  }
+  return { tasks, series, refusals };
+}
+
+const nameOf = (path: string): string => path.replace(/^.*\//, '');
+const stemOf = (path: string): string =>
+  nameOf(path)
+    .replace(/(\.parcours)?\.json$/i, '')
+    .slice(0, 120);
+
+/** Links to projects and series, and to ready courses, whatever stands around them. */
+const LINK = /[#\s>"']([ps]=\d{1,9}\.[\w-]+)|(?:#courses?[/=]|[?&]task=)([\w-]+)/g;
+
+/** The tasks behind the links in a text. */
+export function collectLinks(text: string): Collected {
+  const [tasks, series, refusals]: [Omit<SeriesTask, 'id'>[], Series[], string[]] = [[], [], []];
+  for (const [, fragment, course] of ` ${text}`.matchAll(LINK)) {
+    if (fragment === undefined) {
+      if (course === undefined || readyCourse(course) === null)
+        refusals.push(say(seriesWords.noCourse, { course: course ?? '' }));
+      else tasks.push({ title: '', from: { kind: 'course', course } });
+    } else if (fragment.startsWith('s')) {
+      const read = seriesOfLink(fragment, readyCourses);
+      if ('series' in read) series.push(read.series);
+      else refusals.push('fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems));
+    } else {
+      const read = projectOfLink(fragment, readyCourses);
+      if ('problem' in read) refusals.push(linkReason(read.problem));
+      else tasks.push({ title: '', from: { kind: 'project', project: read.project } });
+    }
+  }
+  const isNothing = tasks.length + series.length + refusals.length === 0;
+  return { tasks, series, refusals: isNothing ? [say(words.noLinks)] : refusals };
+}

@@ -1,0 +1,73 @@
+import { readTasks } from '#check/series/read-files';
+import { parseSeries } from '#check/series/read-series';
+import { seriesLimits } from '#check/series/series';
+import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
+
+import { say } from '../page/i18n/say';
+import { readyCourses } from '../share/open-address';
+import { shownAndKept, type FoundSeries } from '../share/open-series';
+import { seriesReason } from '../share/series-reason';
+import { shareWords } from '../share/share-words';
+import { keptSeries, seriesFrom } from '../task/series/kept-series';
+import { urlOf } from '../visit/address';
+import { seriesWords as words } from './series-words';
+
+/**
+ * Finds the series of a page's address: in a link that holds it, on the web server that the page comes from, or kept in this
+ * browser. What is found is kept. What pupils must not see is left out, whatever the file holds.
+ *
+ * @param from the address behind `#`: `s=…`, `series=ADDRESS`, `series/ID`
+ */
+export async function findSeries(from: string): Promise<FoundSeries> {
+  if (isSeriesLink(from)) {
+    const read = seriesOfLink(from, readyCourses);
+    if ('fault' in read) return { problem: say(shareWords.series.faults[read.fault]) };
+    return shownAndKept(read);
+  }
+  if (from.startsWith('series=')) return fetchSeries(decoded(from.slice('series='.length)));
+  const series = await keptSeries(from.slice('series/'.length));
+  return series === null ? { problem: say(words.notKept) } : { series };
+}
+
+/** From the page's own web server alone: its content policy lets it reach no other. */
+async function fetchSeries(given: string): Promise<FoundSeries> {
+  const url = urlOf(given, location.href.replace(/#.*/, ''));
+  if (url === null) return { problem: say(words.badAddress, { address: given }) };
+  if (!/^https?:$/.test(location.protocol)) return { problem: say(words.noServer) };
+  if (url.origin !== location.origin) return { problem: say(words.foreign, { host: url.host || given }) };
+  const loaded = await textAt(url);
+  if ('problem' in loaded) {
+    const series = await seriesFrom(url.href);
+    return series === null ? { problem: loaded.problem } : { series, isOld: true };
+  }
+  const read = parseSeries(loaded.text, readyCourses);
+  if ('problem' in read) return { problem: seriesReason(read.problems) };
+  const whole = await readTasks(read.series, async (file) => {
+    const place = urlOf(file, url.href);
+    if (place === null || place.origin !== url.origin)
+      return { problem: say(words.foreign, { host: place?.host ?? file }) };
+    return textAt(place);
+  });
+  return shownAndKept({ series: whole }, url.href);
+}
+
+async function textAt(url: URL): Promise<{ readonly text: string } | { readonly problem: string }> {
+  const address = url.pathname;
+  try {
+    const response = await fetch(url, { cache: 'no-cache' });
+    if (!response.ok) return { problem: say(words.notThere, { address, status: response.status }) };
+    const text = await response.text();
+    return text.length > seriesLimits.characters ? { problem: say(shareWords.series.faults['too-large']) } : { text };
+  } catch {
+    return { problem: say(words.notReached, { address }) };
+  }
+}
+
+/** An address that was written plainly may have a `%` of its own. */
+function decoded(text: string): string {
+  try {
+    return decodeURIComponent(text);
+  } catch {
+    return text;
+  }
+}

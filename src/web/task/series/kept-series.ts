@@ -1,0 +1,88 @@
+import { parseSeries } from '#check/series/read-series';
+import type { Series } from '#check/series/series';
+import { seriesToText } from '#check/series/write-series';
+import { isRecord } from '#core/record';
+
+import { readyCourse } from '../../work/catalogue/ready-courses';
+import { inStore, type Entry } from '../../work/storage/database';
+
+/** Names in the browser's database: a series by its id, and the one that is being made. */
+const SERIES = 'series.of.';
+const DRAFT = 'series.draft';
+
+/** Those that were opened since the page was loaded: a browser without a database has them, too. */
+const opened = new Map<string, Series>();
+
+const courses = (id: string) => readyCourse(id)?.scene ?? null;
+
+/**
+ * Keeps a series that was opened, so that the way back to it is there after a reload and without a network. It goes when nobody
+ * has opened it for sixty days, as other pieces of work do.
+ *
+ * @param address where it was fetched from; left out: it was in a link or a file
+ */
+export async function keepSeries(series: Series, address?: string): Promise<void> {
+  opened.set(series.id, series);
+  await put(SERIES + series.id, { text: seriesToText(series), ...(address !== undefined && { address }) }, Date.now());
+}
+
+/** A series that was kept; `null`: this browser has none of that id. */
+export async function keptSeries(id: string): Promise<Series | null> {
+  const known = opened.get(id);
+  if (known !== undefined) return known;
+  const series = seriesIn(await entryOf(SERIES + id));
+  if (series !== null) await keepSeries(series);
+  return series;
+}
+
+/** The series that was last fetched from this address. */
+export async function seriesFrom(address: string): Promise<Series | null> {
+  let entries: readonly Entry[] = [];
+  await tried('readonly', (store) => {
+    const request = store.getAll(IDBKeyRange.bound(SERIES, `${SERIES}~`)) as IDBRequest<Entry[]>;
+    request.onsuccess = () => (entries = request.result);
+  });
+  return seriesIn(entries.find((entry) => valueIn(entry)?.['address'] === address));
+}
+
+/** Keeps the series that a teacher is making, with solutions and all, until another takes its place. */
+export const keepDraft = (series: Series): Promise<void> => put(DRAFT, { text: seriesToText(series) }, Infinity);
+
+/** The series that was being made when the page was left. */
+export const keptDraft = async (): Promise<Series | null> => seriesIn(await entryOf(DRAFT));
+
+async function entryOf(name: string): Promise<Entry | undefined> {
+  let entry: Entry | undefined;
+  await tried('readonly', (store) => {
+    const request = store.get(name) as IDBRequest<Entry | undefined>;
+    request.onsuccess = () => (entry = request.result);
+  });
+  return entry;
+}
+
+const put = (name: string, value: object, usedMs: number): Promise<void> =>
+  tried('readwrite', (store) => void store.put({ name, text: JSON.stringify(value), usedMs } satisfies Entry));
+
+/** A browser without a database keeps nothing: what is open works all the same. */
+async function tried(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
+  try {
+    await inStore(mode, act);
+  } catch {
+    // nothing is kept
+  }
+}
+
+function valueIn(entry: Entry | undefined): Readonly<Record<string, unknown>> | null {
+  try {
+    const value: unknown = JSON.parse(entry?.text ?? 'null');
+    return isRecord(value) ? value : null;
+  } catch {
+    return null;
+  }
+}
+
+function seriesIn(entry: Entry | undefined): Series | null {
+  const text = valueIn(entry)?.['text'];
+  const read = typeof text === 'string' ? parseSeries(text, courses) : null;
+  return read !== null && 'series' in read ? read.series : null;
+}
