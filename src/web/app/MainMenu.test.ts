@@ -181,6 +181,7 @@ describe('the main menu', () => {
       'Arena ausblenden',
       'Roboter-Galerie',
       'Aufgabe stellen',
+      'Aufgabenserie machen',
       'Lösungen prüfen',
       'Beamer-Ansicht',
     ]);

@@ -37,11 +37,7 @@ export async function keptSeries(id: string): Promise<Series | null> {
 
 /** The series that was last fetched from this address. */
 export async function seriesFrom(address: string): Promise<Series | null> {
-  let entries: readonly Entry[] = [];
-  await tried('readonly', (store) => {
-    const request = store.getAll(IDBKeyRange.bound(SERIES, `${SERIES}~`)) as IDBRequest<Entry[]>;
-    request.onsuccess = () => (entries = request.result);
-  });
+  const entries = await entriesAt(() => IDBKeyRange.bound(SERIES, `${SERIES}~`));
   return seriesIn(entries.find((entry) => valueIn(entry)?.['address'] === address));
 }
 
@@ -51,13 +47,15 @@ export const keepDraft = (series: Series): Promise<void> => put(DRAFT, { text: s
 /** The series that was being made when the page was left. */
 export const keptDraft = async (): Promise<Series | null> => seriesIn(await entryOf(DRAFT));
 
-async function entryOf(name: string): Promise<Entry | undefined> {
-  let entry: Entry | undefined;
+const entryOf = async (name: string): Promise<Entry | undefined> => (await entriesAt(() => name))[0];
+
+async function entriesAt(query: () => string | IDBKeyRange): Promise<readonly Entry[]> {
+  let entries: readonly Entry[] = [];
   await tried('readonly', (store) => {
-    const request = store.get(name) as IDBRequest<Entry | undefined>;
-    request.onsuccess = () => (entry = request.result);
+    const request = store.getAll(query()) as IDBRequest<Entry[]>;
+    request.onsuccess = () => (entries = request.result);
   });
-  return entry;
+  return entries;
 }
 
 const put = (name: string, value: object, usedMs: number): Promise<void> =>
