@@ -99,6 +99,19 @@ describe('the galleries', () => {
     expect(location.pathname + location.search + location.hash).toBe('/?lang=de');
   });
 
+  it('closed after an address was followed and another page opened, do not come back to the first one', () => {
+    history.replaceState(null, '', '/?lang=de#make-series');
+    const it = gallery();
+    it.openSeries('woche-3');
+    expect(it.page.value).toEqual({ kind: 'series', from: 'series/woche-3' });
+    vi.spyOn(history, 'go').mockImplementation(() => {
+      history.replaceState(null, '', '/?lang=de#make-series');
+      dispatchEvent(new PopStateEvent('popstate'));
+    });
+    it.close();
+    expect([it.page.value, location.hash]).toEqual([null, '']);
+  });
+
   it('that are closed already are not left again', () => {
     const go = vi.spyOn(history, 'go').mockImplementation(() => undefined);
     gallery().close();

@@ -63,7 +63,12 @@ export function galleryPage(hash: string): GalleryPage | null {
 
 export function createGallery(): GalleryModel {
   const page = shallowRef(galleryPage(location.hash));
+  /** The page that the visit began with is no longer wanted either. */
+  let isLeaving = false;
+  const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
   const follow = (): void => {
+    if (isLeaving && galleryPage(location.hash) !== null) bare();
+    isLeaving = false;
     page.value = galleryPage(location.hash);
   };
   addEventListener('popstate', follow);
@@ -89,8 +94,9 @@ export function createGallery(): GalleryModel {
       if (page.value === null) return;
       page.value = null;
       // The pages that were opened from the app leave the history; an address that was followed is only left.
-      if (depth() > 0) history.go(-depth());
-      else history.replaceState(null, '', location.pathname + location.search);
+      isLeaving = depth() > 0;
+      if (isLeaving) history.go(-depth());
+      else bare();
     },
   };
 }
