@@ -4,7 +4,7 @@ import type { Project } from '#project/project';
 
 import type { LayoutParts } from '../../layout/parts';
 import { shownLanguage } from '../../page/i18n';
-import { projectOf } from '../../work/catalogue/course';
+import { projectOf } from '#catalogue/course';
 import { courseName } from '../../work/catalogue/first-course';
 import { readyCourse } from '../../work/catalogue/ready-courses';
 import type { Workplace } from '../../work/model/parts';
