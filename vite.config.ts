@@ -244,11 +244,25 @@ const chunkGroups = [
   { name: 'verdict', test: /\/arena\/verdict\/(VerdictBar\.vue|use-verdict\.ts|verdict-view\.ts)/ },
 ];
 
+/**
+ * All that the worker needs at once is a file below its own. Late parts of it import from there: where one imported the
+ * worker's own file, WebKit would run that file a second time, and each message would be answered twice.
+ */
+const belowWorker = {
+  name: 'worker-parts',
+  tags: ['$initial' as const],
+  test: (id: string) => !id.endsWith('/run/worker/worker.ts'),
+};
+
 /** The web app: the pages of `src/web` to `dist/app`, with relative addresses so that it runs in any folder of any host. */
 const folder: UserConfig = {
   ...common,
   plugins: [...commonPlugins(), frameCheck(), installable(), licences()],
-  worker: { format: 'es', plugins: () => [programs()] },
+  worker: {
+    format: 'es',
+    plugins: () => [programs()],
+    rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
+  },
   server: { fs: { allow: ['../..'] } },
   build: {
     outDir: '../../dist/app',
