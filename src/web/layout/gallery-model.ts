@@ -67,12 +67,15 @@ export function createGallery(): GalleryModel {
   let isLeaving = false;
   const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
   const follow = (): void => {
-    if (isLeaving && galleryPage(location.hash) !== null) bare();
     isLeaving = false;
     page.value = galleryPage(location.hash);
   };
-  addEventListener('popstate', follow);
-  onScopeDispose(() => removeEventListener('popstate', follow));
+  const arrive = (): void => {
+    if (isLeaving && galleryPage(location.hash) !== null) bare();
+    follow();
+  };
+  addEventListener('popstate', arrive);
+  onScopeDispose(() => removeEventListener('popstate', arrive));
   function go(gallery: string, id?: string): void {
     history.pushState({ [DEPTH]: depth() + 1 }, '', id === undefined ? `#${gallery}` : `#${gallery}/${id}`);
     follow();

@@ -1,7 +1,7 @@
 // @vitest-environment happy-dom
 import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { effectScope, nextTick, type EffectScope } from 'vue';
+import { effectScope, nextTick, watch, type EffectScope } from 'vue';
 
 import { parseTape } from '#tape/file';
 import { createParts, type AllParts } from '../app/provide-parts';
@@ -214,7 +214,8 @@ describe('a run that cannot be shown', () => {
     const text = await saved();
     await page.run.reset();
     open(text);
-    await soon(() => expect(said()).toContain('is open'));
+    // At once when its project is there: to run it again takes a moment.
+    await new Promise<void>((resolve) => watch(page.work.work, () => resolve(), { once: true, flush: 'sync' }));
     await page.run.start();
     await soon(() => expect(page.run.ended.value).not.toBeNull());
     expect(page.run.past.value).toBeNull();
