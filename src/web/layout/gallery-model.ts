@@ -63,6 +63,7 @@ export function galleryPage(hash: string): GalleryPage | null {
 
 export function createGallery(): GalleryModel {
   const page = shallowRef(galleryPage(location.hash));
+  const began = page.value === null ? null : location.hash;
   /** The page that the visit began with is no longer wanted either. */
   let isLeaving = false;
   const bare = (): void => history.replaceState(null, '', location.pathname + location.search);
@@ -71,7 +72,7 @@ export function createGallery(): GalleryModel {
     page.value = galleryPage(location.hash);
   };
   const arrive = (): void => {
-    if (isLeaving && galleryPage(location.hash) !== null) bare();
+    if (isLeaving && location.hash === began && page.value === null) bare();
     follow();
   };
   addEventListener('popstate', arrive);
