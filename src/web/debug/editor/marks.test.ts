@@ -58,7 +58,7 @@ describe('the line where the program stands', () => {
 describe('the line of the moments that somebody drags through', () => {
   afterEach(() => void vi.useRealTimers());
 
-  it('is marked ten times a second at most, the last one always', () => {
+  it('is marked five times a second at most, the last one always', () => {
     vi.useFakeTimers();
     const view = editor();
     document.body.append(view.dom);
@@ -66,11 +66,11 @@ describe('the line of the moments that somebody drags through', () => {
     expect(standing(view)).toEqual(['a']);
     showStopsCalmly(view, [], 2);
     showStopsCalmly(view, [], 3);
-    vi.advanceTimersByTime(99);
+    vi.advanceTimersByTime(199);
     expect(standing(view)).toEqual(['a']);
     vi.advanceTimersByTime(1);
     expect(standing(view)).toEqual(['c']);
-    vi.advanceTimersByTime(100);
+    vi.advanceTimersByTime(200);
     showStopsCalmly(view, [], 4);
     expect(standing(view)).toEqual(['d']);
   });

@@ -159,11 +159,11 @@ export function pointLines(state: EditorState): readonly number[] {
 }
 
 /** Shortest time between two changes of the marks, in ms: who drags through time sees no more lines, and each costs. */
-const CALM_MS = 100;
+const CALM_MS = 200;
 /** Of an editor: what is to be shown when the time since the last change is over; `null`: nothing new. */
 const calm = new WeakMap<EditorView, { next: Parameters<typeof showStops> | null }>();
 
-/** The same as `showStops`, but ten times a second at most; the last one always comes. */
+/** The same as `showStops`, but five times a second at most; the last one always comes. */
 export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
   const [view] = shown;
   const resting = calm.get(view);
