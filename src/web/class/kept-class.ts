@@ -4,7 +4,7 @@ import type { WorldResult } from '#check/result';
 import { isRecord } from '#core/record';
 import type { Project } from '#project/project';
 
-import { inStore, type Entry } from '../work/storage/database';
+import { entriesIn, inStore, type Entry } from '../work/storage/database';
 import type { KeptRow, OpenTask } from './model/class-model';
 
 /** Names in the browser's database; what else lies there is the work's. */
@@ -74,11 +74,7 @@ export async function deleteClass(): Promise<void> {
  * @throws TypeError or SyntaxError (as a rejection) where it is not as it must be
  */
 export async function readClass(): Promise<KeptClass | null> {
-  let entries: readonly Entry[] = [];
-  await inStore('readonly', (store) => {
-    const request = store.getAll(all()) as IDBRequest<Entry[]>;
-    request.onsuccess = () => (entries = request.result);
-  });
+  const entries = await entriesIn(all());
   const texts = new Map(entries.map(({ name, text }) => [name, text]));
   const text = texts.get(TASK);
   if (text === undefined) return null;

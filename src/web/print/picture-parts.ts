@@ -7,6 +7,7 @@ import { lightPalette } from '../arena/model/palette';
 import { withPixelSize } from '../arena/robot/robot-drawing';
 import type { Trail } from '../run/trail';
 import { courseSvg, type PictureOptions } from './svg-course';
+import { svgAddress } from './svg-address';
 
 /** The robot's trails in world mm: one ends where the hand lifted the robot. */
 export function piecesOf(trail: Pick<Trail, 'count' | 'xyMm'>): Vec[][] {
@@ -101,7 +102,7 @@ export async function coursePng(scene: Scene, options: PictureOptions, longestPx
   }
   context.restore();
   const drawing = withPixelSize(svg, canvas.width, canvas.height);
-  const image = await imageOf(`data:image/svg+xml;charset=utf-8,${encodeURIComponent(drawing)}`);
+  const image = await imageOf(svgAddress(drawing));
   context.drawImage(image, 0, 0, canvas.width, canvas.height);
   return new Promise((resolve, reject) =>
     canvas.toBlob((blob) => (blob === null ? reject(new Error('no PNG')) : resolve(blob)), 'image/png'),

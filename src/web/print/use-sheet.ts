@@ -16,6 +16,7 @@ import { PAPER_QR_CHARACTERS, paperQr } from './sheet/paper-qr';
 import { layOutSheet, SIDE_MM, type SheetContent, type Space } from './sheet/sheet-layout';
 import { sheetWords as words } from './sheet/sheet-words';
 import { sheetSvgs } from './sheet/svg-sheet';
+import { svgAddress } from './svg-address';
 
 /** What a teacher wants on the sheet. */
 export interface SheetWish {
@@ -53,9 +54,7 @@ export function useSheet(print: Print) {
     const now = content.value;
     if (now === null) return [];
     const layout = layOutSheet(now);
-    return sheetSvgs(now, layout, courseSvg(print.scene.value, options(layout.course.scale)).svg).map(
-      (svg) => `data:image/svg+xml;charset=utf-8,${encodeURIComponent(svg)}`,
-    );
+    return sheetSvgs(now, layout, courseSvg(print.scene.value, options(layout.course.scale)).svg).map(svgAddress);
   });
 
   async function pdf(): Promise<Blob> {

@@ -5,6 +5,9 @@ import type { Project } from '#project/project';
 
 import { readyCourses } from './open-address';
 
+/** Longer links, in characters, are cut off by some chats and mail programs. */
+export const LONG_LINK = 8_000;
+
 /** The link to the present project. */
 export interface ShareLink {
   /** Whether the program comes along. */

@@ -94,9 +94,8 @@ const PATIENCE = 30;
 export function patientWindow(): typeof movingWindow {
   let tooLarge = 0;
   return (content, canvas, ratio, before) => {
-    const [kept, fitting] = [false, true].map((mayShrink) =>
-      movingWindow(content, canvas, ratio, before, mayShrink),
-    ) as [PxBox, PxBox];
+    const kept = movingWindow(content, canvas, ratio, before, false);
+    const fitting = movingWindow(content, canvas, ratio, before);
     tooLarge = fitting.width < kept.width || fitting.height < kept.height ? tooLarge + 1 : 0;
     return tooLarge > PATIENCE ? fitting : kept;
   };

@@ -4,7 +4,7 @@ import { seriesToText } from '#check/series/write-series';
 import { isRecord } from '#core/record';
 
 import { readyCourse } from '../../work/catalogue/ready-courses';
-import { inStore, type Entry } from '../../work/storage/database';
+import { entriesIn, inStore, type Entry } from '../../work/storage/database';
 
 /** Names in the browser's database: a series by its id, and the one that is being made. */
 const SERIES = 'series.of.';
@@ -49,22 +49,21 @@ export const keptDraft = async (): Promise<Series | null> => seriesIn(await entr
 
 const entryOf = async (name: string): Promise<Entry | undefined> => (await entriesAt(() => name))[0];
 
-async function entriesAt(query: () => string | IDBKeyRange): Promise<readonly Entry[]> {
-  let entries: readonly Entry[] = [];
-  await tried('readonly', (store) => {
-    const request = store.getAll(query()) as IDBRequest<Entry[]>;
-    request.onsuccess = () => (entries = request.result);
-  });
-  return entries;
+/** A browser without a database keeps nothing: what is open works all the same. */
+async function entriesAt(names: () => string | IDBKeyRange): Promise<readonly Entry[]> {
+  try {
+    return await entriesIn(names());
+  } catch {
+    return [];
+  }
 }
 
-const put = (name: string, value: object, usedMs: number): Promise<void> =>
-  tried('readwrite', (store) => void store.put({ name, text: JSON.stringify(value), usedMs } satisfies Entry));
-
-/** A browser without a database keeps nothing: what is open works all the same. */
-async function tried(mode: IDBTransactionMode, act: (store: IDBObjectStore) => void): Promise<void> {
+async function put(name: string, value: object, usedMs: number): Promise<void> {
   try {
-    await inStore(mode, act);
+    await inStore(
+      'readwrite',
+      (store) => void store.put({ name, text: JSON.stringify(value), usedMs } satisfies Entry),
+    );
   } catch {
     // nothing is kept
   }

@@ -27,6 +27,16 @@ export async function inStore(mode: IDBTransactionMode, act: (store: IDBObjectSt
   }
 }
 
+/** The entries of a name or of a range of names, in their order. */
+export async function entriesIn(names: string | IDBKeyRange): Promise<readonly Entry[]> {
+  let entries: readonly Entry[] = [];
+  await inStore('readonly', (store) => {
+    const request = store.getAll(names) as IDBRequest<Entry[]>;
+    request.onsuccess = () => (entries = request.result);
+  });
+  return entries;
+}
+
 function openDatabase(): Promise<IDBDatabase> {
   return new Promise((resolve, reject) => {
     const request = indexedDB.open('parcours', 1);

@@ -2,7 +2,7 @@
  * Copies of the tabs' work in the browser's database. What goes to the storage for text survives the tab at once, but is
  * written to the disk some seconds later; these copies are on the disk when they are done, and survive the browser, too.
  */
-import { inStore, type Entry } from './database';
+import { entriesIn } from './database';
 
 /** Before the name of the tab. The pieces, which lie in the same store, are named by figures (`pieces.ts`). */
 export const DISK_COPY = 'work.';
@@ -12,10 +12,6 @@ export const allCopies = (): IDBKeyRange => IDBKeyRange.bound(DISK_COPY, `${DISK
 
 /** What this tab put there last, or the newest of all tabs for `null`; `null` when there is nothing. */
 export async function copyOnDisk(tab: string | null): Promise<string | null> {
-  let found: Entry[] = [];
-  await inStore('readonly', (store) => {
-    const entries = store.getAll(tab === null ? allCopies() : DISK_COPY + tab) as IDBRequest<Entry[]>;
-    entries.onsuccess = () => (found = entries.result);
-  });
-  return found.sort((one, other) => other.usedMs - one.usedMs)[0]?.text ?? null;
+  const found = await entriesIn(tab === null ? allCopies() : DISK_COPY + tab);
+  return [...found].sort((one, other) => other.usedMs - one.usedMs)[0]?.text ?? null;
 }
