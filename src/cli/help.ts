@@ -80,10 +80,11 @@ What you get
   --help, --version
 
 check: runs hand-ins against a task, and says who has passed. TASK is a task file, a project or a
-course, a link, or the id of a ready course such as closed-line. HAND-INS are programs, project
-files, links, texts with links in them (.txt, .eml), folders and zips: there each file is a hand-in
-with its name, each sub-folder one whose program is main.py. What cannot be read is told and the
-rest goes on. Course, robot and chance are the task's; only the programs are the pupils'.
+course, a link, the id of a ready course such as closed-line, or a task of a series by its number
+or id: series.json#3, "LINK#3". HAND-INS are programs, project files, links, texts with links in
+them (.txt, .eml), folders and zips: there each file is a hand-in with its name, each sub-folder
+one whose program is main.py. What cannot be read is told and the rest goes on. Course, robot and
+chance are the task's; only the programs are the pupils'.
   --jobs N            so many threads (default: as many as this computer has)
   --report, --csv, --junit
                       a page with drawings to print, a table for a spreadsheet, test results

@@ -14,15 +14,13 @@ import { reasonOf } from '../reason-of';
 import type { Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
-import { readTask } from './read-task';
+import { readTask, type NamedTask } from './read-task';
 import { ResultsFolder } from './results-folder';
 import { isInShard } from './shard';
 import { findHandIns } from './sources';
 
 /** Results as they come, in the order of the hand-ins, with the task that they are of. */
-interface Checked {
-  readonly name: string;
-  readonly task: ClassTask;
+interface Checked extends NamedTask {
   readonly results: readonly NamedResult[];
 }
 
@@ -38,7 +36,7 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
   const checked = work === null ? joined(options) : await runAll(work, options, terminal);
   if ('problem' in checked) return refuse(checked.problem, terminal);
   const found = classResult(checked.name, checked.results);
-  const problem = writeReports(found, checked.task, options);
+  const problem = writeReports(found, checked, options);
   if (problem !== null) return refuse(problem, terminal);
   const [passed, of] = [passedOf(found), found.handIns.length];
   if (options.json) terminal.line(jsonOf(found, checked.task, options.lang));
@@ -58,7 +56,7 @@ function refuse(problem: string, terminal: Terminal): 2 {
 function joined({ folder }: CheckOptions): Checked | Problem {
   const read = ResultsFolder.read(folder ?? '');
   if ('problem' in read) return read;
-  const { name, task, names } = read.contents;
+  const { names, ...named } = read.contents;
   const results: NamedResult[] = [];
   const missing: string[] = [];
   for (const one of names) {
@@ -66,7 +64,7 @@ function joined({ folder }: CheckOptions): Checked | Problem {
     if (result === null) missing.push(one);
     else results.push({ name: one, result });
   }
-  if (missing.length === 0) return { name, task, results };
+  if (missing.length === 0) return { ...named, results };
   const some = missing.slice(0, 5).join(', ') + (missing.length > 5 ? ', …' : '');
   return {
     problem: `${folder ?? ''}: ${missing.length} of ${names.length} hand-ins have no result yet: ${some}. Run their shards once more with --resume.`,
@@ -81,18 +79,18 @@ async function runAll(
 ): Promise<Checked | Problem> {
   const read = await readTask(work.task);
   if ('problem' in read) return read;
-  const { name, task } = read;
+  const { task } = read;
   const found = await findHandIns(work.handIns);
   if ('problem' in found) return found;
   if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
   const names = found.sources.map((source) => source.name);
-  const folder = path === null ? null : ResultsFolder.open(path, { name, task, names });
+  const folder = path === null ? null : ResultsFolder.open(path, { ...read, names });
   if (folder !== null && 'problem' in folder) return folder;
   const mine = found.sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json);
   const results = await checkAll(task, mine, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
   terminal.clearProgress();
-  return { name, task, results };
+  return { ...read, results };
 }
 
 /** Says how far it is: on a terminal in one line that is replaced, elsewhere now and then. */
@@ -168,15 +166,16 @@ async function resultOf(task: ClassTask, source: Source, lane: Lane, { folder }:
   return result;
 }
 
-/** What people call the task, as the page does: a ready course by its title. */
-const titleOf = (name: string, { id, project }: ClassTask, language: Language): string =>
-  id || (readyTitle(project.course, language) ?? (project.scene.name || name));
+/** What people call the task, as the page does: as its series does, a ready course by its title. */
+const titleOf = ({ name, title, task: { id, project } }: NamedTask, language: Language): string =>
+  id || (title ?? readyTitle(project.course, language) ?? (project.scene.name || name));
 
 /** @returns what is wrong with one of the files */
-function writeReports(found: ClassResult, task: ClassTask, options: CheckOptions): string | null {
+function writeReports(found: ClassResult, named: NamedTask, options: CheckOptions): string | null {
+  const { task } = named;
   const { report, junit, csv, lang } = options;
   const files = [
-    [report, () => htmlOf({ ...found, task: titleOf(found.task, task, lang) }, task, lang)],
+    [report, () => htmlOf({ ...found, task: titleOf(named, lang) }, task, lang)],
     [junit, () => junitOf(found, lang)],
     // Spreadsheets take a file for UTF-8 only if it begins with this sign.
     [csv, () => `\ufeff${csvOf(found, lang)}`],

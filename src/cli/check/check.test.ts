@@ -130,6 +130,23 @@ describe('parcours check', () => {
     expect(readFileSync(report, 'utf8')).toContain(`<h1>${texts.fr.name}</h1>`);
   });
 
+  it('takes a task of a series, which calls it something else in reports, also in those that are joined', () => {
+    const tasks = [{ course: 'slalom' }, { title: 'Rund um den Tisch', course: 'closed-line' }];
+    const series = file('week.json', JSON.stringify({ format: 'parcours-series', version: 1, title: 'Week', tasks }));
+    const pupil = file('pupil.py', RIGHT);
+    const [report, again, results] = ['series.html', 'again.html', 'series'].map((name) => join(folder, name));
+    const { code, out } = parcours('check', `${series}#2`, pupil, '--json', '--report', report!, '--resume', results!);
+    expect([code, jsonOf(out).task]).toEqual([0, 'Rund um den Tisch']);
+    expect(readFileSync(report!, 'utf8')).toContain('<p>Rund um den Tisch ·');
+    expect(parcours('check', '--merge', results!, '--json', '--report', again!).out).toBe(out);
+    expect(readFileSync(again!, 'utf8')).toBe(readFileSync(report!, 'utf8'));
+    const whole = parcours('check', series, pupil);
+    expect([whole.code, whole.err]).toEqual([
+      2,
+      `parcours: ${series}: is a series. Say which of its tasks, such as ${series}#1: #1 (Slalom), #2 (Rund um den Tisch).\n`,
+    ]);
+  });
+
   it('finds links in an e-mail, and tells of one that is damaged', () => {
     const project = readyProject('closed-line');
     if (project === null) throw new Error('There is no such course.');

@@ -8,42 +8,66 @@ import type { Scene } from '#scene/scene';
 import { readLimited } from '../read-files';
 import { readyProject } from '../ready-courses';
 import { isAddress, openAddress } from '../read-work';
+import { partsOf, seriesLinkIn, taskOfLink, taskOfSeriesFile, type OpenedTask } from './series-task';
 
-/** A task with the name that reports have for it. */
+/** A task with the names that reports have for it. */
 export interface NamedTask {
   readonly name: string;
+  /** As its series calls it; left out: it is of none, or has no name there. */
+  readonly title?: string;
   readonly task: ClassTask;
 }
 
 type Problem = { readonly problem: string };
 
-/** The task behind a word of the command line: a task file, a project or a course, a link, the id of a ready course. */
+/**
+ * The task behind a word of the command line: a task file, a project or a course, a link, the id of a ready course, or one of a
+ * series, which is said behind `#`.
+ */
 export async function readTask(word: string): Promise<NamedTask | Problem> {
-  const opened = await projectOf(word);
+  const opened = await openedTask(word);
   if ('problem' in opened) return opened;
-  const { project, name } = opened;
+  const { project, name, ...titled } = opened;
   const read = taskOf(project);
   if ('problem' in read) return { problem: `${shortened(word)}: ${read.problem}` };
-  return { name: read.task.id || name, task: read.task };
+  return { name: read.task.id || name, ...titled, task: read.task };
 }
 
-async function projectOf(word: string): Promise<{ readonly project: Project; readonly name: string } | Problem> {
-  if (isAddress(word)) {
-    const opened = await openAddress(word);
-    if ('problem' in opened) return { problem: `${shortened(word)}: ${opened.problem}` };
-    if (!('project' in opened)) return { problem: `${shortened(word)}: is a program, and no task.` };
-    return { project: opened.project, name: opened.project.scene.name || 'link' };
-  }
-  const ready = existsSync(word) ? null : readyProject(word);
-  if (ready !== null) return { project: ready, name: word };
-  const file = readLimited(word, projectLimits.textCharacters * 4);
+async function openedTask(word: string): Promise<OpenedTask | Problem> {
+  const { where, which } = partsOf(word);
+  const link = seriesLinkIn(where);
+  if (link !== null) return saidOf(shortened(word), await taskOfLink(link, which));
+  if (isAddress(word)) return taskOfAddress(word);
+  const ready = existsSync(where) ? null : readyProject(where);
+  if (ready !== null) return which === '' ? { project: ready, name: where } : isSingle(where, which);
+  const file = readLimited(where, projectLimits.textCharacters * 4);
   if ('problem' in file)
-    return isId(word) ? { problem: `${file.problem} There is no ready course "${word}" either.` } : file;
+    return isId(where) ? { problem: `${file.problem} There is no ready course "${where}" either.` } : file;
+  const ofSeries = await taskOfSeriesFile(where, file.text, which);
+  if (ofSeries !== null) return saidOf(which === '' ? where : word, ofSeries);
   const opened = openJson(file.text);
-  if (opened.kind === 'problem') return { problem: `${word}: ${opened.problem}` };
+  if (opened.kind === 'problem') return { problem: `${where}: ${opened.problem}` };
+  if (which !== '') return isSingle(where, which);
   const project = opened.kind === 'scene' ? projectOfScene(opened.scene) : opened.project;
-  return { project, name: project.scene.name || basename(word).replace(/(\.parcours)?\.json$/i, '') };
+  return { project, name: project.scene.name || basename(where).replace(/(\.parcours)?\.json$/i, '') };
 }
+
+async function taskOfAddress(address: string): Promise<OpenedTask | Problem> {
+  const word = shortened(address);
+  if (/#series=/.test(address))
+    return { problem: `${word}: The series lies on a web server. Save its file, and name that.` };
+  const opened = await openAddress(address);
+  if ('problem' in opened) return { problem: `${word}: ${opened.problem}` };
+  if (!('project' in opened)) return { problem: `${word}: is a program, and no task.` };
+  return { project: opened.project, name: opened.project.scene.name || 'link' };
+}
+
+const saidOf = (word: string, opened: OpenedTask | Problem): OpenedTask | Problem =>
+  'problem' in opened ? { problem: `${word}: ${opened.problem}` } : opened;
+
+const isSingle = (where: string, which: string): Problem => ({
+  problem: `${where}: is one task and no series. Leave out #${which}.`,
+});
 
 const isId = (word: string): boolean => /^[\w-]+$/.test(word);
 

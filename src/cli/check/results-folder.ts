@@ -12,11 +12,10 @@ import { openJson } from '#project/open-json';
 import { projectToText } from '#project/file';
 import { version } from '../../../package.json';
 import { reasonOf } from '../reason-of';
+import type { NamedTask } from './read-task';
 
 /** The task of a folder of results, and who has handed in, in order. */
-export interface FolderContents {
-  readonly name: string;
-  readonly task: ClassTask;
+export interface FolderContents extends NamedTask {
   readonly names: readonly string[];
 }
 
@@ -33,7 +32,7 @@ export class ResultsFolder {
   ) {}
 
   /** Opens a folder for a task and its hand-ins; makes it where there is none. */
-  static open(path: string, { name, task, names }: FolderContents): ResultsFolder | Problem {
+  static open(path: string, { name, title, task, names }: FolderContents): ResultsFolder | Problem {
     try {
       mkdirSync(join(path, RESULTS), { recursive: true });
       const text = taskText(task);
@@ -41,7 +40,7 @@ export class ResultsFolder {
       if (existsSync(here) && readFileSync(here, 'utf8') !== text)
         return { problem: `${path}: holds the results of another task. Choose another folder.` };
       writeWhole(here, text);
-      writeWhole(join(path, LIST), `${JSON.stringify({ task: name, names })}\n`);
+      writeWhole(join(path, LIST), `${JSON.stringify({ task: name, title, names })}\n`);
       return new ResultsFolder(path, keyOf(version, text));
     } catch (error) {
       return { problem: `${path}: ${reasonOf(error)}` };
@@ -58,7 +57,8 @@ export class ResultsFolder {
       if ('problem' in read) return { problem: `${path}: ${read.problem}` };
       const list: unknown = JSON.parse(readFileSync(join(path, LIST), 'utf8'));
       if (!isList(list)) return { problem: `${path}: ${LIST} is damaged.` };
-      const contents = { name: list.task, task: read.task, names: list.names };
+      const { task: name, names, title } = list;
+      const contents = { name, ...(title !== undefined && { title }), task: read.task, names };
       return { folder: new ResultsFolder(path, keyOf(version, text)), contents };
     } catch (error) {
       return { problem: `${path}: is no folder of results: ${error instanceof SyntaxError ? `${LIST} is damaged.` : reasonOf(error)}` }; // prettier-ignore
@@ -118,9 +118,15 @@ const isKept = (value: unknown): value is Kept =>
   typeof value['taskKey'] === 'string' &&
   isRecord(value['result']);
 
-const isList = (value: unknown): value is { readonly task: string; readonly names: readonly string[] } =>
+interface List extends Pick<NamedTask, 'title'> {
+  readonly task: string;
+  readonly names: readonly string[];
+}
+
+const isList = (value: unknown): value is List =>
   isRecord(value) &&
   typeof value['task'] === 'string' &&
+  ['string', 'undefined'].includes(typeof value['title']) &&
   Array.isArray(value['names']) &&
   value['names'].every((name) => typeof name === 'string');
 

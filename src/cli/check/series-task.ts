@@ -1,0 +1,127 @@
+import { existsSync } from 'node:fs';
+import { fileURLToPath, pathToFileURL } from 'node:url';
+import { readTasks, type LoadFile } from '#check/series/read-files';
+import { looksLikeSeries, parseSeries } from '#check/series/read-series';
+import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
+import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
+import type { Project } from '#project/project';
+import { readLimited } from '../read-files';
+import { readyCourse, readyProject, readyTitle } from '../ready-courses';
+
+type Problem = { readonly problem: string };
+
+/** A task of a series as a project, with the names that reports have for it. */
+export interface OpenedTask {
+  readonly project: Project;
+  readonly name: string;
+  /** As the series calls it; left out: it does not. */
+  readonly title?: string;
+}
+
+/** A word of the command line in its parts: what stands behind the last `#` says which task of a series is meant. */
+export interface TaskWord {
+  /** A file, a link, the id of a ready course. */
+  readonly where: string;
+  /** A number from 1 or an id; empty: nothing is said. */
+  readonly which: string;
+}
+
+/** An address that holds a series, or the part of it from `s=` on, and what stands behind it. */
+const LINK = /^((?:https?:\/\/[^#]*#|#)?s=\d[^#]*)(?:#(.*))?$/is;
+
+/** The parts of a word that is no link to a project: a file may have `#` in its name. */
+export function partsOf(word: string): TaskWord {
+  const [, link, which = ''] = LINK.exec(word) ?? [];
+  if (link !== undefined) return { where: link, which };
+  const at = existsSync(word) ? -1 : word.lastIndexOf('#');
+  return at < 1 ? { where: word, which: '' } : { where: word.slice(0, at), which: word.slice(at + 1) };
+}
+
+/** The link of a series in an address; `null`: it has none. */
+export function seriesLinkIn(where: string): string | null {
+  const fragment = where.slice(Math.max(where.indexOf('#'), 0));
+  return isSeriesLink(fragment) ? fragment : null;
+}
+
+/** What is wrong with a link, beside what is wrong with the series in it. */
+const faults = {
+  damaged: 'The link is damaged: a part of it is missing or changed. Copy it again, whole.',
+  newer: 'The link is from a newer version. Update Parcours.',
+  'too-large': 'The link holds far too much and is not opened.',
+} as const;
+
+/** The task that is meant of the series in a link. */
+export async function taskOfLink(fragment: string, which: string): Promise<OpenedTask | Problem> {
+  const read = seriesOfLink(fragment, readyCourse);
+  if ('fault' in read) return { problem: faults[read.fault] };
+  if ('problem' in read) return { problem: withoutReload(read.problem) };
+  return chosen(read.series, which, 'LINK', () => Promise.resolve({ problem: 'a link has no files beside it.' }));
+}
+
+/** The task that is meant of the series in a file; `null`: the text is none. */
+export async function taskOfSeriesFile(
+  path: string,
+  text: string,
+  which: string,
+): Promise<OpenedTask | Problem | null> {
+  if (!looksLikeSeries(text)) return null;
+  const read = parseSeries(text, readyCourse);
+  if ('problem' in read) return { problem: withoutReload(read.problem) };
+  return chosen(read.series, which, path, (file) => Promise.resolve(fileBeside(path, file)));
+}
+
+/** The page says so to people who have it open. */
+const withoutReload = (problem: string): string => problem.replace(' Reload the page to update.', ' Update Parcours.');
+
+/** A file beside a series: its address is seen from there, as on a web server. */
+function fileBeside(series: string, file: string): { readonly text: string } | Problem {
+  const base = pathToFileURL(series).href;
+  const url = URL.canParse(file, base) ? new URL(file, base) : null;
+  if (url?.protocol !== 'file:' || url.host !== '')
+    return { problem: 'lies on a web server. Save it beside the series.' };
+  const path = fileURLToPath(url);
+  const read = readLimited(path, seriesLimits.characters * 4);
+  return 'problem' in read ? { problem: read.problem.replace(`${path}: `, '') } : read;
+}
+
+/** @param word how the series is named on the command line */
+async function chosen(series: Series, which: string, word: string, load: LoadFile): Promise<OpenedTask | Problem> {
+  const found = taskNamed(series, which, word);
+  if ('problem' in found) return found;
+  const { tasks } = await readTasks({ ...series, tasks: [found] }, load);
+  const [{ title, from } = found] = tasks;
+  const said = title === '' ? {} : { title };
+  if (from.kind === 'project') return { project: from.project, name: title || from.project.scene.name, ...said };
+  if (from.kind !== 'course')
+    return { problem: from.kind === 'unread' ? (from.said ?? withoutReload(from.problem)) : from.file };
+  const project = readyProject(from.course);
+  if (project === null) return { problem: `there is no ready course "${from.course}".` };
+  return { project, name: title || from.course, ...said };
+}
+
+/** A number is always a place: ids stay when tasks change places. */
+function taskNamed({ tasks }: Series, which: string, word: string): SeriesTask | Problem {
+  if (tasks.length === 0) return { problem: 'there are no tasks in this series.' };
+  if (which === '') return { problem: `is a series. Say which of its tasks, such as ${word}#1: ${namesOf(tasks)}` };
+  const isPlace = /^\d+$/.test(which);
+  const task = isPlace ? tasks[Number(which) - 1] : tasks.find(({ id }) => id === which);
+  if (task !== undefined) return task;
+  return {
+    problem: isPlace
+      ? `there are tasks 1 to ${tasks.length} in this series.`
+      : `no task of this series has the id ${JSON.stringify(which)}. There are ${namesOf(tasks)}`,
+  };
+}
+
+const namesOf = (tasks: readonly SeriesTask[]): string =>
+  `${tasks.map((task, place) => `#${place + 1}${orId(task)}${called(task)}`).join(', ')}.`;
+
+const orId = ({ id }: SeriesTask): string => (/^\d+$/.test(id) ? '' : ` or #${id}`);
+
+function called({ title, from }: SeriesTask): string {
+  const name = title || (from.kind === 'course' ? (readyTitle(from.course, 'en') ?? from.course) : nameIn(from));
+  return name === '' ? '' : ` (${name})`;
+}
+
+const nameIn = (from: SeriesTask['from']): string =>
+  from.kind === 'project' ? from.project.scene.name : from.kind === 'file' ? from.file : '';
