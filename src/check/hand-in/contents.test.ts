@@ -1,3 +1,4 @@
+import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
 import { handInOfBytes } from './contents';
 
@@ -13,5 +14,21 @@ describe('a file that is handed in', () => {
   it('may be a program from an editor of Windows, with its mark at the beginning', () => {
     const content = handInOfBytes('anna.py', new TextEncoder().encode('\ufeffx = 1\r\n'), none);
     expect(content).toMatchObject({ handIn: { project: { files: [{ name: 'main.py', text: 'x = 1\r\n' }] } } });
+  });
+
+  it('may be a zip of a folder, in a folder, with what computers of Apple add', () => {
+    const zip = zipSync({
+      'work/': new Uint8Array(),
+      'work/anna/main.py': strToU8('import two\n'),
+      'work/anna/two.py': strToU8('x = 2\n'),
+      '__MACOSX/work/._anna': new Uint8Array(9),
+    });
+    const files = [{ name: 'main.py', text: 'import two\n' }, { name: 'two.py', text: 'x = 2\n' }]; // prettier-ignore
+    expect(handInOfBytes('anna.zip', zip, none)).toMatchObject({ handIn: { project: { files } } });
+  });
+
+  it('lies in so many folders that nobody has packed it, and is not looked for', () => {
+    const zip = zipSync({ [`${'a/'.repeat(30_000)}main.py`]: strToU8('x = 1\n') });
+    expect(handInOfBytes('deep.zip', zip, none)).toMatchObject({ problem: { code: 'no-main' } });
   });
 });

@@ -1,8 +1,9 @@
 import type { ReadyCourses } from '#project/link/link';
+import { MAIN } from '#project/project';
 import { folderHandIn, handInOfBytes, handInOfLink, MOST_FILE_BYTES, type Content, type NamedBytes } from './contents';
 import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
 import { unread, type Unread } from './unread';
-import { readZip, type ZipEntry } from './zip';
+import { belowTop, isLitter, MOST_FOLDERS, readZip, type ZipEntry } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
 export interface Source {
@@ -81,8 +82,9 @@ const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyC
       const own = file.path.slice(name.length + 1);
       if (own === '' || own.includes('/')) continue;
       const read = await file.read(MOST_FILE_BYTES);
-      if ('problem' in read) return read;
-      files.push({ name: own, bytes: read.bytes });
+      if ('bytes' in read) files.push({ name: own, bytes: read.bytes });
+      // A film beside the program is nobody's program.
+      else if (/\.(json|py|zip)$/i.test(own) || isTextWithLinks(own)) return read;
     }
     return folderHandIn(files, courses);
   },
@@ -94,14 +96,15 @@ function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): rea
   return 'problem' in zip ? [brokenSource(name, zip.problem)] : folderSources(withoutTop(zip.entries), courses);
 }
 
-/** A zip that holds a single folder of hand-ins is that folder. */
+/** A zip that holds a single folder of hand-ins is that folder; one of a hand-in stays one. */
 function withoutTop(all: readonly ZipEntry[]): readonly ZipEntry[] {
-  const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
-  const tops = new Set(entries.map(({ path }) => path.split('/')[0] ?? ''));
-  const [top] = tops;
-  const isOneFolder = tops.size === 1 && entries.every(({ path }) => path.includes('/'));
-  if (!isOneFolder || top === undefined || entries.some(({ path }) => path === `${top}/main.py`)) return entries;
-  return withoutTop(entries.map((entry) => ({ ...entry, path: entry.path.slice(top.length + 1) })));
+  let entries = all;
+  for (let level = 0; level < MOST_FOLDERS; level++) {
+    const below = belowTop(entries);
+    if (below === null || below.some(({ path }) => path === MAIN)) break;
+    entries = below;
+  }
+  return entries;
 }
 
 /**
@@ -131,9 +134,6 @@ export async function contentOf(source: Source): Promise<Content> {
     return unread('gone', { problem: error instanceof Error ? error.message : String(error) });
   }
 }
-
-/** What lies about in folders and is nobody's hand-in. */
-const isLitter = (name: string): boolean => name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
 
 const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
 

@@ -18,6 +18,12 @@ describe('a zip', () => {
     expect(texts).toEqual([['a.py', 'x = 1'], ['ö/b.py', 'y = 2']]); // prettier-ignore
   });
 
+  it('has all its files, from wherever they were packed, and its folders', () => {
+    const paths = ['./a.py', '/home/b.py', '../../c.py', 'x\\.\\d.py', 'e/', './', '..'];
+    const zip = zipSync(Object.fromEntries(paths.map((path) => [path, strToU8('')])));
+    expect(entriesOf(zip).map(({ path }) => path)).toEqual(['a.py', 'home/b.py', 'c.py', 'x/d.py', 'e/']);
+  });
+
   it('that would unpack to a gigabyte is not unpacked', () => {
     const bomb = zipSync({ 'a.py': new Uint8Array(20_000_000) }, { level: 9 });
     expect(bomb.length).toBeLessThan(25_000);

@@ -3,7 +3,7 @@ import { unread, type Unread } from './unread';
 
 /** A file in a zip. */
 export interface ZipEntry {
-  /** With `/` between folders. */
+  /** With `/` between folders; one that ends with it is a folder. */
   readonly path: string;
   /** Unpacks it; never more than so many bytes, whatever the zip says. */
   read(maxBytes: number): { readonly bytes: Uint8Array } | { readonly problem: Unread };
@@ -28,6 +28,9 @@ const ZIP64 = 0xffffffff;
 /** Chosen: ten thousand hand-ins, and as many files beside them. */
 const MOST_ENTRIES = 20_000;
 
+/** Folders around what was packed that are looked into. Chosen: more than anybody packs. */
+export const MOST_FOLDERS = 20;
+
 /** Reads the directory of a zip; its files are unpacked one by one when they are wanted. Never throws. */
 export function readZip(bytes: Uint8Array): Zip {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
@@ -41,9 +44,9 @@ export function readZip(bytes: Uint8Array): Zip {
     const isThere = at + DIRECTORY_BYTES <= end && view.getUint32(at, true) === DIRECTORY;
     if (!isThere) return unread('zip-list');
     const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));
-    const path = textOf(bytes.subarray(at + DIRECTORY_BYTES, at + DIRECTORY_BYTES + (name ?? 0)), view.getUint16(at + 8, true)); // prettier-ignore
+    const path = withoutDots(textOf(bytes.subarray(at + DIRECTORY_BYTES, at + DIRECTORY_BYTES + (name ?? 0)), view.getUint16(at + 8, true))); // prettier-ignore
     const directory = at;
-    if (!path.endsWith('/')) entries.push({ path, read: (maxBytes) => readEntry(bytes, view, directory, maxBytes) });
+    if (path !== '') entries.push({ path, read: (maxBytes) => readEntry(bytes, view, directory, maxBytes) });
     at += DIRECTORY_BYTES + (name ?? 0) + (extra ?? 0) + (comment ?? 0);
   }
   return { entries };
@@ -54,6 +57,29 @@ function endOf(view: DataView): number | null {
   const first = Math.max(0, view.byteLength - END_BYTES - 0xffff);
   for (let at = view.byteLength - END_BYTES; at >= first; at--) if (view.getUint32(at, true) === END) return at;
   return null;
+}
+
+/** What lies about in folders and is nobody's hand-in. */
+export const isLitter = (name: string): boolean =>
+  name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
+
+/** What a zip holds below the folder that all of it lies in; `null`: there is no such folder. */
+export function belowTop(all: readonly ZipEntry[]): readonly ZipEntry[] | null {
+  const entries = withoutLitter(all);
+  const [top, another] = new Set(entries.map(({ path }) => path.split('/', 1)[0] ?? ''));
+  if (top === undefined || another !== undefined || !entries.every(({ path }) => path.includes('/'))) return null;
+  const below = entries.map((entry) => ({ ...entry, path: entry.path.slice(top.length + 1) }));
+  return below.filter(({ path }) => path !== '');
+}
+
+/** Its entries without what lies about. */
+export const withoutLitter = (entries: readonly ZipEntry[]): readonly ZipEntry[] =>
+  entries.filter(({ path }) => !path.split('/').some(isLitter));
+
+/** `./anna.py`, `/home/anna.py` and `../anna.py` lie in the zip like all others. */
+function withoutDots(path: string): string {
+  const names = path.split('/').filter((name) => !['', '.', '..'].includes(name));
+  return names.join('/') + (path.endsWith('/') && names.length > 0 ? '/' : '');
 }
 
 /** Names are UTF-8 or, in old zips, one byte each: code page 437, of which only ASCII is taken. */

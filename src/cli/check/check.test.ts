@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, readdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
@@ -92,6 +92,23 @@ describe('parcours check', () => {
     const [one, four] = ['1', '4'].map((jobs) => parcours('check', 'closed-line', path, '--json', '--jobs', jobs).out);
     expect(one).toBe(four);
     expect(one).toBe(parcours('check', 'closed-line', classOf('class', pupils), '--json').out);
+  });
+
+  it('tells of what lies in a folder and leads nowhere, and of a folder or zip without anything', () => {
+    const here = classOf('strange', { 'anna.py': RIGHT, 'ben/main.py': RIGHT });
+    symlinkSync('/nowhere', join(here, 'gone.py'));
+    symlinkSync('/nowhere', join(here, 'ben', 'gone.mp4'));
+    const zip = join(folder, 'empty.zip');
+    writeFileSync(zip, zipSync({}));
+    const { handIns } = jsonOf(parcours('check', 'closed-line', here, zip, classOf('nobody', {}), '--json').out);
+    expect(handIns.map(({ name, passed, remarks }) => [name, passed, remarks.at(-1) ?? ''])).toEqual([
+      ['anna', true, 'Same program as: ben'],
+      ['ben', true, 'Same program as: anna'],
+      ['gone', false, 'cannot be read: the file could not be read (there is no such file.).'],
+      ['empty.zip', false, 'cannot be read: the folder has no main.py.'],
+      ['nobody', false, 'cannot be read: the folder has no main.py.'],
+    ]);
+    expect(parcours('check', 'closed-line', zip)).toMatchObject({ code: 2, err: expect.stringContaining('there are no hand-ins') as string }); // prettier-ignore
   });
 
   it.each([

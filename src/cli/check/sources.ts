@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
 import { basename, join } from 'node:path';
 import {
+  brokenSource,
   folderSources,
   linkSource,
   sourcesIn,
@@ -27,12 +28,14 @@ export async function findHandIns(
   paths: readonly string[],
 ): Promise<{ readonly sources: readonly Source[] } | { readonly problem: string }> {
   const found: Source[] = [];
+  let isAny = false;
   for (const path of paths) {
     const here = isAddress(path) ? [linkSource({ name: '', address: path }, 0, readyCourse)] : await sourcesAt(path);
     if ('problem' in here) return here;
-    found.push(...here);
+    isAny ||= here.length > 0;
+    found.push(...(here.length > 0 ? here : [brokenSource(basename(path), unread('no-main').problem)]));
   }
-  return { sources: withOwnNames(found) };
+  return { sources: isAny ? withOwnNames(found) : [] };
 }
 
 async function sourcesAt(path: string): Promise<readonly Source[] | { readonly problem: string }> {
@@ -48,11 +51,28 @@ async function sourcesAt(path: string): Promise<readonly Source[] | { readonly p
 function filesIn(path: string): readonly TreeFile[] {
   return readdirSync(path, { withFileTypes: true }).flatMap(({ name }) => {
     const inside = join(path, name);
-    if (!statSync(inside).isDirectory()) return [treeFile(inside, name)];
-    const own = readdirSync(inside).filter((one) => statSync(join(inside, one)).isFile());
+    if (!isFolder(inside)) return [treeFile(inside, name)];
     // An empty one stays somebody's.
-    return ['', ...own].map((one) => treeFile(join(inside, one), `${name}/${one}`));
+    return ['', ...ownFiles(inside)].map((one) => treeFile(join(inside, one), `${name}/${one}`));
   });
+}
+
+/** What it has that is no folder; one that may not be opened has nothing. */
+function ownFiles(path: string): readonly string[] {
+  try {
+    return readdirSync(path).filter((name) => !isFolder(join(path, name)));
+  } catch {
+    return [];
+  }
+}
+
+/** A link that leads nowhere is none: whoever reads it says so. */
+function isFolder(path: string): boolean {
+  try {
+    return statSync(path).isDirectory();
+  } catch {
+    return false;
+  }
 }
 
 const treeFile = (from: string, path: string): TreeFile => ({
