@@ -2,16 +2,14 @@ import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
 import { draftOf, TASK_VERSION } from './read-task';
 import { noLocks, plainWorld, type Check, type ClassTask, type Locks, type WorldVariant } from './task';
+import { visibleTask } from './visible';
 
 /** The project of a task, with everything: for the teacher. */
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
 
 /** The same without the solution and without hidden worlds: what pupils get. On their page the locks hold. */
 export const projectForPupils = (task: ClassTask): Project => {
-  const [first] = task.worlds;
-  const visible = task.worlds.filter(({ hidden }) => !hidden);
-  // How many of the hidden ones are wanted says how many there are.
-  const given = projectOfTask({ ...task, worlds: [first, ...visible.slice(1)], least: null, solution: null });
+  const given = projectOfTask(visibleTask(task));
   return { ...given, task: { ...given.task, handedOut: true } };
 };
 

@@ -1,16 +1,14 @@
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import { handInLimits, type Said, type SaidRemark } from '#check/hand-in/hand-in';
-import { handInOf } from '#check/hand-in/read-hand-in';
-import { Lane } from '#check/lane';
 import type { CheckResult, WorldResult } from '#check/result';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
+import { mainReason, visibleTask } from '#check/task/visible';
 import { isSame } from '#core/same';
 import type { Project } from '#project/project';
 
-import { every, startThread } from '../run/check-thread';
-import { compileFirmware } from '../run/worker/firmware';
+import { CheckRun } from '../run/check-run';
 
 /** Runs a project's program on its own course, as the teacher's check will; `null`: it cannot be run now. */
 export type Prover = (task: ClassTask, project: Project) => Promise<WorldResult | null>;
@@ -88,23 +86,15 @@ function verdictOf(run: WorldResult | null): Said['verdict'] {
 }
 
 /** The run of the visible world, with what is asked of the program itself: who passes here is not surprised later. */
-export function seenRun({ checks }: ClassTask, { passed, checks: found, worlds }: CheckResult): WorldResult | null {
-  const [world] = worlds;
-  if (world === undefined) return null;
-  const lacking = found.find((outcome, place) => !outcome.passed && checks[place]?.needed);
-  return { ...world, passed, reason: world.reason ?? lacking?.reason ?? null };
+export function seenRun(task: ClassTask, result: CheckResult): WorldResult | null {
+  const [world] = result.worlds;
+  return world === undefined ? null : { ...world, passed: result.passed, reason: mainReason(task, result) };
 }
 
 /** In a worker of its own. */
 async function proved(task: ClassTask, project: Project): Promise<WorldResult | null> {
-  const read = handInOf(project);
-  if ('problem' in read) return null;
-  const [visible] = task.worlds;
-  const alone: ClassTask = { ...task, worlds: [visible] };
-  const lane = new Lane(alone.checks, startThread(alone, await compileFirmware()), every);
-  try {
-    return seenRun(alone, await lane.check(read.handIn));
-  } finally {
-    lane.stop();
-  }
+  const seen = visibleTask(task);
+  const run = new CheckRun();
+  await run.run(seen, project);
+  return run.result.value && seenRun(seen, run.result.value);
 }

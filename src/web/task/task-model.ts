@@ -7,6 +7,7 @@ import { knownCourses } from '../work/catalogue/known-courses';
 import type { Course } from '#catalogue/course';
 import type { WorkParts } from '../work/model/parts';
 import { isSameArena } from '../work/catalogue/same-arena';
+import type { Checked } from './checked/checked';
 import { goalsInWords } from './goals';
 import { createKeptStars, type KeptStars } from './kept-stars';
 import { hasWords, taskText, type ShownText } from '../work/catalogue/task-text';
@@ -24,6 +25,8 @@ export interface TaskModel {
   readonly ready: ComputedRef<Course | null>;
   /** The best results in this browser. */
   readonly stars: KeptStars;
+  /** What a teacher has it checked for besides the goals of its course; `null`: nobody has asked yet. */
+  readonly checked: ShallowRef<Checked | null>;
   open(): void;
   close(): void;
 }
@@ -47,7 +50,7 @@ export function createTask(
     return id === null ? null : ((knownCourses.value ?? [firstCourse]).find((course) => course?.id === id) ?? null);
   });
   const text = computed(() => taskText(work.scene.value, ready.value, shownLanguage()));
-  const hasText = computed(() => hasWords(text.value));
+  const hasText = computed(() => hasWords(text.value) || work.work.value.project.task !== undefined);
   /** A ready course without a goal asks for nothing: it has a text for whoever wants to know. */
   const hasGoals = computed(() => goalsInWords(work.scene.value, null).length > 0);
   watch([work.openings, work.arrivals], () => {
@@ -66,6 +69,7 @@ export function createTask(
     stars,
     isOpen: computed(() => isOpen.value && hasText.value),
     hints,
+    checked: shallowRef(null),
     open: () => void (isOpen.value = true),
     close: () => void (isOpen.value = false),
   };

@@ -4,17 +4,24 @@ import { handInOf } from '#check/hand-in/read-hand-in';
 import { Lane, type Every, type StartThread } from '#check/lane';
 import type { CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
+import type { Project } from '#project/project';
 
-/** What the run of a solution needs of the page. */
-export interface SolutionPorts {
+import { every, startThread } from './check-thread';
+import { compileFirmware } from './worker/firmware';
+
+/** What a check needs of the page. */
+export interface CheckPorts {
   /** How threads for a task are started. Rejects without the VM. */
   starter(task: ClassTask): Promise<StartThread>;
   readonly every: Every;
 }
 
-/** The model solution in all worlds of its task, run anew whenever the task has changed. */
-export class SolutionRun {
-  /** `null`: there is no solution, or none of its runs is over yet. */
+/** Threads in workers of their own. */
+const inWorkers: CheckPorts = { starter: async (task) => startThread(task, await compileFirmware()), every };
+
+/** One project that is checked as a hand-in of a task, as often as it has changed: a model solution, or what a pupil has. */
+export class CheckRun {
+  /** `null`: nothing is checked, or it is not over yet. */
   readonly result: ShallowRef<CheckResult | null> = shallowRef(null);
   readonly isRunning = shallowRef(false);
   /** The VM could not be fetched, or no worker made. */
@@ -22,14 +29,14 @@ export class SolutionRun {
   private lane: Lane | null = null;
   private turn = 0;
 
-  constructor(private readonly ports: SolutionPorts) {}
+  constructor(private readonly ports: CheckPorts = inWorkers) {}
 
-  /** Runs the solution of a task. What was running is of no more interest. */
-  async run(task: ClassTask): Promise<void> {
+  /** Checks a project; `null`: there is none. What was running is of no more interest. */
+  async run(task: ClassTask, project: Project | null): Promise<void> {
     this.stop();
     this.result.value = null;
     const { turn } = this;
-    const handIn = task.solution && handInOf({ ...task.project, files: task.solution });
+    const handIn = project && handInOf(project);
     if (handIn === null || 'problem' in handIn) return;
     this.isRunning.value = true;
     this.hasFailed.value = false;

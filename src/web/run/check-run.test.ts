@@ -2,10 +2,10 @@ import { describe, expect, it } from 'vitest';
 import type { CheckRequest, StartThread } from '#check/lane';
 import { unreadable } from '#check/result';
 import { sceneWith, targetAt, taskWith } from '#check/testing/tasks';
-import { SolutionRun } from './solution-run';
+import { CheckRun } from './check-run';
 
 const task = taskWith(sceneWith([targetAt(700, 450)]));
-const withSolution = (text: string) => ({ ...task, solution: [{ name: 'main.py', text }] });
+const project = (text: string) => ({ ...task.project, files: [{ name: 'main.py', text }] });
 
 /** Threads that answer at once: whoever writes `forward` passes. */
 function running() {
@@ -20,35 +20,35 @@ function running() {
     pulse: () => ({ beat: 0, world: 0 }),
     stop: () => undefined,
   });
-  const run = new SolutionRun({ starter: () => Promise.resolve(start), every: () => () => undefined });
+  const run = new CheckRun({ starter: () => Promise.resolve(start), every: () => () => undefined });
   return { run, asked };
 }
 
-describe('the model solution', () => {
-  it('is run in place of the program that is open', async () => {
+describe('a program that is checked again and again', () => {
+  it('is run each time it is asked for', async () => {
     const { run, asked } = running();
-    await run.run(withSolution('forward()'));
+    await run.run(task, project('forward()'));
     expect([asked, run.result.value?.passed, run.isRunning.value]).toEqual([['forward()'], true, false]);
-    await run.run(withSolution('stop()'));
+    await run.run(task, project('stop()'));
     expect(run.result.value?.passed).toBe(false);
   });
 
   it('that is not there has no result', async () => {
     const { run, asked } = running();
-    await run.run({ ...task, solution: null });
+    await run.run(task, null);
     expect([asked, run.result.value]).toEqual([[], null]);
   });
 
-  it('has the result of the newest task, whatever was running', async () => {
+  it('has the result of the newest one, whatever was running', async () => {
     const { run } = running();
-    const first = run.run(withSolution('stop()'));
-    await Promise.all([first, run.run(withSolution('forward()'))]);
+    const first = run.run(task, project('stop()'));
+    await Promise.all([first, run.run(task, project('forward()'))]);
     expect(run.result.value?.passed).toBe(true);
   });
 
   it('says so when nothing can be run', async () => {
-    const run = new SolutionRun({ starter: () => Promise.reject(new Error('offline')), every: () => () => undefined });
-    await run.run(withSolution('forward()'));
+    const run = new CheckRun({ starter: () => Promise.reject(new Error('offline')), every: () => () => undefined });
+    await run.run(task, project('forward()'));
     expect([run.hasFailed.value, run.isRunning.value]).toEqual([true, false]);
   });
 });

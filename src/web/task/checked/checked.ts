@@ -1,0 +1,75 @@
+import { computed, watch, type ComputedRef } from 'vue';
+
+import type { CheckResult, Reason } from '#check/result';
+import { taskOf } from '#check/task/read-task';
+import type { ClassTask } from '#check/task/task';
+import { mainReason, visibleTask } from '#check/task/visible';
+import { hasTask } from '#simulation/task/task-brief';
+
+import { CheckRun, type CheckPorts } from '../../run/check-run';
+import type { RunParts } from '../../run/parts';
+import type { WorkParts } from '../../work/model/parts';
+
+/**
+ * How it stands with a task that asks for more than the goals of its course. `live`: nothing is to be said but what the
+ * run's own verdict says; `checking`: the goals are reached, the rest is not known yet; `lacking`: something is missing.
+ */
+export type CheckedState = 'live' | 'checking' | 'passed' | 'lacking';
+
+/** What a pupil's program comes to in the task of a teacher, checked beside the run as the teacher will. */
+export interface Checked {
+  /** The task as pupils know it; `null`: it asks for nothing but the goals of its course. */
+  readonly task: ComputedRef<ClassTask | null>;
+  readonly state: ComputedRef<CheckedState>;
+  /** What has been found; `null`: it is not to be told yet. */
+  readonly result: ComputedRef<CheckResult | null>;
+  /** What is missing first. */
+  readonly reason: ComputedRef<Reason | null>;
+}
+
+/**
+ * Checks the program again from the start of each run, in a worker of its own, and tells the result when the run itself
+ * has come so far: with it the course's goals count as reached only where all the rest holds, too.
+ */
+export function createChecked(
+  { work, run }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'>,
+  ports?: CheckPorts,
+): Checked {
+  const check = new CheckRun(ports);
+  const project = computed(() => work.work.value.project);
+  const task = computed(() => {
+    const read = taskOf(project.value);
+    const isMore = 'task' in read && read.task.checks.some(({ type }) => type !== 'goals');
+    return isMore ? visibleTask(read.task) : null;
+  });
+  const begin = (): void => void (task.value !== null && check.run(task.value, project.value));
+  function clear(): void {
+    check.stop();
+    check.result.value = null;
+  }
+  watch(run.phase, (phase) => (phase === 'starting' ? begin() : phase === 'ready' && clear()), { flush: 'sync' });
+  watch(work.openings, clear);
+  if (run.isActive.value) begin();
+
+  const live = computed(() => run.snapshot.value?.verdict?.state ?? 'open');
+  const found = check.result;
+  /** Goals are reached on the page; all else shows when the run has come as far as its check, or is over. */
+  const isTime = computed(() => {
+    if (live.value === 'passed' || run.hasEnded.value) return true;
+    if (hasTask(work.scene.value) || run.present.value === null) return false;
+    const { atMs } = found.value?.worlds[0] ?? { atMs: null };
+    return !run.isActive.value || (atMs !== null && run.nowUs.value >= atMs * 1000);
+  });
+  const state = computed<CheckedState>(() => {
+    const isDecided = live.value === 'failed' || live.value === 'helped';
+    if (task.value === null || isDecided || !isTime.value) return 'live';
+    if (found.value === null) return check.isRunning.value ? 'checking' : 'live';
+    return found.value.passed ? 'passed' : 'lacking';
+  });
+  const isTold = computed(() => state.value === 'passed' || state.value === 'lacking');
+  const result = computed(() => (isTold.value ? found.value : null));
+  return {
+    ...{ task, state, result },
+    reason: computed(() => task.value && result.value && mainReason(task.value, result.value)),
+  };
+}
