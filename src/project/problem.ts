@@ -5,6 +5,7 @@ export type ProjectProblemCode =
   | SceneProblemCode
   | 'not-a-project'
   | 'not-a-level'
+  | 'links-too-large'
   | 'no-main'
   | 'file-name'
   | 'file-too-large'

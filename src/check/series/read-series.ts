@@ -8,7 +8,7 @@ import { readJsonFile, summaryOf } from '#scene/json-file';
 import { shown } from '#scene/problem';
 import { Reader, type Fields } from '#scene/reader';
 import { formatOf, parseProjectValue } from '#project/file';
-import { projectOfLink, type ReadyCourses } from '#project/link/link';
+import { projectOfLink, type ReadyCourses, type Room } from '#project/link/link';
 import type { ProjectProblem } from '#project/problem';
 import { freeTaskId, seriesLimits, type Series, type SeriesTask, type TaskSource, type Unread } from './series';
 
@@ -60,7 +60,8 @@ export function parseSeriesValue(value: unknown, courses: ReadyCourses): ReadSer
   const text = reader.text(fields['text'], 'text', seriesLimits.textCharacters, '');
   if (reader.problems.length > 0) return refused(reader.problems);
   const tasks: SeriesTask[] = [];
-  for (const [index, entry] of entries.entries()) tasks.push(taskIn(entry, index, tasks, courses));
+  const links: Links = { courses, room: roomForLinks() };
+  for (const [index, entry] of entries.entries()) tasks.push(taskIn(entry, index, tasks, links));
   return { series: { id: given || idOf(title, entries), title, text, tasks } };
 }
 
@@ -84,10 +85,19 @@ function versionProblem(version: unknown): SeriesProblem {
 const idOf = (title: string, tasks: readonly unknown[]): string =>
   `s${fnvOfText(JSON.stringify([title, tasks])).toString(36)}`;
 
+/** How much the links of one series may hold. */
+export const roomForLinks = (): Room => ({ left: seriesLimits.linkedBytes });
+
+/** What links are read with. */
+interface Links {
+  readonly courses: ReadyCourses;
+  readonly room: Room;
+}
+
 /** The four ways of saying where a task is. */
 const SOURCES = ['course', 'project', 'link', 'file'] as const;
 
-function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], courses: ReadyCourses): SeriesTask {
+function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], links: Links): SeriesTask {
   const reader = new Reader();
   const path = `tasks[${String(index)}]`;
   const fields = reader.fields(entry, path, ['id', 'title', ...SOURCES]);
@@ -101,7 +111,7 @@ function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], co
     reader.report('missing', `${path}.course`, undefined, what, {});
   }
   const [source] = given;
-  const from = reader.problems.length > 0 || source === undefined ? null : sourceIn(source, fields, path, courses);
+  const from = reader.problems.length > 0 || source === undefined ? null : sourceIn(source, fields, path, links);
   return {
     id: isTaken ? freeTaskId(before) : id,
     title,
@@ -109,12 +119,12 @@ function taskIn(entry: unknown, index: number, before: readonly SeriesTask[], co
   };
 }
 
-function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string, courses: ReadyCourses): TaskSource {
+function sourceIn(source: (typeof SOURCES)[number], fields: Fields, path: string, links: Links): TaskSource {
   const reader = new Reader();
   const at = `${path}.${source}`;
   const value = fields[source];
   if (source === 'project') return projectIn(fields, value, at);
-  if (source === 'link') return linkedIn(fields, value, at, courses);
+  if (source === 'link') return linkedIn(fields, value, at, links);
   const text = reader.text(value, at, seriesLimits.fileCharacters);
   if (text === '') reader.report('missing', at, undefined, 'must not be empty.');
   if (reader.problems.length > 0) return unread(fields, reader.problems);
@@ -137,9 +147,14 @@ export function projectIn(entry: unknown, value: unknown, at: string): TaskSourc
   return unread(entry, parsed.problems.map(inside));
 }
 
-function linkedIn(entry: unknown, value: unknown, at: string, courses: ReadyCourses): TaskSource {
+function linkedIn(entry: unknown, value: unknown, at: string, { courses, room }: Links): TaskSource {
+  if (room.left <= 0) {
+    const max = seriesLimits.linkedBytes;
+    const message = `${at}: Together the links of this series hold more than ${String(max)} bytes. Put this task in as a file.`;
+    return unread(entry, [{ code: 'links-too-large', path: at, value: '', params: { max }, message }]);
+  }
   const text = typeof value === 'string' ? value : '';
-  const read = projectOfLink(text.slice(Math.max(text.indexOf('#'), 0)), courses);
+  const read = projectOfLink(text.slice(Math.max(text.indexOf('#'), 0)), courses, room);
   if ('project' in read) return { kind: 'project', project: read.project };
   const { message, params } = read.problem;
   return unread(entry, [{ code: 'damaged', path: at, value: '', params, message: `${at}: ${message}` }]);

@@ -9,8 +9,8 @@
  */
 import { packed, unpacked } from '#core/deflate';
 import { sealed, unsealed } from '#core/sealed';
-import { LINK_CHARACTERS, linkOf, type ReadyCourses } from '#project/link/link';
-import { parseSeries, SERIES_FORMAT, SERIES_VERSION, type ReadSeries } from './read-series';
+import { LINK_CHARACTERS, linkOf, projectOfLink, type ReadyCourses } from '#project/link/link';
+import { parseSeries, roomForLinks, SERIES_FORMAT, SERIES_VERSION, type ReadSeries } from './read-series';
 import type { Series } from './series';
 
 /** The version of links to series that this app makes, and the newest that it reads. */
@@ -33,17 +33,19 @@ export type ReadSeriesLink = ReadSeries | { readonly fault: 'damaged' | 'newer' 
 /** Whether the part of an address behind `#` says that it is a link to a series. */
 export const isSeriesLink = (fragment: string): boolean => /^#?s=\d/.test(fragment);
 
-/** Makes the link of a series whose files are all read; `null`: it would be too long, or is not whole. */
+/** Makes the link of a series whose files are all read; `null`: it would be too long, hold too much, or is not whole. */
 export function seriesLinkOf({ id, title, text, tasks }: Series, courses: ReadyCourses): MadeSeriesLink | null {
   const withoutPictures: number[] = [];
   const entries: object[] = [];
+  const room = roomForLinks();
   for (const [place, { from, ...task }] of tasks.entries()) {
     const said = { id: task.id, ...(task.title !== '' && { title: task.title }) };
     if (from.kind === 'course') entries.push({ ...said, course: from.course });
     else if (from.kind !== 'project') return null;
     else {
       const made = linkOf(from.project, { courses, program: true });
-      if (made === null) return null;
+      if (made === null || room.left <= 0) return null;
+      projectOfLink(made.fragment, courses, room);
       if (made.omitted.length > 0) withoutPictures.push(place);
       entries.push({ ...said, link: made.fragment });
     }

@@ -7,7 +7,7 @@ import { linkOf } from '#project/link/link';
 import type { Project } from '#project/project';
 import { readTasks } from './read-files';
 import { looksLikeSeries, parseSeries, parseSeriesValue } from './read-series';
-import { freeTaskId, type Series, type TaskSource } from './series';
+import { freeTaskId, seriesLimits, type Series, type TaskSource } from './series';
 import { isSeriesLink, seriesLinkOf, seriesOfLink } from './series-link';
 import { aSeries, readyCourses, teachersTask } from './testing/series';
 import { seriesForPupils, seriesToFolder, seriesToText } from './write-series';
@@ -147,6 +147,59 @@ describe('what pupils get of a series', () => {
   it('has nothing that somebody has handed in', () => {
     const project = { ...teachersTask(), handIn: { version: 1, alias: 'Ada' } };
     expect(JSON.stringify(seriesForPupils(withTasks({ project: plain(project) })))).not.toContain('Ada');
+  });
+});
+
+describe('links that hold far too much', () => {
+  /** Sixty links of 60 kB each: three seconds and more for whoever opens them all. */
+  const large = { ...teachersTask(), files: [{ name: 'main.py', text: 'x = 1\n'.repeat(10_000) }] };
+  const link = linkOf(large, { courses: readyCourses, program: true })!.fragment;
+  const others = 'Together the links of this series hold more than 1048576 bytes. Put this task in as a file.';
+
+  it('are opened as long as there is room for all of them together', () => {
+    const { tasks } = withTasks(...Array<object>(60).fill({ link }));
+    const kinds = tasks.map(({ from }) => from.kind);
+    expect(kinds.lastIndexOf('project') * 60_000).toBeLessThanOrEqual(seriesLimits.linkedBytes);
+    expect(kinds.lastIndexOf('project')).toBe(kinds.indexOf('unread') - 1);
+    expect(kinds.indexOf('project')).toBe(0);
+    expect(tasks[59]!.from).toMatchObject({
+      ...{ kind: 'unread', problem: `tasks[59].link: ${others}`, value: { link } },
+      problems: [{ code: 'links-too-large', path: 'tasks[59].link', params: { max: seriesLimits.linkedBytes } }],
+    });
+  });
+
+  it('take the room of others also where they are packed otherwise, or make no project', () => {
+    const text = 'x'.repeat(900_000);
+    const deflated = linkOf(
+      { ...large, files: [{ name: 'main.py', text }] },
+      { courses: readyCourses, program: true },
+    )!;
+    const { tasks } = withTasks(
+      { link: deflated.fragment },
+      { link },
+      { link: deflated.fragment },
+      { link },
+      { course: 'slalom' },
+    );
+    expect(tasks.map(({ from }) => (from.kind === 'unread' ? from.problem : from.kind))).toEqual([
+      'tasks[0].link: The link holds no project: files[0].text: 900000 bytes are too many; the limit is 262144.',
+      'project',
+      'tasks[2].link: The link holds no project: files[0].text: 900000 bytes are too many; the limit is 262144.',
+      `tasks[3].link: ${others}`,
+      'course',
+    ]);
+  });
+
+  it('are not made', () => {
+    const task = (place: number) => ({
+      id: String(place),
+      title: '',
+      from: { kind: 'project' as const, project: large },
+    });
+    const made = (count: number) =>
+      seriesLinkOf({ ...aSeries(), tasks: Array.from({ length: count }, (_, place) => task(place)) }, readyCourses);
+    expect(made(5)).not.toBeNull();
+    expect(made(30)).toBeNull();
   });
 });
 

@@ -50,6 +50,11 @@ export const seriesLimits = {
   fileCharacters: 1000,
   /** Of the whole file. */
   characters: 12_000_000,
+  /**
+   * Of all links together, as they are unpacked, which takes up to 5 µs a byte on a laptop (`#project/link`). Chosen: seconds at
+   * the most; sixty tasks may have four times a drawing of 5,000 pen points each.
+   */
+  linkedBytes: 1024 * 1024,
 } as const;
 
 /** A number or word for a task that no other has: `1`, `2`, … */

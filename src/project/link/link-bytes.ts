@@ -71,15 +71,20 @@ function packedContent(content: Content, packing: Packing): { way: 1 | 2; bytes:
   return { way: 2, bytes: modelled.bytes() };
 }
 
-/** The content of the bytes; never throws. */
-export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damaged' | 'too-large' {
+/** How much several links may still unpack to together, in bytes: each that is read takes from it, the last one also more. */
+export interface Room {
+  left: number;
+}
+
+/** The content of the bytes; never throws. @param room what is unpacked is taken from it */
+export function contentOfBytes({ version, bytes }: LinkBytes, room: Room): Content | 'damaged' | 'too-large' {
   try {
     const isPlain = version === 1 || version === 2;
     const { deflated, modelled } = isPlain ? plain : laterVersions[version];
     const way = isPlain ? version : bytes[0];
     const rest = isPlain ? bytes : bytes.subarray(1);
-    if (way === 1) return contentOfColumns(rest, deflated);
-    return way === 2 ? contentOfModel(rest, modelled) : 'damaged';
+    if (way === 1) return contentOfColumns(rest, deflated, room);
+    return way === 2 ? contentOfModel(rest, modelled, room) : 'damaged';
   } catch (error) {
     if (error instanceof DamagedBytes) return 'damaged';
     if (error instanceof TooManyBytes) return 'too-large';
@@ -87,17 +92,24 @@ export function contentOfBytes({ version, bytes }: LinkBytes): Content | 'damage
   }
 }
 
-function contentOfModel(bytes: Uint8Array, { codec }: ContentCodec): Content | 'damaged' {
+function contentOfModel(bytes: Uint8Array, { codec }: ContentCodec, room: Room): Content | 'damaged' {
   const reader = new ModelReader(bytes);
-  const content = codec.read(reader);
-  return reader.isAtEnd ? content : 'damaged';
+  try {
+    const content = codec.read(reader);
+    return reader.isAtEnd ? content : 'damaged';
+  } finally {
+    room.left -= MODELLED_BYTES - reader.left();
+  }
 }
 
 function contentOfColumns(
   bytes: Uint8Array,
   { codec, columns: count }: ContentCodec,
+  room: Room,
 ): Content | 'damaged' | 'too-large' {
   const columns = columnsOf(bytes);
+  // How far something damaged was unpacked, nobody knows.
+  room.left -= typeof columns === 'string' ? UNPACKED_BYTES : columns.figures.length + columns.words.length;
   if (typeof columns === 'string') return columns;
   const reader = new ColumnReader(columns, count);
   const content = codec.read(reader);

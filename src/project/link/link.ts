@@ -16,7 +16,7 @@ import { defaultScene, SCENE_FORMAT, SCENE_VERSION, type Scene, type Task } from
 import { serializeScene } from '#scene/serialize';
 
 import { parseProjectValue, PROJECT_FORMAT, PROJECT_VERSION } from '../file';
-import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes } from './link-bytes';
+import { bytesOfContent, contentOfBytes, UNPACKED_BYTES, type LinkBytes, type Room } from './link-bytes';
 import { apart, joined, sceneChecksum, type Content } from './link-content';
 import { deviceValue } from '../read-devices';
 import { MODELLED_BYTES } from './model-coder';
@@ -34,6 +34,8 @@ export const LINK_CHARACTERS = 500_000;
 
 /** A background, and the picture of a task, are included only while the link stays this short. Chosen: chats and mail programs cut longer ones. */
 export const BACKGROUND_LINK_CHARACTERS = 8_000;
+
+export type { Room } from './link-bytes';
 
 /** The ready courses by their ids; `null` for an unknown id. */
 export type ReadyCourses = (id: string) => Scene | null;
@@ -155,8 +157,12 @@ export const linkOfBytes = ({ version, bytes }: LinkBytes): string =>
 /** Whether the part of an address behind `#` says that it is a link to a project. */
 export const isProjectLink = (fragment: string): boolean => /^#?p=/.test(fragment);
 
-/** Reads the part of an address behind `#`, with or without it. Never throws; a link with a problem opens nothing. */
-export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink {
+/**
+ * Reads the part of an address behind `#`, with or without it. Never throws; a link with a problem opens nothing.
+ *
+ * @param room of several links: what this one unpacks to is taken from it
+ */
+export function projectOfLink(fragment: string, courses: ReadyCourses, room: Room = { left: 0 }): ReadLink {
   if (fragment.length > LINK_CHARACTERS) {
     const params = { length: fragment.length, max: LINK_CHARACTERS };
     const message = `The link has ${String(fragment.length)} characters; the limit is ${String(LINK_CHARACTERS)}.`;
@@ -171,7 +177,7 @@ export function projectOfLink(fragment: string, courses: ReadyCourses): ReadLink
   const known = ([1, 2, 3, 4, 5, 6, 7, 8, 9] as const).find((one) => String(one) === version);
   const bytes = known === undefined ? null : unsealed(data);
   if (known === undefined || bytes === null) return damaged();
-  const content = contentOfBytes({ version: known, bytes });
+  const content = contentOfBytes({ version: known, bytes }, room);
   if (content === 'too-large') {
     const isModelled = known === 2 || (known > 2 && bytes[0] === 2);
     const max = isModelled ? MODELLED_BYTES : UNPACKED_BYTES;

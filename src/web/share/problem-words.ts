@@ -29,6 +29,7 @@ const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
   'unknown-value': words.wrongType,
   'unknown-id': words.unknown,
   damaged: words.damagedPart,
+  'links-too-large': words.linksTooLarge,
   'duplicate-id': words.duplicate,
   'wall-without-length': words.noLength,
   'said-twice': words.saidTwice,
