@@ -6,6 +6,7 @@ import { Reader, type Fields } from '#scene/reader';
 import { sceneLimits } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import { hasTask } from '#simulation/task/task-brief';
+import { SPEEDS } from '#simulation/pace';
 import { readInputs } from '#tape/read-setup';
 import type { ProjectProblem } from '#project/problem';
 import type { Carried, Project, SourceFile } from '#project/project';
@@ -220,15 +221,27 @@ function toolsIn(value: unknown, reader: Reader): Locks['tools'] {
   return tools.map((tool, index) => reader.text(tool, `task.locks.tools[${String(index)}]`, taskLimits.idCharacters));
 }
 
+/** `true`: as fast as in reality. */
+function speedIn(value: unknown, reader: Reader): Locks['speed'] {
+  if (value === undefined || value === false) return null;
+  const speed = value === true ? 1 : SPEEDS.find((known) => known === value);
+  if (speed === undefined)
+    reader.wrongType(value, 'task.locks.speed', `true, false or one of ${JSON.stringify(SPEEDS)}`);
+  return speed ?? null;
+}
+
 function locksIn(value: unknown, reader: Reader): Locks {
   if (value === undefined) return noLocks;
   const fields = reader.fields(value, 'task.locks', ['tools', ...lockNames, 'lines']);
-  const flags = lockNames.map((name) => [name, reader.flag(fields[name], `task.locks.${name}`, false)] as const);
+  const flags = lockNames.flatMap((name) =>
+    name === 'speed' ? [] : [[name, reader.flag(fields[name], `task.locks.${name}`, false)] as const],
+  );
   const { lines } = fields;
   const numbers =
     lines === undefined ? [] : reader.list(lines, 'task.locks.lines', { min: 0, max: taskLimits.lockedLines });
   return {
-    ...(Object.fromEntries(flags) as Omit<Locks, 'tools' | 'lines'>),
+    ...(Object.fromEntries(flags) as Omit<Locks, 'speed' | 'tools' | 'lines'>),
+    speed: speedIn(fields['speed'], reader),
     tools: toolsIn(fields['tools'], reader),
     lines: numbers.map((line, index) =>
       reader.whole(line, `task.locks.lines[${String(index)}]`, { min: 1, max: 100_000 }),

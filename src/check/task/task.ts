@@ -1,6 +1,7 @@
 import type { SceneEdit } from '#scene/edit';
 import type { Point } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
+import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
 
 /** A task for a class: a project, and what its hand-ins are checked for. */
@@ -129,7 +130,8 @@ export interface Locks {
   readonly tools: readonly string[] | null;
   readonly course: boolean;
   readonly hand: boolean;
-  readonly speed: boolean;
+  /** The speed that holds; `null`: any. */
+  readonly speed: Speed | null;
   readonly robot: boolean;
   readonly solution: boolean;
   /** Lines of `main.py` in the start program that stay as they are, from 1. */
@@ -143,7 +145,7 @@ export type LockName = (typeof lockNames)[number];
 
 /** Nothing is locked. */
 export const noLocks: Locks = {
-  ...{ tools: null, course: false, hand: false, speed: false, robot: false, solution: false },
+  ...{ tools: null, course: false, hand: false, speed: null, robot: false, solution: false },
   lines: [],
 };
 

@@ -47,9 +47,10 @@ const said = (fields: object): object =>
   Object.fromEntries(Object.entries(fields).filter(([, value]) => value !== null));
 
 /** What is locked, and nothing of the rest. */
-const lockData = ({ tools, lines, ...flags }: Locks): object => ({
+const lockData = ({ tools, lines, speed, ...flags }: Locks): object => ({
   ...(tools !== null && { tools: tools.length === 0 ? true : tools }),
   ...Object.fromEntries(Object.entries(flags).filter(([, isLocked]) => isLocked)),
+  ...(speed !== null && { speed: speed === 1 ? true : speed }),
   ...(lines.length > 0 && { lines }),
 });
 

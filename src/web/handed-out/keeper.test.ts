@@ -118,6 +118,18 @@ it('a task that locks the robot keeps it and the board, but not the look of the 
   expect(page.work.hasSeveral.value).toBe(false);
 });
 
+it.each([0.5, 4, 'max'] as const)(
+  'a task that locks the speed at %s runs at that, whatever else is wished',
+  async (kept) => {
+    const page = await pupil({ speed: kept });
+    const speed = (): unknown => page.settings.current.value.speed;
+    expect(speed()).toBe(kept);
+    page.settings.change({ speed: 1 });
+    page.settings.hold({ speed: 2 }); // what an address wishes
+    expect(speed()).toBe(kept);
+  },
+);
+
 describe('a task with locked lines', () => {
   it('lets the pupil write around them, and knows after a reload where they are', async () => {
     const page = await pupil({ lines: [3, 4] });

@@ -60,11 +60,19 @@ function beginWith(app: KeptPage, keeper: TaskKeeper): void {
   );
   watch(
     () => keeper.locks.speed,
-    (isLocked, _, onEnd) => {
-      if (!isLocked) return;
+    (kept, _, onEnd) => {
+      if (kept === null) return;
       const { speed } = settings.current.value;
-      settings.hold({ speed: 1 });
-      onEnd(() => settings.hold({ speed }));
+      // Also against an address that wishes another one.
+      const stop = watch(
+        () => settings.current.value.speed,
+        (now) => now !== kept && settings.hold({ speed: kept }),
+        { immediate: true, flush: 'sync' },
+      );
+      onEnd(() => {
+        stop();
+        settings.hold({ speed });
+      });
     },
     { immediate: true, flush: 'sync' },
   );
@@ -90,8 +98,9 @@ class TaskKeeper implements Keeper {
   }
 
   refuses(what: LockName): boolean {
-    if (this.locks[what]) this.tell(say(words[what]));
-    return this.locks[what];
+    const isLocked = Boolean(this.locks[what]);
+    if (isLocked) this.tell(say(words[what]));
+    return isLocked;
   }
 
   noticed(): readonly SaidRemark[] {

@@ -77,6 +77,10 @@ describe('the task of the open work', () => {
     const given = withoutSecrets(own);
     expect([isHandedOut(own), isHandedOut(given)]).toEqual([false, true]);
     expect(draftOf(given)).toMatchObject({ task: { locks } });
+    made.change({ locks: { ...locks, speed: 1 } });
+    expect(withoutSecrets(page.work.work.value.project).task).toMatchObject({ locks: { speed: true } });
+    made.change({ locks: { ...locks, speed: 'max' } });
+    expect(draftOf(withoutSecrets(page.work.work.value.project))).toMatchObject({ task: { locks: { speed: 'max' } } });
     made.change({ locks: { ...locks, tools: [] } });
     expect(draftOf(withoutSecrets(page.work.work.value.project))).toMatchObject({ task: { locks: { tools: [] } } });
   });
