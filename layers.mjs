@@ -101,7 +101,9 @@ export const webLayers = {
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   'handed-out': ['page', 'run', 'work', 'course-editor'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
-  'task-maker': ['page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board'],
+  'task-maker': [
+    'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board', 'handed-out',
+  ], // prettier-ignore
   series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'class', 'task-maker'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],

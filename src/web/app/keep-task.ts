@@ -3,18 +3,18 @@ import { watch } from 'vue';
 import type { KeptPage } from '../handed-out/keeper';
 import { isHandedOut } from '../work/model/keeper';
 
-/** Keeps what a task locks that was handed out. What does so comes with the first such task. */
+/** Keeps what a task locks. What does so comes with the first task. */
 export function keepTask(app: KeptPage): void {
   watch(
-    () => isHandedOut(app.work.work.value.project),
+    () => app.work.work.value.project.task && isHandedOut(app.work.work.value.project),
     (isGiven, _, onEnd) => {
-      if (!isGiven) return;
+      if (isGiven === undefined) return;
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
       void import('../handed-out/keeper').then(
         ({ keep }) => {
-          if (isWanted) stop = keep(app);
+          if (isWanted) stop = keep(app, isGiven);
         },
         () => undefined, // without a connection nothing is locked: it is a help, no security
       );

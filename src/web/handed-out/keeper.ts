@@ -18,6 +18,7 @@ import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
 import { lockedLines } from './locked-lines';
+import { followLocks } from './follow-locks';
 import { bringsText, fromOutside, isFromOutside } from './outside';
 import { UsedHand } from './used-hand';
 import { wholePastes } from './whole-pastes';
@@ -31,8 +32,10 @@ export type KeptPage = Pick<PageParts, 'notices'> &
 /** What is fixed with the robot, of the settings. */
 const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'];
 
-/** Keeps what the open task locks, as long as one that was handed out is open. */
-export function keep(app: KeptPage): Stop {
+/** Keeps what the open task locks, as long as one that was handed out is open; in the teacher's own, what is to be locked. */
+export const keep = (app: KeptPage, isGiven: boolean): Stop => (isGiven ? keepGiven(app) : followLocks(app));
+
+function keepGiven(app: KeptPage): Stop {
   const scope = effectScope(true);
   scope.run(() => {
     const keeper = new TaskKeeper(app);

@@ -1,0 +1,64 @@
+import { shallowRef, watch, type ShallowRef } from 'vue';
+
+import { locksOf } from '#check/task/read-task';
+import { isSame } from '#core/same';
+import type { Stop } from '#core/stop';
+import { MAIN, type Carried, type Project } from '#project/project';
+
+import { say } from '../page/i18n/say';
+import type { PageParts } from '../page/parts';
+import type { WorkParts } from '../work/model/parts';
+import type { WorkModel } from '../work/model/work-model';
+import { handedOutWords as words } from './handed-out-words';
+import { followLines } from './follow-lines';
+
+const lostOf = new WeakMap<WorkModel, ShallowRef<readonly string[]>>();
+
+/** The texts of locked lines that are gone from the start program since the task was opened. */
+export function lostLocks(work: WorkModel): ShallowRef<readonly string[]> {
+  const lost = lostOf.get(work) ?? shallowRef<readonly string[]>([]);
+  lostOf.set(work, lost);
+  return lost;
+}
+
+/** Keeps the locks on the lines of a task that is being made, while its start program goes on being written. */
+export function followLocks({ work, notices }: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>): Stop {
+  const lost = lostLocks(work);
+  const stop = watch(
+    () => work.work.value.project,
+    (now, before) => {
+      const { task } = now;
+      if (task === undefined || before.task === undefined) return;
+      if (task !== before.task) {
+        if (!isSame(task['locks'], before.task['locks'])) lost.value = [];
+        return;
+      }
+      const { lines } = locksOf(task);
+      const [text, textBefore] = [mainOf(now), mainOf(before)];
+      if (text === textBefore || lines.length + lost.value.length === 0) return;
+      const followed = followLines(textBefore, text, lines, lost.value);
+      if (!isSame(followed.lines, lines)) work.setTask(withLines(task, followed.lines));
+      const isNew = followed.lost.length > lost.value.length;
+      lost.value = followed.lost;
+      if (isNew) tell();
+    },
+    { flush: 'sync' },
+  );
+  return () => {
+    stop();
+    lost.value = [];
+  };
+
+  function tell(): void {
+    const [line = ''] = lost.value;
+    const text = say(words.lost, { line: line.trim() });
+    notices.show({ kind: 'info', key: 'notice.text', values: { text }, holds: () => lost.value.includes(line) });
+  }
+}
+
+function withLines(task: Carried, lines: readonly number[]): Carried {
+  const { lines: _, ...others } = (task['locks'] ?? {}) as { readonly lines?: unknown };
+  return { ...task, locks: lines.length > 0 ? { ...others, lines } : others };
+}
+
+const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';
