@@ -93,6 +93,13 @@ describe('a hand-in for a course with goals', () => {
     expect((await checkedProject(taskWith(goal), projectWith(named, toGoal))).remarks).toEqual([]);
   });
 
+  it('is on the same course where a link had no room for its picture', async () => {
+    const grid = { at: [0, 0], size: [100, 100], cells: [1, 1], levels: 'AA==' } as const;
+    const withPicture = (picture: string) => ({ ...goal, background: { ...grid, picture } });
+    const seen = taskWith(withPicture('data:image/png;base64,AA=='));
+    expect((await checkedProject(seen, projectWith(withPicture(''), toGoal))).remarks).toEqual([]);
+  });
+
   it('that was handed out so is told, and is nobody’s twin', async () => {
     const result = await checked(taskWith(goal), '');
     expect(result).toMatchObject({ passed: false, remarks: [{ code: 'unchanged' }], twin: '' });
@@ -123,6 +130,28 @@ describe('what a pupil’s page says', () => {
     const locked = { ...taskWith(goal, { locks: { lines: [1] } }), project: projectWith(goal, start) };
     expect((await checked(locked, `# mine\r\n${start}`)).remarks).toEqual([]);
     expect((await checked(locked, `# mine\n${toGoal}`)).remarks).toEqual([{ code: 'outside', params: {} }]);
+  });
+
+  it('is told where the page did not keep what the task locks', async () => {
+    const locks = { hand: true, speed: 4, tools: ['pen'], lines: [1] };
+    const locked = taskWith(goal, { locks });
+    const remarks = async (data?: object): Promise<readonly string[]> => {
+      const project = { ...projectWith(goal, toGoal), handIn: { ...said, task: '', remarks: [] }, ...data };
+      return (await checkedProject(locked, project)).remarks.map(({ code }) => code);
+    };
+    const given = (those: object, handedOut = true) => ({ task: { version: 1, handedOut, locks: those } });
+    expect(await remarks(given({ ...locks, lines: [3] }))).toEqual([]);
+    expect(await remarks(given({ ...locks, course: true, tools: true }))).toEqual([]);
+    for (const freed of [
+      undefined,
+      given(locks, false),
+      given({ ...locks, hand: false }),
+      given({ ...locks, speed: 8 }),
+      given({ ...locks, tools: ['pen', 'eraser'] }),
+    ])
+      // prettier-ignore
+      expect(await remarks(freed)).toEqual(['unlocked']);
+    expect((await checkedProject(locked, projectWith(goal, toGoal))).remarks).toEqual([]);
   });
 
   it('is proved by the run: a verdict that it has not, a way that it has not gone', async () => {

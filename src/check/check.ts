@@ -1,13 +1,14 @@
 import { runFilesOf } from '#project/devices';
 import { MAIN } from '#project/project';
-import { serializeScene } from '#scene/serialize';
 import { isSame } from '#core/same';
 import { findFact } from './program/facts';
 import { twinHash } from './program/twin';
 import type { HandIn } from './hand-in/hand-in';
 import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
 import { notRun, runWorld } from './run/run-world';
+import { isSameCourse } from './task/course-mark';
 import { keptLines } from './task/kept-lines';
+import { isUnlocked } from './task/unlocked';
 import { isFact, type Check, type ClassTask, type Fact } from './task/task';
 
 /** How hand-ins are run. */
@@ -111,7 +112,7 @@ function isUnchanged({ project }: ClassTask, handIn: HandIn, starts: readonly st
 
 function remarksOn(
   task: ClassTask,
-  { project, hasCourse, said }: HandIn,
+  { project, hasCourse, said, locks }: HandIn,
   worlds: readonly WorldResult[],
   unchanged: boolean,
 ): readonly Remark[] {
@@ -122,9 +123,11 @@ function remarksOn(
   const [visible] = worlds;
   if (said !== null && said.task !== '' && task.id !== '' && said.task !== task.id)
     tell('other-task', { task: said.task });
-  if ((hasCourse && isOtherCourse(task, project)) || said?.remarks.includes('course') === true) tell('course');
+  if ((hasCourse && !isSameCourse(task.project.scene, project.scene)) || said?.remarks.includes('course') === true)
+    tell('course');
   if (said?.remarks.includes('hand') === true) tell('hand');
   if (said?.remarks.includes('outside') === true || lacksLines(task, project)) tell('outside');
+  if (said !== null && locks !== undefined && isUnlocked(task.locks, locks)) tell('unlocked');
   if (said?.verdict === 'passed' && visible?.passed === false) tell('verdict');
   else if (said !== null && said.hash !== '' && visible !== undefined && said.hash !== visible.hash) tell('hash');
   if (unchanged) tell('unchanged');
@@ -135,10 +138,4 @@ function remarksOn(
 function lacksLines({ project, locks }: ClassTask, theirs: HandIn['project']): boolean {
   const mainOf = (of: HandIn['project']): string => runFilesOf(of, 0)[MAIN] ?? '';
   return locks.lines.length > 0 && keptLines(mainOf(project), mainOf(theirs), locks.lines) === null;
-}
-
-/** Words and pictures do not matter. */
-function isOtherCourse({ project: { scene } }: ClassTask, { scene: theirs }: HandIn['project']): boolean {
-  const bare = { name: '', description: '' };
-  return serializeScene({ ...scene, ...bare }) !== serializeScene({ ...theirs, ...bare });
 }

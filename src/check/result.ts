@@ -83,7 +83,7 @@ export const remarkCodes = [
   // told by the pupil's page
   ...(['hand', 'outside'] as const),
   // found by comparing
-  ...(['course', 'verdict', 'hash', 'unchanged', 'twins'] as const),
+  ...(['course', 'unlocked', 'verdict', 'hash', 'unchanged', 'twins'] as const),
 ] as const;
 export type RemarkCode = (typeof remarkCodes)[number];
 

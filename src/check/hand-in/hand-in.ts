@@ -1,3 +1,4 @@
+import type { Locks } from '../task/task';
 import type { Verdict } from '#simulation/task/verdict';
 import type { Carried, Project } from '#project/project';
 
@@ -9,6 +10,8 @@ export interface HandIn {
   readonly hasCourse: boolean;
   /** What the pupil's page says; `null`: nothing, as in a program alone. */
   readonly said: Said | null;
+  /** What the pupil's page kept locked; left out: nobody knows. */
+  readonly locks?: Locks;
 }
 
 /** What the pupil's page writes into a hand-in. It is told, and checked where it can be. */

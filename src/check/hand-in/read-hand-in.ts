@@ -2,19 +2,21 @@ import { summaryOf } from '#scene/json-file';
 import { Reader } from '#scene/reader';
 import { defaultScene } from '#scene/scene';
 import type { Carried, Project, SourceFile } from '#project/project';
-import { taskLimits } from '../task/task';
+import { locksOf } from '../task/read-task';
+import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
 
 /** The hand-in of a project that a pupil has saved or sent, or why there is none. Never throws. */
 export function handInOf(project: Project): { readonly handIn: HandIn } | { readonly problem: string } {
-  const { handIn: data, task: _, ...plain } = project;
+  const { handIn: data, task, ...plain } = project;
   if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null } };
   if (data['version'] !== HAND_IN_VERSION)
     return { problem: `handIn: version ${JSON.stringify(data['version']) ?? 'nothing'} is unknown. Update Parcours.` };
   const reader = new Reader();
   const said = saidIn(data, reader);
   if (reader.problems.length > 0) return { problem: summaryOf(reader.problems) };
-  return { handIn: { project: plain, hasCourse: true, said } };
+  const locks = task?.['handedOut'] === true ? locksOf(task) : noLocks;
+  return { handIn: { project: plain, hasCourse: true, said, locks } };
 }
 
 /** A program alone, handed in. */

@@ -56,12 +56,13 @@ export function draftOf(project: Project): ReadTask {
   if (version !== TASK_VERSION) return refused('version', versionProblem(version));
   const reader = new Reader();
   const fields = reader.fields(data, 'task', [
-    ...['version', 'handedOut', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
+    ...['version', 'handedOut', 'course', 'id', 'checks', 'worlds', 'least', 'seconds', 'stars', 'solution', 'locks'],
   ]);
   const solution = solutionIn(fields, reader);
   const worlds = worldsIn(fields['worlds'], reader);
   const hiddenCount = worlds.filter(({ hidden }) => hidden).length;
   reader.flag(fields['handedOut'], 'task.handedOut', false);
+  reader.text(fields['course'], 'task.course', taskLimits.idCharacters, '');
   const task: ClassTask = {
     project: plain,
     id: reader.text(fields['id'], 'task.id', taskLimits.idCharacters, ''),

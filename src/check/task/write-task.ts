@@ -1,5 +1,6 @@
 import { isSame } from '#core/same';
 import type { Carried, Project } from '#project/project';
+import { courseMark } from './course-mark';
 import { draftOf, TASK_VERSION } from './read-task';
 import { noLocks, plainWorld, type Check, type ClassTask, type Locks, type WorldVariant } from './task';
 import { visibleTask } from './visible';
@@ -7,10 +8,13 @@ import { visibleTask } from './visible';
 /** The project of a task, with everything: for the teacher. */
 export const projectOfTask = (task: ClassTask): Project => ({ ...task.project, task: dataOf(task) });
 
-/** The same without the solution and without hidden worlds: what pupils get. On their page the locks hold. */
+/**
+ * The same without the solution and without hidden worlds: what pupils get. On their page the locks hold, and it knows
+ * whether the course is still the one handed out.
+ */
 export const projectForPupils = (task: ClassTask): Project => {
   const given = projectOfTask(visibleTask(task));
-  return { ...given, task: { ...given.task, handedOut: true } };
+  return { ...given, task: { ...given.task, handedOut: true, course: courseMark(given.scene) } };
 };
 
 /**
@@ -22,7 +26,12 @@ export function withoutSecrets(project: Project): Project {
   const read = draftOf(project);
   const { task: _, ...others } = project;
   const task = 'task' in read ? projectForPupils(read.task).task : undefined;
-  return task === undefined ? others : { ...others, task };
+  if (task === undefined) return others;
+  const { handedOut, course } = project.task;
+  if (handedOut !== true) return { ...others, task };
+  // A pupil hands on what was handed out; an earlier version did not say which course that was.
+  const { course: _course, ...known } = task;
+  return { ...others, task: course === undefined ? known : { ...known, course } };
 }
 
 /** A task's own data as a project carries it; what has its usual value is left out. */

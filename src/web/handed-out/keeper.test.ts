@@ -1,6 +1,7 @@
 // @vitest-environment happy-dom
 import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { handInOf } from '#check/hand-in/read-hand-in';
+import { noLocks } from '#check/task/task';
 import { withoutSecrets } from '#check/task/write-task';
 import { defaultScene } from '#scene/scene';
 import type { SceneEdit } from '#scene/edit';
@@ -8,6 +9,7 @@ import type { Project } from '#project/project';
 import { createPage, type TestPage } from '../app/testing/page';
 import { inputsOf, show, startRun } from '../app/testing/run';
 import { appSimulator } from '../host/app-simulator';
+import { useTaskMaker } from '../task-maker/use-task-maker';
 import { useDevice } from '../work/hardware/use-device';
 import { useCourses } from '../work/use-courses';
 import { knownCourses } from '../work/catalogue/known-courses';
@@ -152,6 +154,18 @@ describe('a task with locked lines', () => {
   });
 });
 
+it('a task that was handed out is not made over: it stays as it is until somebody begins anew, which is put aside', async () => {
+  const page = await pupil({ hand: true });
+  const made = useTaskMaker(page);
+  const { task } = page.work.work.value.project;
+  made.change({ locks: noLocks });
+  expect([page.work.work.value.project.task, made.isGiven.value]).toEqual([task, true]);
+  expect(page.said()).toMatch(/handed out|ausgeteilt/);
+  made.clear();
+  expect([page.work.work.value.project.task, made.isGiven.value]).toEqual([undefined, false]);
+  expect(page.work.work.value.previous[0]?.project.task).toEqual(task);
+});
+
 describe('what is not the task', () => {
   it('is free: the teacher’s own copy of it, and what is opened after it', async () => {
     const page = await pupil({ course: true });
@@ -193,6 +207,29 @@ describe('what is told of a hand-in', () => {
     expect(told(page)).toEqual(['outside']);
     const kept = page.work.work.value.project;
     expect(handInOf(kept)).toMatchObject({ handIn: { said: { remarks: ['outside'] } } });
+  });
+
+  it('is another course than the one handed out, also after a reload, and not when it is as it was', async () => {
+    const page = await pupil({});
+    expect(told(page)).toEqual([]);
+    page.editor.commit(BLOCK);
+    expect(told(page)).toEqual(['course']);
+    const again = createPage();
+    again.work.openProject(page.work.work.value.project, null);
+    await vi.waitFor(() => expect(told(again)).toEqual(['course']));
+    expect(withoutSecrets(page.work.work.value.project).task).toEqual(page.work.work.value.project.task);
+    page.editor.undo();
+    expect(told(page)).toEqual([]);
+  });
+
+  it('is no other course where a task came without knowing its own, as they did before', async () => {
+    const page = createPage();
+    const { task: { course: _, ...task } = { version: 1 }, ...project } = given({});
+    page.work.openProject({ ...project, task }, null);
+    await vi.waitFor(() => expect(page.work.keeper.value).not.toBeNull());
+    page.editor.commit(BLOCK);
+    expect(told(page)).toEqual([]);
+    expect(withoutSecrets(page.work.work.value.project).task).toEqual(task);
   });
 
   it('is the hand in the last run, but not in those before it', async () => {

@@ -2,6 +2,7 @@ import type { Extension } from '@codemirror/state';
 import { computed, effectScope, watch } from 'vue';
 
 import type { SaidRemark } from '#check/hand-in/hand-in';
+import { courseMark } from '#check/task/course-mark';
 import { keptLines } from '#check/task/kept-lines';
 import { locksOf } from '#check/task/read-task';
 import { noLocks, type LockName, type Locks } from '#check/task/task';
@@ -108,7 +109,9 @@ class TaskKeeper implements Keeper {
 
   noticed(): readonly SaidRemark[] {
     const { project } = this.app.work.work.value;
+    const course = project.task?.['course'];
     return [
+      ...(course !== undefined && course !== courseMark(project.scene) ? (['course'] as const) : []),
       ...(this.hand.isUsed ? (['hand'] as const) : []),
       ...(isFromOutside(project) ? (['outside'] as const) : []),
     ];
@@ -143,7 +146,11 @@ class TaskKeeper implements Keeper {
   }
 
   changed(before: Project, wished: Project, isTyped: boolean): Project | null {
-    if (wished.task !== before.task) return wished;
+    // Whoever begins anew has no task any more.
+    if (wished.task !== before.task) {
+      if (wished.task !== undefined) this.tell(say(words.given));
+      return wished.task === undefined ? wished : null;
+    }
     const after = !isTyped && bringsText(before, wished) ? fromOutside(wished) : wished;
     if (!isSame(hardwareOf(before), hardwareOf(after)) && this.refuses('robot')) return null;
     return this.withLines(before, after);

@@ -6,7 +6,9 @@ import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task'
 import { projectOfTask } from '#check/task/write-task';
 
 import { presentProject } from '../share/save-work';
+import { isHandedOut, withoutGiven } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
+import { workName } from '../work/work-name';
 
 /** The task of the open work, as it is being made. It is kept with the work, as its program and its course are. */
 export interface TaskMaker {
@@ -16,14 +18,17 @@ export interface TaskMaker {
   readonly problem: ComputedRef<string | null>;
   /** The goals of the course are checked, and it has none. */
   readonly lacksGoals: ComputedRef<boolean>;
+  /** It was handed out: whoever has it does not make it over. */
+  readonly isGiven: ComputedRef<boolean>;
   change(part: Partial<ClassTask>): void;
-  /** Begins anew, without what was made so far. */
+  /** Begins anew, without what was made so far; what was handed out is put aside. */
   clear(): void;
 }
 
 export function useTaskMaker(app: WorkParts): TaskMaker {
   const read = computed(() => draftOf(presentProject(app)));
   const task = computed(() => ('task' in read.value ? read.value.task : null));
+  const isGiven = computed(() => isHandedOut(app.work.work.value.project));
   return {
     task,
     problem: computed(() => ('problem' in read.value ? read.value.problem : null)),
@@ -31,7 +36,11 @@ export function useTaskMaker(app: WorkParts): TaskMaker {
     change(part) {
       if (task.value !== null) app.work.setTask(projectOfTask({ ...task.value, ...part }).task ?? null);
     },
-    clear: () => app.work.setTask(null),
+    isGiven,
+    clear() {
+      if (isGiven.value) app.work.openProject(withoutGiven(presentProject(app)), workName(app));
+      else app.work.setTask(null);
+    },
   };
 }
 

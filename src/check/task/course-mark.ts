@@ -1,0 +1,15 @@
+import { fnvOfText } from '#core/fnv';
+import type { Scene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
+
+/** A course as it is compared: words and pictures do not matter; a link may have had no room for them. */
+function bareText({ background, task: { card: _, ...task }, ...scene }: Scene): string {
+  const bare = { ...scene, name: '', description: '', task };
+  return serializeScene({ ...bare, background: background && { ...background, picture: '' } });
+}
+
+/** Whether two courses are the same to whoever drives in them. */
+export const isSameCourse = (one: Scene, other: Scene): boolean => bareText(one) === bareText(other);
+
+/** Tells a course apart from what it becomes. */
+export const courseMark = (scene: Scene): string => fnvOfText(bareText(scene)).toString(36);

@@ -1,0 +1,15 @@
+import { lockNames, type Locks } from './task';
+
+/** Whether a pupil's page has left something free that the task locks. Lines are looked for in the program itself. */
+export function isUnlocked(wanted: Locks, theirs: Locks): boolean {
+  const { tools } = wanted;
+  // Where the whole course is locked, tools say nothing more.
+  const freesTools =
+    tools !== null &&
+    !wanted.course &&
+    !theirs.course &&
+    !(theirs.tools?.every((tool) => tools.includes(tool)) ?? false);
+  return freesTools || lockNames.some((name) => isLock(wanted[name]) && wanted[name] !== theirs[name]);
+}
+
+const isLock = (lock: Locks[keyof Locks]): boolean => lock !== false && lock !== null;
