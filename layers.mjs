@@ -104,7 +104,7 @@ export const webLayers = {
   'task-maker': [
     'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board', 'handed-out',
   ], // prettier-ignore
-  series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'class', 'task-maker'],
+  series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'task-maker'],
   offline: ['page'],
   host: ['page', 'run', 'work', 'visit', 'layout', 'console', 'board', 'course-editor', 'share', 'debug'],
   app: [

@@ -2,11 +2,12 @@ import { onBeforeUnmount, onMounted, shallowRef, type Ref } from 'vue';
 
 import { listSources } from '#check/hand-in/sources';
 
+import { chosenFiles } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import { readyCourses } from '../share/open-address';
-import { chosenFiles, sourcesOf } from './added-files';
 import type { ClassModel } from './model/class-model';
 import { classWords as words } from './class-words';
+import { sourcesOf } from './sources-of';
 
 /** What is said about a paste goes after this. Chosen: read twice; on a projector nothing old should stand. */
 const SAID_MS = 8000;

@@ -5,7 +5,7 @@ import type { Series, SeriesTask } from '#check/series/series';
 import { seriesOfLink } from '#check/series/series-link';
 import { projectOfLink } from '#project/link/link';
 
-import type { AddedFile } from '../class/added-files';
+import type { AddedFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import { readyCourses } from '../share/open-address';
 import { fileBeside } from '../share/open-series';

@@ -5,7 +5,7 @@ import { describe, expect, it } from 'vitest';
 import { linkOf } from '#project/link/link';
 import { defaultScene } from '#scene/scene';
 
-import { chosenFiles, sourcesOf } from './added-files';
+import { sourcesOf } from './sources-of';
 
 const file = (name: string, content: BlobPart): File => new File([content], name);
 const alone = (one: File) => ({ path: one.name, file: one });
@@ -51,10 +51,5 @@ describe('files that are handed in on the page', () => {
       ['Tim.zip', 'zip'],
       ['leer', 'no-link'],
     ]);
-  });
-
-  it('have their path in the folder that was chosen', () => {
-    const own = Object.defineProperty(file('main.py', ''), 'webkitRelativePath', { value: '7b/Ada/main.py' });
-    expect(chosenFiles([own, file('Ben.py', '')]).map(({ path }) => path)).toEqual(['7b/Ada/main.py', 'Ben.py']);
   });
 });

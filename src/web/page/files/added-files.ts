@@ -1,36 +1,8 @@
-import { folderSources, sourcesIn, type Most, type Source, type TreeFile } from '#check/hand-in/sources';
-import { unread } from '#check/hand-in/unread';
-
-import { readyCourses } from '../share/open-address';
-
-/** Chosen: a tablet's browser holds it beside the workers. */
-const MOST: Most = { zip: 200_000_000, list: 20_000_000 };
-
 /** A file with its path in the folder that was chosen or dropped; alone it has just its name. */
 export interface AddedFile {
   readonly path: string;
   readonly file: File;
 }
-
-/** The hand-ins of files and folders that were chosen or dropped, each as the command line takes it. */
-export async function sourcesOf(added: readonly AddedFile[]): Promise<readonly Source[]> {
-  const folders = new Map<string, TreeFile[]>();
-  const found: Source[] = [];
-  for (const { path, file } of added) {
-    const [top = '', ...below] = path.split('/');
-    if (below.length === 0) found.push(...(await sourcesIn(treeFile(path, file), MOST, readyCourses)));
-    else folders.set(top, [...(folders.get(top) ?? []), treeFile(below.join('/'), file)]);
-  }
-  return [...found, ...[...folders.values()].flatMap((inside) => folderSources(inside, readyCourses))];
-}
-
-const treeFile = (path: string, file: File): TreeFile => ({
-  path,
-  async read(maxBytes) {
-    if (file.size > maxBytes) return unread('large', { file: file.name, most: maxBytes });
-    return { bytes: new Uint8Array(await file.arrayBuffer()) };
-  },
-});
 
 /** What was dropped: files, and all that is in folders. */
 export async function droppedFiles({ items, files }: DataTransfer): Promise<readonly AddedFile[]> {
