@@ -34,8 +34,8 @@ export const readyTitle = (id: string | null, language: Language): string | null
   readyCourseOf(id)?.texts[language].name ?? null;
 
 /**
- * The ready course or mission of this id as a task for a class: its start program, its further devices with theirs, and what is
- * pressed in it; `null` if there is none.
+ * The ready course or mission of this id as a task for a class: its start program, and what is pressed in it; `null` if there is
+ * none. Its further devices do their part, for whoever hands in the first one's program alone.
  */
 export function readyProject(id: string): Project | null {
   const scene = readyCourse(id);
@@ -45,8 +45,7 @@ export function readyProject(id: string): Project | null {
   const programOf = (name: string): string => programs[`../../courses/${id}/${name}.py`] ?? '';
   const [first, ...others] = courses[`../../courses/${id}/course.json`]?.devices ?? [];
   const further = others.map(({ name, robot }): FurtherDevice => {
-    const text = programOf(`${name}-start`) || programOf(name);
-    return { ...anyHardware, name, robot, files: [{ name: MAIN, text }], sameAs: '' };
+    return { ...anyHardware, name, robot, files: [{ name: MAIN, text: programOf(name) }], sameAs: '' };
   });
   const pressed = inputsOf(id);
   return {

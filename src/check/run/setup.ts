@@ -72,11 +72,12 @@ function furtherDevices(
   hasFirstRobot: boolean,
 ): { readonly devices: readonly DeviceSetup[] } | Problem {
   const theirs = deviceNames(handedIn);
+  const names = deviceNames(task);
   const made: DeviceSetup[] = [];
   let robots = hasFirstRobot ? 1 : 0;
   for (const [index, device] of (task.devices?.others ?? []).entries()) {
     const { name, robot, firmware, robotOptions } = device;
-    const place = theirs.indexOf(name);
+    const place = placeOf(name, index + 1, names, theirs);
     const files = place > 0 ? filesByName(filesOfDevice(handedIn, place)) : runFilesOf(task, index + 1);
     const start = robots === 0 ? null : furtherStart(scene, robots);
     const wish = { scene, start, robot, board: boardOf(device.device), firmware, robotOptions };
@@ -86,4 +87,15 @@ function furtherDevices(
     made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
   }
   return { devices: made };
+}
+
+/**
+ * The pupil's device for one of the task: the one of its name, else the one at its place, unless that is another one's. A ready
+ * course calls its devices in the language of the page.
+ */
+function placeOf(name: string, place: number, names: readonly string[], theirs: readonly string[]): number {
+  const named = theirs.indexOf(name);
+  if (named >= 0) return named;
+  const isOthers = names.includes(theirs[place] ?? name);
+  return theirs.length === names.length && !isOthers ? place : -1;
 }

@@ -3,7 +3,10 @@ import { cpSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSyn
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { projectOf, solved } from '#catalogue/course';
+import { courses } from '#catalogue/courses';
 import { missions } from '#catalogue/missions';
+import { projectToText } from '#project/file';
 import { linkOf } from '#project/link/link';
 import { readyCourse, readyProject } from '../ready-courses';
 import { parcours, useFolder } from '../testing/parcours';
@@ -163,6 +166,21 @@ describe('parcours check', () => {
       `parcours: ${series}: is a series. Say which of its tasks, such as ${series}#1: #1 (Slalom), #2 (Rund um den Tisch).\n`,
     ]);
   });
+
+  it.each(['remote-control', 'relay', 'bar', 'lead', 'hide', 'sumo'])(
+    'takes %s with all its devices, whatever they are called, and the first one’s program alone',
+    (id) => {
+      const course = courses.find((one) => one.id === id)!;
+      const german = file(`${id}.json`, projectToText(projectOf(solved(course), 'de')));
+      const { out } = parcours('check', id, german, join('courses', id, 'main.py'), '--json');
+      expect(jsonOf(out).handIns.map(({ name, passed }) => [name, passed])).toEqual([
+        [id, true],
+        ['main', true],
+      ]);
+      const begun = file('begun.json', projectToText(projectOf(course, 'de')));
+      expect(jsonOf(parcours('check', id, begun, '--json').out).passed).toBe(0);
+    },
+  );
 
   it('finds links in an e-mail, and tells of one that is damaged', () => {
     const project = readyProject('closed-line');
