@@ -1,6 +1,10 @@
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { describe, expect, it } from 'vitest';
+import { projectToText } from '#project/file';
+import { linkOf } from '#project/link/link';
+import { defaultProjectSettings } from '#project/project';
+import { defaultScene } from '#scene/scene';
 import { lastLine, parcours, useFolder } from './testing/parcours';
 
 const { folder, file } = useFolder();
@@ -54,6 +58,24 @@ describe('parcours run with --device', { timeout: 60_000 }, () => {
     const [first, two] = lastLine(out).devices;
     expect(two).toMatchObject({ console: '8\n', robot: { type: 'callibot', collisions: 0 } });
     expect(two?.robot?.yMm).toBeGreaterThan((first?.robot?.yMm ?? 0) + 100);
+  });
+
+  it('takes a project file or a link for a device: the program of its first one, with its robot and microcomputer', () => {
+    const text = 'from callibot import *\nprint(BOARD)\n';
+    const settings = { ...defaultProjectSettings, device: 'calliope-mini-3', robot: 'callibot' };
+    const project = { files: [{ name: 'main.py', text: text.replace('BOARD', '7') }], scene: defaultScene(), course: null, settings }; // prettier-ignore
+    const fragment = linkOf(project, { courses: () => null, program: true })?.fragment ?? '';
+    for (const work of [
+      file('two.json', projectToText(project)),
+      file('two.parcours', projectToText(project)),
+      `#${fragment}`,
+    ]) {
+      const { code, out } = parcours('run', robot, '--device', `two=${work}`, '--device', `hand=${work},robot=none,board=microbit-v2`, '--for', '1s', '--json'); // prettier-ignore
+      const [, two, hand] = lastLine(out).devices;
+      expect(code).toBe(1);
+      expect(two).toMatchObject({ console: '7\n', robot: { type: 'callibot' } });
+      expect(hand?.robot).toBeNull();
+    }
   });
 
   it('writes the device into each line of the trace', () => {

@@ -39,7 +39,8 @@ Which course, which robot
   --device NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]
                       a further microcomputer in the same arena, with a robot or without, which
                       hears the others by radio; up to seven. Its robot stands at the
-                      course's next start, or beside the first.
+                      course's next start, or beside the first. A project or a link in the place
+                      of PROGRAM.py gives its first device.
                       What is printed has the name of its device before each line
 
 How long, and what happens

@@ -1,4 +1,6 @@
+import { spawnSync } from 'node:child_process';
 import { readFileSync } from 'node:fs';
+import { fileURLToPath } from 'node:url';
 import { describe, expect, it } from 'vitest';
 import { projectToText } from '#project/file';
 import { linkOf } from '#project/link/link';
@@ -107,6 +109,21 @@ describe('parcours run with a project', { timeout: 60_000 }, () => {
     expect(code).toBe(2);
     expect(err).toContain(path);
     expect(err).toContain(message);
+  });
+
+  it('is told what is wrong with it, also as a course; a file of ours without its ending is no program', () => {
+    const wrong = file('wrong.parcours', projectToText(project).replace('"name": "drive.py"', '"nom": "x"').replace('"version": 1', '"version": 99')); // prettier-ignore
+    for (const words of [[wrong], [anna, '--scene', wrong]]) {
+      const { code, err } = parcours('run', ...words);
+      expect([code, err]).toEqual([2, expect.stringContaining('Project version 99 is newer than this app')]);
+    }
+  });
+
+  it('and the id of a ready course is meant where a folder of that name lies', () => {
+    const bin = fileURLToPath(new URL('../../bin/parcours.mjs', import.meta.url));
+    const words = ['run', 'square/main.py', '--scene', 'square', '--until-verdict', '--quiet'];
+    expect(spawnSync(process.execPath, [bin, ...words], { cwd: 'courses' }).status).toBe(0);
+    expect(spawnSync(process.execPath, [bin, 'check', 'square', 'square/main.py'], { cwd: 'courses' }).status).toBe(0);
   });
 
   it.each([

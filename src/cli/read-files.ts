@@ -3,7 +3,7 @@ import { basename } from 'node:path';
 import type { MyRobot } from '#my-robot/my-robot';
 import { parseProject } from '#project/file';
 import { openJson } from '#project/open-json';
-import { projectLimits } from '#project/project';
+import { MAIN, projectLimits } from '#project/project';
 import { parseScene } from '#scene/parse';
 import { defaultScene, type Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
@@ -15,8 +15,8 @@ import { reasonOf } from './reason-of';
 /** The files of a run, read and checked. */
 export interface RunFiles extends Work {
   readonly scene: Scene;
-  /** Files on the boards of the devices that `--device` adds, in their order. */
-  readonly deviceFiles: readonly Readonly<Record<string, string>>[];
+  /** What the devices that `--device` adds have, in their order: a program, or the first device's of a project. */
+  readonly added: readonly Pick<Work, 'files' | 'settings'>[];
   readonly inputs: readonly InputEvent[];
   /** The measured robot that `--my-robot` lets drive; `null`: the project's, or the one of the type. */
   readonly myRobot: MyRobot | null;
@@ -37,7 +37,7 @@ export async function readRunFiles(options: RunOptions): Promise<RunFiles | { re
     return {
       ...work,
       scene: options.scene === null ? (work.scene ?? defaultScene()) : await readScene(options.scene),
-      deviceFiles: options.devices.map(readBoard),
+      added: await Promise.all(options.devices.map(readWork)),
       inputs: options.input === null ? [] : readInputs(options.input),
       myRobot: options.myRobot === null ? null : readMyRobot(options.myRobot),
     };
@@ -73,28 +73,27 @@ function refuse(path: string, what: string): never {
 }
 
 /** The program, or the project that stands in its place, and further files on its board. */
-async function readWork(options: RunOptions): Promise<Work> {
-  const { program, files: paths } = options;
-  const isProject = !isAddress(program) && /\.json$/i.test(program);
-  if (!isProject && !isAddress(program)) return onlyProgram(readBoard(options));
-  const read = isProject
-    ? workOfJson(readText(program, projectLimits.textCharacters * 4))
-    : await workOfAddress(program);
-  if ('problem' in read) return refuse(isProject ? program : shortened(program), read.problem);
+async function readWork({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Promise<Work> {
+  const read = isAddress(program) ? await workOfAddress(program) : workOfFile(program);
+  if ('problem' in read) return refuse(isAddress(program) ? shortened(program) : program, read.problem);
   const files = { ...read.files };
   for (const path of paths) addFile(files, path);
   return { ...read, files };
 }
 
+/** A file with a project is one by its ending, or by what it says. */
+function workOfFile(path: string): Work | { readonly problem: string } {
+  const isNamed = /\.json$/i.test(path);
+  const text = readText(path, isNamed ? projectLimits.textCharacters * 4 : MAX_PROGRAM_BYTES);
+  return isNamed || OURS.test(text) ? workOfJson(text) : onlyProgram({ [MAIN]: text });
+}
+
+/** How our files begin. Such a text would be a program, too, one that does nothing. */
+const OURS = /^\s*\{\s*"format"\s*:\s*"parcours-/;
+const PROJECT = /^\s*\{\s*"format"\s*:\s*"parcours-project"/;
+
 /** An address may be as long as a program. */
 const shortened = (address: string): string => (address.length > 60 ? `${address.slice(0, 57)}…` : address);
-
-/** The files on a board: its program as main.py, and others. */
-function readBoard({ program, files: paths }: Pick<RunOptions, 'program' | 'files'>): Readonly<Record<string, string>> {
-  const files: Record<string, string> = { 'main.py': readText(program, MAX_PROGRAM_BYTES) };
-  for (const path of paths) addFile(files, path);
-  return files;
-}
 
 function addFile(files: Record<string, string>, path: string): void {
   const name = basename(path);
@@ -105,17 +104,22 @@ function addFile(files: Record<string, string>, path: string): void {
   files[name] = readText(path, MAX_PROGRAM_BYTES);
 }
 
+/** Whether a word can only be the id of a ready course: a folder of that name is none. */
+export const isNoFile = (path: string): boolean => !existsSync(path) || statSync(path).isDirectory();
+
 /** A course, that of a project or of a link, or a ready one by its id. */
 async function readScene(word: string): Promise<Scene> {
   if (isAddress(word)) return sceneOfAddress(word);
-  const ready = existsSync(word) ? null : (await import('./ready-courses')).readyCourse(word);
+  const ready = isNoFile(word) ? (await import('./ready-courses')).readyCourse(word) : null;
   if (ready !== null) return ready;
   const text = readText(word, projectLimits.textCharacters * 4);
   const opened = openJson(text);
   if (opened.kind === 'project') return opened.project.scene;
   const parsed = parseScene(text);
   if ('scene' in parsed) return parsed.scene;
-  return refuse(word, parsed.problems.map((problem) => problem.message).join(`\n${word}: `));
+  // A project is told what is wrong with it, not that it is none.
+  const { problems } = opened.kind === 'problem' && PROJECT.test(text) ? opened : parsed;
+  return refuse(word, problems.map((problem) => problem.message).join('\n'));
 }
 
 async function sceneOfAddress(address: string): Promise<Scene> {
@@ -131,7 +135,7 @@ function readInputs(path: string): readonly InputEvent[] {
 
 function readMyRobot(path: string): MyRobot {
   const parsed = parseProject(readText(path, projectLimits.textCharacters * 4));
-  if ('problems' in parsed) return refuse(path, parsed.problems.map((problem) => problem.message).join(`\n${path}: `));
+  if ('problems' in parsed) return refuse(path, parsed.problems.map((problem) => problem.message).join('\n'));
   const { myRobot } = parsed.project.settings ?? {};
   return (
     myRobot ?? refuse(path, 'this project has no measured robot. Measure one on the page under "My robot" and save.')

@@ -38,7 +38,7 @@ const DEFAULT_LIMIT_US = 600_000_000;
 export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 | 2 | 3> {
   const read = await readRunFiles(asked);
   if ('problem' in read) return refuse(read.problem, terminal);
-  const options = withProject(asked, read);
+  const options = withProject(asked, read.settings);
   const chosen = chooseHardware({ ...withMyRobot(options, read), ...read, imports: modulesImportedBy(read.files) });
   if ('problem' in chosen) return refuse(placed(chosen.problem, options), terminal);
   const [option] = Object.keys(options.robotOptions);
@@ -98,12 +98,12 @@ function furtherDevices(
   read: RunFiles,
   first: Hardware,
 ): { readonly devices: readonly DeviceSetup[] } | { readonly problem: string } {
-  const { scene, deviceFiles } = read;
-  const added = devices.map(({ name, robot, board }, place) => ({
-    ...{ name, robot, board, firmware: '', robotOptions: {} },
-    files: deviceFiles[place] ?? {},
-    from: `--device ${name}`,
-  }));
+  const { scene } = read;
+  const added = devices.map(({ name, ...asked }, place) => {
+    const { files = {}, settings = {} } = read.added[place] ?? {};
+    const { robot, board, firmware } = withProject({ ...asked, firmware: '' }, settings);
+    return { name, robot, board, firmware, robotOptions: settings.robotOptions ?? {}, files, from: `--device ${name}` };
+  });
   const ofProject = read.devices.map((device) => ({ ...device, from: `device "${device.name}"` }));
   const made: DeviceSetup[] = [];
   let robots = first.robot === null ? 0 : 1;
@@ -145,7 +145,10 @@ function setupOf(options: RunOptions, read: RunFiles, hardware: Hardware): RunSe
 const SENSES: InputEvent = { timeUs: 0, action: { type: 'arena-senses', on: true } };
 
 /** What a project says where the command line says nothing. */
-function withProject(options: RunOptions, { settings }: RunFiles): RunOptions {
+function withProject<T extends Pick<RunOptions, 'robot' | 'board' | 'firmware'>>(
+  options: T,
+  settings: RunFiles['settings'],
+): T {
   const { device = AUTO, firmware = '', robot = AUTO } = settings;
   return {
     ...options,

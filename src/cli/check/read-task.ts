@@ -1,11 +1,10 @@
-import { existsSync } from 'node:fs';
 import { basename } from 'node:path';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import { openJson } from '#project/open-json';
 import { MAIN, projectLimits, type Project } from '#project/project';
 import type { Scene } from '#scene/scene';
-import { readLimited } from '../read-files';
+import { isNoFile, readLimited } from '../read-files';
 import { readyProject } from '../ready-courses';
 import { isAddress, openAddress } from '../read-work';
 import { partsOf, seriesLinkIn, taskOfLink, taskOfSeriesFile, type OpenedTask } from './series-task';
@@ -38,7 +37,7 @@ async function openedTask(word: string): Promise<OpenedTask | Problem> {
   const link = seriesLinkIn(where);
   if (link !== null) return saidOf(shortened(word), await taskOfLink(link, which));
   if (isAddress(word)) return taskOfAddress(word);
-  const ready = existsSync(where) ? null : readyProject(where);
+  const ready = isNoFile(where) ? readyProject(where) : null;
   if (ready !== null) return which === '' ? { project: ready, name: where } : isSingle(where, which);
   const file = readLimited(where, projectLimits.textCharacters * 4);
   if ('problem' in file)
