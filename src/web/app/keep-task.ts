@@ -9,12 +9,13 @@ export function keepTask(app: KeptPage): void {
     () => app.work.work.value.project.task && isHandedOut(app.work.work.value.project),
     (isGiven, _, onEnd) => {
       if (isGiven === undefined) return;
+      const opened = app.work.work.value.project;
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
       void import('../handed-out/keeper').then(
         ({ keep }) => {
-          if (isWanted) stop = keep(app, isGiven);
+          if (isWanted) stop = keep(app, opened);
         },
         () => undefined, // without a connection nothing is locked: it is a help, no security
       );

@@ -1,5 +1,5 @@
 // @vitest-environment happy-dom
-import { beforeEach, describe, expect, it, vi } from 'vitest';
+import { beforeAll, beforeEach, describe, expect, it, vi } from 'vitest';
 import { handInOf } from '#check/hand-in/read-hand-in';
 import { noLocks } from '#check/task/task';
 import { withoutSecrets } from '#check/task/write-task';
@@ -39,6 +39,7 @@ async function pupil(locks: object): Promise<TestPage & { readonly said: () => s
 const program = ({ work }: TestPage): string | undefined => work.files.value[0]?.text;
 const linesOf = ({ work }: TestPage): unknown => (work.work.value.project.task?.['locks'] as { lines?: unknown }).lines;
 
+beforeAll(() => import('./keeper')); // its first coming takes a while on a busy machine
 beforeEach(() => {
   sessionStorage.clear();
   localStorage.clear();

@@ -18,9 +18,12 @@ import type { RunParts } from '../run/parts';
 import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
+import { holdSettings, OF_THE_ROBOT } from './hold-settings';
 import { lockedLines } from './locked-lines';
 import { followLocks } from './follow-locks';
 import { bringsText, fromOutside, isFromOutside } from './outside';
+import { plainHints } from './plain-hints';
+import { takeBack } from './since-opening';
 import { UsedHand } from './used-hand';
 import { wholePastes } from './whole-pastes';
 
@@ -30,13 +33,12 @@ export type KeptPage = Pick<PageParts, 'notices'> &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
   Pick<CourseEditorParts, 'editor'>;
 
-/** What is fixed with the robot, of the settings. */
-const OF_THE_ROBOT = ['device', 'firmware', 'robot', 'robotOptions', 'reality', 'seed', 'myRobot'];
-
 /** Keeps what the open task locks, as long as one that was handed out is open; in the teacher's own, what is to be locked. */
-export const keep = (app: KeptPage, isGiven: boolean): Stop => (isGiven ? keepGiven(app) : followLocks(app));
+export const keep = (app: KeptPage, opened: Project): Stop =>
+  isHandedOut(opened) ? keepGiven(app, opened) : followLocks(app);
 
-function keepGiven(app: KeptPage): Stop {
+function keepGiven(app: KeptPage, opened: Project): Stop {
+  takeBack(app, opened);
   const scope = effectScope(true);
   scope.run(() => {
     const keeper = new TaskKeeper(app);
@@ -51,7 +53,7 @@ function keepGiven(app: KeptPage): Stop {
 
 /** What was chosen before the task came, and is locked by it. */
 function beginWith(app: KeptPage, keeper: TaskKeeper): void {
-  const { settings, editor, sensors, hand } = app;
+  const { editor, sensors, hand } = app;
   watch(
     [() => keeper.locks, app.work.openings],
     ([locks]) => {
@@ -62,24 +64,8 @@ function beginWith(app: KeptPage, keeper: TaskKeeper): void {
     },
     { immediate: true },
   );
-  watch(
-    () => keeper.locks.speed,
-    (kept, _, onEnd) => {
-      if (kept === null) return;
-      const { speed } = settings.current.value;
-      // Also against an address that wishes another one.
-      const stop = watch(
-        () => settings.current.value.speed,
-        (now) => now !== kept && settings.hold({ speed: kept }),
-        { immediate: true, flush: 'sync' },
-      );
-      onEnd(() => {
-        stop();
-        settings.hold({ speed });
-      });
-    },
-    { immediate: true, flush: 'sync' },
-  );
+  holdSettings(app, keeper);
+  plainHints(app, keeper);
 }
 
 class TaskKeeper implements Keeper {
@@ -139,7 +125,7 @@ class TaskKeeper implements Keeper {
 
   refusesSettings(names: readonly string[]): boolean {
     return (
-      (names.some((name) => OF_THE_ROBOT.includes(name)) && this.refuses('robot')) ||
+      (names.some((name) => OF_THE_ROBOT.some((one) => one === name)) && this.refuses('robot')) ||
       (names.includes('speed') && this.refuses('speed')) ||
       (names.includes('arenaSenses') && this.refuses('hand'))
     );

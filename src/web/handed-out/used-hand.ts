@@ -18,7 +18,7 @@ export class UsedHand {
       ({ setup }) => {
         if (setup !== null) this.isUsed = (setup.inputs ?? []).some(({ action }) => this.counts(action));
       },
-      { flush: 'sync' },
+      { immediate: true, flush: 'sync' },
     );
     watch(work.openings, () => (this.isUsed = false), { flush: 'sync' });
   }

@@ -2,9 +2,12 @@
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
+import { noLocks } from '#check/task/task';
+
 import { mountOn, named, textOf } from '../../app/testing/mount-on';
 import { createPage } from '../../app/testing/page';
 import { inputsOf, show, startRun } from '../../app/testing/run';
+import type { Keeper } from '../../work/model/keeper';
 import { newBoard } from '../../several-devices/new-device';
 import SensorPanel from './SensorPanel.vue';
 
@@ -53,6 +56,17 @@ describe('what the board feels, set by hand', () => {
     await page.run.start();
     const run = page.sent.find((message) => message.type === 'run');
     expect(JSON.stringify(run)).toContain('{"type":"sensor","id":"temperature","value":-3}');
+  });
+
+  it('is nothing where the open task does without the hand, and says so', async () => {
+    const { page, mounted, slider } = panel();
+    page.work.keeper.value = { locks: { ...noLocks, hand: true }, refusesInput: () => true } as unknown as Keeper;
+    await nextTick();
+    expect(textOf((mounted.element as HTMLElement).querySelector('[data-testid="sensors-kept"]'))).toContain('Hand');
+    const sliders = [...(mounted.element as HTMLElement).querySelectorAll<HTMLElement>('label.slider')];
+    expect(sliders.map((it) => it.inert)).toEqual([true, true, true]);
+    await slider('Temperatur').move(-3);
+    expect(slider('Temperatur').text()).toBe('21 °C');
   });
 
   it('reaches a run that is under way at once', async () => {

@@ -44,8 +44,8 @@ export function useSensorValues(app: Pick<RunParts, 'run' | 'sensors'>, infos: r
       return fresh.value[id] ?? (typeof live === 'number' ? live : planned(id));
     },
     set: (id, value) => {
+      if (!sensors.set(id, value)) return;
       fresh.value = { ...fresh.value, [id]: value };
-      sensors.set(id, value);
       settle();
     },
     reset: () => {

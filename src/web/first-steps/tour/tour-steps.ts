@@ -52,9 +52,11 @@ const help: TourStep = {
   isDone: (app) => app.guide.at.value !== null,
 };
 
-/** The steps for what is on the page: at most eight. Without an arena the board has its place. */
-export const stepsFor = (hasArena: boolean): readonly TourStep[] =>
-  hasArena ? [code, run, arena, output, stop, tools, course, help] : [code, run, board, output, stop, course, help];
+/** The steps for what is on the page: at most eight. Without an arena the board has its place, and nobody builds. */
+export const stepsFor = (hasArena: boolean, mayBuild = true): readonly TourStep[] =>
+  [code, run, hasArena ? arena : board, output, stop, tools, course, help].filter(
+    (step) => step !== tools || (hasArena && mayBuild),
+  );
 
 /** The place of a kept step; one that is not among them, or unknown, is the beginning. */
 export const placeOf = (steps: readonly TourStep[], kept: string | null): number =>

@@ -1,0 +1,21 @@
+import { watch } from 'vue';
+
+import { say } from '../page/i18n/say';
+import type { PageParts } from '../page/parts';
+import type { Keeper } from '../work/model/keeper';
+import { handedOutWords as words } from './handed-out-words';
+
+/** Messages about the hand offer nothing that is locked: no other start in a locked course, no tool that is not there. */
+export function plainHints({ notices }: Pick<PageParts, 'notices'>, keeper: Pick<Keeper, 'locks' | 'hasTool'>): void {
+  watch(
+    notices.current,
+    (notice) => {
+      if (notice?.key === 'notice.handRobot' && notice.action !== undefined && keeper.locks.course) {
+        const { action: _, ...plain } = notice;
+        notices.show(plain);
+      } else if (notice?.key === 'notice.handBlock' && !keeper.hasTool('select'))
+        notices.show({ ...notice, key: 'notice.text', values: { text: say(words.backAtStart) } });
+    },
+    { flush: 'sync' },
+  );
+}

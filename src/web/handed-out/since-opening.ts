@@ -1,0 +1,36 @@
+import { keptLines } from '#check/task/kept-lines';
+import { locksOf } from '#check/task/read-task';
+import { isSame } from '#core/same';
+import { MAIN, type Project } from '#project/project';
+
+import { say } from '../page/i18n/say';
+import type { PageParts } from '../page/parts';
+import type { WorkParts } from '../work/model/parts';
+import { handedOutWords as words } from './handed-out-words';
+
+/**
+ * Takes back what a task locks and what was changed all the same, before the keeper came.
+ *
+ * @param opened the project with which it was opened
+ */
+export function takeBack(
+  { work, notices }: Pick<PageParts, 'notices'> & Pick<WorkParts, 'work'>,
+  opened: Project,
+): void {
+  const { task } = work.work.value.project;
+  if (task === undefined || task !== opened.task) return;
+  const { course, lines } = locksOf(task);
+  const tell = (text: string): void => notices.show({ kind: 'info', key: 'notice.text', values: { text } });
+  let isTaken = false;
+  while (course && work.scene.value !== opened.scene && work.undo()) isTaken = true;
+  if (isTaken) tell(say(words.course));
+  const [before, now] = [mainOf(opened), mainOf(work.work.value.project)];
+  const kept = keptLines(before, now, lines);
+  if (kept === null) {
+    work.setText(MAIN, before, true);
+    tell(say(words.lines));
+  } else if (before !== now && !isSame(kept, lines))
+    work.setTask({ ...task, locks: { ...(task['locks'] as object), lines: kept } });
+}
+
+const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';
