@@ -93,7 +93,9 @@ const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyC
 /** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
 function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
   const zip = readZip(bytes);
-  return 'problem' in zip ? [brokenSource(name, zip.problem)] : folderSources(withoutTop(zip.entries), courses);
+  if ('problem' in zip) return [brokenSource(name, zip.problem)];
+  const inside = folderSources(withoutTop(zip.entries), courses);
+  return inside.length > 0 ? inside : [brokenSource(name, unread('no-main').problem)];
 }
 
 /** A zip that holds a single folder of hand-ins is that folder; one of a hand-in stays one. */

@@ -111,7 +111,7 @@ describe('parcours check', () => {
       ['empty.zip', false, 'cannot be read: the folder has no main.py.'],
       ['nobody', false, 'cannot be read: the folder has no main.py.'],
     ]);
-    expect(parcours('check', 'closed-line', zip)).toMatchObject({ code: 2, err: expect.stringContaining('there are no hand-ins') as string }); // prettier-ignore
+    expect(parcours('check', 'closed-line', join(folder, 'nobody'))).toMatchObject({ code: 2, err: expect.stringContaining('there are no hand-ins') as string }); // prettier-ignore
   });
 
   it.each([
