@@ -92,13 +92,17 @@ function rowOf(
     ...(note === '' ? [] : [note]),
   ];
   const touches = result.worlds.reduce((sum, world) => sum + world.touches, 0);
+  /** On a narrow screen the row of headings is not there: each figure has its own. */
+  const figure = (column: 'points' | 'time' | 'touches', text: string | number): string =>
+    `<td class="number ${column}" data-of="${escaped(reportWords.report[column][language])}">${text}</td>`;
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
     `<th scope="row"><a href="#hand-in-${place}">${escaped(name)}</a></th>`,
-    `<td class="verdict">${verdictOf(result, language)}</td><td class="number">${result.points}</td>`,
-    hasStars ? `<td>${'★'.repeat(result.stars ?? 0)}</td>` : '',
-    `<td class="number">${first === undefined ? '' : secondsOf(first)}</td><td class="number">${touches}</td>`,
-    `<td>${said.map(escaped).join('<br>')}</td></tr>`,
+    `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', result.points)}`,
+    hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',
+    figure('time', first === undefined ? '' : secondsOf(first)),
+    figure('touches', touches),
+    `<td class="said">${said.map(escaped).join('<br>')}</td></tr>`,
   ].join('');
 }
 
