@@ -1,5 +1,6 @@
 import type { WorldResult } from '#check/result';
 
+import { labelPlaces } from './label-places';
 import { drivenUntil } from './timed-way';
 import type { Size } from './wall-cards';
 
@@ -41,7 +42,9 @@ export function drawWays(
   context.lineJoin = 'round';
   const driven = ways.map(({ way, label, passedMs }, place) => ({
     ...{ pieces: drivenUntil(way, untilMs), color: COLORS[place % COLORS.length] ?? COLORS[0] },
-    label: passedMs !== null && passedMs <= untilMs ? `${label} ✓` : label,
+    ...(passedMs !== null && passedMs <= untilMs
+      ? { label: `${label} ✓`, hasPassed: true }
+      : { label, hasPassed: false }),
   }));
   context.globalAlpha = 0.75;
   context.lineWidth = WIDTH_MM * scale;
@@ -57,12 +60,12 @@ export function drawWays(
     context.stroke();
   }
   context.globalAlpha = 1;
-  context.font = `600 ${String(14 * ratio)}px Roboto, 'Segoe UI', sans-serif`;
-  for (const { pieces, color, label } of driven) {
+  const robots = driven.flatMap(({ pieces, color, label, hasPassed }) => {
     const [x, y] = pieces.at(-1)?.at(-1) ?? [];
-    if (x === undefined || y === undefined) continue;
-    drawRobot(context, { x: x * scale, y: (course.height - y) * scale, color, label, radius: ROBOT_MM * scale, ratio });
-  }
+    if (x === undefined || y === undefined) return [];
+    return [{ x: x * scale, y: (course.height - y) * scale, color, label, hasPassed }];
+  });
+  drawRobots(context, robots, { radius: ROBOT_MM * scale, ratio });
 }
 
 interface Robot {
@@ -70,24 +73,39 @@ interface Robot {
   readonly y: number;
   readonly color: string;
   readonly label: string;
-  readonly radius: number;
-  readonly ratio: number;
+  readonly hasPassed: boolean;
 }
 
-/** A dot and its name, both with a light rim; the name stays inside of the picture. */
-function drawRobot(context: CanvasRenderingContext2D, { x, y, color, label, radius, ratio }: Robot): void {
-  context.beginPath();
-  context.arc(x, y, radius, 0, 2 * Math.PI);
-  context.fillStyle = color;
+/** Dots and their names, both with a light rim. Where there is no room for all names, those who have passed come first. */
+function drawRobots(
+  context: CanvasRenderingContext2D,
+  robots: readonly Robot[],
+  { radius, ratio }: { readonly radius: number; readonly ratio: number },
+): void {
+  context.font = `600 ${String(14 * ratio)}px Roboto, 'Segoe UI', sans-serif`;
   context.strokeStyle = '#fff';
   context.lineWidth = 2 * ratio;
-  context.fill();
-  context.stroke();
-  const width = context.measureText(label).width;
-  const beside = x + radius + 4 * ratio;
-  const left = beside + width < context.canvas.width ? beside : x - radius - 4 * ratio - width;
-  const baseline = Math.min(context.canvas.height - 4 * ratio, Math.max(14 * ratio, y + 5 * ratio));
+  for (const { x, y, color } of robots) {
+    context.beginPath();
+    context.arc(x, y, radius, 0, 2 * Math.PI);
+    context.fillStyle = color;
+    context.fill();
+    context.stroke();
+  }
+  const named = robots.toSorted((one, other) => Number(other.hasPassed) - Number(one.hasPassed));
+  const places = labelPlaces(
+    named.map(({ x, y, label }) => {
+      const size = { width: context.measureText(label).width, height: 18 * ratio };
+      return { x, y, radius: radius + 4 * ratio, label: size };
+    }),
+    context.canvas,
+  );
   context.lineWidth = 4 * ratio;
-  context.strokeText(label, left, baseline);
-  context.fillText(label, left, baseline);
+  for (const [index, { color, label }] of named.entries()) {
+    const place = places[index];
+    if (!place) continue;
+    context.fillStyle = color;
+    context.strokeText(label, place.left, place.top + 14 * ratio);
+    context.fillText(label, place.left, place.top + 14 * ratio);
+  }
 }

@@ -4,9 +4,9 @@ import type { Point } from '#scene/scene';
 /** A way with its times. */
 type Way = Pick<WorldResult, 'trail' | 'trailMs'>;
 
-/** Simulated ms at which the last of them was at its end. */
-export const lastMs = (ways: readonly Way[]): number =>
-  ways.reduce((last, { trailMs }) => Math.max(last, trailMs.at(-1)?.at(-1) ?? 0), 0);
+/** Simulated ms at which the last of them was at its end, and had passed if it has. */
+export const lastMs = (ways: readonly { readonly way: Way; readonly passedMs: number | null }[]): number =>
+  ways.reduce((last, { way, passedMs }) => Math.max(last, way.trailMs.at(-1)?.at(-1) ?? 0, passedMs ?? 0), 0);
 
 /** What of a way was driven until then: whole pieces, and of the last one a part that ends between two of its points. */
 export function drivenUntil({ trail, trailMs }: Way, ms: number): readonly (readonly Point[])[] {

@@ -95,6 +95,20 @@ describe('a way in simulated time', () => {
   });
 
   it('is over with the last of all ways', () => {
-    expect(lastMs([way, { trail: [], trailMs: [] }])).toBe(6000);
+    expect(
+      lastMs([
+        { way, passedMs: null },
+        { way: { trail: [], trailMs: [] }, passedMs: null },
+      ]),
+    ).toBe(6000);
+  });
+
+  it('is not over before the last has passed: who must stand for a second is at the end of the way before', () => {
+    expect(
+      lastMs([
+        { way, passedMs: 7020 },
+        { way, passedMs: null },
+      ]),
+    ).toBe(7020);
   });
 });
