@@ -102,7 +102,7 @@ export const webLayers = {
   'handed-out': ['page', 'run', 'work', 'course-editor'],
   class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
   'task-maker': [
-    'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'board', 'handed-out',
+    'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'print', 'board', 'handed-out',
   ], // prettier-ignore
   series: ['page', 'run', 'work', 'visit', 'layout', 'task', 'galleries', 'share', 'task-maker'],
   offline: ['page'],

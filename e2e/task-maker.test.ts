@@ -6,7 +6,7 @@ import { expect, test, type App } from './app';
 import { violationsOn } from './axe';
 import { IN_ONE_ENGINE } from './engines';
 import { closedLine, openWork } from './page';
-import { by, until } from './parts';
+import { by, gone, until } from './parts';
 
 const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
 
@@ -119,3 +119,25 @@ test('the page of a task bars no screen reader, and stays over a reload', IN_ONE
   await app.goto('./#task');
   await until(app, by('maker-leds'));
 });
+
+test(
+  'the page of a task leads to the text that the class reads, and to the worksheet',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openMaker(app);
+    await app.click(by('maker-card'));
+    await until(app, by('task-title'));
+    await app.fill(by('task-title'), 'Einmal rundherum');
+    await app.press('Tab');
+    await expect.poll(() => projectOf(app)).toContain('Einmal rundherum');
+    expect(await violationsOn(app)).toEqual([]);
+    await app.press('Escape');
+    await gone(app, by('maker-card-window'));
+    await app.click(by('maker-sheet'));
+    await until(app, `${by('print-sheet')}[aria-pressed=true]`);
+    await until(app, by('sheet-page'));
+    await app.press('Escape');
+    await gone(app, by('print-dialog'));
+    expect(await app.text(by('maker'))).not.toBe('');
+  },
+);
