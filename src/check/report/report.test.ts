@@ -94,6 +94,12 @@ describe('the result of a class', () => {
     expect(html).toContain('Welt 1');
     expect(html.match(/stroke="#1e66d0"/g)?.length).toBeGreaterThan(1);
   });
+
+  it('says of each figure what it is, for a phone, where the row of headings has no room', async () => {
+    const html = htmlOf(classResult('t', await results()), task, 'de');
+    for (const name of ['Punkte', 'Zeit', 'Berührungen'])
+      expect([name, html.split(`data-of="${name}"`).length]).toEqual([name, 4]);
+  });
 });
 
 describe('what a check asks', () => {
