@@ -102,6 +102,7 @@ function wrongIn({ where, texts }, languages, same) {
   if (texts.de?.includes('ß')) wrong.push(`ß in German: ${texts.de}`);
   if (/ [:;?!»]|« /.test(texts.fr ?? ''))
     wrong.push(`a wide space before a sign in French (it is U+202F): ${texts.fr}`);
+  if (/exercice/i.test(texts.fr ?? '')) wrong.push(`a task is a «tâche» everywhere in French: ${texts.fr}`);
   return wrong.map((problem) => `${where}: ${problem}`);
 }
 

@@ -54,6 +54,11 @@ describe('a text', () => {
     expect(found({ fr: 'Un mur\u202f?' })).toBe('');
   });
 
+  it('calls a task by one word in French', () => {
+    expect(found({ fr: 'Créer un exercice' })).toContain('«tâche»');
+    expect(found({ fr: 'Créer une tâche' })).toBe('');
+  });
+
   it('stands in no source', () => {
     const source = "const words = {\n  title: { de: 'Wand', en: 'Wall' },\n};\nsay(words.title);";
     expect(problems({ 'src/web/a.ts': source })).toEqual(['src/web/a.ts:2: texts stand in words/<language>.json']);
