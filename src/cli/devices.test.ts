@@ -87,6 +87,16 @@ describe('parcours run with --device', { timeout: 60_000 }, () => {
     expect(first.split(',').length).toBe(header.split(',').length);
   });
 
+  it('says with --strict of each device what its board would not understand, and with --quiet what ended it', () => {
+    const ok = file('fits.py', 'print(1)\n');
+    const modern = `new=${file('modern.py', 'x = 3\nprint(f"{x}")\n')}`;
+    const strict = parcours('run', ok, '--device', modern, '--strict');
+    expect(strict).toMatchObject({ code: 1, out: '', err: expect.stringMatching(/^new: main\.py:2:7: .*f-strings/) as string }); // prettier-ignore
+    const { code, out, err } = parcours('run', ok, '--device', `bad=${file('fails.py', '1/0')}`, '--quiet');
+    expect([code, out]).toEqual([1, '']);
+    expect(err).toContain('bad: ZeroDivisionError: divide by zero');
+  });
+
   it('ends with 1 when the program of any device fails', () => {
     expect(parcours('run', file('ok.py', 'pass'), '--device', `bad=${file('bad.py', '1/0')}`).code).toBe(1);
   });

@@ -44,13 +44,13 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
   const [option] = Object.keys(options.robotOptions);
   if (chosen.robot === null && option !== undefined)
     return refuse(`--option ${option}: there is no robot here. Leave it out, or choose --robot.`, terminal);
-  const unfit = options.strict ? await strictFailure(read, chosen, options, terminal) : null;
+  const setup = setupOf(options, read, chosen);
+  if ('problem' in setup) return refuse(setup.problem, terminal);
+  const unfit = options.strict ? await strictFailure(setup.devices, options, terminal) : null;
   if (unfit) {
     if (options.json) terminal.line(jsonLine(unfit, []));
     return exitCodeOf(unfit.ended);
   }
-  const setup = setupOf(options, read, chosen);
-  if ('problem' in setup) return refuse(setup.problem, terminal);
   if (options.untilVerdict && !hasTask(setup.scene))
     return refuse('--until-verdict: the course has no task. Choose a course with a target: --scene', terminal);
   const results = openResults(options);
@@ -195,16 +195,23 @@ function refuse(problem: string, terminal: Terminal): 2 {
  * @returns the report instead of a run, or `null` if the program can run
  */
 async function strictFailure(
-  read: RunFiles,
-  hardware: Hardware,
-  options: RunOptions,
+  devices: readonly DeviceSetup[],
+  { lang }: RunOptions,
   terminal: Terminal,
 ): Promise<Report | null> {
   const { strictReport } = await import('./strict');
-  const { text, count, first } = await strictReport(read.files, hardware.board.name, hardware.firmware, options.lang);
-  if (text !== '') terminal.message(text.trimEnd());
-  if (count === 0) return null;
-  const exception = { type: 'NotOnDevice', message: first, line: null, traceback: text };
+  let found = { text: '', first: '' };
+  for (const { name, files, board: id, firmware: version } of devices) {
+    const board = findBoard(id);
+    const firmware = board?.firmwares.find((one) => one.id === version) ?? board?.firmwares[0];
+    if (board === undefined || firmware === undefined) continue;
+    const { text, count, first } = await strictReport(files, board.name, firmware, lang);
+    const from = devices.length > 1 ? `${name}: ` : '';
+    if (text !== '') terminal.message(text.trimEnd().replaceAll(/^/gm, from));
+    if (count > 0 && found.first === '') found = { text, first: `${from}${first}` };
+  }
+  if (found.first === '') return null;
+  const exception = { type: 'NotOnDevice', message: found.first, line: null, traceback: found.text };
   return { ...nothingYet, ended: 'exception', exception };
 }
 
@@ -287,15 +294,17 @@ function tellVerdict({ verdict }: Report, terminal: Terminal): void {
   for (const line of verdictLines(verdict)) terminal.message(line);
 }
 
-/** A note that the program's own output does not contain. */
-function tellEnd({ ended, exception, simulatedMs }: Report, { quiet, forUs }: RunOptions, terminal: Terminal): void {
+/** A note that the programs' own output does not contain. */
+function tellEnd({ ended, simulatedMs, devices }: Report, { quiet, forUs }: RunOptions, terminal: Terminal): void {
   if (ended === 'stuck') {
     terminal.message('parcours: no sign of life for 10 s: the program is inside one call that does not end. Stopped.');
   } else if (ended === 'time-limit' && forUs === null && simulatedMs * 1000 >= DEFAULT_LIMIT_US && !quiet) {
     terminal.message(
       `parcours: stopped after ${Math.round(simulatedMs / 60_000)} simulated minutes. A longer run: --for 30min`,
     );
-  } else if (ended === 'exception' && quiet && exception) {
-    terminal.message(exception.traceback.trimEnd());
+  }
+  for (const { name, exception } of quiet ? devices : []) {
+    if (exception === null) continue;
+    terminal.message(exception.traceback.trimEnd().replaceAll(/^/gm, devices.length > 1 ? `${name}: ` : ''));
   }
 }
