@@ -3,11 +3,13 @@ import { describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { changing } from '#editor/edits';
+import { noLocks } from '#check/task/task';
 import type { SceneObject } from '#scene/scene';
 
 import { editingPage, samples } from '../app/testing/editing';
 import { mountOn } from '../app/testing/mount-on';
 import SelectionMenu from './SelectionMenu.vue';
+import type { Keeper } from '../work/model/keeper';
 import type { MenuPlace } from './state/course-editor-model';
 import WordsField from './WordsField.vue';
 
@@ -34,6 +36,16 @@ async function opened(ids: readonly string[], on: MenuPlace['on'] = 'things') {
   };
   return { ...page, host, fit, open, choose };
 }
+
+it('where the open task keeps the course there is nothing to change, only to look', async () => {
+  const { work, ...page } = await opened(['block']);
+  work.keeper.value = { locks: { ...noLocks, course: true }, hasTool: (tool: string) => tool === 'hand' } as unknown as Keeper; // prettier-ignore
+  for (const on of ['things', 'floor'] as const) {
+    page.editor.menu.value = { xPx: 1, yPx: 1, atMm: { x: 500, y: 600 }, on, host: page.host, fit: page.fit };
+    await vi.waitFor(() => expect(entry('fit')).not.toBeNull());
+    expect([...document.querySelectorAll('[data-testid^="menu-"]')]).toEqual([entry('fit')]);
+  }
+});
 
 describe('the menu of what is selected', () => {
   it('is a menu with a name, entered by the keyboard, which goes back where it came from', async () => {

@@ -17,6 +17,8 @@ import { t } from '../page/i18n';
 import { projectOf } from '#catalogue/course';
 import { courseName, firstCourse } from '../work/catalogue/first-course';
 import { useCourses } from '../work/use-courses';
+import type { Keeper } from '../work/model/keeper';
+import { replaceFile } from './load-files';
 import { useCommands } from './use-commands';
 
 let page: TestPage;
@@ -42,6 +44,19 @@ const texts = (): Readonly<Record<string, string>> =>
   Object.fromEntries(page.work.files.value.map(({ name, text }) => [name, text]));
 const kept = (): readonly string[] => page.work.work.value.previous.map(({ name }) => name);
 const course: Scene = { ...defaultScene(), name: 'Neuland', size: [700, 500] };
+
+it('a program does not take the place of lines that the open task keeps; nothing is put aside, and no other thing is said', () => {
+  page.work.setText('main.py', 'kept()\n');
+  const changed = vi.fn(() => null);
+  page.work.keeper.value = { changed } as unknown as Keeper;
+  replaceFile(page, { name: 'main.py', text: 'forward()\n' });
+  expect([changed.mock.calls.length, texts()['main.py'], kept(), page.notices.current.value]).toEqual([
+    1,
+    'kept()\n',
+    [],
+    null,
+  ]);
+});
 
 describe('a program that is taken in', () => {
   it('becomes a file of its own, and is shown', async () => {

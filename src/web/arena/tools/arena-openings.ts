@@ -53,6 +53,7 @@ export function arenaOpenings(sources: OpeningSources): ArenaOpenings {
     if (topmost === undefined) return 'floor';
     if (things.some((thing) => includes(selection, thing))) return 'things';
     editor.choose('select');
+    if (editor.tool.value !== 'select') return 'floor'; // the open task keeps the course
     editor.select(takenBy(sources.course(), topmost, selection));
     return 'things';
   }
