@@ -11,6 +11,8 @@ import { inputsOf, show, startRun } from '../app/testing/run';
 import { appSimulator } from '../host/app-simulator';
 import { useTaskMaker } from '../task-maker/use-task-maker';
 import { useDevice } from '../work/hardware/use-device';
+import { clearAll } from '../course-editor/state/clear-all';
+import { useSelectionActs } from '../course-editor/state/use-selection-acts';
 import { useCourses } from '../work/use-courses';
 import { knownCourses } from '../work/catalogue/known-courses';
 
@@ -67,11 +69,32 @@ describe('a task with a locked course', () => {
   });
 });
 
-it('a task that leaves the pen alone has no eraser', async () => {
-  const page = await pupil({ tools: ['pen'] });
-  page.editor.choose('pen');
-  page.editor.choose('eraser');
-  expect([page.editor.tool.value, page.editor.commit(BLOCK)]).toEqual(['pen', true]);
+describe('a task that leaves the pen alone', () => {
+  const LINE: SceneEdit = {
+    type: 'add',
+    objects: [{ type: 'stroke', id: 's', points: [[0, 0], [100, 100]], width: 10, color: '#000000' }], // prettier-ignore
+  };
+  it('has no eraser, and what is drawn can be taken back', async () => {
+    const page = await pupil({ tools: ['pen'] });
+    page.editor.choose('pen');
+    page.editor.choose('eraser');
+    expect([page.editor.tool.value, page.editor.commit(LINE)]).toEqual(['pen', true]);
+    page.editor.undo();
+    expect(page.work.scene.value.objects).toEqual([]);
+  });
+
+  it('has no other way to build, erase or move: keys, lists, menus and hosts go by the tools', async () => {
+    const page = await pupil({ tools: ['pen'] });
+    page.editor.commit(LINE);
+    page.editor.select({ ids: ['s'], robot: true });
+    useSelectionActs(page).remove();
+    useSelectionActs(page).turn(1);
+    expect(page.editor.commit(clearAll(false))).toBe(false);
+    expect(page.editor.commit({ type: 'course', changes: { size: [500, 500] } })).toBe(false);
+    expect(appSimulator(page).edit(BLOCK)).toMatch(/keeps this/);
+    expect(page.work.scene.value).toEqual({ ...defaultScene(), objects: LINE.objects });
+    expect(page.said()).toMatch(/tool|Werkzeug/);
+  });
 });
 
 it('a task that locks the hand keeps robot, blocks and sensors from it, by whatever way', async () => {

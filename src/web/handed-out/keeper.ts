@@ -9,6 +9,7 @@ import { noLocks, type LockName, type Locks } from '#check/task/task';
 import { isSame } from '#core/same';
 import type { Stop } from '#core/stop';
 import { MAIN, type Project } from '#project/project';
+import type { Step } from '#scene/history';
 import type { InputAction } from '#simulation/input';
 
 import type { CourseEditorParts } from '../course-editor/state/parts';
@@ -26,6 +27,7 @@ import { plainHints } from './plain-hints';
 import { takeBack } from './since-opening';
 import { UsedHand } from './used-hand';
 import { wholePastes } from './whole-pastes';
+import { isMadeWith } from './with-tools';
 
 /** What a keeper needs of the page. */
 export type KeptPage = Pick<PageParts, 'notices'> &
@@ -114,6 +116,14 @@ class TaskKeeper implements Keeper {
     if (this.hasTool(tool)) return false;
     this.tell(say(this.locks.course ? words.course : words.tools));
     return true;
+  }
+
+  refusesStep(type: 'edit' | 'undo' | 'redo', { edit }: Pick<Step, 'edit'>): boolean {
+    if (this.refuses('course')) return true;
+    if (this.locks.tools === null || type !== 'edit') return false;
+    const isRefused = !isMadeWith((tool) => this.hasTool(tool), this.app.work.scene.value, edit);
+    if (isRefused) this.tell(say(words.tools));
+    return isRefused;
   }
 
   refusesInput(action: InputAction): boolean {

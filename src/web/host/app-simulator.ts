@@ -104,7 +104,7 @@ function hostWork(app: HostedPage): Pick<EmbeddedSimulator, 'openProject' | 'set
     edit(edit: SceneEdit) {
       const problem = editProblem(work.scene.value, edit);
       if (problem !== null) return problem.message;
-      if (work.keeper.value?.refuses('course') === true) return KEPT;
+      if (work.keeper.value?.refusesStep('edit', { edit }) === true) return KEPT;
       app.editor.commit(edit);
       return null;
     },

@@ -3,6 +3,7 @@ import type { Extension } from '@codemirror/state';
 import type { SaidRemark } from '#check/hand-in/hand-in';
 import type { LockName, Locks } from '#check/task/task';
 import type { Project } from '#project/project';
+import type { Step } from '#scene/history';
 import type { InputAction } from '#simulation/input';
 
 /**
@@ -16,6 +17,8 @@ export interface Keeper {
   /** Whether a tool of the course editor is there. The hand always is. */
   hasTool(tool: string): boolean;
   refusesTool(tool: string): boolean;
+  /** A step of the course, before it is done or taken back. */
+  refusesStep(type: 'edit' | 'undo' | 'redo', step: Pick<Step, 'edit'>): boolean;
   refusesInput(action: InputAction): boolean;
   /** @param names of settings */
   refusesSettings(names: readonly string[]): boolean;

@@ -238,7 +238,7 @@ export class WorkModel {
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
     const before = this.history.value;
-    if (history === before || step === undefined || this.keeper.value?.refuses('course') === true) return false;
+    if (history === before || !step || this.keeper.value?.refusesStep(type, step) === true) return false;
     const { present } = history;
     this.history.value = history;
     const { course, scene } = this.origin;
