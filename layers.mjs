@@ -100,7 +100,7 @@ export const webLayers = {
   'real-device': ['page', 'work'],
   'my-robot': ['page', 'run', 'work', 'layout', 'device', 'galleries', 'real-device'],
   'handed-out': ['page', 'run', 'work', 'course-editor'],
-  class: ['page', 'run', 'work', 'layout', 'galleries', 'share'],
+  class: ['page', 'run', 'work', 'layout', 'task', 'galleries', 'share'],
   'task-maker': [
     'page', 'run', 'work', 'layout', 'galleries', 'share', 'class', 'course-editor', 'print', 'board', 'handed-out',
   ], // prettier-ignore

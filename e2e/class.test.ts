@@ -3,25 +3,13 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { readProgram } from '../build/programs';
-import { linkOf } from '../src/project/link/link';
-import { defaultScene } from '../src/scene/scene';
+import { seriesLinkOf } from '../src/check/series/series-link';
 import { expect, test, type App } from './app';
+import { CREEP, linkTo, openClass, paste, RIGHT, select } from './class-page';
 import { kindsInNode } from './in-node';
 import { openedCourse } from './opened-course';
 import { isThere, openWork } from './page';
 import { by, gone, until } from './parts';
-
-const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
-const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\nwhile True:\n    delay(100)\n`;
-
-/** The link of a program. */
-function linkTo(text: string): string {
-  const made = linkOf(
-    { files: [{ name: 'main.py', text }], scene: defaultScene(), course: null },
-    { courses: () => null, program: true },
-  );
-  return `https://example.org/#${made?.fragment ?? ''}`;
-}
 
 /** What pupils have sent: right, wrong, with an error, endless, the same as another's, and damaged. */
 const MAIL = `Guten Tag, hier sind alle.
@@ -73,6 +61,16 @@ async function missionMail(): Promise<string> {
   ].join('\n');
 }
 
+/** What is saved is kept here instead. */
+const keepSaved = (app: App): Promise<void> =>
+  app.evaluate(() => {
+    URL.createObjectURL = (blob) => {
+      void (blob as Blob).text().then((text) => (document.documentElement.dataset['saved'] = text));
+      return 'blob:kept';
+    };
+    HTMLAnchorElement.prototype.click = () => undefined;
+  });
+
 /** What the page has saved last. */
 const saved = (app: App): Promise<string> => app.evaluate(() => document.documentElement.dataset['saved'] ?? '');
 
@@ -80,23 +78,8 @@ test('a class that sends links is checked: table and report are byte for byte th
   app,
 }) => {
   test.setTimeout(120_000);
-  await app.goto('./logo.svg');
-  await app.evaluate(() =>
-    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true })),
-  );
-  await app.goto('./#class');
-  await until(app, by('class-task'));
-  await app.evaluate(() => {
-    // What is saved is kept here instead.
-    URL.createObjectURL = (blob) => {
-      void (blob as Blob).text().then((text) => (document.documentElement.dataset['saved'] = text));
-      return 'blob:kept';
-    };
-    HTMLAnchorElement.prototype.click = () => undefined;
-    const select = document.querySelector<HTMLSelectElement>('[data-testid=class-task]')!;
-    select.value = 'closed-line';
-    select.dispatchEvent(new Event('change', { bubbles: true }));
-  });
+  await openClass(app, 'closed-line');
+  await keepSaved(app);
   await pasteInto(app, MAIL);
   await app.click(by('class-check-links'));
   await until(app, by('class-table'));
@@ -146,17 +129,7 @@ test('a class of a mission has the same title and remarks on the page and on the
 }) => {
   test.setTimeout(120_000);
   const [mission, mail] = ['closed-line-maqueen-lite', await missionMail()];
-  await app.goto('./logo.svg');
-  await app.evaluate(() =>
-    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true })),
-  );
-  await app.goto('./#class');
-  await until(app, by('class-task'));
-  await app.evaluate((id) => {
-    const select = document.querySelector<HTMLSelectElement>('[data-testid=class-task]')!;
-    select.value = id;
-    select.dispatchEvent(new Event('change', { bubbles: true }));
-  }, mission);
+  await openClass(app, mission);
   await pasteInto(app, mail);
   await app.click(by('class-check-links'));
   await until(app, by('class-table'));
@@ -166,6 +139,34 @@ test('a class of a mission has the same title and remarks on the page and on the
   await until(app, by('class-report-page'));
   const shown = await app.evaluate(() => document.querySelector('iframe')!.srcdoc);
   expect(shown).toBe(writtenByCommandLine(mission, mail).report);
+});
+
+test('a task of a series, whose link is pasted, is checked like on the command line', async ({ app }) => {
+  test.setTimeout(120_000);
+  const tasks = ['slalom', 'closed-line'].map((course, place) => ({
+    id: String(place + 1),
+    title: place === 0 ? '' : 'Rund um den Tisch',
+    from: { kind: 'course' as const, course },
+  }));
+  const made = seriesLinkOf({ id: 'woche', title: 'Woche 3', text: '', tasks }, () => null);
+  const link = `https://example.org/#${made?.fragment ?? ''}`;
+  await openClass(app, 'square');
+  await keepSaved(app);
+  await paste(app, `Die Reihe: ${link}`);
+  await until(app, by('class-series-task'));
+  await select(app, 'class-series-task', '2');
+  const mail = `Ada: ${linkTo(RIGHT)}\nBen: ${linkTo(CREEP)}\n`;
+  await paste(app, mail);
+  await until(app, by('class-table'));
+  await expect.poll(() => app.text(by('class-table')), { timeout: 60_000 }).toContain('19.5');
+  await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
+  const { table, report } = writtenByCommandLine(`${link}#2`, mail);
+  await app.click(by('class-csv'));
+  await expect.poll(() => saved(app)).toBe(table.replace(/^\ufeff/, ''));
+  await app.click(by('class-report'));
+  await until(app, by('class-report-page'));
+  expect(report).toContain('<h1>Rund um den Tisch</h1>');
+  expect(await app.evaluate(() => document.querySelector('iframe')!.srcdoc)).toBe(report);
 });
 
 /** What of hand-ins lies in the browser's database: a list as JSON. */

@@ -1,51 +1,15 @@
-import { readFileSync } from 'node:fs';
-import { linkOf } from '../src/project/link/link';
-import { defaultScene } from '../src/scene/scene';
-import { expect, test, type App } from './app';
+import { expect, test } from './app';
+import { CREEP, linkTo, openClass, paste, RIGHT, select } from './class-page';
 import { by, gone, until } from './parts';
 
-const RIGHT = readFileSync('courses/closed-line/main.py', 'utf8');
-const CREEP = `from mbrobot import *\nsetSpeed(20)\nforward()\nwhile True:\n    delay(100)\n`;
-
 /** A line of an e-mail: who, and the link of a program. */
-function line(name: string, text: string): string {
-  const made = linkOf(
-    { files: [{ name: 'main.py', text }], scene: defaultScene(), course: null },
-    { courses: () => null, program: true },
-  );
-  return `${name}: https://example.org/#${made?.fragment ?? ''}`;
-}
-
-/** Pastes somewhere on the page, into no field. */
-const paste = (app: App, text: string): Promise<void> =>
-  app.evaluate((pasted) => {
-    const event = new Event('paste', { bubbles: true, cancelable: true });
-    const getData = (type: string) => (type === 'text/plain' ? pasted : '');
-    Object.defineProperty(event, 'clipboardData', { value: { getData, files: [] } });
-    document.body.dispatchEvent(event);
-  }, text);
-
-const select = (app: App, id: string, value: string): Promise<void> =>
-  app.evaluate(
-    (wish) => {
-      const field = document.querySelector<HTMLSelectElement>(`[data-testid=${wish.id}]`)!;
-      field.value = wish.value;
-      field.dispatchEvent(new Event('change', { bubbles: true }));
-    },
-    { id, value },
-  );
+const line = (name: string, text: string): string => `${name}: ${linkTo(text)}`;
 
 test('a wall fills with what is pasted while it is up, names only who has passed, and lets all drive once more', async ({
   app,
 }) => {
   test.setTimeout(120_000);
-  await app.goto('./logo.svg');
-  await app.evaluate(() =>
-    localStorage.setItem('parcours.settings', JSON.stringify({ language: 'de', welcomed: true })),
-  );
-  await app.goto('./#class');
-  await until(app, by('class-task'));
-  await select(app, 'class-task', 'closed-line');
+  await openClass(app, 'closed-line');
   await app.click(by('class-open-wall'));
   await until(app, by('class-wall'));
   await paste(app, 'Guten Tag');

@@ -15,8 +15,8 @@ import { classWords as words } from './class-words';
 const classes = new WeakMap<WorkParts['work'], ClassModel>();
 const keepers = new WeakMap<ClassModel, ClassKeeper>();
 
-/** `OpenTask.from` of the work that is open in the app, of a file, and of a class that was kept. */
-export const [OPEN, FILE, KEPT] = ['open', 'file', 'kept'];
+/** `OpenTask.from` of the work that is open in the app, of a file, of a series, and of a class that was kept. */
+export const [OPEN, FILE, SERIES, KEPT] = ['open', 'file', 'series', 'kept'];
 
 /** The class that is checked on this page. */
 export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {

@@ -7,7 +7,8 @@ import { say } from '../page/i18n/say';
 import { readyCourses } from '../share/open-address';
 import type { ClassModel } from './model/class-model';
 import { classWords as words } from './class-words';
-import { sourcesOf } from './sources-of';
+import { takeFiles } from './take-files';
+import { bringLink } from './task-series';
 
 /** What is said about a paste goes after this. Chosen: read twice; on a projector nothing old should stand. */
 const SAID_MS = 8000;
@@ -36,11 +37,17 @@ export function usePaste(model: ClassModel): Readonly<Ref<string>> {
     // All of it must be read before anything is waited for.
     const [text, page] = ['text/plain', 'text/html'].map((type) => clipboardData.getData(type));
     const files = chosenFiles(clipboardData.files);
+    if (files.length > 0) {
+      const count = await takeFiles(model, files);
+      if (count > 0) tell(say(words.pasted, { count }));
+      return;
+    }
+    const hasSeries = bringLink(model, text ?? '') || bringLink(model, page ?? '');
     const inText = listSources(text ?? '', readyCourses);
     const links = inText.length > 0 ? inText : listSources(page ?? '', readyCourses, 'pasted.html');
-    const sources = files.length > 0 ? await sourcesOf(files) : links;
-    tell(sources.length === 0 ? say(words.noLinks) : say(words.pasted, { count: sources.length }));
-    if (sources.length > 0) await model.add(sources);
+    if (links.length > 0) tell(say(words.pasted, { count: links.length }));
+    else if (!hasSeries) tell(say(words.noLinks));
+    if (links.length > 0) await model.add(links);
   }
   const listener = (event: ClipboardEvent): void => void take(event);
 

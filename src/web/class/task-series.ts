@@ -1,0 +1,76 @@
+import { projectOf } from '#catalogue/course';
+import { withStart } from '#catalogue/starts';
+import type { Series, SeriesTask } from '#check/series/series';
+import { seriesOfLink } from '#check/series/series-link';
+import type { Project } from '#project/project';
+import { shallowRef, type ShallowRef } from 'vue';
+
+import { shownLanguage } from '../page/i18n';
+import { say } from '../page/i18n/say';
+import { readyCourses } from '../share/open-address';
+import type { WholeSeries } from '../share/series-among';
+import { seriesReason } from '../share/series-reason';
+import { shareWords } from '../share/share-words';
+import { courseName } from '../work/catalogue/first-course';
+import { readyCourse } from '../work/catalogue/ready-courses';
+import type { ClassModel } from './model/class-model';
+
+/** The series from which a class has its task, and the id of that task. */
+export interface TaskSeries {
+  readonly series: Series;
+  readonly task: string;
+}
+
+/** The series of a class, `null` without one, and in words why another that was brought last cannot be had. */
+interface Brought {
+  readonly chosen: TaskSeries | null;
+  readonly problem: string | null;
+}
+
+/** It stays while the page is open, as the class does. */
+const brought = new WeakMap<ClassModel, ShallowRef<Brought>>();
+
+/** The series that was brought for a class last. */
+export function taskSeriesOf(model: ClassModel): ShallowRef<Brought> {
+  const known = brought.get(model) ?? shallowRef<Brought>({ chosen: null, problem: null });
+  brought.set(model, known);
+  return known;
+}
+
+/** Brings a series: its first task that can be had is the one that is checked. */
+export function bringSeries(model: ClassModel, read: WholeSeries): void {
+  const known = taskSeriesOf(model);
+  if ('problem' in read) known.value = { ...known.value, problem: read.problem };
+  else {
+    const first = read.series.tasks.find((task) => projectIn(task) !== null);
+    known.value = { chosen: { series: read.series, task: first?.id ?? '' }, problem: null };
+  }
+}
+
+/** The link of a series, whatever stands around it. */
+const LINK = /(?:^|[#\s>"'])(s=\d{1,9}\.[\w-]+)/;
+
+/** Brings the series of a link in a text. @returns whether there is one */
+export function bringLink(model: ClassModel, text: string): boolean {
+  const [, link] = LINK.exec(text) ?? [];
+  if (link === undefined) return false;
+  const read = seriesOfLink(link, readyCourses);
+  if ('series' in read) bringSeries(model, read);
+  else
+    bringSeries(model, {
+      problem: 'fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems),
+    });
+  return true;
+}
+
+/** A task as it is checked; `null`: it cannot be had. */
+export function projectIn({ from }: SeriesTask): Project | null {
+  if (from.kind === 'project') return from.project;
+  const course = from.kind === 'course' ? readyCourse(from.course) : null;
+  return course && withStart(projectOf(course, shownLanguage()), course);
+}
+
+/** What reports call it, as those of the command line do. */
+export function reportName({ title, id }: SeriesTask, { scene, course }: Project): string {
+  return title || (scene.name === '' && course === null ? id : courseName(scene, course));
+}
