@@ -1,3 +1,5 @@
+import { readMail } from './mail';
+
 /** A link in a text, and who it is from. */
 export interface NamedLink {
   /** Empty: nobody says. */
@@ -17,6 +19,7 @@ const NAME_CHARACTERS = 60;
 /** The links in a file, by its ending: a table, a page, or a text such as a whole e-mail. */
 export function linksInFile(file: string, text: string): readonly NamedLink[] {
   if (/\.csv$/i.test(file)) return linksInTable(text);
+  if (/\.eml$/i.test(file)) return linksInMail(text);
   return linksIn(/\.html?$/i.test(file) ? textOfPage(text) : text);
 }
 
@@ -66,6 +69,19 @@ function lengthWithout(text: string, sign: RegExp): number {
   let end = text.length;
   while (end > 0 && sign.test(text.charAt(end - 1))) end -= 1;
   return end;
+}
+
+/**
+ * The links of a saved e-mail. A single one is its sender's, unless it stands behind a name and a colon: what is on the line
+ * before is a greeting.
+ */
+function linksInMail(source: string): readonly NamedLink[] {
+  const { from, text } = readMail(source, { isWanted: (part) => linksIn(part).length > 0, textOfPage });
+  const links = linksIn(text);
+  const [only, another] = links;
+  if (only === undefined || another !== undefined || from === '') return links;
+  const before = text.slice(0, text.indexOf(only.address)).split('\n').at(-1)?.trimEnd() ?? '';
+  return [{ ...only, name: (before.endsWith(':') && nameIn(before)) || from }];
 }
 
 /** The links of a table, such as the answers to a form: the name is in the last cell before the link that is not empty. */

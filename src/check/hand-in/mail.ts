@@ -1,0 +1,126 @@
+import { fromBase64 } from '#core/base64';
+
+/** What can be read of an e-mail. */
+export interface Mail {
+  /** Who has sent it, by the name that goes with the address; empty: nobody says. */
+  readonly from: string;
+  readonly text: string;
+}
+
+/** How the texts in an e-mail are read. */
+export interface Reading {
+  /** What is looked for is in it: of a text that is there twice, as text and as page, the first one with it is taken. */
+  readonly isWanted: (text: string) => boolean;
+  readonly textOfPage: (html: string) => string;
+}
+
+/** Chosen: nobody forwards an e-mail so often as a part of another. */
+const MOST_LEVELS = 12;
+
+/** An e-mail as it was saved (RFC 5322, 2045, 2047): its texts are decoded, what hangs on it besides is left out. Never throws. */
+export function readMail(source: string, reading: Reading): Mail {
+  return { from: senderIn(partOf(source).headers.get('from') ?? ''), text: textOf(source, reading, 0) };
+}
+
+interface Part {
+  readonly headers: ReadonlyMap<string, string>;
+  readonly body: string;
+}
+
+/** A text of names and colons may be a list of links, too: it is the head of an e-mail where one of these is in it. */
+const KNOWN = /^(from|to|date|subject|received|mime-version|content-[a-z-]+):/im;
+
+function partOf(source: string): Part {
+  const blank = /^\r?\n|\r?\n\r?\n/.exec(source);
+  const head = source.slice(0, blank?.index ?? 0);
+  if (blank === null || (blank.index > 0 && !KNOWN.test(head))) return { headers: new Map(), body: source };
+  const headers = new Map<string, string>();
+  for (const line of head.replace(/\r?\n[ \t]+/g, ' ').split(/\r?\n/)) {
+    const colon = line.indexOf(':');
+    if (colon > 0) headers.set(line.slice(0, colon).trim().toLowerCase(), line.slice(colon + 1).trim());
+  }
+  return { headers, body: source.slice(blank.index + blank[0].length) };
+}
+
+function textOf(source: string, reading: Reading, level: number): string {
+  if (level > MOST_LEVELS) return '';
+  const { headers, body } = partOf(source);
+  const type = headers.get('content-type') ?? 'text/plain';
+  const coding = headers.get('content-transfer-encoding')?.toLowerCase() ?? '';
+  if (/^message\/rfc822/i.test(type)) return textOf(body, reading, level + 1);
+  if (/^multipart\//i.test(type)) {
+    const texts = partsIn(body, parameter(type, 'boundary')).map((part) => textOf(part, reading, level + 1));
+    if (!/^multipart\/alternative/i.test(type)) return texts.join('\n');
+    return texts.find(reading.isWanted) ?? '';
+  }
+  if (!/^text\//i.test(type)) return '';
+  const text = decoded(body, coding, parameter(type, 'charset'));
+  return /^text\/html/i.test(type) ? reading.textOfPage(text) : text;
+}
+
+/** Of a header such as `text/plain; charset="utf-8"`. */
+function parameter(header: string, name: string): string {
+  const [, quoted, bare] = new RegExp(`;\\s*${name}\\s*=\\s*(?:"([^"]*)"|([^\\s;]+))`, 'i').exec(header) ?? [];
+  return quoted ?? bare ?? '';
+}
+
+/** What stands between the lines that part it; what is before the first and behind the last is for nobody. */
+function partsIn(body: string, boundary: string): readonly string[] {
+  const parts: string[][] = [];
+  for (const line of body.split(/\r?\n/)) {
+    if (line.trimEnd() === `--${boundary}--`) break;
+    if (line.trimEnd() === `--${boundary}`) parts.push([]);
+    else parts.at(-1)?.push(line);
+  }
+  return parts.map((lines) => lines.join('\n'));
+}
+
+function decoded(body: string, coding: string, charset: string): string {
+  if (coding === 'base64') return inCharset(fromBase64(body.replace(/\s/g, '')) ?? new Uint8Array(), charset);
+  if (coding === 'quoted-printable') return inCharset(fromQuoted(body.replace(/=[ \t]*\r?\n/g, '')), charset);
+  return body;
+}
+
+/** Bytes that are written as themselves or as `=C3`. */
+function fromQuoted(text: string): Uint8Array {
+  const written = new TextEncoder().encode(text);
+  const bytes = new Uint8Array(written.length);
+  let length = 0;
+  for (let at = 0; at < written.length; at += 1, length += 1) {
+    const byte = written[at] === EQUALS ? byteOf(written.subarray(at + 1, at + 3)) : null;
+    bytes[length] = byte ?? written[at] ?? 0;
+    if (byte !== null) at += 2;
+  }
+  return bytes.subarray(0, length);
+}
+
+const EQUALS = 0x3d;
+
+function byteOf(digits: Uint8Array): number | null {
+  const text = String.fromCharCode(...digits);
+  return /^[\dA-F]{2}$/i.test(text) ? parseInt(text, 16) : null;
+}
+
+function inCharset(bytes: Uint8Array, charset: string): string {
+  try {
+    return new TextDecoder(charset === '' ? 'utf-8' : charset).decode(bytes);
+  } catch {
+    return new TextDecoder().decode(bytes); // a charset that nobody knows
+  }
+}
+
+/** `Zoë` of `=?utf-8?Q?Zo=C3=AB?= <zoe@example.org>`. */
+function senderIn(header: string): string {
+  const address = header.indexOf('<');
+  if (address < 0) return '';
+  return header
+    .slice(0, address)
+    .replace(/\?=\s+=\?/g, '?==?')
+    .replace(/=\?([^?\s]+)\?([BQ])\?([^?\s]*)\?=/gi, (_, charset: string, coding: string, text: string) =>
+      /b/i.test(coding)
+        ? decoded(text, 'base64', charset)
+        : decoded(text.replaceAll('_', ' '), 'quoted-printable', charset),
+    )
+    .trim()
+    .replace(/^"(.*)"$/, '$1');
+}
