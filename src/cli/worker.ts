@@ -124,7 +124,9 @@ function runToStop(
     simulation.advanceTo(Math.min(endUs, simulation.nowUs + SLICE_US));
     Atomics.add(shared, BEAT, 1);
   }
-  return isLine && simulation.heldBy === null ? null : momentOf(simulation, device);
+  if (isLine) return simulation.heldBy === null ? null : momentOf(simulation, device);
+  // Another device's clock may be a little before that of the world.
+  return { ...momentOf(simulation, device), timeMs: simulation.nowUs / 1000 };
 }
 
 function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (readonly PacketReport[])[]): Report {

@@ -65,6 +65,7 @@ describe('parcours replay', { timeout: 60_000 }, () => {
     expect(parcours('replay', tape, '--quiet').code).toBe(0);
     const { out } = parcours('replay', tape, '--at', '1.5s', '--device', 'remote', '--json');
     expect(JSON.parse(out)).toMatchObject({ file: 'main.py', robot: null });
+    expect(JSON.parse(out)).toMatchObject({ timeMs: 1500 });
     expect(parcours('replay', tape, '--device', 'x')).toMatchObject({
       code: 2,
       err: 'parcours: --device: "x" is not in this recording. It has main, remote.\n',
