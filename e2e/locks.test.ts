@@ -5,7 +5,7 @@ import { attribute, isThere, on, openApp, programIn, robotIn } from './page';
 import { by, until } from './parts';
 
 const PROGRAM = 'from mbrobot import *\n\ndef turn():\n    right()\n    delay(500)\n\n# your part\n';
-const LOCKS = { tools: ['wall'], course: true, hand: true, speed: true, robot: true, solution: true, lines: [3, 4, 5] };
+const LOCKS = { tools: ['wall'], course: true, hand: true, speed: 4, robot: true, solution: true, lines: [3, 4, 5] };
 
 /** The closed line as a task that the class has got, with everything locked. */
 async function openTask(app: App): Promise<void> {
@@ -43,6 +43,7 @@ test('a locked task: course, hand, speed, robot and lines stay as they are, and 
     await app.press('ArrowUp');
     await expect.poll(() => said(app)).toMatch(/hand|Hand/);
     expect(await robotIn(app)).toEqual(before);
+    expect(await isThere(app, '.arena-head .whole')).toBe(false);
   });
   await test.step('speed and robot', async () => {
     await app.click(by('speed'));
@@ -74,8 +75,9 @@ test('a locked task: course, hand, speed, robot and lines stay as they are, and 
   });
   expect(await violationsOn(app)).toEqual([]);
   await app.goto('./logo.svg');
-  await app.goto('./');
+  await app.goto('./?speed=8');
   await until(app, '.cm-lockedLine');
+  expect(await app.evaluate(() => document.querySelector('[data-testid=speed] b')?.textContent)).toBe('4×');
   expect(await attribute(app, '.cm-line:nth-of-type(3)', 'class')).not.toContain('cm-lockedLine');
   expect(await isThere(app, '.cm-line:nth-of-type(6).cm-lockedLine')).toBe(true);
 });
