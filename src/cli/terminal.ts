@@ -28,7 +28,7 @@ const BAR_SIGNS = 30;
 const CLEAR_LINE = '\r\u001b[K';
 
 /** Names and values may hold signs that steer a terminal: they are shown, not sent. */
-const printable = (text: string): string =>
+export const printable = (text: string): string =>
   text.replace(
     /[\u0000-\u0008\u000b-\u001f\u007f-\u009f]/g,
     (sign) => `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`,

@@ -11,7 +11,7 @@ import type { ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
 import { readyTitle } from '../ready-courses';
 import { reasonOf } from '../reason-of';
-import type { Terminal } from '../terminal';
+import { printable, type Terminal } from '../terminal';
 import type { CheckOptions } from './check-arguments';
 import { startThread } from './pool';
 import { readTask, type NamedTask } from './read-task';
@@ -200,5 +200,6 @@ function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
     ...(passed ? [] : reasonsAgainst(result, lang)),
     ...remarks.map((remark) => remarkText(remark, lang)),
   ];
-  return `${word}  ${name}  ${points}  ${told.join(' · ')}`.trimEnd();
+  // What a program's error says stays in its line.
+  return printable(`${word}  ${name}  ${points}  ${told.join(' · ')}`.trimEnd().replaceAll('\n', ' '));
 }

@@ -84,6 +84,12 @@ describe('parcours check', () => {
     ]);
   });
 
+  it('keeps what a program says to one line, and from steering the terminal', () => {
+    const here = classOf('steering', { 'anna.py': 'raise Exception("a\\nb\\x1b[2J")\n' });
+    const { out } = parcours('check', 'closed-line', here);
+    expect(out).toBe('failed  anna  0  Line 1: Exception: a b\\x1b[2J\nclosed-line: 0 of 1 passed\n');
+  });
+
   it('ends with 0 when all have passed', () => {
     expect(parcours('check', 'closed-line', file('right.py', RIGHT), '--quiet')).toEqual({ code: 0, out: '', err: '' });
   });
