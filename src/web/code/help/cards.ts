@@ -13,8 +13,9 @@ import {
 import { callAt } from '#reference/arguments';
 import type { ReferenceContext } from '#reference/context';
 import { describe, type Description } from '#reference/describe';
-import { t } from '../../page/i18n';
+import { say } from '../../page/i18n/say';
 import { card, element, spoken } from './card';
+import { helpWords } from './help-words';
 import type { Words } from './words';
 
 /** Shows a description, or none. */
@@ -99,7 +100,7 @@ function tooltipOf({ from, to, item, argument }: Description, words: Words): Too
 function barOf(view: EditorView, { item, argument }: Description, words: Words): Panel {
   const button = element('button', 'cm-helpClose', '×') as HTMLButtonElement;
   button.type = 'button';
-  button.setAttribute('aria-label', t('help.close'));
+  button.setAttribute('aria-label', say(helpWords.close));
   button.addEventListener('click', () => view.dispatch({ effects: show.of(null) }));
   const dom = element('div', 'cm-helpBar', card(item, words, argument), button);
   dom.setAttribute('role', 'status');

@@ -17,9 +17,10 @@ import { parametersOf } from '#reference/arguments';
 import { complete, type Offer } from '#reference/complete';
 import type { ReferenceContext } from '#reference/context';
 import type { Item } from '#reference/item';
-import { t } from '../../page/i18n';
+import { say } from '../../page/i18n/say';
 import { card, element } from './card';
 import { insertCall } from './given-brackets';
+import { helpWords } from './help-words';
 import type { Words } from './words';
 
 /** One sign for each kind of name, before its label. */
@@ -58,7 +59,7 @@ export function completion(context: () => ReferenceContext, words: Words): Exten
       // The order of the tables: what lessons use first stands first.
       compareCompletions: (a, b) => ((a.sortText ?? '') < (b.sortText ?? '') ? -1 : 1),
     }),
-    EditorState.phrases.of({ Completions: t('help.suggestions') }),
+    EditorState.phrases.of({ Completions: say(helpWords.suggestions) }),
     Prec.highest(
       keymap.of([{ key: 'Ctrl-Space', run: ask }, { mac: 'Alt-`', run: ask }, { mac: 'Alt-i', run: ask }, ...keys]),
     ),

@@ -1,7 +1,9 @@
 import type { Item } from '#reference/item';
 import { loadReferenceTexts, type ReferenceTexts } from '#reference/texts';
 import type { RobotReference } from '#reference/types';
-import { t, type Language } from '../../page/i18n';
+import type { Language } from '../../page/i18n';
+import { say } from '../../page/i18n/say';
+import { helpWords } from './help-words';
 
 /** The short words on names of the API, in one language. */
 export type Words = ReferenceTexts;
@@ -22,12 +24,12 @@ export function wordsOn(item: Item, words: Words): string {
 
 /** Where an item belongs and what kind of thing it is: “microbit.display · function”. */
 export function captionOf(item: Item): string {
-  const kind = t(`help.${item.kind}`);
+  const kind = say(helpWords[item.kind]);
   return item.home === null ? kind : `${item.home} · ${kind}`;
 }
 
 /** What the firmware has to say against an item; empty when it has it. */
 export function missingText(item: Item): string {
   if (item.missing === null) return '';
-  return item.missing === 'absent' ? t('help.absent') : t('help.newer');
+  return say(item.missing === 'absent' ? helpWords.absent : helpWords.newer);
 }
