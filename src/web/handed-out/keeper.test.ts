@@ -70,10 +70,10 @@ describe('a task with a locked course', () => {
 });
 
 describe('a task that leaves the pen alone', () => {
-  const LINE: SceneEdit = {
+  const LINE = {
     type: 'add',
-    objects: [{ type: 'stroke', id: 's', points: [[0, 0], [100, 100]], width: 10, color: '#000000' }], // prettier-ignore
-  };
+    objects: [{ type: 'stroke', id: 's', points: [[0, 0], [100, 100]], width: 10, color: 'black' }], // prettier-ignore
+  } as const satisfies SceneEdit;
   it('has no eraser, and what is drawn can be taken back', async () => {
     const page = await pupil({ tools: ['pen'] });
     page.editor.choose('pen');
