@@ -13,6 +13,7 @@ import { useTaskMaker } from '../task-maker/use-task-maker';
 import { useDevice } from '../work/hardware/use-device';
 import { clearAll } from '../course-editor/state/clear-all';
 import { useSelectionActs } from '../course-editor/state/use-selection-acts';
+import type { BoardProgram } from '../work/catalogue/board-programs';
 import { useCourses } from '../work/use-courses';
 import { knownCourses } from '../work/catalogue/known-courses';
 
@@ -195,6 +196,15 @@ describe('what is not the task', () => {
     const page = await pupil({ course: true });
     page.work.openProject({ ...given({}), task: { version: 1, locks: { course: true } } }, null);
     expect(page.editor.commit(BLOCK)).toBe(true);
+  });
+
+  it('is a program for the microcomputer alone, which chooses its own', async () => {
+    const page = await pupil({ robot: true });
+    page.settings.bring({ device: 'calliope-mini-3' });
+    const program = { title: {}, source: {}, board: 'microbit-v2' } as unknown as BoardProgram;
+    useCourses(page).openBoardProgram(program);
+    const { device, robot } = page.settings.current.value;
+    expect([device, robot, page.said()]).toEqual(['auto', 'none', undefined]);
   });
 
   it('is a course from the gallery, into which the program is taken along', async () => {

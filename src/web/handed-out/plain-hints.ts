@@ -5,12 +5,16 @@ import type { PageParts } from '../page/parts';
 import type { Keeper } from '../work/model/keeper';
 import { handedOutWords as words } from './handed-out-words';
 
-/** Messages about the hand offer nothing that is locked: no other start in a locked course, no tool that is not there. */
+const OF_ROBOTS: readonly string[] = ['arena.otherRobot', 'arena.misplugged'];
+
+/** Messages offer nothing that is locked: no other start in a locked course, no other robot, no tool that is not there. */
 export function plainHints({ notices }: Pick<PageParts, 'notices'>, keeper: Pick<Keeper, 'locks' | 'hasTool'>): void {
   watch(
     notices.current,
     (notice) => {
-      if (notice?.key === 'notice.handRobot' && notice.action !== undefined && keeper.locks.course) {
+      const { course, robot } = keeper.locks;
+      const isOffer = notice?.action !== undefined;
+      if (isOffer && ((notice.key === 'notice.handRobot' && course) || (OF_ROBOTS.includes(notice.key) && robot))) {
         const { action: _, ...plain } = notice;
         notices.show(plain);
       } else if (notice?.key === 'notice.handBlock' && !keeper.hasTool('select'))

@@ -6,6 +6,10 @@ import type { SceneEdit } from '#scene/edit';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { createPage, type TestPage } from '../app/testing/page';
 import { startRun } from '../app/testing/run';
+import { isThere } from '../app/testing/find';
+import { mountOn } from '../app/testing/mount-on';
+import type { Notice } from '../page/notices';
+import MispluggedBar from '../work/hardware/MispluggedBar.vue';
 import { useOpenings } from '../work/use-openings';
 
 const PROGRAM = 'import robot\n\ndef turn():\n    robot.left(90)\n';
@@ -108,6 +112,19 @@ describe('a message that offers what is locked', () => {
     expect(page.said()).not.toMatch(/Select|Auswählen/);
     page.hand.reset();
     await vi.waitFor(() => expect(page.notices.current.value).toBeNull());
+  });
+
+  it('offers no other robot where the robot is locked', async () => {
+    const other: Notice = {
+      kind: 'warn',
+      key: 'arena.otherRobot',
+      action: { key: 'arena.takeRobot', run: () => undefined },
+    };
+    const page = await hasty({ robot: true }, () => undefined);
+    page.notices.show(other);
+    expect(page.notices.current.value).toEqual({ kind: 'warn', key: 'arena.otherRobot' });
+    const bar = mountOn(page, MispluggedBar, { notice: { ...other, values: {} } });
+    expect([bar.text() !== '', isThere('plug-in')]).toEqual([true, false]);
   });
 
   it('stays as it is where nothing of that is locked', async () => {

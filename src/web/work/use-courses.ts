@@ -30,10 +30,10 @@ export function useCourses(app: Workplace) {
 
   /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
   function openBoardProgram({ title, source, board }: BoardProgram): void {
-    const wish = boardWish(app.settings.current.value.device);
-    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
     void app.run.reset();
     open(alone(withProgram(app, source[language()])), title[language()]);
+    const wish = boardWish(app.settings.current.value.device);
+    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
     device.chooseRobot(NO_ROBOT);
   }
 
