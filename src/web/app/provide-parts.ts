@@ -75,8 +75,8 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   emptyConsole({ work, ...running, ...talk });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
   tellIdleHand({ ...page, ...running, work, editor });
-  keepTask({ ...page, ...mine, ...running, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
+  keepTask({ ...page, ...mine, ...running, ...editing });
   const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
   const slot = new DebugSlot({ ...mine, ...running, engine });
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task, slot };

@@ -62,6 +62,20 @@ describe('a task with a locked course', () => {
     expect(page.editor.tool.value).toBe('ruler');
   });
 
+  it('opens no window in which it would be built: not for a picture that is dropped, nor for the list; printing goes', async () => {
+    const page = await pupil({ course: true });
+    expect(page.panels.offer(new Blob())).toBe(true);
+    expect([page.panels.shown.value, page.panels.picture.value, page.said()]).toEqual([
+      null,
+      null,
+      expect.stringMatching(/course|Parcours/),
+    ]);
+    page.panels.open('list');
+    expect(page.panels.shown.value).toBeNull();
+    page.panels.open('print');
+    expect(page.panels.shown.value).toBe('print');
+  });
+
   it('puts the tool away that was in the hand when it was opened', async () => {
     const page = createPage();
     page.editor.choose('eraser');

@@ -33,7 +33,7 @@ import { isMadeWith } from './with-tools';
 export type KeptPage = Pick<PageParts, 'notices'> &
   WorkParts &
   Pick<RunParts, 'run' | 'sensors' | 'hand'> &
-  Pick<CourseEditorParts, 'editor'>;
+  Pick<CourseEditorParts, 'editor' | 'panels'>;
 
 /** Keeps what the open task locks, as long as one that was handed out is open; in the teacher's own, what is to be locked. */
 export const keep = (app: KeptPage, opened: Project): Stop =>
@@ -65,6 +65,14 @@ function beginWith(app: KeptPage, keeper: TaskKeeper): void {
       hand.reset();
     },
     { immediate: true },
+  );
+  watch(
+    app.panels.shown,
+    (panel) => {
+      // They build; a picture for the floor opens one, too.
+      if (panel !== null && panel !== 'print' && keeper.refusesTool('select')) app.panels.close();
+    },
+    { immediate: true, flush: 'sync' },
   );
   holdSettings(app, keeper);
   plainHints(app, keeper);
