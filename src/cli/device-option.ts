@@ -1,3 +1,5 @@
+import { DEVICE_NAME_CHARACTERS, deviceNameProblem } from '#project/devices';
+
 /** A further device from the command line: `NAME=PROGRAM.py[,robot=ID|none][,board=ID][,file=DRIVER.py]`. */
 export interface DeviceOption {
   readonly name: string;
@@ -10,8 +12,6 @@ export interface DeviceOption {
   readonly board: string;
 }
 
-/** The longest name of a device. Chosen: it fits on its card. */
-const MAX_NAME_CHARACTERS = 30;
 const EXAMPLE = 'remote=remote.py,robot=none';
 
 /** Reads one `--device`; or what is wrong with it, in words. */
@@ -19,8 +19,10 @@ export function parseDevice(text: string): DeviceOption | string {
   const [first = '', ...parts] = text.split(',');
   const [, name = '', program = ''] = /^([^=]*)=(.*)$/.exec(first) ?? [];
   if (name === '' || program === '') return `--device: "${text}" is not like ${EXAMPLE}.`;
-  if (name.length > MAX_NAME_CHARACTERS)
-    return `--device: the name "${name}" has ${name.length} characters; the limit is ${MAX_NAME_CHARACTERS}.`;
+  if (name.length > DEVICE_NAME_CHARACTERS)
+    return `--device: the name "${name}" has ${name.length} characters; the limit is ${DEVICE_NAME_CHARACTERS}.`;
+  if (deviceNameProblem(name, []) !== null)
+    return `--device: "${name}" cannot be the name of a device. Take one without quotes and without spaces around it.`;
   const files: string[] = [];
   const chosen = new Map<string, string>();
   for (const part of parts) {

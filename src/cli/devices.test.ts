@@ -102,6 +102,7 @@ describe('parcours run with --device', { timeout: 60_000 }, () => {
   });
 
   it.each([
+    [['--device', ` =${remote}`], '--device: " " cannot be the name of a device. Take one without quotes'],
     [['--device', 'remote'], '--device: "remote" is not like remote=remote.py,robot=none.'],
     [
       ['--device', `a=${remote},speed=3`],
