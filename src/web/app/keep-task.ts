@@ -5,11 +5,12 @@ import { isHandedOut } from '../work/model/keeper';
 
 /** Keeps what a task locks. What does so comes with the first task. */
 export function keepTask(app: KeptPage): void {
+  const project = () => app.work.work.value.project;
   watch(
-    () => app.work.work.value.project.task && isHandedOut(app.work.work.value.project),
+    () => project().task && isHandedOut(project()),
     (isGiven, _, onEnd) => {
       if (isGiven === undefined) return;
-      const opened = app.work.work.value.project;
+      const opened = project();
       let isWanted = true;
       let stop = (): void => void (isWanted = false);
       onEnd(() => stop());
