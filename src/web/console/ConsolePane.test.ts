@@ -124,6 +124,16 @@ describe('the pane of the console', () => {
     expect(tag?.text()).toBe('REPL: Das Programm ist zu Ende, Python wartet auf eine Zeile.');
   });
 
+  it('writes the bare time beside the long word that the program is over', async () => {
+    const page = createPage();
+    const pane = mountOn(page, ConsolePane);
+    await startRun(page);
+    page.say({ type: 'program-ended', ended: { kind: 'finished', exception: null, timeUs: 1 }, device: 0 });
+    await show(page, { timeUs: 2_000_000, repl: true });
+    expect(tags(pane)).toEqual(['Programm zu Ende']);
+    expect(pane.get('.clock').text()).not.toContain('simuliert');
+  });
+
   it('writes the bare time on a phone', async () => {
     setWindow(390, 800);
     const page = createPage();

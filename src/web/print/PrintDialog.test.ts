@@ -334,3 +334,13 @@ describe('a part alone', () => {
     expect(text.match(/\/Type \/Page\b/g)).toHaveLength(1);
   });
 });
+
+describe('the worksheet', () => {
+  it('is what a teacher sees at once who comes for it from the page of the task', async () => {
+    const page = createPage();
+    mountOn(page, PrintDialog, { isSheet: true });
+    await nextTick();
+    expect(byId('print-sheet').getAttribute('aria-pressed')).toBe('true');
+    await vi.waitFor(() => expect(isThere('sheet-page')).toBe(true), 20_000);
+  });
+});
