@@ -2,7 +2,7 @@ import { folderSources, sourcesIn, type Most, type Source, type TreeFile } from 
 import { unread } from '#check/hand-in/unread';
 
 import type { AddedFile } from '../page/files/added-files';
-import { readyCourses } from '../share/open-address';
+import { readyScene } from '../work/catalogue/ready-courses';
 
 /** Chosen: a tablet's browser holds it beside the workers. */
 const MOST: Most = { zip: 200_000_000, list: 20_000_000 };
@@ -13,10 +13,10 @@ export async function sourcesOf(added: readonly AddedFile[]): Promise<readonly S
   const found: Source[] = [];
   for (const { path, file } of added) {
     const [top = '', ...below] = path.split('/');
-    if (below.length === 0) found.push(...(await sourcesIn(treeFile(path, file), MOST, readyCourses)));
+    if (below.length === 0) found.push(...(await sourcesIn(treeFile(path, file), MOST, readyScene)));
     else folders.set(top, [...(folders.get(top) ?? []), treeFile(below.join('/'), file)]);
   }
-  return [...found, ...[...folders.values()].flatMap((inside) => folderSources(inside, readyCourses))];
+  return [...found, ...[...folders.values()].flatMap((inside) => folderSources(inside, readyScene))];
 }
 
 const treeFile = (path: string, file: File): TreeFile => ({

@@ -7,12 +7,11 @@ import { shallowRef, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../page/i18n';
 import { say } from '../page/i18n/say';
-import { readyCourses } from '../share/open-address';
 import type { WholeSeries } from '../share/series-among';
 import { seriesReason } from '../share/series-reason';
 import { shareWords } from '../share/share-words';
 import { courseName } from '../work/catalogue/first-course';
-import { readyCourse } from '../work/catalogue/ready-courses';
+import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 
 /** The series from which a class has its task, and the id of that task. */
@@ -54,7 +53,7 @@ const LINK = /(?:^|[#\s>"'])(s=\d{1,9}\.[\w-]+)/;
 export function bringLink(model: ClassModel, text: string): boolean {
   const [, link] = LINK.exec(text) ?? [];
   if (link === undefined) return false;
-  const read = seriesOfLink(link, readyCourses);
+  const read = seriesOfLink(link, readyScene);
   if ('series' in read) bringSeries(model, read);
   else
     bringSeries(model, {

@@ -4,7 +4,7 @@ import { listSources } from '#check/hand-in/sources';
 
 import { chosenFiles } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
-import { readyCourses } from '../share/open-address';
+import { readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
 import { classWords as words } from './class-words';
 import { takeFiles } from './take-files';
@@ -43,8 +43,8 @@ export function usePaste(model: ClassModel): Readonly<Ref<string>> {
       return;
     }
     const hasSeries = bringLink(model, text ?? '') || bringLink(model, page ?? '');
-    const inText = listSources(text ?? '', readyCourses);
-    const links = inText.length > 0 ? inText : listSources(page ?? '', readyCourses, 'pasted.html');
+    const inText = listSources(text ?? '', readyScene);
+    const links = inText.length > 0 ? inText : listSources(page ?? '', readyScene, 'pasted.html');
     if (links.length > 0) tell(say(words.pasted, { count: links.length }));
     else if (!hasSeries) tell(say(words.noLinks));
     if (links.length > 0) await model.add(links);

@@ -7,12 +7,11 @@ import { projectOfLink } from '#project/link/link';
 
 import type { AddedFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
-import { readyCourses } from '../share/open-address';
 import { fileBeside } from '../share/open-series';
 import { linkReason, reasonOf } from '../share/problem-words';
 import { seriesReason } from '../share/series-reason';
 import { shareWords } from '../share/share-words';
-import { readyCourse } from '../work/catalogue/ready-courses';
+import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import { seriesWords } from './series-words';
 
 const words = seriesWords.make;
@@ -57,7 +56,7 @@ async function tasksIn(texts: ReadonlyMap<string, string>, refusals: string[]): 
   const isUsed = new Set<string>();
   for (const [path, text] of texts) {
     if (!looksLikeSeries(text)) continue;
-    const read = parseSeries(text, readyCourses);
+    const read = parseSeries(text, readyScene);
     if ('problem' in read) refusals.push(say(words.refused, { file: path, reason: seriesReason(read.problems) }));
     else
       series.push(
@@ -94,11 +93,11 @@ export function collectLinks(text: string): Collected {
         refusals.push(say(seriesWords.noCourse, { course: course ?? '' }));
       else tasks.push({ title: '', from: { kind: 'course', course } });
     } else if (fragment.startsWith('s')) {
-      const read = seriesOfLink(fragment, readyCourses);
+      const read = seriesOfLink(fragment, readyScene);
       if ('series' in read) series.push(read.series);
       else refusals.push('fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems));
     } else {
-      const read = projectOfLink(fragment, readyCourses);
+      const read = projectOfLink(fragment, readyScene);
       if ('problem' in read) refusals.push(linkReason(read.problem));
       else tasks.push({ title: '', from: { kind: 'project', project: read.project } });
     }

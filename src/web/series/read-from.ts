@@ -4,12 +4,12 @@ import { seriesLimits } from '#check/series/series';
 import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
 
 import { say } from '../page/i18n/say';
-import { readyCourses } from '../share/open-address';
 import { shownAndKept, type FoundSeries } from '../share/open-series';
 import { seriesReason } from '../share/series-reason';
 import { shareWords } from '../share/share-words';
 import { keptSeries, seriesFrom } from '../task/series/kept-series';
 import { urlOf } from '../visit/address';
+import { readyScene } from '../work/catalogue/ready-courses';
 import { seriesWords as words } from './series-words';
 
 /**
@@ -20,7 +20,7 @@ import { seriesWords as words } from './series-words';
  */
 export async function findSeries(from: string): Promise<FoundSeries> {
   if (isSeriesLink(from)) {
-    const read = seriesOfLink(from, readyCourses);
+    const read = seriesOfLink(from, readyScene);
     if ('fault' in read) return { problem: say(shareWords.series.faults[read.fault]) };
     return shownAndKept(read);
   }
@@ -40,7 +40,7 @@ async function fetchSeries(given: string): Promise<FoundSeries> {
     const series = await seriesFrom(url.href);
     return series === null ? { problem: loaded.problem } : { series, isOld: true };
   }
-  const read = parseSeries(loaded.text, readyCourses);
+  const read = parseSeries(loaded.text, readyScene);
   if ('problem' in read) return { problem: seriesReason(read.problems) };
   const whole = await readTasks(read.series, async (file) => {
     const place = urlOf(file, url.href);

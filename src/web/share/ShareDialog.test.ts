@@ -13,9 +13,10 @@ import { downloads } from '../app/testing/downloads';
 import { byId, fieldById, isThere, tap, write } from '../app/testing/find';
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
+import { readyScene } from '../work/catalogue/ready-courses';
 import { courses } from '#catalogue/courses';
 import type { Keeper } from '../work/model/keeper';
-import { openAddress, readyCourses } from './open-address';
+import { openAddress } from './open-address';
 import OpenLinkDialog from './OpenLinkDialog.vue';
 import { qrPath, QR_CHARACTERS } from './qr-code';
 import ShareDialog from './ShareDialog.vue';
@@ -58,7 +59,7 @@ describe('a hand-in', () => {
     return { page, prover };
   }
   const inLink = () => {
-    const read = projectOfLink(fieldById('share-link').value.replace(/^.*#/, '#'), readyCourses);
+    const read = projectOfLink(fieldById('share-link').value.replace(/^.*#/, '#'), readyScene);
     if ('problem' in read) throw new Error(read.problem.message);
     const content = handInOf(read.project);
     return 'handIn' in content ? content.handIn : null;
@@ -252,7 +253,7 @@ describe('the dialog for sharing', () => {
     await nextTick();
     const fragment = link().slice(link().indexOf('#'));
     expect(isProjectLink(fragment)).toBe(true);
-    const read = projectOfLink(fragment, readyCourses);
+    const read = projectOfLink(fragment, readyScene);
     expect('project' in read && read.project.course).toBe('slalom');
   });
 });

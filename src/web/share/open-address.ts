@@ -11,16 +11,13 @@ import { useOpenings } from '../work/use-openings';
 import { parametersOf, urlOf } from '../visit/address';
 import { say } from '../page/i18n/say';
 import type { Course } from '#catalogue/course';
-import { readyCourse } from '../work/catalogue/ready-courses';
+import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import { courseName } from '../work/catalogue/first-course';
 import { isSameWork } from '../work/storage/history';
 import { openRunLink } from './open-run';
 import { linkReason } from './problem-words';
 import { presentProject } from './save-work';
 import { shareWords as words } from './share-words';
-
-/** The ready courses, as links name them. */
-export const readyCourses = (id: string) => readyCourse(id)?.scene ?? null;
 
 /**
  * Opens the content of an address, ours or one of WebTigerPython, whole or only its query or fragment: a project, a run, a
@@ -69,7 +66,7 @@ function courseIn(address: string): { readonly name: 'task' | 'world'; readonly 
 }
 
 function openProjectLink(app: Workplace, fragment: string): string | null {
-  const read = projectOfLink(fragment, readyCourses);
+  const read = projectOfLink(fragment, readyScene);
   if ('problem' in read) return linkReason(read.problem);
   const { project, isCourseChanged } = read;
   const { scene, course } = project;

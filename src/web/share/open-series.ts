@@ -6,7 +6,7 @@ import { seriesForPupils } from '#check/series/write-series';
 import type { PageParts } from '../page/parts';
 import { say } from '../page/i18n/say';
 import { keepSeries } from '../task/series/kept-series';
-import { readyCourses } from './open-address';
+import { readyScene } from '../work/catalogue/ready-courses';
 import { seriesReason } from './series-reason';
 import { shareWords } from './share-words';
 
@@ -39,7 +39,7 @@ export async function openSeriesAmong(
 }
 
 async function seriesOfFile(text: string, beside: ReadonlyMap<string, string>): Promise<FoundSeries> {
-  const read = parseSeries(text, readyCourses);
+  const read = parseSeries(text, readyScene);
   if ('problem' in read) return { problem: seriesReason(read.problems) };
   const series = await readTasks(read.series, (file) => Promise.resolve(fileBeside(file, beside)));
   return shownAndKept({ series });

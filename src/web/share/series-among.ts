@@ -6,7 +6,7 @@ import { SERIES_FILE } from '#check/series/write-series';
 
 import type { AddedFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
-import { readyCourses } from './open-address';
+import { readyScene } from '../work/catalogue/ready-courses';
 import { seriesReason } from './series-reason';
 import { shareWords } from './share-words';
 
@@ -63,7 +63,7 @@ function textIn(entry: ZipEntry): string {
 }
 
 async function seriesIn(name: string, folder: Folder): Promise<WholeSeries> {
-  const read = parseSeries((await folder.get(name)?.()) ?? '', readyCourses);
+  const read = parseSeries((await folder.get(name)?.()) ?? '', readyScene);
   if ('problem' in read) return { problem: seriesReason(read.problems) };
   const series = await readTasks(read.series, async (file) => {
     const text = await folder.get(nameOf(file))?.();

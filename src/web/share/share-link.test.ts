@@ -10,14 +10,14 @@ import { defaultScene, type Background } from '#scene/scene';
 import { mountOn, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
 import { loadTexts, showLanguage } from '../page/i18n';
-import { readyCourses } from './open-address';
+import { readyScene } from '../work/catalogue/ready-courses';
 import ShareDialog from './ShareDialog.vue';
 
 const link = (): string => document.querySelector<HTMLInputElement>('[data-testid="share-link"]')?.value ?? '';
 const warnings = (): readonly string[] => [...document.querySelectorAll('.warn')].map(textOf);
 /** What somebody gets who opens the shown link. */
 function received() {
-  const read = projectOfLink(link().slice(link().indexOf('#')), readyCourses);
+  const read = projectOfLink(link().slice(link().indexOf('#')), readyScene);
   if ('problem' in read) throw new Error(read.problem.message);
   return read.project;
 }

@@ -9,8 +9,9 @@ import { defaultScene, type Scene } from '#scene/scene';
 import { mountOn } from '../app/testing/mount-on';
 import { createPage, type TestPage } from '../app/testing/page';
 import { t } from '../page/i18n';
+import { readyScene } from '../work/catalogue/ready-courses';
 import { courses } from '#catalogue/courses';
-import { openAddress, readyCourses } from './open-address';
+import { openAddress } from './open-address';
 import { useLinks } from './use-links';
 
 const own: Scene = { ...defaultScene(), name: 'Mein Kurs', size: [600, 400] };
@@ -19,7 +20,7 @@ const project = (more: Partial<Project> = {}): Project => ({
   ...more,
 });
 /** The address behind `#` of a shared project. */
-const linkTo = (shared: Project): string => `#${linkOf(shared, { courses: readyCourses, program: true })?.fragment}`;
+const linkTo = (shared: Project): string => `#${linkOf(shared, { courses: readyScene, program: true })?.fragment}`;
 /** The program that is open. */
 const program = (page: TestPage): string => page.work.work.value.project.files[0]?.text ?? '';
 const said = (page: TestPage): string => {

@@ -1,9 +1,8 @@
+import { readyScene } from '../work/catalogue/ready-courses';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
 import { linkOf, type Omitted } from '#project/link/link';
 import type { Project } from '#project/project';
-
-import { readyCourses } from './open-address';
 
 /** Longer links, in characters, are cut off by some chats and mail programs. */
 export const LONG_LINK = 8_000;
@@ -21,7 +20,7 @@ export interface ShareLink {
 /** @param project what is shared */
 export function useShareLink(project: () => Project): ShareLink {
   const program = shallowRef(true);
-  const made = computed(() => linkOf(project(), { courses: readyCourses, program: program.value }));
+  const made = computed(() => linkOf(project(), { courses: readyScene, program: program.value }));
   return {
     program,
     link: computed(() => made.value && `${location.origin}${location.pathname}#${made.value.fragment}`),

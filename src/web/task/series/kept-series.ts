@@ -3,7 +3,7 @@ import type { Series } from '#check/series/series';
 import { seriesToText } from '#check/series/write-series';
 import { isRecord } from '#core/record';
 
-import { readyCourse } from '../../work/catalogue/ready-courses';
+import { readyScene } from '../../work/catalogue/ready-courses';
 import { entriesIn, inStore, type Entry } from '../../work/storage/database';
 
 /** Names in the browser's database: a series by its id, and the one that is being made. */
@@ -12,8 +12,6 @@ const DRAFT = 'series.draft';
 
 /** Those that were opened since the page was loaded: a browser without a database has them, too. */
 const opened = new Map<string, Series>();
-
-const courses = (id: string) => readyCourse(id)?.scene ?? null;
 
 /**
  * Keeps a series that was opened, so that the way back to it is there after a reload and without a network. It goes when nobody
@@ -80,6 +78,6 @@ function valueIn(entry: Entry | undefined): Readonly<Record<string, unknown>> | 
 
 function seriesIn(entry: Entry | undefined): Series | null {
   const text = valueIn(entry)?.['text'];
-  const read = typeof text === 'string' ? parseSeries(text, courses) : null;
+  const read = typeof text === 'string' ? parseSeries(text, readyScene) : null;
   return read !== null && 'series' in read ? read.series : null;
 }
