@@ -1,4 +1,6 @@
 import { describe, expect, it } from 'vitest';
+import type { Project } from '#project/project';
+import { taskOf } from './task/read-task';
 import { ahead, checked, checkedProject, checkpointAt, projectWith, readyScene, readySolution, sceneWith, targetAt, taskWith } from './testing/tasks'; // prettier-ignore
 
 const goal = sceneWith([targetAt(700, 450)]);
@@ -103,6 +105,20 @@ describe('a hand-in for a course with goals', () => {
   it('that was handed out so is told, and is nobody’s twin', async () => {
     const result = await checked(taskWith(goal), '');
     expect(result).toMatchObject({ passed: false, remarks: [{ code: 'unchanged' }], twin: '' });
+  });
+
+  it('is nobody’s twin, and not as it was handed out, where only that of a further device differs', async () => {
+    const hardware = { device: 'auto', firmware: '', robot: 'none', robotOptions: {}, sameAs: '' } as const;
+    const withRemote = (text: string): Project => ({
+      ...projectWith(goal),
+      devices: { first: 'robot', others: [{ ...hardware, name: 'remote', files: [{ name: 'main.py', text }] }] },
+    });
+    const read = taskOf(withRemote(''));
+    if ('problem' in read) throw new Error(read.problem);
+    const result = (text: string) => checkedProject(read.task, withRemote(text));
+    const [given, one, renamed, other] = await Promise.all(['', 'a = 1', 'b = 1', 'a = 2'].map(result));
+    expect(given).toMatchObject({ remarks: [{ code: 'unchanged' }], twin: '' });
+    expect([one?.remarks, one?.twin === renamed?.twin, one?.twin === other?.twin]).toEqual([[], true, false]);
   });
 });
 

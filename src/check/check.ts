@@ -1,10 +1,11 @@
 import { runFilesOf } from '#project/devices';
 import { MAIN } from '#project/project';
 import { isSame } from '#core/same';
-import { findFact } from './program/facts';
-import { twinHash } from './program/twin';
+import { findFact, type Files } from './program/facts';
+import { twinHash, twinOfAll } from './program/twin';
 import type { HandIn } from './hand-in/hand-in';
 import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
+import { programsOf } from './run/programs';
 import { notRun, runWorld } from './run/run-world';
 import { isSameCourse } from './task/course-mark';
 import { keptLines } from './task/kept-lines';
@@ -55,7 +56,8 @@ function resultOf(
     task.checks.every(({ needed }, place) => !needed || checks[place]?.passed === true) &&
     isEnough(task, worlds, ({ passed: holds }) => holds);
   const points = task.checks.reduce((sum, one, place) => sum + (checks[place]?.passed === true ? one.points : 0), 0);
-  const unchanged = isUnchanged(task, handIn, starts);
+  const programs = programsOf(task.project, handIn.project);
+  const unchanged = isUnchanged(task, programs, starts);
   return {
     passed,
     points,
@@ -63,7 +65,7 @@ function resultOf(
     checks,
     worlds,
     remarks: remarksOn(task, handIn, worlds, unchanged),
-    twin: unchanged ? '' : twinHash(runFilesOf(handIn.project, 0)),
+    twin: unchanged ? '' : twinOfAll(programs),
   };
 }
 
@@ -104,10 +106,13 @@ function starsOf({ stars }: ClassTask, passed: boolean, points: number): number 
   return passed ? 1 + stars.filter((wanted) => points >= wanted).length : 0;
 }
 
-/** Whether the program is still the one that was handed out. */
-function isUnchanged({ project }: ClassTask, handIn: HandIn, starts: readonly string[]): boolean {
-  const theirs = runFilesOf(handIn.project, 0);
-  return [runFilesOf(project, 0), ...starts.map((text) => ({ [MAIN]: text }))].some((files) => isSame(files, theirs));
+/** Whether the programs are still those that were handed out; those of further devices in whatever language. */
+function isUnchanged({ project }: ClassTask, [main, ...others]: readonly Files[], starts: readonly string[]): boolean {
+  const [own, ...ownOthers] = programsOf(project, project);
+  return (
+    [own, ...starts.map((text) => ({ [MAIN]: text }))].some((files) => isSame(files, main)) &&
+    others.every((files, place) => twinHash(files) === twinHash(ownOthers[place] ?? {}))
+  );
 }
 
 function remarksOn(

@@ -13,6 +13,10 @@ export function twinHash(files: Files): string {
   return hashOfText(['main.py', ...others].map((name) => shapeOf(files[name] ?? '')).join('\n'));
 }
 
+/** The same of the programs of all devices. */
+export const twinOfAll = (programs: readonly Files[]): string =>
+  programs.length === 1 ? twinHash(programs[0] ?? {}) : hashOfText(programs.map(twinHash).join('\n'));
+
 /** The tree of a program as text, each name of its own by the place where it comes first. */
 function shapeOf(text: string): string {
   const source = parsePython(text);

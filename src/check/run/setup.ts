@@ -1,7 +1,7 @@
 import { boardOf } from '#board/boards/board-of-device';
 import { traitsFor } from '#my-robot/my-robot';
-import { deviceNames, filesOfDevice, runFilesOf } from '#project/devices';
-import { defaultProjectSettings, filesByName, type Project, type ProjectSettings } from '#project/project';
+import { deviceNames } from '#project/devices';
+import { defaultProjectSettings, type Project, type ProjectSettings } from '#project/project';
 import { modulesImportedBy } from '#python/imports';
 import type { Scene } from '#scene/scene';
 import { chooseFurtherHardware, chooseHardware, hardwareIds } from '#simulation/hardware';
@@ -11,6 +11,7 @@ import { furtherStart } from '#simulation/several/starts';
 import type { Files } from '../program/facts';
 import type { ClassTask, WorldVariant } from '../task/task';
 import { courseOfWorld } from '../task/world-course';
+import { programsOf } from './programs';
 
 type Problem = { readonly problem: string };
 
@@ -28,10 +29,10 @@ export function setupOf(task: ClassTask, handedIn: Project, world: WorldVariant)
   if ('problem' in course) return course;
   const { scene } = course;
   const settings = task.project.settings ?? defaultProjectSettings;
-  const files = runFilesOf(handedIn, 0);
+  const [files, ...others] = programsOf(task.project, handedIn);
   const first = firstDevice(task.project, settings, files, scene);
   if ('problem' in first) return first;
-  const further = furtherDevices(task.project, handedIn, scene, first.robot !== 'none');
+  const further = furtherDevices(task.project, others, scene, first.robot !== 'none');
   if ('problem' in further) return further;
   const feels = first.robot !== 'none' && settings.arenaSenses;
   const reality = world.reality ?? settings.reality;
@@ -67,18 +68,15 @@ function firstDevice(task: Project, settings: ProjectSettings, files: Files, sce
 
 function furtherDevices(
   task: Project,
-  handedIn: Project,
+  programs: readonly Files[],
   scene: Scene,
   hasFirstRobot: boolean,
 ): { readonly devices: readonly DeviceSetup[] } | Problem {
-  const theirs = deviceNames(handedIn);
-  const names = deviceNames(task);
   const made: DeviceSetup[] = [];
   let robots = hasFirstRobot ? 1 : 0;
   for (const [index, device] of (task.devices?.others ?? []).entries()) {
     const { name, robot, firmware, robotOptions } = device;
-    const place = placeOf(name, index + 1, names, theirs);
-    const files = place > 0 ? filesByName(filesOfDevice(handedIn, place)) : runFilesOf(task, index + 1);
+    const files = programs[index] ?? {};
     const start = robots === 0 ? null : furtherStart(scene, robots);
     const wish = { scene, start, robot, board: boardOf(device.device), firmware, robotOptions };
     const hardware = chooseFurtherHardware({ ...wish, imports: modulesImportedBy(files) });
@@ -87,15 +85,4 @@ function furtherDevices(
     made.push({ name, files, ...hardwareIds(hardware), robotOptions: hardware.options });
   }
   return { devices: made };
-}
-
-/**
- * The pupil's device for one of the task: the one of its name, else the one at its place, unless that is another one's. A ready
- * course calls its devices in the language of the page.
- */
-function placeOf(name: string, place: number, names: readonly string[], theirs: readonly string[]): number {
-  const named = theirs.indexOf(name);
-  if (named >= 0) return named;
-  const isOthers = names.includes(theirs[place] ?? name);
-  return theirs.length === names.length && !isOthers ? place : -1;
 }
