@@ -3,6 +3,7 @@ import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, nextTick, watch, type EffectScope } from 'vue';
 
+import { withoutSecrets } from '#check/task/write-task';
 import { parseTape } from '#tape/file';
 import { createParts, type AllParts } from '../app/provide-parts';
 import { downloads } from '../app/testing/downloads';
@@ -91,6 +92,28 @@ describe('a run that is taken along', () => {
     open(text);
     await soon(() => expect(said()).toContain('the same'));
     expect(page.work.scene.value.size).toEqual([900, 700]);
+  });
+
+  it('of a task that was handed out leaves that task open, with its locks; what it brings is told', async () => {
+    const project = { ...page.work.work.value.project, task: { version: 1, id: 'A', locks: { hand: true } } };
+    page.work.openProject(withoutSecrets(project), null);
+    await soon(() => expect(page.work.keeper.value).not.toBeNull());
+    page.work.setText('main.py', PROGRAM, true);
+    const text = await saved();
+    await page.run.reset();
+    const { task } = page.work.work.value.project;
+    open(text);
+    await soon(() => expect(said()).toContain('the same'));
+    const opened = page.work.work.value.project;
+    expect([opened.task, page.work.keeper.value?.locks.hand, opened.handIn]).toEqual([task, true, undefined]);
+    page.work.setText('main.py', 'print("mine")\n', true);
+    open(text);
+    await soon(() => expect(programNow()).toBe(PROGRAM));
+    expect(page.work.work.value.project).toMatchObject({ task, handIn: { remarks: ['outside'] } });
+    page.work.edit({ type: 'course', changes: { size: [900, 700] } });
+    open(text);
+    await soon(() => expect(page.work.scene.value.size).not.toEqual([900, 700]));
+    expect(page.work.work.value.project.task).toBeUndefined();
   });
 
   it('ends with Stop, without what Stop interrupts', async () => {

@@ -1,6 +1,9 @@
 import { watch } from 'vue';
 
 import { projectOfRun } from '#check/hand-in/project-of-run';
+import { isSameCourse } from '#check/task/course-mark';
+import { withFiles } from '#project/devices';
+import type { Project } from '#project/project';
 import { parseTape } from '#tape/file';
 import { readRunLink } from '#tape/link';
 import { differences } from '#tape/result';
@@ -80,10 +83,21 @@ function openProject(app: Workplace, setup: RunSetup, stem?: string): string | n
   const read = projectOfRun(setup, stem ?? say(shareWords.shared));
   if ('problems' in read) return reasonOf(read.problems);
   const { project: before, file: openFile } = app.work.work.value;
-  const project = { ...read.project, course: courseOf(read.project.scene) };
+  const project = inTask(app, { ...read.project, course: courseOf(read.project.scene) });
   const name = courseName(project.scene, project.course);
   useOpenings(app).open(project, name, openFile === undefined && isOurs(before), stem);
   return null;
+}
+
+/** A run does not know the task that it is of: the open one, if that was handed out and the program may be in it. */
+function inTask({ work }: Workplace, ofRun: Project): Project {
+  const { project: before } = work.work.value;
+  const { keeper } = work;
+  if (keeper.value === null || !isSameCourse(before.scene, ofRun.scene) || ofRun.devices !== undefined) return ofRun;
+  const { files, task, handIn } = keeper.value.changed(before, withFiles(before, 0, ofRun.files), false) ?? {};
+  if (files === undefined || task === undefined) return ofRun;
+  const settings = keeper.value.locks.robot ? before.settings : ofRun.settings;
+  return { ...ofRun, files, task, ...(handIn && { handIn }), ...(settings && { settings }) };
 }
 
 /** A run does not know its ready course: one that is called and described so. */
