@@ -76,7 +76,7 @@ describe('a series for a class', () => {
     bringSeries(model, { series: aSeries() });
     await nextTick();
     expect(parts(shown)).toEqual({
-      from: 'Reihe: Woche 3: Linien',
+      from: 'Serie: Woche 3: Linien',
       tasks: ['1. Geschlossene Linie', '2. Ans Ziel', '3. Ohne Aufgabe'],
       task: '1. Geschlossene Linie',
     });
