@@ -96,7 +96,7 @@ describe('a project file', () => {
     expect(wrong({ ...own, files: [] })[0]).toBe('devices.others[0].files: 0 entries; there may be 1 … 20.');
     expect(wrong()[0]).toBe('devices.others: 0 entries; there may be 1 … 7.');
     expect(wrong(...Array.from({ length: 8 }, (_, at) => ({ ...own, name: `R${String(at)}` })))[0]).toBe(
-      'devices.others: 8 entries; there may be 1 … 7.',
+      'devices: 9 devices are too many: at most 8 share a run. Take some away.',
     );
   });
 

@@ -10,6 +10,7 @@ export type ProjectProblemCode =
   | 'file-name'
   | 'file-too-large'
   | 'device-name'
+  | 'too-many-devices'
   | 'same-as';
 
 /** One thing that is wrong with a project file; the places of its course begin with `scene`. */

@@ -24,6 +24,8 @@ export function readDevices(
 ): { readonly devices: ProjectDevices; readonly problems: readonly ProjectProblem[] } {
   const fields = reader.fields(value, 'devices', ['first', 'others']);
   const first = reader.text(fields['first'], 'devices.first', projectLimits.textCharacters);
+  const tooMany = tooManyProblem(fields['others']);
+  if (tooMany !== null) return { devices: { first, others: [] }, problems: [tooMany] };
   const entries = reader.list(fields['others'], 'devices.others', { min: 1, max: MOST_DEVICES - 1 });
   const problems: ProjectProblem[] = nameProblems(first, [], 'devices.first');
   const others: FurtherDevice[] = [];
@@ -40,6 +42,13 @@ export function readDevices(
     if (device.sameAs !== '' && !owners.includes(device.sameAs)) problems.push(sameAsProblem(device, path));
   });
   return { devices: { first, others }, problems };
+}
+
+function tooManyProblem(others: unknown): ProjectProblem | null {
+  if (!Array.isArray(others) || others.length < MOST_DEVICES) return null;
+  const params = { count: others.length + 1, most: MOST_DEVICES };
+  const message = `devices: ${String(params.count)} devices are too many: at most ${String(MOST_DEVICES)} share a run. Take some away.`;
+  return { code: 'too-many-devices', path: 'devices', value: String(params.count), params, message };
 }
 
 function readDevice(

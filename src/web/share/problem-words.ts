@@ -44,6 +44,7 @@ const byCode: Readonly<Record<ProjectProblem['code'], Texts>> = {
   'file-name': words.fileName,
   'file-too-large': words.tooLong,
   'device-name': words.deviceName,
+  'too-many-devices': words.tooManyDevices,
   'same-as': words.sameAs,
 };
 
