@@ -1,10 +1,12 @@
 // @vitest-environment happy-dom
-import { beforeEach, describe, expect, it } from 'vitest';
+import { beforeEach, describe, expect, it, vi } from 'vitest';
 import { nextTick } from 'vue';
 
 import { seriesLinkOf } from '#check/series/series-link';
 import { aSeries, readyCourses } from '#check/series/testing/series';
 import { targetAt } from '#check/testing/tasks';
+import { defaultScene } from '#scene/scene';
+import { serializeScene } from '#scene/serialize';
 
 import { mountOn } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
@@ -48,6 +50,24 @@ describe('the task that a class is checked for', () => {
     await nextTick();
     expect(model.task.value).toBeNull();
     expect(shown.get('[role="alert"]').text()).toContain('gibt es nichts zu prüfen');
+  });
+
+  it('is that of another file as soon as that is chosen, and until then what it was', async () => {
+    const { page, model } = classOn();
+    const shown = mountOn(page, TaskChoice, { model });
+    const { element } = shown.get<HTMLSelectElement>('select');
+    const picker = shown.get<HTMLInputElement>('input[type="file"]').element;
+    for (const name of ['one', 'two']) {
+      let asked = 0;
+      picker.addEventListener('click', () => (asked += 1), { once: true });
+      const before = element.value;
+      await shown.get('select').setValue('pick');
+      expect([asked, element.value]).toEqual([1, before]);
+      const text = serializeScene({ ...defaultScene(), name, objects: [targetAt(300, 300)] });
+      Object.defineProperty(picker, 'files', { value: [new File([text], `${name}.json`)], configurable: true });
+      picker.dispatchEvent(new Event('change'));
+      await vi.waitFor(() => expect(model.task.value?.name).toBe(name));
+    }
   });
 
   it('is still the ready course that was chosen', async () => {
