@@ -30,6 +30,13 @@ test('Alt-drag copies, and Ctrl+D goes on by the same step', async ({ app }) => 
   await comesTo(app, places, [[200, 200], [400, 200], [600, 200]]); // prettier-ignore
 });
 
+test('while text of the page is selected, a drag still moves what lies in the arena', async ({ app }) => {
+  const hand = await opened(app, block('a', [200, 200]));
+  await app.evaluate(() => getSelection()?.selectAllChildren(document.body));
+  await hand.drag([[200, 200], [200, 250], [200, 300]]); // prettier-ignore
+  await comesTo(app, places, [[200, 300]]); // prettier-ignore
+});
+
 test('Escape lets go of what is selected', async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]));
   await hand.clickAt([200, 200]);

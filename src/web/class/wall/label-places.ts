@@ -24,7 +24,9 @@ export interface Named {
 export function labelPlaces(dots: readonly Named[], picture: Size): readonly (Box | null)[] {
   const taken: Box[] = [];
   return dots.map((dot) => {
-    const place = placesAround(dot, picture).find((box) => isInside(box, picture) && !taken.some((other) => meet(box, other)));
+    const place = placesAround(dot, picture).find(
+      (box) => isInside(box, picture) && !taken.some((other) => meet(box, other)),
+    );
     if (place !== undefined) taken.push(place);
     return place ?? null;
   });
