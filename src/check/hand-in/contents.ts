@@ -8,7 +8,7 @@ import { isTextWithLinks, linksInFile } from './links';
 import { handInOf, handInOfFiles } from './read-hand-in';
 import { openLink } from './open-link';
 import { unread, type Unread } from './unread';
-import { belowTop, MOST_FOLDERS, readZip, type ZipEntry } from './zip';
+import { belowFolders, readZip } from './zip';
 
 /** What a source holds: a hand-in, or why there is none. */
 export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
@@ -71,7 +71,7 @@ function handInOfZip(bytes: Uint8Array, courses: ReadyCourses): Content {
   const zip = readZip(bytes);
   if ('problem' in zip) return zip;
   const files: NamedBytes[] = [];
-  for (const entry of withoutFolders(zip.entries)) {
+  for (const entry of belowFolders(zip.entries)) {
     const { path } = entry;
     if (path.includes('/') || /\.zip$/i.test(path)) continue;
     const file = entry.read(FILE_BYTES);
@@ -79,13 +79,6 @@ function handInOfZip(bytes: Uint8Array, courses: ReadyCourses): Content {
     files.push({ name: path, bytes: file.bytes });
   }
   return folderHandIn(files, courses);
-}
-
-/** A folder that was packed as a whole is what it holds. */
-function withoutFolders(all: readonly ZipEntry[]): readonly ZipEntry[] {
-  let entries = all;
-  for (let level = 0; level < MOST_FOLDERS; level++) entries = belowTop(entries) ?? entries;
-  return entries;
 }
 
 function handInOfJson(text: string): Content {

@@ -3,7 +3,7 @@ import { MAIN } from '#project/project';
 import { folderHandIn, handInOfBytes, handInOfLink, MOST_FILE_BYTES, type Content, type NamedBytes } from './contents';
 import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
 import { unread, type Unread } from './unread';
-import { belowTop, isLitter, MOST_FOLDERS, readZip, type ZipEntry } from './zip';
+import { belowFolders, isLitter, readZip, type ZipEntry } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
 export interface Source {
@@ -94,20 +94,12 @@ const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyC
 function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
   const zip = readZip(bytes);
   if ('problem' in zip) return [brokenSource(name, zip.problem)];
-  const inside = folderSources(withoutTop(zip.entries), courses);
+  const inside = folderSources(belowFolders(zip.entries, isHandIn), courses);
   return inside.length > 0 ? inside : [brokenSource(name, unread('no-main').problem)];
 }
 
-/** A zip that holds a single folder of hand-ins is that folder; one of a hand-in stays one. */
-function withoutTop(all: readonly ZipEntry[]): readonly ZipEntry[] {
-  let entries = all;
-  for (let level = 0; level < MOST_FOLDERS; level++) {
-    const below = belowTop(entries);
-    if (below === null || below.some(({ path }) => path === MAIN)) break;
-    entries = below;
-  }
-  return entries;
-}
+/** The folder of a hand-in says whose it is. */
+const isHandIn = (entries: readonly ZipEntry[]): boolean => entries.some(({ path }) => path === MAIN);
 
 /**
  * The hand-ins behind the links in a text, whatever stands around them. Those beside which nobody is named have the name

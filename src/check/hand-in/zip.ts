@@ -29,7 +29,7 @@ const ZIP64 = 0xffffffff;
 const MOST_ENTRIES = 20_000;
 
 /** Folders around what was packed that are looked into. Chosen: more than anybody packs. */
-export const MOST_FOLDERS = 20;
+const MOST_FOLDERS = 20;
 
 /** Reads the directory of a zip; its files are unpacked one by one when they are wanted. Never throws. */
 export function readZip(bytes: Uint8Array): Zip {
@@ -63,18 +63,32 @@ function endOf(view: DataView): number | null {
 export const isLitter = (name: string): boolean =>
   name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
 
-/** What a zip holds below the folder that all of it lies in; `null`: there is no such folder. */
-export function belowTop(all: readonly ZipEntry[]): readonly ZipEntry[] | null {
-  const entries = withoutLitter(all);
+/**
+ * What a zip holds below the folders that all of it lies in: who packs a folder means what is in it.
+ *
+ * @param isWhole says of what lies below one more folder that the folder belongs to it
+ */
+export function belowFolders(
+  all: readonly ZipEntry[],
+  isWhole: (below: readonly ZipEntry[]) => boolean = () => false,
+): readonly ZipEntry[] {
+  let entries = all;
+  for (let level = 0; level < MOST_FOLDERS; level++) {
+    const below = belowTop(entries);
+    if (below === null || isWhole(below)) break;
+    entries = below;
+  }
+  return entries;
+}
+
+/** What lies below the folder that all of it lies in; `null`: there is no such folder. */
+function belowTop(all: readonly ZipEntry[]): readonly ZipEntry[] | null {
+  const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
   const [top, another] = new Set(entries.map(({ path }) => path.split('/', 1)[0] ?? ''));
   if (top === undefined || another !== undefined || !entries.every(({ path }) => path.includes('/'))) return null;
   const below = entries.map((entry) => ({ ...entry, path: entry.path.slice(top.length + 1) }));
   return below.filter(({ path }) => path !== '');
 }
-
-/** Its entries without what lies about. */
-export const withoutLitter = (entries: readonly ZipEntry[]): readonly ZipEntry[] =>
-  entries.filter(({ path }) => !path.split('/').some(isLitter));
 
 /** `./anna.py`, `/home/anna.py` and `../anna.py` lie in the zip like all others. */
 function withoutDots(path: string): string {

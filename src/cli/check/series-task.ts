@@ -4,6 +4,7 @@ import { readTasks, type LoadFile } from '#check/series/read-files';
 import { looksLikeSeries, parseSeries } from '#check/series/read-series';
 import { seriesLimits, type Series, type SeriesTask } from '#check/series/series';
 import { isSeriesLink, seriesOfLink } from '#check/series/series-link';
+import { DAMAGED_LINK } from '#project/link/link';
 import type { Project } from '#project/project';
 import { readLimited } from '../read-files';
 import { readyCourse, readyProject, readyTitle } from '../ready-courses';
@@ -45,7 +46,7 @@ export function seriesLinkIn(where: string): string | null {
 
 /** What is wrong with a link, beside what is wrong with the series in it. */
 const faults = {
-  damaged: 'The link is damaged: a part of it is missing or changed. Copy it again, whole.',
+  damaged: DAMAGED_LINK,
   newer: 'The link is from a newer version. Update Parcours.',
   'too-large': 'The link holds far too much and is not opened.',
 } as const;

@@ -260,5 +260,7 @@ function failed(
   return { problem: { code, message, params, problems } };
 }
 
-const damaged = (): ReadLink =>
-  failed('damaged', 'The link is damaged: a part of it is missing or changed. Copy it again, whole.', {});
+/** What is said of it in English. */
+export const DAMAGED_LINK = 'The link is damaged: a part of it is missing or changed. Copy it again, whole.';
+
+const damaged = (): ReadLink => failed('damaged', DAMAGED_LINK, {});

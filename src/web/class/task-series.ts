@@ -6,10 +6,8 @@ import type { Project } from '#project/project';
 import { shallowRef, type ShallowRef } from 'vue';
 
 import { shownLanguage } from '../page/i18n';
-import { say } from '../page/i18n/say';
 import type { WholeSeries } from '../share/series-among';
-import { seriesReason } from '../share/series-reason';
-import { shareWords } from '../share/share-words';
+import { seriesLinkReason } from '../share/series-reason';
 import { courseName } from '../work/catalogue/first-course';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import type { ClassModel } from './model/class-model';
@@ -54,11 +52,7 @@ export function bringLink(model: ClassModel, text: string): boolean {
   const [, link] = LINK.exec(text) ?? [];
   if (link === undefined) return false;
   const read = seriesOfLink(link, readyScene);
-  if ('series' in read) bringSeries(model, read);
-  else
-    bringSeries(model, {
-      problem: 'fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems),
-    });
+  bringSeries(model, 'series' in read ? read : { problem: seriesLinkReason(read) });
   return true;
 }
 

@@ -3,13 +3,14 @@ import { shallowRef, watch, type ShallowRef } from 'vue';
 import { locksOf } from '#check/task/read-task';
 import { isSame } from '#core/same';
 import type { Stop } from '#core/stop';
-import { MAIN, type Carried, type Project } from '#project/project';
+import type { Carried } from '#project/project';
 
 import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import type { WorkModel } from '../work/model/work-model';
 import { handedOutWords as words } from './handed-out-words';
+import { mainText } from './main-text';
 import { followLines } from './follow-lines';
 
 const lostOf = new WeakMap<WorkModel, ShallowRef<readonly string[]>>();
@@ -34,7 +35,7 @@ export function followLocks({ work, notices }: Pick<PageParts, 'notices'> & Pick
         return;
       }
       const { lines } = locksOf(task);
-      const [text, textBefore] = [mainOf(now), mainOf(before)];
+      const [text, textBefore] = [mainText(now), mainText(before)];
       if (text === textBefore || lines.length + lost.value.length === 0) return;
       const followed = followLines(textBefore, text, lines, lost.value);
       if (!isSame(followed.lines, lines)) work.setTask(withLines(task, followed.lines));
@@ -60,5 +61,3 @@ function withLines(task: Carried, lines: readonly number[]): Carried {
   const { lines: _, ...others } = (task['locks'] ?? {}) as { readonly lines?: unknown };
   return { ...task, locks: lines.length > 0 ? { ...others, lines } : others };
 }
-
-const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';

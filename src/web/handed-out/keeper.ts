@@ -19,6 +19,7 @@ import type { RunParts } from '../run/parts';
 import { isHandedOut, type Keeper } from '../work/model/keeper';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
+import { mainText } from './main-text';
 import { holdSettings, OF_THE_ROBOT } from './hold-settings';
 import { lockedLines } from './locked-lines';
 import { followLocks } from './follow-locks';
@@ -176,8 +177,8 @@ class TaskKeeper implements Keeper {
   private withLines(before: Project, after: Project): Project | null {
     const { task } = after;
     const { lines } = this.locks;
-    if (task === undefined || lines.length === 0 || mainOf(before) === mainOf(after)) return after;
-    const kept = keptLines(mainOf(before), mainOf(after), lines);
+    if (task === undefined || lines.length === 0 || mainText(before) === mainText(after)) return after;
+    const kept = keptLines(mainText(before), mainText(after), lines);
     if (kept === null) this.tell(say(words.lines));
     if (kept === null || isSame(kept, lines)) return kept && after;
     return { ...after, task: { ...task, locks: { ...(task['locks'] as object), lines: kept } } };
@@ -187,8 +188,6 @@ class TaskKeeper implements Keeper {
     this.app.notices.show({ kind: 'info', key: 'notice.text', values: { text } });
   }
 }
-
-const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';
 
 /** The further devices without their programs and names. */
 const hardwareOf = ({ devices }: Project): unknown =>

@@ -7,6 +7,7 @@ import { say } from '../page/i18n/say';
 import type { PageParts } from '../page/parts';
 import type { WorkParts } from '../work/model/parts';
 import { handedOutWords as words } from './handed-out-words';
+import { mainText } from './main-text';
 
 /**
  * Takes back what a task locks and what was changed all the same, before the keeper came.
@@ -24,7 +25,7 @@ export function takeBack(
   let isTaken = false;
   while (course && work.scene.value !== opened.scene && work.undo()) isTaken = true;
   if (isTaken) tell(say(words.course));
-  const [before, now] = [mainOf(opened), mainOf(work.work.value.project)];
+  const [before, now] = [mainText(opened), mainText(work.work.value.project)];
   const kept = keptLines(before, now, lines);
   if (kept === null) {
     work.setText(MAIN, before, true);
@@ -32,5 +33,3 @@ export function takeBack(
   } else if (before !== now && !isSame(kept, lines))
     work.setTask({ ...task, locks: { ...(task['locks'] as object), lines: kept } });
 }
-
-const mainOf = ({ files }: Project): string => files.find(({ name }) => name === MAIN)?.text ?? '';

@@ -9,8 +9,7 @@ import type { AddedFile } from '../page/files/added-files';
 import { say } from '../page/i18n/say';
 import { fileBeside } from '../share/open-series';
 import { linkReason, reasonOf } from '../share/problem-words';
-import { seriesReason } from '../share/series-reason';
-import { shareWords } from '../share/share-words';
+import { seriesLinkReason, seriesReason } from '../share/series-reason';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
 import { seriesWords } from './series-words';
 
@@ -95,7 +94,7 @@ export function collectLinks(text: string): Collected {
     } else if (fragment.startsWith('s')) {
       const read = seriesOfLink(fragment, readyScene);
       if ('series' in read) series.push(read.series);
-      else refusals.push('fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems));
+      else refusals.push(seriesLinkReason(read));
     } else {
       const read = projectOfLink(fragment, readyScene);
       if ('problem' in read) refusals.push(linkReason(read.problem));

@@ -1,5 +1,6 @@
 import type { SeriesProblem } from '#check/series/read-series';
-import type { Unread } from '#check/series/series';
+import type { ReadSeriesLink } from '#check/series/series-link';
+import type { Series, Unread } from '#check/series/series';
 import type { ProjectProblem } from '#project/problem';
 
 import { say } from '../page/i18n/say';
@@ -13,6 +14,10 @@ export function seriesReason(problems: readonly SeriesProblem[]): string {
   const known = problems.filter(isOfProjects);
   return known.length < problems.length ? say(shareWords.series.notASeries) : reasonOf(known);
 }
+
+/** Why a link opens no series, in words. */
+export const seriesLinkReason = (read: Exclude<ReadSeriesLink, { readonly series: Series }>): string =>
+  'fault' in read ? say(shareWords.series.faults[read.fault]) : seriesReason(read.problems);
 
 /** Why a task cannot be read. */
 export const unreadReason = ({ said, problems }: Unread): string => said ?? reasonOf(problems);

@@ -1,6 +1,7 @@
 import { checkText } from '#check/task/check-text';
 import { ledDrawing } from '#check/task/led-drawing';
 import { draftOf } from '#check/task/read-task';
+import type { Check } from '#check/task/task';
 import type { Project } from '#project/project';
 
 import { shownLanguage } from '../page/i18n';
@@ -21,7 +22,11 @@ const words = taskWords.checks;
 /** The checks of a project's task, as pupils read them. */
 export function checksInWords(project: Project): readonly CheckInWords[] {
   const read = draftOf(project);
-  const all = 'task' in read ? read.task.checks : [];
+  return inWords('task' in read ? read.task.checks : []);
+}
+
+/** The same of checks that have been read. */
+export function inWords(all: readonly Check[]): readonly CheckInWords[] {
   return all.flatMap((check) => {
     if (check.type === 'goals') return [];
     const points = check.points === 1 ? say(words.point) : say(words.points, { points: check.points });
