@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { microbitV2 } from '#board/boards/microbit-v2';
 import { linesOf } from './testing/play';
 
 const FILES = { 'daten.txt': 'eins\nzwei\näö\n' };
@@ -33,6 +34,18 @@ print(f.readinto(buffer), buffer, f.read())`;
       "'ein' 's\\nzwei\\n\\xe4' '\\xf6\\n'",
       "4 bytearray(b'eins') b'\\nzwei\\n\\xc3\\xa4\\xc3\\xb6\\n'",
     ]);
+  });
+
+  it('read a line that ends inside a sign: unchecked before MicroPython 1.20', () => {
+    const program = `
+f = open('daten.txt')
+f.read(10)
+try:
+    print(len(f.readline(1)), len(f.readline(2)))
+except UnicodeError:
+    print('UnicodeError')`;
+    expect(linesOf(program, FILES)).toEqual(['1 1']);
+    expect(linesOf(program, FILES, undefined, { firmware: microbitV2.firmwares[1] })).toEqual(['UnicodeError']);
   });
 
   it('read into what may change, words too', () => {

@@ -64,6 +64,29 @@ print(radio.receive_bytes_into(buf), buf, radio.receive_bytes_into(buf))`;
     ]);
   });
 
+  it('receives a text that was cut inside a sign, as long as it came: nobody checks it', () => {
+    const program = `
+import radio
+sleep(50)
+for _ in range(3):
+    m = radio.receive()
+    print(len(m), m[:2], m == m + '', len(m.encode()))
+    display.scroll(m, 10)
+radio.send(m)`;
+    const cut = (text: string, bytes: number): Uint8Array => encode(text).slice(0, 3 + bytes);
+    const sent: number[][] = [];
+    const setUp = (bench: Bench): void => {
+      bench.board.radio.onSend((bytes) => void sent.push([...bytes]));
+      arriving([
+        [10, cut('übcü', 5)],
+        [20, cut('ab€', 3)],
+        [30, cut('ab€', 4)],
+      ])(bench);
+    };
+    expect(linesOf(program, {}, setUp)).toEqual(['4 üb True 5', '3 ab True 3', '3 ab True 4']);
+    expect(sent).toEqual([[1, 0, 1, 97, 98, 0xe2, 0x82]]);
+  });
+
   it('says that a packet is no text, and goes on with the next', () => {
     const program = `
 import radio

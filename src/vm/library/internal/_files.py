@@ -1,7 +1,7 @@
 # open() and input() of the device. Behaviour and errors: MicroPython microbitfs.c; input: lib/mp-readline.
 import builtins
 import _hal
-from _sim import addressof, ints, raw, room, text as as_text
+from _sim import addressof, ints, raw, room, text as as_text, unchecked_text
 
 _open = _hal.file_open
 _read = _hal.file_read
@@ -91,14 +91,18 @@ class FileIO:
         return line
 
 
+# py/stream.c looks whether they are UTF-8 since MicroPython 1.20: a line may be cut inside a sign.
+_as_text = unchecked_text if _hal.board_micropython(1) < 20 else bytes.decode
+
+
 class TextIO(FileIO):
     def read(self, _n=-1):
         ints(_n)
-        return self._get(_CHARACTERS, _n).decode()
+        return _as_text(self._get(_CHARACTERS, _n))
 
     def readline(self, _n=-1):
         ints(_n)
-        return self._get(_LINE, _n).decode()
+        return _as_text(self._get(_LINE, _n))
 
     def write(self, data):
         if not isinstance(data, str):

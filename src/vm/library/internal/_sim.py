@@ -6,6 +6,7 @@ from uctypes import addressof, bytearray_at
 from utime import ticks_add, ticks_diff
 
 _throw = _hal.throw
+_retype = _hal.retype
 _callbacks = []
 _thrown = None
 
@@ -54,6 +55,14 @@ def text(value):
     if isinstance(value, bytes):
         return "".join([chr(byte if byte < 0x80 else 0x3F) for byte in value])
     return "".find(value)
+
+
+def unchecked_text(data):
+    """The str of new bytes, which it becomes; nobody looks whether they are UTF-8."""
+    if not data:
+        return ""
+    _retype(id(data), id(str))
+    return data
 
 
 # Actions on the first import of a module of the device, by its name.

@@ -1,6 +1,6 @@
 # The module radio. Behaviour and errors: micropython-microbit-v2 modradio.c, drv_radio.c.
 import _hal as _h
-from _sim import addressof as _addressof, ints as _ints, on_import as _on_import, raw as _raw, text as _text
+from _sim import addressof as _addressof, ints as _ints, on_import as _on_import, raw as _raw, text as _text, unchecked_text as _unchecked_text
 
 _waiting = _h.radio_waiting
 _take = _h.radio_take
@@ -107,7 +107,8 @@ def receive():
         return None
     if message[:3] != _TEXT:
         raise ValueError("received packet is not a string")
-    return str(message[3:], "utf-8")
+    # Unchecked: the sender's radio may have cut the text inside a sign.
+    return _unchecked_text(message[3:])
 
 
 def receive_full():

@@ -22,6 +22,7 @@ const wordOf = (bytes: Uint8Array, from: number): number => new DataView(bytes.b
  *
  * - spend_scale(), spend_neopixel(): the cost of what the library does in Python, and the board in C or in Python of its
  *   own
+ * - retype(object, type), given by their addresses: bytes become a str, which lies in memory in the same way (py/objstr.h)
  * - unique_id(address): writes 8 bytes, the same for the same seed
  * - chip_word(address) → the word of the chip's memory there as an int of 32 bits, None if it is not simulated
  */
@@ -46,6 +47,11 @@ export function createDeviceCalls(machine: Machine, board: Board, rng: Rng): Sys
     chip_word: (address) => {
       machine.spend(callUs);
       return chip.get(numberOf(address) ?? -1) ?? null;
+    },
+    retype: (object, type) => {
+      const word = machine.memory(wholeOf(object) ?? 0, 4);
+      new DataView(word.buffer, word.byteOffset).setInt32(0, wholeOf(type) ?? 0, true);
+      return null;
     },
     unique_id: (address) => {
       machine.spend(callUs);
