@@ -3,7 +3,7 @@
 # recording (the newest firmware): microbit_audiorecording.c, microbit_audiotrack.c.
 import _hal as _h
 from _pins import pin_number
-from _sim import addressof, ints, number, raw, refuse_attribute
+from _sim import addressof, ints, number, put, raw, refuse_attribute
 
 # The pin that carries sound unless the program names another: pin0.
 DEFAULT_PIN = 0
@@ -37,8 +37,10 @@ class MicroBitSpeaker:
 
 
 class MicroBitSound:
+    __setattr__ = refuse_attribute
+
     def __init__(self, name):
-        self._name = name
+        put(self, "_name", name)
 
     def __repr__(self):
         return "Sound('" + self._name + "')"
@@ -76,6 +78,8 @@ def _volume(first):
 
 
 class MicroBitSoundEffect:
+    __setattr__ = refuse_attribute
+
     WAVEFORM_SINE = 0
     WAVEFORM_SAWTOOTH = 1
     WAVEFORM_TRIANGLE = 2
@@ -110,7 +114,7 @@ class MicroBitSoundEffect:
         shape=SHAPE_LOG,
     ):
         # The steps of the frequency, and parameter and steps of vibrato and others, are fixed.
-        self._digits = "0" * 30 + "0128" + "00" + "0001" + "0024" + "0" * 28
+        put(self, "_digits", "0" * 30 + "0128" + "00" + "0001" + "0024" + "0" * 28)
         self.freq_start = freq_start
         self.freq_end = freq_end
         self.duration = duration
@@ -125,12 +129,12 @@ class MicroBitSoundEffect:
         text = "%0*d" % (digits, value)
         if value < 0 or len(text) > digits:
             raise ValueError("maximum value is " + _MAXIMA[digits])
-        self._digits = self._digits[:first] + text + self._digits[first + digits :]
+        put(self, "_digits", self._digits[:first] + text + self._digits[first + digits :])
 
     @staticmethod
     def _from_string(text):
         effect = MicroBitSoundEffect()
-        effect._digits = (text + "0" * _PART_LENGTH)[:_PART_LENGTH]
+        put(effect, "_digits", (text + "0" * _PART_LENGTH)[:_PART_LENGTH])
         return effect
 
     def copy(self):
@@ -194,7 +198,7 @@ class _Rated:
         return self._rate
 
     def set_rate(self, rate):
-        self._rate = _rate(rate)
+        put(self, "_rate", _rate(rate))
 
 
 _SILENCE = b"\x80" * 256
@@ -204,10 +208,10 @@ class _Samples:
     # Samples in memory of its own. No subclass of bytearray: that could not have *=.
     def _fill(self, size, rate):
         # Silence, bit by bit: a recording of 3 s would not fit into memory twice.
-        self._data = memoryview(bytearray(size))
+        put(self, "_data", memoryview(bytearray(size)))
         for start in range(0, size, len(_SILENCE)):
             self._data[start : start + len(_SILENCE)] = _SILENCE[: size - start]
-        self._rate = rate
+        put(self, "_rate", rate)
         return self
 
     def __iter__(self):
@@ -258,6 +262,8 @@ def _multiply(target, factor):
 
 
 class AudioFrame(_Sums, _Samples, _Rated if has_recording else object):
+    __setattr__ = refuse_attribute
+
     def __init__(self, *args, **kwargs):
         self._fill(*_frame_size(*args, **kwargs))
 
@@ -309,6 +315,8 @@ else:
 
 
 class AudioRecording(_Samples, _Rated):
+    __setattr__ = refuse_attribute
+
     def __init__(self, duration, rate=_RECORDING_RATE):
         rate = _rate(rate)
         self._fill(_size(duration, rate, "duration out of bounds"), rate)
@@ -329,13 +337,15 @@ class AudioRecording(_Samples, _Rated):
 
 
 class AudioTrack(_Sums, _Rated):
+    __setattr__ = refuse_attribute
+
     # Part of a buffer: what is changed here changes there.
     def __init__(self, buffer, rate=_RECORDING_RATE):
-        self._rate = _rate(rate)
+        put(self, "_rate", _rate(rate))
         if isinstance(buffer, (str, bytes)):
             # These must not change.
             buffer = bytearray(raw(buffer))
-        self._data = buffer._data if isinstance(buffer, (_Samples, AudioTrack)) else memoryview(buffer)
+        put(self, "_data", buffer._data if isinstance(buffer, (_Samples, AudioTrack)) else memoryview(buffer))
 
     def _copy(self):
         # On the device too: the sum of two tracks lies in the memory of the first.

@@ -119,6 +119,7 @@ import _import
 
 sys.path[:] = ["", "/lib"]
 for _module_of_ours in sys.modules.values():
+    _sim.seal_types(_module_of_ours)
     # Built in, as far as a program can see.
     if hasattr(_module_of_ours, "__file__"):
         del _module_of_ours.__file__

@@ -2,15 +2,17 @@
 # they had. Loaded on that board alone (microbit.py).
 # Source: calliope-mini/calliope-mini-micropython, source/microbit (modmicrobit.cpp, calliopeled.cpp).
 import _hal as _h
-from _sim import ints as _ints
+from _sim import ints as _ints, put as _put, refuse_attribute as _refuse_attribute
 from microbit import *
 from microbit import pin_A0_SCL, pin_A0_SDA, pin_A1_RX, pin_A1_TX, pin_RGB, ws2812_write as _write
 
 
 class CalliopeLED:
     # The old boards have one RGB LED; here all three show its colour.
+    __setattr__ = _refuse_attribute
+
     def __init__(self):
-        self._colors = [0, 0, 0]
+        _put(self, "_colors", [0, 0, 0])
 
     def __repr__(self):
         return "<CalliopeLED>"

@@ -1,7 +1,7 @@
 # open() and input() of the device. Behaviour and errors: MicroPython microbitfs.c; input: lib/mp-readline.
 import builtins
 import _hal
-from _sim import addressof, ints, raw, room, text as as_text, unchecked_text
+from _sim import addressof, ints, put, raw, refuse_attribute, room, text as as_text, unchecked_text
 
 _open = _hal.file_open
 _read = _hal.file_read
@@ -18,11 +18,13 @@ _END_OF_INPUT = 4
 
 class FileIO:
     # Open files live here alone: the board's file system keeps no list of them.
+    __setattr__ = refuse_attribute
+
     def __init__(self, file, name, writable):
-        self._file = file
-        self._place = 0
-        self._name = name
-        self._writable = writable
+        put(self, "_file", file)
+        put(self, "_place", 0)
+        put(self, "_name", name)
+        put(self, "_writable", writable)
 
     def _get(self, unit, n):
         file = self._file
@@ -35,7 +37,7 @@ class FileIO:
             raise OSError(-n)
         data = bytearray(n)
         _read(file, self._place, addressof(data), n)
-        self._place += n
+        put(self, "_place", self._place + n)
         return bytes(data)
 
     def read(self, _n=-1):
@@ -62,7 +64,7 @@ class FileIO:
         n = _write(self._file, addressof(data), len(data))
         if n < 0:
             if n != -_EBADF:
-                self._file = None
+                put(self, "_file", None)
             raise OSError(-n)
         return n
 
@@ -73,7 +75,7 @@ class FileIO:
         return self._writable
 
     def close(self):
-        self._file = None
+        put(self, "_file", None)
 
     def __enter__(self):
         return self

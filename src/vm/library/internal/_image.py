@@ -1,6 +1,6 @@
 # Image. Behaviour and errors: micropython-microbit-v2 microbit_image.c.
 import _hal
-from _sim import addressof, ints
+from _sim import addressof, ints, put, refuse_attribute
 
 _glyph = _hal.glyph
 _head = _hal.image_head
@@ -43,6 +43,8 @@ _CONSTANTS = (
 
 class MicroBitImage:
     # One attribute, the buffer: each further one would make three objects more.
+    __setattr__ = refuse_attribute
+
     def __init__(self, *args):
         n = len(args)
         if n == 0:
@@ -56,7 +58,8 @@ class MicroBitImage:
                 _glyph(text, addressof(self._b) + _HEAD)
             else:
                 size = _size(text)
-                self._b = b = bytearray((size >> 12) * (size & 4095) + _HEAD)
+                b = bytearray((size >> 12) * (size & 4095) + _HEAD)
+                put(self, "_b", b)
                 if not _parse(addressof(b)):
                     raise ValueError("unexpected character in Image definition")
         elif n == 2:
@@ -66,7 +69,8 @@ class MicroBitImage:
             except TypeError:
                 fits = False
             if fits:
-                self._b = b = bytearray(w * h + _HEAD)
+                b = bytearray(w * h + _HEAD)
+                put(self, "_b", b)
                 _head(addressof(b), w, h)
             else:
                 self._sized(w, h)
@@ -87,7 +91,8 @@ class MicroBitImage:
                 raise ValueError("image data is incorrect size")
         elif w < 0 or h < 0:
             bytearray(-1)
-        self._b = b = bytearray(w * h + _HEAD)
+        b = bytearray(w * h + _HEAD)
+        put(self, "_b", b)
         _head(addressof(b), w, h)
         if data is not None:
             b[_HEAD:] = data
@@ -138,14 +143,16 @@ class MicroBitImage:
     def copy(self):
         b = self._b
         image = _new(MicroBitImage)
-        image._b = to = bytearray(len(b))
+        to = bytearray(len(b))
+        put(image, "_b", to)
         _copy(addressof(b), addressof(to))
         return image
 
     def invert(self):
         b = self._b
         image = _new(MicroBitImage)
-        image._b = to = bytearray(len(b))
+        to = bytearray(len(b))
+        put(image, "_b", to)
         _invert(addressof(b), addressof(to))
         return image
 
@@ -158,7 +165,8 @@ class MicroBitImage:
         except TypeError:
             ints(x, y, w, h)
         image = _new(MicroBitImage)
-        image._b = to = bytearray(w * h + _HEAD)
+        to = bytearray(w * h + _HEAD)
+        put(image, "_b", to)
         _crop(addressof(self._b), x, y, w, h, addressof(to))
         return image
 
@@ -238,14 +246,16 @@ def _shifted(b, x, y):
     # As high as it is wide, as on the device (image_shift).
     w = b[0] | b[1] << 8
     image = _new(MicroBitImage)
-    image._b = to = bytearray(w * w + _HEAD)
+    to = bytearray(w * w + _HEAD)
+    put(image, "_b", to)
     _crop(addressof(b), x, y, w, w, addressof(to))
     return image
 
 
 def _plus(a, b, sign):
     image = _new(MicroBitImage)
-    image._b = to = bytearray(len(a))
+    to = bytearray(len(a))
+    put(image, "_b", to)
     if not _sum(addressof(a), addressof(b), sign, addressof(to)):
         raise ValueError("images must be the same size")
     return image
@@ -255,7 +265,8 @@ def _scaled(b, factor):
     if factor < 0:
         raise ValueError("brightness multiplier must not be negative")
     image = _new(MicroBitImage)
-    image._b = to = bytearray(len(b))
+    to = bytearray(len(b))
+    put(image, "_b", to)
     _scale(addressof(b), factor, addressof(to))
     return image
 
@@ -269,7 +280,8 @@ def _number(value):
 def _add_constants(words):
     for i in range(0, len(words), 2):
         image = _new(MicroBitImage)
-        image._b = b = bytearray(25 + _HEAD)
+        b = bytearray(25 + _HEAD)
+        put(image, "_b", b)
         _unpack(int(words[i + 1], 32), addressof(b))
         setattr(MicroBitImage, words[i], image)
 

@@ -1,15 +1,17 @@
 # The microphone. Names and errors: micropython-microbit-v2 microbit_microphone.c, microbit_soundevent.c.
 import _hal
 from _audio import AudioFrame, AudioRecording, AudioTrack, rate_of
-from _sim import addressof, ints, number, refuse_attribute
+from _sim import addressof, ints, number, put, refuse_attribute
 
 _has = _hal.board_has
 _level = _hal.mic_level
 
 
 class MicroBitSoundEvent:
+    __setattr__ = refuse_attribute
+
     def __init__(self, name):
-        self._name = name
+        put(self, "_name", name)
 
     def __repr__(self):
         return "SoundEvent('" + self._name + "')"

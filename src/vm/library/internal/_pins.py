@@ -1,6 +1,6 @@
 # Pins, touch pads and buttons. Names and errors: micropython-microbit-v2 microbit_pin.c, microbit_pinmode.c, microbit_button.c.
 import _hal
-from _sim import ints, refuse_attribute
+from _sim import ints, put, refuse_attribute
 
 _read = _hal.pin_read
 _write = _hal.pin_write
@@ -15,7 +15,6 @@ _pressed = _hal.button_is
 _was_pressed = _hal.button_was
 _presses = _hal.button_presses
 
-_set = object.__setattr__
 _counts_touches = _hal.board_has("touch-counts")
 
 _HELD = -1
@@ -33,7 +32,7 @@ class MicroBitDigitalPin:
     __setattr__ = refuse_attribute
 
     def __init__(self, n):
-        _set(self, "_n", n)
+        put(self, "_n", n)
 
     def __repr__(self):
         return "<" + type(self).__name__ + ">"
@@ -107,7 +106,7 @@ class MicroBitTouchOnlyPin:
     __setattr__ = refuse_attribute
 
     def __init__(self, n):
-        _set(self, "_n", n)
+        put(self, "_n", n)
 
     __repr__ = MicroBitDigitalPin.__repr__
 
@@ -159,7 +158,7 @@ class MicroBitButton:
     __setattr__ = refuse_attribute
 
     def __init__(self, n):
-        _set(self, "_n", n)
+        put(self, "_n", n)
 
     __repr__ = MicroBitDigitalPin.__repr__
 

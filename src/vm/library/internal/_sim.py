@@ -32,9 +32,41 @@ def room(buffer):
     return bytearray_at(addressof(buffer), len(bytes(memoryview(buffer))))
 
 
+# Sets an attribute of an object of the library.
+put = object.__setattr__
+_types = set()
+
+
 def refuse_attribute(thing, name, value):
     """Raises the device's error when a program sets an attribute of one of its objects: as their __setattr__."""
-    raise AttributeError("'%s' object has no attribute '%s'" % (type(thing).__name__, name))
+    if type(thing) in _types:
+        raise AttributeError("'%s' object has no attribute '%s'" % (type(thing).__name__, name))
+    # Of a class of the program's own, which is built on one of the library's.
+    put(thing, name, value)
+
+
+# py/obj.h, mp_obj_type_t: the place of a type's names among its slots, and the slots; mp_obj_dict_t: the map's flags.
+_PLACE_OF_NAMES = 19
+_SLOTS = 20
+_FLAGS = 4
+_IS_FIXED = 2
+
+
+def seal_types(module):
+    """On the device types lie in flash memory: from now on nobody changes what these have."""
+    # One of these modules is the simulation itself, which has no such table.
+    for value in getattr(module, "__dict__", {}).values():
+        kind = value if isinstance(value, type) else type(value)
+        if kind not in _types and getattr(kind, "__setattr__", None) is refuse_attribute:
+            _types.add(kind)
+            place = bytearray_at(id(kind) + _PLACE_OF_NAMES, 1)[0]
+            names = _word(id(kind) + _SLOTS + 4 * (place - 1))
+            bytearray_at(names + _FLAGS, 1)[0] |= _IS_FIXED
+
+
+def _word(address):
+    a, b, c, d = bytearray_at(address, 4)
+    return a | b << 8 | c << 16 | d << 24
 
 
 def ints(*values):

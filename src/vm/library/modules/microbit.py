@@ -11,7 +11,15 @@ from _image import MicroBitImage as Image
 from _microphone import MicroBitMicrophone as _Microphone, MicroBitSoundEvent as SoundEvent
 from _motion import MicroBitAccelerometer as _Accelerometer
 from _pins import MicroBitButton as _Button, board_pins as _board_pins, pin_number as _pin_number
-from _sim import addressof as _addressof, ints as _ints, number as _number, raw as _raw, remember as _remember
+from _sim import (
+    addressof as _addressof,
+    ints as _ints,
+    number as _number,
+    put as _put,
+    raw as _raw,
+    refuse_attribute as _refuse_attribute,
+    remember as _remember,
+)
 
 _sleep = _h.sleep_ms
 _spend = _h.spend_scale
@@ -85,9 +93,11 @@ def ws2812_write(pin, buf):
     _h.ws2812_write(n, _addressof(buf), len(buf))
 
 
-class _RunEvery:
+class run_every:
+    __setattr__ = _refuse_attribute
+
     def __init__(self, period):
-        self._period = period
+        _put(self, "_period", period)
 
     def __call__(self, *callbacks):
         if len(callbacks) != 1:
@@ -99,6 +109,9 @@ class _RunEvery:
 
     def __repr__(self):
         return "<run_every>"
+
+
+_RunEvery = run_every
 
 
 def run_every(callback=None, *, days=0, h=0, min=0, s=0, ms=0):
