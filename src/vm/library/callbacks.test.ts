@@ -26,10 +26,10 @@ print(running_time() // 100)`;
     expect(linesOf(program)).toEqual(['30']);
   });
 
-  it('goes on during a scroll, a melody, input and a pulse', () => {
+  it('goes on during a sleep, a melody and input', () => {
     const run = play(`
 from microbit import *
-import music, machine
+import music, time
 n = 0
 @run_every(ms=100)
 def tick():
@@ -39,12 +39,51 @@ def count(f, *a):
     before = n
     f(*a)
     print(n > before + 3)
-count(display.scroll, 'hello')
+count(sleep, 1000)
+count(time.sleep, 1)
 count(music.play, 'c:16')
-count(machine.time_pulse_us, pin1, 1)
 count(input)`);
     run.until(15_000).vm.feed('x\r');
     expect(run.until(25_000).printed()).toBe('True\nTrue\nTrue\nx\nTrue\n');
+  });
+
+  it.each([
+    "display.scroll('hello')",
+    "display.show('abcd', 300)",
+    'display.show([Image.HEART] * 4, 300)',
+    'machine.time_pulse_us(pin1, 1, 1020000)',
+    'time.sleep_us(1020000)',
+  ])('waits as on the device while the program waits in %s: four calls are kept, and run at its next jump', (call) => {
+    const program = `
+import machine, time
+n = 0
+@run_every(ms=50)
+def tick():
+    global n
+    n += 1
+while n < 1:
+    pass
+before = n
+${call}
+after = n
+sleep(10)
+print(after - before, n - after)`;
+    expect(linesOf(program)).toEqual(['0 4']);
+  });
+
+  it('raises the error of a callback when the text has scrolled through', () => {
+    const run = play(`
+from microbit import *
+@run_every(ms=100)
+def tick():
+    nothing
+display.scroll('hello')
+print(running_time() // 100)
+sleep(20)
+print('on')`).until(9000);
+    expect(run.printed().split('\n')[0]).toBe('40');
+    expect(run.printed()).not.toContain('on\n');
+    expect(run.ended()?.exception).toMatchObject({ type: 'NameError', line: 5 });
   });
 
   it('lets a callback sleep itself', () => {

@@ -48,13 +48,13 @@ err(time.sleep_us, None)`;
 });
 
 describe('machine', () => {
-  it('measures a pulse of 583 µs exactly and knows both time-outs', () => {
+  it('measures a pulse of 583 µs exactly and knows both time-outs; the level is any truth value', () => {
     const program = `
 import machine
 print(machine.time_pulse_us(pin1, 1))
 print(machine.time_pulse_us(pin1, 1, 2000), machine.time_pulse_us(pin1, 0, 2000))
 err(machine.time_pulse_us, 5, 1)
-err(machine.time_pulse_us, pin1, None)
+print([machine.time_pulse_us(pin1, level, 9) for level in (True, 5, 'high', 1.0, None, '', 0)])
 err(machine.time_pulse_us, pin1, 1, 'a')
 print(machine.freq(), len(machine.unique_id()))
 machine.enable_irq(machine.disable_irq())
@@ -69,7 +69,7 @@ err(lambda: machine.mem32[0])`;
       '583',
       '-2 -1',
       'TypeError: expecting a pin',
-      "TypeError: can't convert NoneType to int",
+      '[-2, -2, -2, -2, -1, -1, -1]',
       "TypeError: can't convert str to int",
       '64000000 8',
       'NotImplementedError: reading machine.mem32[0x00000000] is not simulated',

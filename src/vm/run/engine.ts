@@ -306,8 +306,8 @@ export class Engine implements Machine {
 
   /** Inside a callback the scheduler is locked: no callback can run, and an interrupt waits for its end. */
   private isOver(wait: Wait): boolean {
-    const wantsToRun = !wait.solid && (this.firmware.queued() & WANTS_TO_RUN) !== 0;
-    return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || wantsToRun || this.ending;
+    const isCut = wait.solid !== true && (this.firmware.queued() & (wait.deaf ? EXCEPTION_WAITS : WANTS_TO_RUN)) !== 0;
+    return this.clock.nowUs >= wait.untilUs || wait.ready?.() === true || isCut || this.ending;
   }
 
   /** Lets the time of printing pass. @returns false if the available time is used up before */

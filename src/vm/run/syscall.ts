@@ -26,12 +26,14 @@ export interface Machine {
 
 /**
  * Returned by a syscall that blocks. The VM lets time pass until `untilUs`, until `ready()` (called after every alarm)
- * is true, or until a callback or an interrupt is queued. Then Python gets `result()`.
+ * is true, or until a callback or an interrupt is queued, unless it is deaf or solid. Then Python gets `result()`.
  */
 export interface Wait {
   readonly untilUs: number;
   /** True for uninterruptible actions of the device (a transfer): callbacks and Ctrl-C wait for their end. */
   readonly solid?: boolean;
+  /** True where the device never looks at its queue: callbacks wait for the end, a Ctrl-C ends it. */
+  readonly deaf?: boolean;
   ready?(): boolean;
   result(): Value;
 }

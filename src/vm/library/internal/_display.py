@@ -11,7 +11,8 @@ _add_text = _hal.display_add_text
 _run = _hal.display_run
 _turn = _hal.display_turn
 _moves_on = _hal.display_moves_on
-_busy = _hal.display_busy
+# Callbacks that come meanwhile run at the program's next jump: so no jump may follow it here.
+_wait = _hal.display_wait
 _set_pixel = _hal.display_set_pixel
 _get_pixel = _hal.display_get_pixel
 _is_on = _hal.display_is_on
@@ -22,12 +23,6 @@ _str = str
 _NUMBERS = (int, float, bool)
 # A text that is made anew is looked for among all names.
 _DIGITS = tuple("0123456789")
-
-
-def _wait():
-    # A callback in between ends the syscall early: ask again until the animation is over.
-    while _busy():
-        pass
 
 
 def _add(frame):
@@ -143,11 +138,13 @@ class MicroBitDisplay:
             added = _add(frame)
             if not added:
                 break
-        is_moving = _run(delay, bool(loop), bool(clear))
-        if is_moving and wait:
-            _wait()
+        waits = _run(delay, bool(loop), bool(clear)) and wait
         if added is None:
+            if waits:
+                _wait()
             raise TypeError("not an image")
+        if waits:
+            _wait()
 
     def scroll(self, text, delay=150, *, wait=True, monospace=False, loop=False):
         text = str(text) if isinstance(text, (int, float, bool)) else as_text(text)

@@ -1,18 +1,19 @@
 # The device's machine module: micropython-microbit-v2 modmachine.c, MicroPython extmod/machine_mem.c.
 import _hal as _h
 from _pins import pin_number as _pin_number
-from _sim import addressof as _addressof, ints as _ints
+from _sim import addressof as _addressof, ints as _ints, put as _put, refuse_attribute as _refuse_attribute
 from microbit import reset
 
 _pulse = _h.pulse
-_pulse_on = _h.pulse_on
 
 
 class _Memory:
     """Bytes, half words or words of the chip. Only what names the chip is there to read (hal-device.ts)."""
 
+    __setattr__ = _refuse_attribute
+
     def __init__(self, bits):
-        self._bits = bits
+        _put(self, "_bits", bits)
 
     def __repr__(self):
         return "<%u-bit memory>" % self._bits
@@ -45,13 +46,10 @@ mem32 = _Memory(32)
 
 
 def time_pulse_us(pin, level, _timeout_us=1000000):
-    t = _pulse(_pin_number(pin), level, _timeout_us)
-    if t is None:
-        _ints(level, _timeout_us)
-    while t < -2:
-        # A callback came in between; the measurement goes on meanwhile.
-        t = _pulse_on(t)
-    return t
+    n = _pin_number(pin)
+    _ints(_timeout_us)
+    # Callbacks that came meanwhile run at the program's next jump: here is none after the measurement.
+    return _pulse(n, True if level else False, _timeout_us)
 
 
 def unique_id():

@@ -32,9 +32,7 @@ def sleep_ms(ms):
 
 def sleep_us(us):
     _ints(us)
-    t = _sleep_us(us)
-    if t:
-        _rest(t)
+    _sleep_us(us)
 
 
 def ticks_ms():

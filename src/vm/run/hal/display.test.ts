@@ -35,7 +35,7 @@ describe('display syscalls', () => {
   it('waits 804 ms for two characters of 400 ms on the 6 ms tick', () => {
     const { call, bench } = createHalBench();
     call('display_show_text', 'AB', 400, false, false);
-    expect(call('display_busy')).toBe(false);
+    expect(call('display_wait')).toBe(null);
     expect(bench.nowMs).toBe(804);
   });
 
@@ -46,16 +46,17 @@ describe('display syscalls', () => {
     call('display_add_image', put([1, 0, 1, 0, 0, 9]));
     call('display_add_text', 'I');
     expect(call('display_run', 100, false, true)).toBe(true);
-    expect(call('display_busy')).toBe(false);
+    expect(call('display_wait')).toBe(null);
     expect(bench.picture()).toBe('.....\n.....\n.....\n.....\n.....');
   });
 
-  it('tells a waiting program that a callback came in between, and does not wait for a later animation', () => {
-    const { call, interrupted } = withHeart();
+  it('ends what moves when the wait is cut short by a Ctrl-C', () => {
+    const { bench, call, interrupted } = withHeart();
     call('display_scroll', 'hello', 150, false, false);
-    expect(interrupted(1000, 'display_busy')).toBe(true);
-    call('display_show_image', AT);
-    expect(call('display_busy')).toBe(false);
+    expect(interrupted(1000, 'display_wait')).toBe(null);
+    const picture = bench.picture();
+    bench.passMs(1000);
+    expect(bench.picture()).toBe(picture);
   });
 
   it('checks places and brightness', () => {

@@ -19,7 +19,8 @@ const BAD_BRIGHTNESS = -2;
  *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
- * - display_busy() waits until the present animation is over or replaced → True if a callback came in between
+ * - display_wait() waits until the present animation is over; callbacks wait, too, and a Ctrl-C ends it (drv_display.c,
+ *   wait_for_event)
  * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
  * - display_on() → None or the device's words · display_off() · display_is_on() → bool · display_rotate(quarterTurns)
  * - glyph(character, address): writes 25 pixels
@@ -84,11 +85,15 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
       display.clear();
       return null;
     },
-    display_busy: (): Wait => {
-      const awaited = stage.turn();
-      const isOver = (): boolean => stage.turn() !== awaited || !display.isAnimating;
-      return { untilUs: isOver() ? machine.clock.nowUs : Infinity, ready: isOver, result: () => !isOver() };
-    },
+    display_wait: (): Wait => ({
+      untilUs: display.isAnimating ? Infinity : machine.clock.nowUs,
+      deaf: true,
+      ready: () => !display.isAnimating,
+      result: () => {
+        display.stopAnimation();
+        return null;
+      },
+    }),
   };
 }
 

@@ -8,8 +8,8 @@ import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
 const TICKS_PERIOD = 0x40000000; // MicroPython extmod/modtime.c on 32 bits: ticks wrap at 2³⁰
 const NO_NUMBER = -1;
-/** Shorter pauses are spent at once, like the device's busy loop; longer ones let callbacks in. Chosen: one ms. */
-const BUSY_PAUSE_US = 1000;
+/** Shorter pauses are spent at once; in longer ones the program can be suspended. Chosen: one ms. */
+const SHORT_PAUSE_US = 1000;
 const DAY_MS = 86_400_000;
 const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are served every 6 ms
 
@@ -17,12 +17,13 @@ const RUN_EVERY_GRID_US = 6000; // micropython-microbit-v2 main.cpp: timers are 
  * Time on the simulated clock.
  *
  * - ticks_us(), ticks_ms() → wrap at 2³⁰ · running_time() → ms; all since the last reset
- * - sleep_ms(ms), sleep_s(s), sleep_us(us) → 0 when slept to the end, −1 for no number and for negative numbers (a
+ * - sleep_us(us): without callbacks
+ * - sleep_ms(ms), sleep_s(s) → 0 when slept to the end, −1 for no number and for negative numbers (a
  *   number of more than 32 bits may arrive as one), otherwise (a callback came in between) a moment for
  *   sleep_until(moment), which answers in the same way
  * - run_every(callback, days, ms): queues the callback on the 6 ms grid · run_every_stop(): ends all of them
  * - set_irq(on) → the previous value; while off no callback is queued
- * - pulse(n, level, timeoutUs), pulse_on(token): see `createPulseCalls`
+ * - pulse(n, level, timeoutUs): see `createPulseCalls`
  */
 export function createTimeCalls(machine: Machine, board: Board): SyscallTable {
   return { ...clockCalls(machine, board), ...callbackCalls(machine), ...createPulseCalls(machine, board) };
@@ -71,10 +72,11 @@ function clockCalls(machine: Machine, board: Board): SyscallTable {
       return sleep(inUs(seconds === null ? null : Math.trunc(Math.fround(Math.fround(seconds) * 1000))));
     },
     sleep_us: (value) => {
-      const us = whole(value);
-      if (us === null || us > BUSY_PAUSE_US) return sleep(us);
-      machine.spend(callUs + Math.max(us, 0));
-      return 0;
+      // A busy loop, during which no callback comes: mphalport.c, mp_hal_delay_us.
+      const us = Math.max(whole(value) ?? 0, 0);
+      machine.spend(callUs + Math.min(us, SHORT_PAUSE_US));
+      if (us <= SHORT_PAUSE_US) return null;
+      return { untilUs: clock.nowUs + us - SHORT_PAUSE_US, solid: true, result: () => null };
     },
     sleep_until: (moment) => sleepUntil(Number(textOf(moment))),
   };
@@ -117,77 +119,59 @@ function callbackCalls(machine: Machine): SyscallTable {
   };
 }
 
-/** A current measurement; it continues while a callback runs. */
+/** A current measurement. */
 interface Pulse {
-  readonly timeoutUs: number;
   /** Start of the present phase: waiting for the level, then measuring its length. */
   sinceUs: number;
   measuring: boolean;
   answer: number | null;
-  readonly stop: Stop;
 }
 
 const TOO_LONG = -1;
 const NEVER_BEGAN = -2;
-const FIRST_TOKEN = -3;
 
 /**
  * machine.time_pulse_us, exact to the µs: pulse(n, level, timeoutUs) → length of the pulse, −2 if it did not begin in
- * time, −1 if it did not end in time; a smaller number is a token for pulse_on(token), given if a callback came in
- * between. A level that is already there counts as begun. Source: MicroPython extmod/machine_pulse.c.
+ * time, −1 if it did not end in time. A level that is already there counts as begun. It is a busy loop, during which no
+ * callback comes. Source: MicroPython extmod/machine_pulse.c.
  */
 function createPulseCalls(machine: Machine, board: Board): SyscallTable {
   const { clock } = machine;
   const { callUs } = board.type.costsUs;
   const pins = pinsByNumber(board);
-  const running = new Map<number, Pulse>();
-  machine.onEnd(() => running.forEach((pulse) => pulse.stop()));
-
-  const endUs = (pulse: Pulse): number => pulse.sinceUs + pulse.timeoutUs;
-  const isOver = (pulse: Pulse): boolean => pulse.answer !== null || clock.nowUs >= endUs(pulse);
-  const wait = (token: number, pulse: Pulse): Wait => ({
-    get untilUs() {
-      return endUs(pulse); // later once the level has come
-    },
-    ready: () => isOver(pulse),
-    result: () => {
-      if (!isOver(pulse)) return token;
-      pulse.stop();
-      running.delete(token);
-      return pulse.answer ?? (pulse.measuring ? TOO_LONG : NEVER_BEGAN);
-    },
-  });
-  const begin = (pin: Pin, wanted: Level, timeoutUs: number): Pulse => {
+  let stop: Stop = () => undefined; // nothing else runs during a measurement, so there is only one
+  machine.onEnd(() => stop());
+  const measure = (pin: Pin, wanted: Level, timeoutUs: number): Wait => {
     // The device also measures on a held pin.
     const level = pin.acquire('read_digital') === null ? pin.readDigital() : pin.wire.level;
-    const measuring = level === wanted;
-    const edge = (now: Level): void => {
-      if (isOver(pulse)) return;
+    const pulse: Pulse = { sinceUs: clock.nowUs, measuring: level === wanted, answer: null };
+    const endUs = (): number => pulse.sinceUs + timeoutUs; // later once the level has come
+    const isOver = (): boolean => pulse.answer !== null || clock.nowUs >= endUs();
+    stop = pin.wire.onLevel((now) => {
+      if (isOver()) return;
       if (pulse.measuring && now !== wanted) pulse.answer = clock.nowUs - pulse.sinceUs;
       if (!pulse.measuring && now === wanted) {
         pulse.measuring = true;
         pulse.sinceUs = clock.nowUs;
       }
+    });
+    return {
+      get untilUs() {
+        return endUs();
+      },
+      solid: true,
+      ready: isOver,
+      result: () => {
+        stop();
+        return pulse.answer ?? (pulse.measuring ? TOO_LONG : NEVER_BEGAN);
+      },
     };
-    const pulse: Pulse = { timeoutUs, sinceUs: clock.nowUs, measuring, answer: null, stop: pin.wire.onLevel(edge) };
-    return pulse;
   };
   return {
     pulse: (n, level, timeoutUs) => {
       machine.spend(callUs);
       const pin = entryOf(pins, n);
-      const timeout = wholeOf(timeoutUs);
-      if (wholeOf(level) === null || timeout === null) return null;
-      if (!pin) return NEVER_BEGAN;
-      let token = FIRST_TOKEN;
-      while (running.has(token)) token--;
-      const pulse = begin(pin, wholeOf(level) ? 1 : 0, Math.max(timeout, 0));
-      running.set(token, pulse);
-      return wait(token, pulse);
-    },
-    pulse_on: (token) => {
-      const pulse = running.get(wholeOf(token) ?? 0);
-      return pulse ? wait(wholeOf(token) ?? 0, pulse) : NEVER_BEGAN;
+      return pin ? measure(pin, level === true ? 1 : 0, Math.max(wholeOf(timeoutUs) ?? 0, 0)) : NEVER_BEGAN;
     },
   };
 }
