@@ -137,7 +137,7 @@ export class Pin {
   /**
    * Changes the PWM period of this and every other pin. A free pin that is not an analog output yet becomes one, at 0.
    *
-   * @returns false for the device's ValueError "invalid period", with nothing changed
+   * @returns false, with nothing changed, for one that the hardware cannot do (the firmware does not hand this on)
    */
   setAnalogPeriodUs(periodUs: number): boolean {
     if (!this.pwm.setPeriodUs(periodUs)) return false;

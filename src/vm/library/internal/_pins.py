@@ -81,12 +81,12 @@ class MicroBitDigitalPin:
 
     def set_analog_period(self, period):
         ints(period)
-        self.set_analog_period_microseconds(period * 1000)
+        # As many bits as the device has; more would not reach the simulation.
+        _hal.pin_set_period(self._n, (period * 1000 + 0x80000000 & 0xFFFFFFFF) - 0x80000000)
 
     def set_analog_period_microseconds(self, period):
         ints(period)
-        if _hal.pin_set_period(self._n, period):
-            raise ValueError("invalid period")
+        _hal.pin_set_period(self._n, period)
 
     def get_analog_period_microseconds(self):
         return _hal.pin_period(self._n)

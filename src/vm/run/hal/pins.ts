@@ -29,7 +29,7 @@ export function pinsByNumber(board: Board): readonly (Pin | undefined)[] {
  * - pin_read(n) → 0, 1 or −1 (held) · pin_write(n, level) → 0, −1 (held), −2 (not 0 or 1)
  * - pin_read_analog(n) → 0 … 1023 or −1 · pin_write_analog(n, value) → 0, −1, −2 (not 0 … 1023), −3 (no number)
  * - pin_modes() → the modes' names, separated by blanks · pin_mode(n) → text, pin_mode_place(n) → its place among them · pin_pull(n) → 0 up, 1 down, 2 none, or −1 · pin_set_pull(n, pull) → 0 or −1
- * - pin_period(n) → µs or −1 (no analog output) · pin_set_period(n, us) → 0 or −2
+ * - pin_period(n) → µs or −1 (no analog output) · pin_set_period(n, us): one that the hardware cannot do changes nothing, and the device says nothing
  * - touch_is(n), touch_was(n) → bool or None (held) · touch_count(n) → count or −1 · touch_set_kind(n, kind) → 0 or −1
  * - button_is(i), button_was(i) → bool · button_presses(i) → count; i: 0 is A, 1 is B
  * - ws2812_write(n, address, bytes)
@@ -116,7 +116,8 @@ function analog(machine: Machine, board: Board): SyscallTable {
     },
     pin_set_period: (n, us) => {
       machine.spend(callUs);
-      return at(n)?.setAnalogPeriodUs(wholeOf(us) ?? 0) ? 0 : OUT_OF_RANGE;
+      at(n)?.setAnalogPeriodUs(wholeOf(us) ?? 0);
+      return null;
     },
   };
 }
