@@ -144,7 +144,7 @@ export class Display {
     this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });
   }
 
-  /** The picture of a character, 25 brightnesses 0 or 9. */
+  /** The picture of a character, 25 brightnesses 0 or 9: of its first byte, as the device counts. */
   glyph(char: string): Uint8Array {
     return glyphOf(char);
   }

@@ -1,4 +1,4 @@
-import { glyphOf } from './glyph';
+import { bytesOf, glyphOf } from './glyph';
 
 /** Pictures that follow each other on the display. */
 export interface Film {
@@ -61,12 +61,3 @@ function widthOf(glyph: readonly Column[]): number {
 }
 
 const isLit = (column: Column | undefined): boolean => column?.some((value) => value > 0) ?? false;
-
-/** The characters of a text as the device counts them. It knows bytes: an umlaut is two unknown characters. */
-function* bytesOf(text: string): Generator<string> {
-  for (const char of text) {
-    const code = char.codePointAt(0) ?? 0;
-    const byteCount = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
-    for (let i = 0; i < byteCount; i++) yield byteCount === 1 ? char : '\u{fffd}';
-  }
-}

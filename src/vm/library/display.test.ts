@@ -53,6 +53,14 @@ print(display.get_pixel(0, 4) + display.get_pixel(1, 0))`;
     expect(linesOf(program)).toEqual(['5', '204', '18']);
   });
 
+  it('counts bytes, as the device does: an umlaut is two unknown characters, and no single one in a list', () => {
+    const program = `
+print(exact(display.show, 'ä'), exact(display.show, 'Tür', 100), exact(display.show, ['ä', 'b']), exact(display.show, ['a', '€', 'b'], 90))
+display.show('é')
+print(''.join(str(display.get_pixel(x, 0)) for x in range(5)))`;
+    expect(linesOf(program)).toEqual(['804 408 0 90', '09990']);
+  });
+
   it('ends a sequence without an error at a text of two letters, as the device does', () => {
     expect(
       linesOf("print(took(display.show, ['A', 'BC', 'D'], 100) < 103)\nprint(took(display.show, ['AB']))"),

@@ -15,6 +15,12 @@ print(repr(Image('A')))`;
     ]);
   });
 
+  it('is not made from a sign of more than one byte', () => {
+    expect(linesOf("err(Image, 'ä')\nerr(Image, '9é:')")).toEqual(
+      ['ä', 'é'].map(() => 'ValueError: unexpected character in Image definition'),
+    );
+  });
+
   it('prints itself over several lines', () => {
     expect(linesOf("print(Image('12:34'))")).toEqual(['Image(', "    '12:'", "    '34:'", ')']);
   });

@@ -26,15 +26,13 @@ _DIGITS = tuple("0123456789")
 
 
 def _add(frame):
-    """Adds one picture to the sequence. False at a text that is no single character, which ends it; None at anything else."""
+    """Adds one picture to the sequence. False at a text that is not of one byte, which ends it; None at anything else."""
     if isinstance(frame, MicroBitImage):
         _add_image(addressof(frame._b))
     elif not isinstance(frame, str):
         return None
-    elif len(frame) == 1:
-        _add_text(frame)
     else:
-        return False
+        return _add_text(frame)
     return True
 
 

@@ -53,7 +53,7 @@ class MicroBitImage:
             text = args[0]
             if not isinstance(text, str):
                 raise TypeError("Image(s) takes a string")
-            if len(text) == 1:
+            if len(text) == 1 and text < "\x80":
                 self._sized(5, 5)
                 _glyph(text, addressof(self._b) + _HEAD)
             else:

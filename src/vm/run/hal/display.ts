@@ -1,4 +1,5 @@
 import type { Board } from '#board/board';
+import { bytesOf } from '#board/display/glyph';
 import { textOf, wholeOf } from '../arguments';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 import { pictureAt } from './image';
@@ -15,7 +16,7 @@ const BAD_BRIGHTNESS = -2;
  * - display_show_image(address): at once, and stays
  * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
  *   clears is shown at once, an empty text only ends what was moving
- * - display_begin(), then display_add_image(address), display_add_text(text), then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
+ * - display_begin(), then display_add_image(address), display_add_text(text) → False at a text of more or less than one byte, then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
  *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear()
@@ -70,7 +71,7 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
         display.stopAnimation();
         return false;
       }
-      const characters = given.length === 1 ? [given] : Array.from(given);
+      const characters = given.length === 1 && given < '\x80' ? [given] : [...bytesOf(given)];
       if (characters.length === 1 && loop !== true && clear !== true) {
         show(display.glyph(given));
         return false;
@@ -113,7 +114,12 @@ function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
       return null;
     },
     display_add_image: (address) => add(stage.image(address).slice()),
-    display_add_text: (text) => add(display.glyph(textOf(text))),
+    display_add_text: (text) => {
+      const [character = '', ...more] = bytesOf(textOf(text));
+      if (character === '' || more.length > 0) return false;
+      frames.push(display.glyph(character));
+      return true;
+    },
     display_run: (delayMs, loop, clear, callback) => {
       stage.begin();
       const next = wholeOf(callback) ?? -1;
