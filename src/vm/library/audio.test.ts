@@ -224,7 +224,7 @@ a += b; b -= b; e *= 2
 print(a[0], b[0], e[0])
 b.copyfrom(a)
 b.copyfrom(bytes((1, 2, 3)))
-print(b[0], b[2], b[3], bytes(b)[:3])
+print(b[0], b[2], b[3], bytes(b)[:3], b)
 err(lambda: a[32])
 err(lambda: a[-1])
 err(a.__setitem__, 0, 256)
@@ -237,7 +237,7 @@ err(lambda: a + 5)`;
       '32 128',
       '[172, 255, 0] [228, 128, 128] [164, 191, 64] [0, 0, 255]',
       '172 128 200',
-      "1 3 128 b'\\x01\\x02\\x03'",
+      "1 3 128 b'\\x01\\x02\\x03' <AudioFrame>",
       'ValueError: index out of bounds',
       'ValueError: index out of bounds',
       'ValueError: value out of range',

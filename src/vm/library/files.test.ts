@@ -22,7 +22,7 @@ print(os.listdir())`;
   it('read by lines, characters and bytes', () => {
     const program = `
 with open('daten.txt') as f:
-    print(f.name(), f.writable(), repr(f.readline()), [line for line in f], repr(f.read()))
+    print(f.name(), f.writable(), repr(f.readline()), repr(f.readline()), repr(f.read()))
 f = open('daten.txt')
 print(repr(f.read(3)), repr(f.read(8)), repr(f.read()))
 f.close()
@@ -30,7 +30,7 @@ f = open('daten.txt', 'rb')
 buffer = bytearray(4)
 print(f.readinto(buffer), buffer, f.read())`;
     expect(linesOf(program, FILES)).toEqual([
-      "daten.txt False 'eins\\n' ['zwei\\n', '\\xe4\\xf6\\n'] ''",
+      "daten.txt False 'eins\\n' 'zwei\\n' '\\xe4\\xf6\\n'",
       "'ein' 's\\nzwei\\n\\xe4' '\\xf6\\n'",
       "4 bytearray(b'eins') b'\\nzwei\\n\\xc3\\xa4\\xc3\\xb6\\n'",
     ]);
@@ -64,16 +64,53 @@ err(open, 'daten.txt', None)`;
     ]);
   });
 
-  it('write text and bytes', () => {
+  it('write text and bytes, count bytes, and take a part of what they are given', () => {
     const program = `
 with open('a', 'w') as f:
-    print(f.write('hällo\\n'), f.write('x'))
+    print(f.write('hällo\\n'), f.write('x'), f.write('abcdef', 3), f.write('abcdef', 2, 3), f.write('ab', 5, 1))
 print(repr(open('a').read()))
 f = open('b', 'wb')
 print(f.write(b'\\x01\\xff'))
 f.close()
 print(open('b', 'rb').read())`;
-    expect(linesOf(program)).toEqual(['6 1', "'h\\xe4llo\\nx'", '2', "b'\\x01\\xff'"]);
+    expect(linesOf(program)).toEqual(['7 1 3 3 0', "'h\\xe4llo\\nxabccde'", '2', "b'\\x01\\xff'"]);
+  });
+
+  it('have their last piece only when they are closed: 126 bytes with the name, and what came after it', () => {
+    const program = `
+import os
+f = open('d.txt', 'w')
+f.write('abc')
+print(repr(open('d.txt').read()), os.size('d.txt'))
+f.close()
+print(repr(open('d.txt').read()), os.size('d.txt'))
+f = open('e.txt', 'w')
+f.write('y' * 130)
+print(len(open('e.txt').read()), os.size('e.txt'))
+f.close()
+print(len(open('e.txt').read()), os.size('e.txt'))
+with open('g.py', 'w') as f:
+    f.write('x = 1')
+import g
+f = open('h.py', 'w')
+f.write('x = 1')
+import h
+print(g.x, hasattr(h, 'x'))`;
+    expect(linesOf(program)).toEqual(["'' 248", "'abc' 3", '119 374', '130 130', '1 False']);
+  });
+
+  it('are no iterables, and print as their type', () => {
+    const program = `
+err(lambda: [line for line in open('daten.txt')])
+err(list, open('daten.txt', 'rb'))
+err(next, open('daten.txt'))
+print(open('daten.txt'), [open('daten.txt', 'rb')])`;
+    expect(linesOf(program, FILES)).toEqual([
+      "TypeError: 'TextIO' object isn't iterable",
+      "TypeError: 'FileIO' object isn't iterable",
+      "TypeError: 'TextIO' object isn't an iterator",
+      '<TextIO> [<FileIO>]',
+    ]);
   });
 
   it('raise the errors of the device', () => {

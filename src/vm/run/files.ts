@@ -3,6 +3,7 @@ import { Errno } from './arguments';
 const CHUNK_BYTES = 126; // micropython microbitfs.c: chunks of 128 bytes, two of them for the links
 const CHUNK_COUNT = 192; // chosen: 24 kB of flash in chunks of 128 bytes
 const HEADER_BYTES = 2; // microbitfs.c file_header: end offset and length of the name, before the name
+const ERASED = 255; // a byte of flash that nobody has written
 const MAX_NAME_CHARACTERS = 120; // microbitfs.c: MAX_FILENAME_LENGTH
 
 /** One stored file. The object stays the same until the file is removed or overwritten. */
@@ -11,6 +12,8 @@ export interface StoredFile {
   readonly id: number;
   readonly name: string;
   bytes: Uint8Array;
+  /** False while it is being written: only `close` notes where its last chunk ends. */
+  isClosed: boolean;
 }
 
 /**
@@ -48,7 +51,9 @@ export class Files {
     if (Array.from(name).length > MAX_NAME_CHARACTERS) return -Errno.ENOENT;
     this.remove(name);
     if (this.freeChunks < 1) return -Errno.ENOSPC;
-    return this.store(name, new Uint8Array(0));
+    const file = this.store(name, new Uint8Array(0));
+    file.isClosed = false;
+    return file;
   }
 
   /** Appends bytes. If they do not fit, the whole file is lost, as on the device. @returns 0 or a negative errno */
@@ -75,7 +80,7 @@ export class Files {
   }
 
   private store(name: string, bytes: Uint8Array): StoredFile {
-    const file: StoredFile = { id: this.nextId++, name, bytes };
+    const file: StoredFile = { id: this.nextId++, name, bytes, isClosed: true };
     this.stored.set(name, file);
     this.byId.set(file.id, file);
     return file;
@@ -86,6 +91,18 @@ export class Files {
     for (const file of this.stored.values()) used += chunksOf(file.name, file.bytes.length);
     return CHUNK_COUNT - used;
   }
+}
+
+/** What a reader finds in a file: until it is closed, its last chunk reads as nothing (microbitfs.c, file_read). */
+export function readableBytes({ name, bytes, isClosed }: StoredFile): Uint8Array {
+  if (isClosed) return bytes;
+  return bytes.subarray(0, Math.max((chunksOf(name, bytes.length) - 1) * CHUNK_BYTES - headerBytes(name), 0));
+}
+
+/** What `os.size` says: until a file is closed, the place where it ends is that of erased flash (file_size). */
+export function toldSize({ name, bytes, isClosed }: StoredFile): number {
+  if (isClosed) return bytes.length;
+  return (chunksOf(name, bytes.length) - 1) * CHUNK_BYTES + ERASED - headerBytes(name);
 }
 
 /**
@@ -105,6 +122,8 @@ export function fileHint(files: Readonly<Record<string, string>>): string | null
   return `The files need ${kB(chunks)} kB on the board, which has ${kB(CHUNK_COUNT)} kB.`;
 }
 
+const headerBytes = (name: string): number => HEADER_BYTES + new TextEncoder().encode(name).length;
+
 function chunksOf(name: string, bytes: number): number {
-  return Math.floor((HEADER_BYTES + new TextEncoder().encode(name).length + bytes) / CHUNK_BYTES) + 1;
+  return Math.floor((headerBytes(name) + bytes) / CHUNK_BYTES) + 1;
 }

@@ -4,7 +4,7 @@ import { Scopes } from '../debug/scopes';
 import { wholeOf } from './arguments';
 import type { ConsolePort } from './console-port';
 import { Engine, VmFault, type Hold } from './engine';
-import type { Files } from './files';
+import { readableBytes, type Files } from './files';
 import { HAL_REFERENCE, instantiateFirmware, type Firmware, type FirmwareHost } from './firmware';
 import { createHal } from './hal/hal';
 import { createHeapCalls } from './hal/heap';
@@ -327,6 +327,8 @@ function lookupIn(files: Files, libraries: Readonly<Record<string, string>>): Fi
   return (path) => {
     if (path.startsWith('/lib/')) return deviceLibrary.get(path.slice('/lib/'.length));
     // The board's firmware loads no bytecode from files (MICROPY_PERSISTENT_CODE_LOAD is off).
-    return path.endsWith('.mpy') ? undefined : (files.find(path)?.bytes ?? sources.get(path));
+    if (path.endsWith('.mpy')) return undefined;
+    const file = files.find(path);
+    return file ? readableBytes(file) : sources.get(path);
   };
 }

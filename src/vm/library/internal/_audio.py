@@ -204,6 +204,10 @@ class _Rated:
 _SILENCE = b"\x80" * 256
 
 
+def _short(thing):
+    return "<" + type(thing).__name__ + ">"
+
+
 class _Samples:
     # Samples in memory of its own. No subclass of bytearray: that could not have *=.
     def _fill(self, size, rate):
@@ -214,7 +218,11 @@ class _Samples:
         put(self, "_rate", rate)
         return self
 
+    def __repr__(self):
+        return _short(self)
+
     def __iter__(self):
+        # For bytes(frame): the device takes a frame's buffer there, and has nothing to iterate over.
         return iter(self._data)
 
 
@@ -346,6 +354,9 @@ class AudioTrack(_Sums, _Rated):
             # These must not change.
             buffer = bytearray(raw(buffer))
         put(self, "_data", buffer._data if isinstance(buffer, (_Samples, AudioTrack)) else memoryview(buffer))
+
+    def __repr__(self):
+        return _short(self)
 
     def _copy(self):
         # On the device too: the sum of two tracks lies in the memory of the first.

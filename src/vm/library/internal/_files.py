@@ -1,7 +1,7 @@
 # open() and input() of the device. Behaviour and errors: MicroPython microbitfs.c; input: lib/mp-readline.
 import builtins
 import _hal
-from _sim import addressof, ints, put, raw, refuse_attribute, room, text as as_text, unchecked_text
+from _sim import addressof, ints, part, put, refuse_attribute, room, text as as_text, unchecked_text
 
 _open = _hal.file_open
 _read = _hal.file_read
@@ -55,18 +55,21 @@ class FileIO:
         view[: len(data)] = data
         return len(data)
 
-    def write(self, data):
+    def write(self, data, _first=None, _count=None):
+        data = part(data, _first, _count)
         if self._file is None:
             raise ValueError("I/O operation on closed file")
         if not self._writable:
             raise OSError(_EBADF)
-        data = raw(data)
         n = _write(self._file, addressof(data), len(data))
         if n < 0:
             if n != -_EBADF:
                 put(self, "_file", None)
             raise OSError(-n)
         return n
+
+    def __repr__(self):
+        return "<" + type(self).__name__ + ">"
 
     def name(self):
         return self._name
@@ -75,6 +78,8 @@ class FileIO:
         return self._writable
 
     def close(self):
+        if self._writable and self._file is not None:
+            _hal.file_close(self._file)
         put(self, "_file", None)
 
     def __enter__(self):
@@ -82,15 +87,6 @@ class FileIO:
 
     def __exit__(self, kind, error, traceback):
         self.close()
-
-    def __iter__(self):
-        return self
-
-    def __next__(self):
-        line = self.readline()
-        if not line:
-            raise StopIteration
-        return line
 
 
 # py/stream.c looks whether they are UTF-8 since MicroPython 1.20: a line may be cut inside a sign.
@@ -105,12 +101,6 @@ class TextIO(FileIO):
     def readline(self, _n=-1):
         ints(_n)
         return _as_text(self._get(_LINE, _n))
-
-    def write(self, data):
-        if not isinstance(data, str):
-            return FileIO.write(self, data)
-        FileIO.write(self, data)
-        return len(data)
 
 
 def open(name, mode="r"):

@@ -18,6 +18,20 @@ def raw(buffer):
     return bytes(memoryview(buffer))
 
 
+def part(buffer, first, count):
+    """The bytes that a write takes, as a stream of the device: of all, the first ones, or so many from a place on."""
+    data = raw(buffer)
+    if first is None:
+        return data
+    # In C these are lengths without a sign.
+    ints(first)
+    if count is None:
+        return data[: first & 0xFFFFFFFF]
+    ints(count)
+    first &= 0xFFFFFFFF
+    return data[first : first + (count & 0xFFFFFFFF)]
+
+
 def room(buffer):
     """The bytes of a buffer that a call fills, to be changed in place."""
     try:

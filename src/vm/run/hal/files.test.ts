@@ -29,6 +29,7 @@ describe('file syscalls', () => {
     const hal = createHalBench();
     const file = hal.call('file_open', 'b', true);
     expect(hal.call('file_write', file, hal.put([1, 2, 3]), 3)).toBe(3);
+    hal.call('file_close', file);
     expect([hal.call('file_size', 'b'), hal.call('file_name', 0), hal.call('file_name', 1)]).toEqual([3, 'b', null]);
   });
 

@@ -1,6 +1,6 @@
 import type { Board } from '#board/board';
 import { Errno, textOf, wholeOf } from '../arguments';
-import type { Files } from '../files';
+import { readableBytes, toldSize, type Files } from '../files';
 import type { Machine, SyscallTable } from '../syscall';
 
 /** What `file_span` counts. */
@@ -16,7 +16,7 @@ const NEWLINE = 10;
  * - file_span(number, place, unit, count) → how many bytes from `place` the next `count` bytes (0), characters (1), or
  *   the next line of at most `count` bytes (2) take, `count` < 0 for no limit; −EBADF
  * - file_read(number, place, address, bytes) → bytes, −EBADF · file_write(number, address, bytes) appends → bytes,
- *   −EBADF, −ENOSPC
+ *   −EBADF, −ENOSPC · file_close(number), of a file that was written
  */
 export function createFileCalls(machine: Machine, files: Files, board: Board): SyscallTable {
   const { callUs } = board.type.costsUs;
@@ -24,17 +24,27 @@ export function createFileCalls(machine: Machine, files: Files, board: Board): S
     machine.spend(callUs);
     return value;
   };
-  const restOf = (number: unknown, place: unknown): Uint8Array | undefined =>
-    files.byNumber(Number(number))?.bytes.subarray(Math.max(0, Number(place) || 0));
+  const restOf = (number: unknown, place: unknown): Uint8Array | undefined => {
+    const file = files.byNumber(Number(number));
+    return file && readableBytes(file).subarray(Math.max(0, Number(place) || 0));
+  };
   return {
     file_name: (index) => files.names[wholeOf(index) ?? 0] ?? null,
-    file_size: (name) => files.find(textOf(name))?.bytes.length ?? -Errno.ENOENT,
+    file_size: (name) => {
+      const file = files.find(textOf(name));
+      return file ? toldSize(file) : -Errno.ENOENT;
+    },
     file_remove: (name) => use(files.remove(textOf(name)) ? 0 : -Errno.ENOENT),
     file_open: (name, writable) => {
       // A new program makes the log worthless: microbitfs.c, microbit_file_open.
       if (writable && textOf(name) === 'main.py') board.dataLog.invalidate();
       const file = writable ? files.create(textOf(name)) : (files.find(textOf(name)) ?? -Errno.ENOENT);
       return use(typeof file === 'number' ? file : file.id);
+    },
+    file_close: (number) => {
+      const file = files.byNumber(Number(number));
+      if (file) file.isClosed = true;
+      return null;
     },
     file_span: (number, place, unit, count) => {
       const rest = restOf(number, place);
