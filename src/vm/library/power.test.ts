@@ -60,9 +60,14 @@ print(t, running_time() - t)`;
     expect(run.bench.board.music.frequencyHz).toBeNull();
   });
 
-  it('does not fall asleep when nothing could wake it', () => {
-    expect(linesOf('import power\npower.deep_sleep()\nprint(running_time())')).toEqual(['0']);
-  });
+  it.each(['', 'run_every=False', 'wake_on=()'])(
+    'sleeps without a source until a byte comes from the computer: %s',
+    (given) => {
+      const run = play(`from microbit import *\nimport power\npower.deep_sleep(${given})\nprint(running_time())`);
+      run.until(60_000).vm.feed('x');
+      expect(run.until(61_000).printed()).toBe('60000\n');
+    },
+  );
 
   it('runs what is due in between, unless told not to', () => {
     const program = (runs: string): string => `

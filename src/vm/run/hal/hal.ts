@@ -44,6 +44,6 @@ export function createHal(machine: Machine, board: Board, files: Files, port: Co
     ...createSenseCalls(machine, board),
     ...createRadioCalls(machine, board),
     ...createLogCalls(machine, board, port),
-    ...createPowerCalls(machine, board),
+    ...createPowerCalls(machine, board, port),
   };
 }

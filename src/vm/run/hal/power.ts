@@ -3,6 +3,7 @@ import type { Button } from '#board/sensors/button';
 import type { Pin } from '#board/wires/pin';
 import type { WakeSource } from '#board/power';
 import { wholeOf } from '../arguments';
+import type { ConsolePort } from '../console-port';
 import { pinsByNumber } from './pins';
 import type { Machine, SyscallTable, Wait } from '../syscall';
 
@@ -15,10 +16,10 @@ const WOKEN = 1;
  *
  * - power_off() never comes back
  * - power_wake_clear(), power_wake_pin(n), power_wake_button(n): what will wake the board
- * - power_sleep(seconds, ms), without arguments: without end → 0 when the time is over, 1 when it was woken, −1 if a callback came in
+ * - power_sleep(seconds, ms), without arguments: without end → 0 when the time is over, 1 when it was woken (by a source or by a byte from the computer), −1 if a callback came in
  *   between; power_sleep_on() answers in the same way
  */
-export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
+export function createPowerCalls(machine: Machine, board: Board, port: ConsolePort): SyscallTable {
   const { power } = board;
   const { clock } = machine;
   const { callUs } = board.type.costsUs;
@@ -27,7 +28,7 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
   let sources: WakeSource[] = [];
   let untilUs = Infinity;
   const sleep = (): Wait => {
-    const wants = power.sleep(sources);
+    const wants = power.sleep([...sources, serialSource(port)]);
     let woken = false;
     const isOver = (): boolean => (woken ||= wants()) || clock.nowUs >= untilUs;
     return {
@@ -65,8 +66,6 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
     power_sleep: (seconds, ms) => {
       machine.spend(callUs);
       const duration = (wholeOf(seconds) ?? Infinity) * 1000 + (wholeOf(ms) ?? 0);
-      // Without a wake source the device does not fall asleep: MicroBitPowerManager.cpp, canDeepSleep.
-      if (duration === Infinity && sources.length === 0) return WOKEN;
       untilUs = clock.nowUs + duration * 1000;
       hush(board);
       return sleep();
@@ -79,6 +78,16 @@ export function createPowerCalls(machine: Machine, board: Board): SyscallTable {
 function hush({ music, sound }: Board): void {
   music.stop();
   for (const source of ['effect', 'samples', 'speech'] as const) sound.silence(source);
+}
+
+/** A byte from the computer wakes the board: the chip behind the USB socket does so (codal-microbit-v2 v0.2.43 on). */
+function serialSource(port: ConsolePort): WakeSource {
+  return {
+    arm: () => {
+      const { received } = port;
+      return () => port.received > received;
+    },
+  };
 }
 
 /** A button wakes the board while it is down, so a held button does not let it fall asleep. */
