@@ -89,6 +89,16 @@ export interface Uname {
   readonly machine: string;
 }
 
+/**
+ * What calls of a firmware do since v2.1.2, and did not do there:
+ *
+ * - `clear-ends`: `display.clear()` ends what moves, and waits for the display's tick (commit a5dd649)
+ * - `stop-ends-effects`: `audio.stop()` also ends built-in sounds and effects, not samples alone (c143b24)
+ * - `return-pin`: `audio.play` takes a `return_pin`, and does nothing with it (15b467c)
+ * - `i2c-pins`: `i2c.init` moves the bus to other pins (ee75741)
+ */
+export type Change = 'clear-ends' | 'stop-ends-effects' | 'return-pin' | 'i2c-pins';
+
 /** A MicroPython that a board can run. */
 export interface FirmwareType {
   /** Option value: `v2.1.2`. */
@@ -96,6 +106,7 @@ export interface FirmwareType {
   /** Its name for users. */
   readonly name: string;
   readonly features: readonly Feature[];
+  readonly changes: readonly Change[];
   /** Its greeting in the REPL. */
   readonly banner: string;
   readonly uname: Uname;

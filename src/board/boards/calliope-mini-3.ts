@@ -65,6 +65,7 @@ const firmware: FirmwareType = {
   id: 'v2.1.2b',
   name: 'MicroPython v2.1.2b',
   features: ['rotate', 'sound-level-db', 'touch-counts', 'clap'],
+  changes: ['clear-ends', 'stop-ends-effects', 'return-pin', 'i2c-pins'],
   banner: 'MicroPython b7ce7a8 on 2024-11-05; Calliope mini v2.1.2b with nRF52833',
   uname: {
     sysname: 'microbit',

@@ -61,6 +61,7 @@ const firmwares: readonly [FirmwareType, FirmwareType] = [
     id: 'v2.1.2',
     name: 'MicroPython v2.1.2',
     features: [],
+    changes: [],
     banner: 'MicroPython v1.18 on 2023-10-30; micro:bit v2.1.2 with nRF52833',
     uname: {
       sysname: 'microbit',
@@ -76,6 +77,7 @@ const firmwares: readonly [FirmwareType, FirmwareType] = [
     id: 'newest',
     name: 'MicroPython (newest)',
     features: ['rotate', 'sound-level-db', 'touch-counts', 'clap', 'recording'],
+    changes: ['clear-ends', 'stop-ends-effects', 'return-pin', 'i2c-pins'],
     banner: 'MicroPython v1.23.0 on 2024-06-02; micro:bit v2.1.2 with nRF52833',
     uname: {
       sysname: 'microbit',

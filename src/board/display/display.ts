@@ -117,6 +117,11 @@ export class Display {
     return this.image[placeOf(x, y)] ?? 0;
   }
 
+  /** Blanks the pixels at once; what moves goes on. */
+  blank(): void {
+    this.image.fill(0);
+  }
+
   /** Blanks the display at the next tick; `isAnimating` until then. */
   clear(): void {
     this.animation = null;

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import type { SoundEvent } from '#board/sound/sound-event';
 import { microbitV2 } from '#board/boards/microbit-v2';
-import { linesOf, play } from './testing/play';
+import { LATER, linesOf, play } from './testing/play';
 
 /** Programs start on a whole ms, so that ms are exact. */
 const AT_MS = `
@@ -106,9 +106,19 @@ pin0.write_digital(1)
 print(pin0.get_mode())
 audio.play(audio.SoundEffect(duration=10), pin=None)
 print(pin0.get_mode())
-audio.play(audio.SoundEffect(duration=10), pin=pin1, return_pin=pin2)
+audio.play(audio.SoundEffect(duration=10), pin=pin1, return_pin=None)
 print(pin1.get_mode())`;
     expect(linesOf(program)).toEqual(['audio', 'write_digital', 'write_digital', 'audio']);
+  });
+
+  it('refuses a return_pin on v2.1.2, where stop() ends samples alone; newer firmwares take it, and stop() ends all', () => {
+    const program = `
+err(audio.play, Sound.HAPPY, return_pin=pin2)
+audio.play(audio.SoundEffect(duration=900), wait=False)
+audio.stop()
+print(audio.is_playing())`;
+    expect(linesOf(program)).toEqual(['ValueError: return_pin not supported', 'True']);
+    for (const device of LATER) expect(linesOf(program, {}, undefined, device)).toEqual(['no error: None', 'False']);
   });
 
   it('is the module microbit.audio too, and the speaker goes on and off', () => {

@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { microbitV2 } from '#board/boards/microbit-v2';
 import type { Bench } from '#board/testing/bench';
 import { linesOf, play } from './testing/play';
 
@@ -95,7 +96,8 @@ i2c.init()
 print(i2c.read(0x10, 1))
 err(i2c.init, 100000, 5)
 err(i2c.init, 'fast')`;
-    expect(linesOf(program, {}, there)).toEqual([
+    const newest = { firmware: microbitV2.firmwares[1] };
+    expect(linesOf(program, {}, there, newest)).toEqual([
       "b'\\x01'",
       "b'\\x02' unused i2c",
       'OSError: [Errno 19] ENODEV',
@@ -103,6 +105,20 @@ err(i2c.init, 'fast')`;
       "b'\\x01'",
       'TypeError: expecting a pin',
       "TypeError: can't convert str to int",
+    ]);
+  });
+});
+
+describe('i2c.init with other pins on v2.1.2', () => {
+  it('looks whether they are pins, and stays where it is', () => {
+    const answer = { write: () => undefined, read: () => Uint8Array.of(7) };
+    const program = `
+i2c.init(freq=400000, sda=pin2, scl=pin1)
+print(i2c.read(0x10, 1))
+err(i2c.init, 100000, 5)`;
+    expect(linesOf(program, {}, ({ board }) => void board.i2c.attach(0x10, answer))).toEqual([
+      "b'\\x07'",
+      'TypeError: expecting a pin',
     ]);
   });
 });

@@ -106,7 +106,16 @@ describe.each(kinds)('a copy of the loaded library of $name $version', ({ type, 
 
   it('can stand for the loading because that only asks, for things that board and files decide', () => {
     const { calls } = made(type, ofBoard, files, true);
-    const asked = ['names', 'board_module', 'board_has', 'board_pin', 'board_text', 'board_micropython', 'pin_modes'];
+    const asked = [
+      'names',
+      'board_module',
+      'board_has',
+      'board_pin',
+      'board_text',
+      'board_micropython',
+      'board_role',
+      'pin_modes',
+    ];
     const constant = ['image_unpack', 'gesture_names', 'reserve_bytes', 'file_name'];
     const told = ['on_callback', 'booted'];
     expect(calls.length).toBeGreaterThan(100);

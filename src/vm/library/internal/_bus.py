@@ -1,13 +1,16 @@
 # I2C, SPI and serial. Behaviour and errors: micropython-microbit-v2 microbit_i2c.c, microbit_spi.c, microbit_uart.c.
 import _hal
 from _pins import pin_number
-from _sim import addressof, ints, raw, refuse_attribute, room
+from _sim import addressof, ints, part, raw, refuse_attribute, room
 
 _write = _hal.i2c_write
 _read = _hal.i2c_read
 _ENODEV = 19
 _INVALID_PARAMETER = -1001  # codal-core ErrorNo.h: DEVICE_INVALID_PARAMETER
 _USB = -1
+_SDA = _hal.board_role("sda")
+_SCL = _hal.board_role("scl")
+_keeps_pins = not _hal.board_has("i2c-pins")
 
 
 class MicroBitI2C:
@@ -18,8 +21,11 @@ class MicroBitI2C:
 
     def init(self, freq=100000, sda=None, scl=None):
         ints(freq)
-        sda = _hal.board_role("sda") if sda is None else pin_number(sda)
-        scl = _hal.board_role("scl") if scl is None else pin_number(scl)
+        sda = _SDA if sda is None else pin_number(sda)
+        scl = _SCL if scl is None else pin_number(scl)
+        if _keeps_pins:
+            sda = _SDA
+            scl = _SCL
         _hal.i2c_init(freq, scl, sda)
 
     def scan(self):
@@ -172,7 +178,7 @@ class MicroBitUART:
         view[: len(data)] = data
         return len(data)
 
-    def write(self, buf):
-        buf = raw(buf)
+    def write(self, buf, _first=None, _count=None):
+        buf = part(buf, _first, _count)
         _hal.uart_write(addressof(buf), len(buf))
         return len(buf)

@@ -151,10 +151,17 @@ class MicroBitDisplay:
         if wait:
             _wait()
 
-    def clear(self):
-        # Takes effect at the next tick of the display, which the device waits for.
-        _hal.display_clear()
-        _wait()
+    if _hal.board_has("clear-ends"):
+
+        def clear(self):
+            # Takes effect at the next tick of the display, which the device waits for.
+            _hal.display_clear()
+            _wait()
+
+    else:
+
+        def clear(self):
+            _hal.display_blank()
 
     def set_pixel(self, x, y, value):
         try:

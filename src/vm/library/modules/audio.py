@@ -23,6 +23,8 @@ if _has_recording:
 
 
 _frames = None
+_takes_return_pin = _h.board_has("return-pin")
+_ends_effects = _h.board_has("stop-ends-effects")
 
 
 def _next_frame():
@@ -66,6 +68,8 @@ def _effect_of(source):
 
 def play(source, wait=True, pin=_DEFAULT_PIN, return_pin=None):
     global _frames
+    if return_pin is not None and not _takes_return_pin:
+        raise ValueError("return_pin not supported")
     if _h.audio_frames():
         stop()
     _check(_h.audio_pin(_output(pin)))
@@ -95,7 +99,7 @@ def play(source, wait=True, pin=_DEFAULT_PIN, return_pin=None):
 def stop():
     global _frames
     _frames = None
-    _h.audio_stop()
+    _h.audio_stop(_ends_effects)
 
 
 def is_playing():

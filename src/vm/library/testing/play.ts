@@ -1,4 +1,6 @@
 import type { BoardType, FirmwareType } from '#board/boards/board-type';
+import { calliopeMini3 } from '#board/boards/calliope-mini-3';
+import { microbitV2 } from '#board/boards/microbit-v2';
 import { createBench, type Bench } from '#board/testing/bench';
 import { firmware } from '../../run/testing/run-program';
 import { createVm, type Vm, type VmEnd } from '../../run/vm';
@@ -53,6 +55,9 @@ export function play(
   };
   return self;
 }
+
+/** Devices with a firmware newer than v2.1.2. */
+export const LATER: readonly Device[] = [{ firmware: microbitV2.firmwares[1] }, { type: calliopeMini3 }];
 
 const LIMIT_MS = 60_000;
 

@@ -13,7 +13,7 @@ type PinClass = 'touch' | 'analog' | 'digital' | 'touch-only';
  * - board_pin(i) → "name number class" of the i-th pin (class: touch, analog, digital, touch-only), None after the last
  * - board_role(role) → the number of the pin for `scl`, `sda`, `rgb`, −1 for none
  * - board_rgb_count() → RGB LEDs soldered to the board
- * - board_has(feature) → bool · board_text(what) → banner, sysname, nodename, release, version, machine, sysVersion
+ * - board_has(feature or change) → bool · board_text(what) → banner, sysname, nodename, release, version, machine, sysVersion
  * - board_micropython(i) → part i of MicroPython's version
  */
 export function createBoardCalls(board: Board): SyscallTable {
@@ -24,7 +24,7 @@ export function createBoardCalls(board: Board): SyscallTable {
     banner: firmware.banner,
     sysVersion: firmware.sysVersion,
   };
-  const features: readonly string[] = firmware.features;
+  const features: readonly string[] = [...firmware.features, ...firmware.changes];
   const roles: Readonly<Record<string, string | undefined>> = {
     scl: type.i2c.scl,
     sda: type.i2c.sda,

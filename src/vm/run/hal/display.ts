@@ -19,7 +19,8 @@ const BAD_BRIGHTNESS = -2;
  * - display_begin(), then display_add_image(address), display_add_text(text) → False at a text of more or less than one byte, then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
  *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
- * - display_scroll(text, delayMs, loop, monospace) · display_clear()
+ * - display_scroll(text, delayMs, loop, monospace) · display_clear(): at the next tick · display_blank(): at once, and
+ *   what moves goes on
  * - display_wait() waits until the present animation is over; callbacks wait, too, and a Ctrl-C ends it (drv_display.c,
  *   wait_for_event)
  * - display_set_pixel(x, y, value), display_get_pixel(x, y) → value, −1 (no such place), −2 (brightness)
@@ -84,6 +85,11 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
     display_clear: () => {
       stage.begin();
       display.clear();
+      return null;
+    },
+    display_blank: () => {
+      machine.spend(board.type.costsUs.showUs);
+      display.blank();
       return null;
     },
     display_wait: (): Wait => ({

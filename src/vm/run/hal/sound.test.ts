@@ -17,7 +17,9 @@ describe('sound syscalls', () => {
     const { bench, call } = createHalBench();
     call('audio_effect', 'twinkle');
     expect(call('audio_playing')).toBe(true);
-    call('audio_stop');
+    call('audio_stop', false);
+    expect(call('audio_playing')).toBe(true);
+    call('audio_stop', true);
     call('audio_effect', 'bark');
     expect([call('audio_playing'), bench.board.sound.effectUntilUs < bench.clock.nowUs]).toEqual([false, true]);
   });

@@ -22,7 +22,7 @@ export const SPEAKER_REFUSED = 'pin_speaker not allowed';
  *   audio_frame(address, length, rate): passes it on · audio_close(): there are no more
  * - audio_frames() → whether a series goes on · audio_level() → present loudness
  * - audio_playing() → whether an effect or frames sound · audio_wait() waits until they have ended → True if a callback
- *   came in between · audio_stop(), audio_stop_effect()
+ *   came in between · audio_stop(with effects), audio_stop_effect()
  * - samples_add(address, address, length, ±1), samples_multiply(address, length, factor): sums and products in place
  * - set_volume(0 … 255) · speaker(on)
  * - speech_translate(text) → phonemes, or None if it cannot be read
@@ -81,9 +81,9 @@ function audioCalls(machine: Machine, board: Board, chance: Rng): SyscallTable {
       ready: () => !isPlaying(),
       result: isPlaying,
     }),
-    audio_stop: spending(() => {
+    audio_stop: spending((withEffects) => {
       sound.silence('samples');
-      sound.silence('effect');
+      if (withEffects === true) sound.silence('effect');
       return null;
     }),
     audio_stop_effect: spending(() => {
