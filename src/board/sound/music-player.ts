@@ -19,9 +19,12 @@ export interface PlayOptions {
   /** The pin that carries the tone besides the speaker; `null` for the speaker alone. */
   readonly pin: Pin | null;
   readonly loop: boolean;
+  /** Called in the tick in which the notes have ended by themselves. */
+  readonly onOver?: () => void;
 }
 
 interface Tune {
+  readonly onOver?: (() => void) | undefined;
   readonly notes: readonly string[];
   readonly loop: boolean;
   next: number;
@@ -87,7 +90,8 @@ export class MusicPlayer {
     this.memory = START_MEMORY;
     const problem = this.begin(options.pin);
     if (problem !== null) return problem;
-    this.run({ notes, loop: options.loop && notes.length > 0, next: 0, then: 'note', untilMs: this.nowMs });
+    const { loop, onOver } = options;
+    this.run({ notes, onOver, loop: loop && notes.length > 0, next: 0, then: 'note', untilMs: this.nowMs });
     return null;
   }
 
@@ -155,6 +159,7 @@ export class MusicPlayer {
     const text = tune.notes[tune.next];
     if (text === undefined) {
       this.stop();
+      tune.onOver?.();
       return;
     }
     const note = readNote(text, this.memory);

@@ -1,6 +1,22 @@
 import { describe, expect, it } from 'vitest';
 import { linesOf, play } from './testing/play';
 
+describe('a melody in which something is no text', () => {
+  it('sounds up to there, prints a line, and the program goes on', () => {
+    const program = `
+import music
+t = running_time()
+music.play(['c4:2', 5, 'e'])
+print(200 < running_time() - t < 280)
+music.play(('c:1', None), loop=True, wait=False)
+print('on')
+sleep(500)
+music.play([None])`;
+    const line = 'TypeError: expecting a str for note';
+    expect(linesOf(program)).toEqual([line, 'True', 'on', line, line]);
+  });
+});
+
 describe('music', () => {
   it('plays a note of four ticks at 120 beats a minute in 510 ms, a pitch of 100 ms in 114', () => {
     const program = `
@@ -70,7 +86,8 @@ err(music.play, ['c', 5])`;
       "AttributeError: 'module' object has no attribute 'nothing'",
       'ValueError: Pin 0 in music mode',
       'ValueError: Pin 3 in display mode',
-      "TypeError: can't convert 'int' object to str implicitly",
+      'TypeError: expecting a str for note',
+      'no error: None',
     ]);
   });
 

@@ -75,9 +75,13 @@ def play(music, pin=_DEFAULT_PIN, wait=True, loop=False):
         notes = music
     else:
         raise TypeError("object '%s' isn't a tuple or list" % type(music).__name__)
-    notes = [_text(note) for note in notes]
     # Each note has a newline before it, so that no note and an empty one are two things.
-    _check(_h.music_play("".join(["\n" + note for note in notes]), _output(pin), bool(loop)))
+    texts = []
+    for note in notes:
+        if not isinstance(note, (str, bytes)):
+            break
+        texts.append("\n" + _text(note))
+    _check(_h.music_play("".join(texts), _output(pin), bool(loop), len(texts) < len(notes)))
     if wait:
         _wait()
 

@@ -35,7 +35,7 @@ export function createHal(machine: Machine, board: Board, files: Files, port: Co
     ...createUartCalls(machine, board, port),
     ...createDisplayCalls(machine, board),
     ...createImageCalls(machine, board),
-    ...createMusicCalls(machine, board),
+    ...createMusicCalls(machine, board, port),
     ...createSoundCalls(machine, board, rng),
     ...createTimeCalls(machine, board),
     ...createFileCalls(machine, files, board),

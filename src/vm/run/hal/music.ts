@@ -1,20 +1,24 @@
 import type { Board } from '#board/board';
 import { textOf, wholeOf } from '../arguments';
+import type { ConsolePort } from '../console-port';
 import { pinsByNumber } from './pins';
 import { SPEAKER_PIN, SPEAKER_REFUSED } from './sound';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
+/** What the player prints when its turn comes to something that is no text: modmusic.c, microbit_music_tick. */
+const NO_NOTE = new TextEncoder().encode('TypeError: expecting a str for note\r\n');
+
 /**
  * Music. A pin is given by its number, −1 for the speaker alone.
  *
- * - music_play(notes, pin, loop), music_pitch(Hz, ms, pin) → None, or the device's words if it cannot; each note has a
- *   newline before it
+ * - music_play(notes, pin, loop, isCut), music_pitch(Hz, ms, pin) → None, or the device's words if it cannot; each note
+ *   has a newline before it; cut, they end in what is no note: a line on the console, and no more
  * - music_busy() waits until the present tune has ended or been replaced → True if a callback came in between
  * - music_stop(pin) → None, or the device's words if the pin is held · music_silence() · music_reset() ·
  *   music_set_tempo(bpm, ticks), 0 leaves it
  * - music_bpm(), music_ticks()
  */
-export function createMusicCalls(machine: Machine, board: Board): SyscallTable {
+export function createMusicCalls(machine: Machine, board: Board, port: ConsolePort): SyscallTable {
   const { music } = board;
   const { callUs, toneUs } = board.type.costsUs;
   const pins = pinsByNumber(board);
@@ -22,11 +26,12 @@ export function createMusicCalls(machine: Machine, board: Board): SyscallTable {
   const pinOf = (n: Value | undefined) => pins[wholeOf(n) ?? -1] ?? null;
   const refusal = (n: Value | undefined) => (pinOf(n)?.name === SPEAKER_PIN ? SPEAKER_REFUSED : null);
   return {
-    music_play: (notes, pin, loop) => {
+    music_play: (notes, pin, loop, isCut) => {
       machine.spend(callUs);
       started++;
       const all = textOf(notes).split('\n').slice(1);
-      return refusal(pin) ?? music.play(all, { pin: pinOf(pin), loop: loop === true });
+      if (isCut !== true) return refusal(pin) ?? music.play(all, { pin: pinOf(pin), loop: loop === true });
+      return refusal(pin) ?? music.play(all, { pin: pinOf(pin), loop: false, onOver: () => port.write(NO_NOTE) });
     },
     music_pitch: (hz, ms, pin) => {
       machine.spend(toneUs);
