@@ -64,18 +64,16 @@ export class DataLog {
     this.mirror = mirror;
   }
 
-  /** @param unit 1, 10, 600, 36,000 or 864,000 for ms, s, min, h, days; 0 for none. @returns false for another one */
-  setTimestamp(unit: number): boolean {
-    if (unit !== NO_TIMESTAMP && !UNITS.has(unit)) return false;
-    if (unit === this.timestamp && unit === NO_TIMESTAMP) return true;
+  /** @param unit 1, 10, 600, 36,000 or 864,000 for ms, s, min, h, days; 0 for none; another one has no name */
+  setTimestamp(unit: number): void {
+    if (unit === this.timestamp && unit === NO_TIMESTAMP) return;
     if (this.bytes === 0 && this.columns.length > 0) {
-      if (unit !== NO_TIMESTAMP && this.columns[0] === headingOf(unit)) return true;
+      if (unit !== NO_TIMESTAMP && this.columns[0] === headingOf(unit)) return;
       // Until something is logged, the timestamp's column may still be replaced.
       if (this.timestamp !== NO_TIMESTAMP) this.columns.shift();
     }
     this.timestamp = unit;
     this.timestampChanged = true;
-    return true;
   }
 
   /**
@@ -173,6 +171,7 @@ const headingOf = (unit: number): string => `Time (${UNITS.get(unit) ?? ''})`;
 /** Whole ms, or the unit with two decimals, both truncated. */
 function timeText(nowMs: number, unit: number): string {
   if (unit === MILLISECONDS) return String(nowMs);
+  if (unit < 0) return '0'; // divided by what is a number without a sign
   const hundredths = Math.floor(nowMs / unit);
   return `${Math.floor(hundredths / 100)}.${String(hundredths % 100).padStart(2, '0')}`;
 }

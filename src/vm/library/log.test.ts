@@ -89,9 +89,36 @@ print(log.MILLISECONDS, log.SECONDS, log.MINUTES, log.HOURS, log.DAYS)`;
       "TypeError: can't convert 'list' object to str implicitly",
       "TypeError: can't convert 'int' object to str implicitly",
       "TypeError: can't convert str to int",
-      'ValueError: invalid timestamp',
+      'no error: None',
       '1 10 600 36000 864000',
     ]);
+  });
+
+  it('writes a row that a mistake has cut off when the next one begins', () => {
+    const run = play(`
+import log
+log.set_labels('a', 'b', timestamp=None)
+try:
+    log.add(a=1, b=None, c=5)
+except TypeError:
+    pass
+log.add(a=2, b='x\\0y')
+try:
+    log.set_labels('d', 5, timestamp=None)
+except TypeError:
+    pass
+log.set_labels('e', timestamp=None)`);
+    expect(logged(run.until(100))).toBe('a,b\n1,\n2,x\na,b,d\na,b,d,e\n');
+  });
+
+  it('takes any unit: one without a name has hundredths, too', () => {
+    const run = play(`
+from microbit import sleep
+import log
+log.set_labels('a', timestamp=5)
+sleep(1000)
+log.add(a=1)`);
+    expect(logged(run.until(2000))).toBe('Time (),a\n2.00,1\n');
   });
 
   it('prints what it logs while it mirrors', () => {

@@ -19,24 +19,29 @@ def _check(done):
 
 def _row(pairs):
     row = []
-    for key, value in pairs:
-        key = _text(key)
-        if isinstance(value, (int, float, bool)):
-            value = str(value)
-        value = _text(value)
-        row.append((key, value))
-    _h.log_begin()
-    for key, value in row:
-        _h.log_put(key, value)
-    _check(_h.log_end())
+    try:
+        for key, value in pairs:
+            key = _part(key)
+            if isinstance(value, (int, float, bool)):
+                value = str(value)
+            row.append(key + _part(value))
+    except TypeError:
+        # What comes before the mistake stays begun.
+        _h.log_row("".join(row), False)
+        raise
+    _check(_h.log_row("".join(row), True))
+
+
+def _part(text):
+    # In C a text ends at a zero.
+    return _text(text).split("\0")[0] + "\0"
 
 
 def set_labels(*labels, timestamp=SECONDS):
     if timestamp is None:
         timestamp = _NONE
     _ints(timestamp)
-    if not _h.log_timestamp(timestamp):
-        raise ValueError("invalid timestamp")
+    _h.log_timestamp(timestamp)
     if labels:
         _row([(label, "") for label in labels])
 
