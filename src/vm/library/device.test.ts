@@ -143,6 +143,13 @@ err(run_every, ms='x')`;
     expect(linesOf(program)).toEqual(['<run_every>', 'once 8', '9', "TypeError: can't convert str to int"]);
   });
 
+  it('scale from a range without width, and beyond 32 bits, gives what C makes of it', () => {
+    const program = `
+print([scale(value, (3, 3), (0, 100)) for value in (5, 3, 2)], [scale(value, (3, 3), (0, 1.0)) for value in (5, 3)])
+print(scale(1, (0, 1), (0, 5e9)) > 4e9, scale(10**6, (0, 1), (0, 10**6)), scale(float('inf'), (0, 1), (0, -1)))`;
+    expect(linesOf(program)).toEqual(['[2147483647, 0, -2147483648] [inf, nan]', 'True 2147483647 -2147483648']);
+  });
+
   it('scale refuses what is no pair in the words of the device', () => {
     expect(
       linesOf('err(scale, 1, 5, (0, 1))\nerr(scale, 1, (0, 1), (0, 1, 2))\nerr(scale, "a", (0, 1), (0, 1))'),

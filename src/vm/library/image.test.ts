@@ -15,6 +15,11 @@ print(repr(Image('A')))`;
     ]);
   });
 
+  it('divided by nothing is as bright as can be where it is not dark', () => {
+    const program = "i = Image('09:10:')\nprint(repr(i / 0), repr(i / 0.0), repr(i * float('inf')))";
+    expect(linesOf(program)).toEqual(["Image('09:90:') Image('09:90:') Image('09:90:')"]);
+  });
+
   it('is not made from a sign of more than one byte', () => {
     expect(linesOf("err(Image, 'ä')\nerr(Image, '9é:')")).toEqual(
       ['ä', 'é'].map(() => 'ValueError: unexpected character in Image definition'),

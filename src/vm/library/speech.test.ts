@@ -38,8 +38,8 @@ err(speech.say, 'hi', pin=pin3)`;
     expect(linesOf(program)).toEqual([
       'ValueError: text too long',
       'ValueError: could not parse input',
-      'ValueError: could not parse input',
-      'ValueError: could not parse input',
+      'ValueError: Phoneme not understood',
+      'ValueError: Phoneme not understood',
       "TypeError: can't convert 'int' object to str implicitly",
       "TypeError: can't convert str to int",
       'ValueError: Pin 3 in display mode',

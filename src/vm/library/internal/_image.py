@@ -23,6 +23,7 @@ _text = _hal.image_text
 
 _new = object.__new__
 _NUMBERS = (int, float)
+_INFINITE = float("inf")
 # In a buffer, before the pixels: width, height, whether it cannot be modified (src/vm/run/hal/image.ts).
 _HEAD = 5
 
@@ -233,7 +234,9 @@ class MicroBitImage:
         return _scaled(self._b, _number(factor))
 
     def __truediv__(self, divisor):
-        return _scaled(self._b, 1.0 / _number(divisor))
+        divisor = _number(divisor)
+        # In C nothing is too much: what is not dark becomes as bright as can be.
+        return _scaled(self._b, 1.0 / divisor if divisor else _INFINITE)
 
     def __repr__(self):
         return _text(addressof(self._b), False)

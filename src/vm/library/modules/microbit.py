@@ -126,6 +126,8 @@ _len = len
 _round = round
 _tuple = tuple
 _float = float
+_INFINITE = float("inf")  # what a division by zero makes of floats in C
+_BEYOND = 2147483648.0
 
 
 def _pair(value):
@@ -141,13 +143,21 @@ def scale(value, from_, to, *, _=None):
     start, end = from_ if _type(from_) is _tuple and _len(from_) == 2 else _pair(from_)
     low, high = to if _type(to) is _tuple and _len(to) == 2 else _pair(to)
     try:
-        result = (value - start) / (end - start) * (high - low) + low
+        span = end - start
+        result = ((value - start) / span if span else (value - start) * _INFINITE) * (high - low) + low
     except TypeError:
         for number in (value, start, end, low, high):
             _number(number)
         raise
     _spend()
-    return result if _type(low) is _float or _type(high) is _float else _round(result)
+    if _type(low) is _float or _type(high) is _float:
+        return result
+    return _round(result) if -_BEYOND < result < _BEYOND else _clipped(result)
+
+
+def _clipped(result):
+    # As C makes ints of floats on this processor: the nearest one that it has; 0 of what is no number.
+    return 0x7FFFFFFF if result > 0 else -0x80000000 if result < 0 else 0
 
 
 def _name_module():

@@ -22,7 +22,7 @@ def _articulate(sings, phonemes, pitch=64, speed=72, mouth=128, throat=128, debu
     _check(_h.audio_pin(_output(pin)))
     settings = (pitch & 255) | (speed & 255) << 8 | (mouth & 255) << 16
     if not _h.speech_say(phonemes, settings, throat & 255, sings):
-        raise ValueError("could not parse input")
+        raise ValueError("Phoneme not understood")
     try:
         while _h.speech_wait():
             pass

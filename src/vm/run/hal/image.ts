@@ -176,10 +176,10 @@ function arithmeticCalls(machine: Machine, board: Board, charge: Charge): Syscal
       const scaled = like(to, given);
       const count = given.width * given.width;
       charge(Math.min(count, MOST), pixelScaleUs);
-      const by = single(numberOf(factor) ?? 0);
+      const by = single(typeof factor === 'number' ? factor : (numberOf(factor) ?? 0));
       scaled.fill(0);
       for (let i = 0; i < Math.min(count, scaled.length); i++)
-        scaled[i] = Math.min(Math.trunc((given.pixels[i] ?? 0) * by + 0.5), BRIGHTEST);
+        scaled[i] = Math.min(Math.trunc((given.pixels[i] ?? 0) * by + 0.5), BRIGHTEST) || 0; // 0 × ∞ is dark
       return null;
     },
     image_invert: (a, to) => {
