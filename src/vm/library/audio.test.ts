@@ -42,7 +42,8 @@ c = e.copy()
 c.freq_start = 100
 c.vol_start = 10
 c.shape = 3
-c.fx = None
+err(setattr, c, 'fx', None)
+err(audio.SoundEffect, fx=None)
 print(e.freq_start, c.freq_start, c.vol_start, c.fx)
 print(c)
 print(audio.SoundEffect(1, 2, 3, 4, 5, audio.SoundEffect.WAVEFORM_NOISE, audio.SoundEffect.FX_WARBLE, 2))
@@ -50,6 +51,8 @@ print(repr(audio.SoundEffect._from_string("0102309880190084400440088810230016010
     expect(linesOf(program)).toEqual([
       'SoundEffect(500, 2500, 500, 255, 0, 3, 0, 18)',
       'SoundEffect(freq_start=500, freq_end=2500, duration=500, vol_start=255, vol_end=0, waveform=WAVEFORM_SQUARE, fx=FX_NONE, shape=SHAPE_LOG)',
+      "TypeError: can't convert NoneType to int",
+      "TypeError: can't convert NoneType to int",
       '500 100 10 0',
       'SoundEffect(freq_start=100, freq_end=2500, duration=500, vol_start=10, vol_end=0, waveform=WAVEFORM_SQUARE, fx=FX_NONE, shape=3)',
       'SoundEffect(freq_start=1, freq_end=2, duration=3, vol_start=4, vol_end=5, waveform=WAVEFORM_NOISE, fx=FX_WARBLE, shape=SHAPE_CURVE)',

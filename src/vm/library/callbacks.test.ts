@@ -124,8 +124,10 @@ print('on')`).until(3000);
 from microbit import *
 run_every(lambda: print('never today'), days=25)
 run_every(lambda: print('a second'), days=-1, h=24, s=1)
+run_every(lambda: print('never'), days=49)
+run_every(lambda: print('too many for 32 bits'), days=49, h=17, min=2, s=48, ms=296)
 sleep(1500)`).until(3000);
-    expect(run.printed()).toBe('a second\n');
+    expect(run.printed()).toBe('a second\ntoo many for 32 bits\n');
   });
 
   it('takes its periods by name only', () => {

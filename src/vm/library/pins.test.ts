@@ -71,6 +71,9 @@ err(pin0.write_analog, 1024)
 err(pin0.write_analog, -1)
 err(pin0.write_analog, 1023.6)
 err(pin0.write_analog, 'a')
+err(pin0.write_analog, 2**40)
+err(pin0.write_digital, 2**40)
+err(pin0.write_digital, 2**32 + 1)
 pin0.write_analog(0)
 print(pin0.get_mode(), pin2.get_analog_period_microseconds())`;
     expect(linesOf(program)).toEqual([
@@ -81,6 +84,7 @@ print(pin0.get_mode(), pin2.get_analog_period_microseconds())`;
       'ValueError: value must be between 0 and 1023',
       'ValueError: value must be between 0 and 1023',
       "TypeError: can't convert str to int",
+      ...Array.from({ length: 3 }, () => 'OverflowError: overflow converting long int to machine word'),
       'unused -1',
     ]);
   });

@@ -33,6 +33,9 @@ import time
 err(sleep, '5')
 err(sleep, None)
 err(sleep, 2**31)
+err(sleep, 2**40)
+err(sleep, float('nan'))
+err(sleep, float('-inf'))
 err(time.sleep, 'a')
 err(time.sleep_ms, 1.5)
 err(time.sleep_us, None)`;
@@ -40,6 +43,9 @@ err(time.sleep_us, None)`;
       "TypeError: can't convert str to float",
       "TypeError: can't convert NoneType to float",
       'OverflowError: overflow converting long int to machine word',
+      'OverflowError: overflow converting long int to machine word',
+      'no error: None',
+      'no error: None',
       "TypeError: can't convert str to float",
       "TypeError: can't convert float to int",
       "TypeError: can't convert NoneType to int",

@@ -58,7 +58,7 @@ def _field(first, digits):
         return int(self._digits[first : first + digits])
 
     def set(self, value):
-        self._put(first, digits, 0 if value is None else value)
+        self._put(first, digits, value)
 
     return property(get, set)
 

@@ -45,13 +45,13 @@ def run():
         except BaseException as error:
             failure = error
         _stop_callbacks()
-        _micropython.free()
+        _micropython._free()
         if failure is not None:
             _report(failure)
     except BaseException as error:
         # An interrupt that came when main.py had ended already.
         _stop_callbacks()
-        _micropython.free()
+        _micropython._free()
         _report(error)
     failure = None
     gc.collect()

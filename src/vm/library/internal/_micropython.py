@@ -24,7 +24,7 @@ def heap_unlock():
         _depth -= 1
 
 
-def free():
+def _free():
     """Undoes what a program did to the memory, so that our library can work."""
     while _depth:
         heap_unlock()

@@ -45,7 +45,7 @@ class MicroBitDigitalPin:
 
     def write_digital(self, value):
         try:
-            r = _write(self._n, value | 0)
+            r = _OUT_OF_RANGE if value & -2 else _write(self._n, value & 1)
         except TypeError:
             r = ints(value)
         if r:
@@ -55,15 +55,17 @@ class MicroBitDigitalPin:
             raise ValueError("value must be 0 or 1")
 
     def write_analog(self, value):
-        r = _write_analog(self._n, value)
+        try:
+            # Whole numbers of more than 32 bits would reach the simulation as others.
+            r = _write_analog(self._n, value) if -2 < value < 1025 else _OUT_OF_RANGE
+        except TypeError:
+            r = ints(value)
         if r:
             if r == _HELD:
                 _held(self._n)
-            if r == _OUT_OF_RANGE:
-                if isinstance(value, int):
-                    ints(value)
-                raise ValueError("value must be between 0 and 1023")
-            ints(value)
+            if isinstance(value, int):
+                ints(value)
+            raise ValueError("value must be between 0 and 1023")
 
     def set_pull(self, value):
         ints(value)

@@ -4,7 +4,7 @@ import builtins
 import sys
 
 import _hal
-from _micropython import free
+from _micropython import _free as free
 
 _scope = __main__.__dict__
 _wait = _hal.repl

@@ -45,11 +45,11 @@ speaker = _Speaker()
 
 
 def sleep(ms):
-    t = _sleep(ms)
+    try:
+        t = _sleep(ms) if -1 < ms < 0x40000000 else _check_time(ms)
+    except TypeError:
+        t = _check_time(ms)
     while t:
-        if t == -1:
-            _check_time(ms)
-            return
         # A callback came in between: sleep on until the same moment.
         t = _sleep_until(t)
 
@@ -58,8 +58,10 @@ def _check_time(ms):
     # Less than nothing, more than the device can count, or no number at all.
     if isinstance(ms, int):
         _ints(ms)
-    else:
+    elif not isinstance(ms, float):
         _number(ms)
+    # C makes the nearest int of a decimal, and 0 of what is no number.
+    return _sleep(min(ms, 0x7FFFFFFF) if ms > 0 else 0)
 
 
 def running_time():
@@ -116,7 +118,8 @@ _RunEvery = run_every
 
 def run_every(callback=None, *, days=0, h=0, min=0, s=0, ms=0):
     _ints(days, h, min, s, ms)
-    timer = _RunEvery((((days * 24 + h) * 60 + min) * 60 + s) * 1000 + ms)
+    # In C a number of 32 bits: 50 days are 7 hours.
+    timer = _RunEvery((((days * 24 + h) * 60 + min) * 60 + s) * 1000 + ms & 0xFFFFFFFF)
     return timer if callback is None else timer(callback)
 
 
