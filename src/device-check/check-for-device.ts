@@ -10,9 +10,13 @@ import { builtinVisitors } from './visitors/builtins';
 import { classVisitors } from './visitors/classes';
 import { moduleVisitors } from './visitors/modules';
 import { textVisitors } from './visitors/text';
+import { timerVisitors } from './visitors/timers';
 
 /** All rules by the node they look at. */
-const visitors = gather([textVisitors, builtinVisitors, attributeVisitors, classVisitors, moduleVisitors]);
+const visitors = gather([
+  ...[textVisitors, builtinVisitors, attributeVisitors],
+  ...[classVisitors, moduleVisitors, timerVisitors],
+]);
 
 interface Program {
   readonly name: string;

@@ -75,6 +75,10 @@ export const rules = {
     severity: 'error',
     source: "help('modules') of the device; micropython-microbit-v2 mpconfigport.h, MICROPY_PORT_BUILTIN_MODULES",
   },
+  'timer-without-time': {
+    severity: 'error',
+    source: 'micropython-microbit-v2 drv_softtimer.c: a period of 0 is served again and again, in the interrupt',
+  },
   'newer-name': {
     severity: 'error',
     source: 'micropython-microbit-v2: in the tables of its master and audio-recording branches, not in v2.1.2',

@@ -203,6 +203,19 @@ const cases: Readonly<Record<RuleId, Case>> = {
     marked: ['import json', 'import ujson as json', 'from datetime import datetime'],
     fine: ['json = "{}"\nprint(json)'],
   },
+  'timer-without-time': {
+    marked: [
+      'from microbit import *\n@run_every\ndef f():\n    pass',
+      'from microbit import run_every\n@run_every()\ndef f():\n    pass',
+      'import microbit\nmicrobit.run_every(print, ms=0)',
+      'from microbit import *\nrun_every(callback=print)',
+    ],
+    fine: [
+      'from microbit import *\n@run_every(ms=100)\ndef f():\n    pass',
+      'from microbit import *\nrun_every(print, s=0, min=1)\nrun_every(print, **{"s": 1})\nt = 0\nrun_every(print, h=t)',
+      'def run_every(f):\n    return f\n@run_every\ndef g():\n    pass\nrun_every(g)',
+    ],
+  },
   'newer-name': {
     marked: [
       'from microbit import *\ndisplay.rotate(90)',
