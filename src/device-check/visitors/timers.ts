@@ -31,7 +31,7 @@ function withoutTime(called: SyntaxNode, node: SyntaxNode, context: Context): vo
 }
 
 /** The program has no `run_every` of its own. */
-const isTheBoards = ({ names, isOwnName }: Context): boolean => {
-  const bound = names.bindings.get(TIMER);
-  return bound ? bound.every(({ kind }) => kind === 'import') : !isOwnName(TIMER);
+const isTheBoards = (context: Context): boolean => {
+  const bound = context.names.bindings.get(TIMER);
+  return bound ? bound.every(({ kind }) => kind === 'import') : !context.isOwnName(TIMER);
 };

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { linesOf, play } from './testing/play';
+import { LATER, linesOf, play } from './testing/play';
 
 describe('modules with a surprise', () => {
   it('this prints when it is imported for the first time, and never again', () => {
@@ -27,6 +27,21 @@ describe('modules with a surprise', () => {
 });
 
 describe('the names of modules', () => {
+  it('are shown with u by MicroPython before 1.19', () => {
+    const program =
+      'import array, collections, errno, random, struct\nprint(array, collections, errno, random, struct, random.__name__)';
+    const shown = (letter: string): string =>
+      ['array', 'collections', 'errno', 'random', 'struct'].map((name) => `<module '${letter}${name}'>`).join(' ');
+    expect(linesOf(program)).toEqual([`${shown('u')} urandom`]);
+    for (const device of LATER) expect(linesOf(program, {}, undefined, device)).toEqual([`${shown('')} random`]);
+  });
+
+  it('of what is ours are not among those of micropython', () => {
+    expect(linesOf("import micropython\nprint(hasattr(micropython, 'free'), OSError(28))")).toEqual([
+      'False [Errno 28] ENOSPC',
+    ]);
+  });
+
   it('have the old ones with u too, where the device has them', () => {
     const program = `
 for name in 'uarray ucollections uerrno uos urandom ustruct usys utime'.split():

@@ -1,6 +1,7 @@
 # The device's module errno. This build of MicroPython knows the same numbers but one: 28, ENOSPC. It gets a name here, in
 # the table that OSError takes its text from (MicroPython py/moderrno.c, py/obj.h: a map of pairs).
 import struct as _struct
+from _hal import board_micropython as _board_micropython
 from errno import *
 from uctypes import addressof as _addressof, bytearray_at as _bytearray_at
 
@@ -23,4 +24,4 @@ def _name_it():
 
 
 _table = _name_it()
-__name__ = "errno"
+__name__ = "uerrno" if _board_micropython(1) < 19 else "errno"

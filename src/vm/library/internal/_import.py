@@ -1,12 +1,16 @@
 # The modules that a program can import: the device's, not those that only this build of MicroPython has.
 # Loaded last, when the library has all it needs.
+import array
 import builtins
+import collections
+import random
+import struct
 import _hal
 import _files
 import _builtins
 import _sys
 import os
-from _sim import on_import as _on_import
+from _sim import bytearray_at, on_import as _on_import, word_at
 
 _Module = type(builtins)
 _file_size = _hal.file_size
@@ -63,6 +67,22 @@ def _make_way():
         if file.endswith(".py"):
             _sys.modules.pop(file[:-3], None)
 
+
+def _rename(module, name):
+    """Gives a module in C another name, in its table: py/obj.h, mp_obj_module_t and mp_obj_dict_t."""
+    names = word_at(id(module) + 4)
+    table = word_at(names + 12)
+    for place in range(table, table + 8 * (word_at(names + 4) >> 3), 8):
+        if word_at(place) == id("__name__"):
+            bytearray_at(place + 4, 4)[:] = struct.pack("<I", id(name))
+
+
+if _hal.board_micropython(1) < 19:
+    # Modules that MicroPython has cut down were called so.
+    _rename(array, "uarray")
+    _rename(collections, "ucollections")
+    _rename(random, "urandom")
+    _rename(struct, "ustruct")
 
 _loaded = _sys.modules
 # The library's own parts, which are no modules of the device's.

@@ -74,11 +74,11 @@ def seal_types(module):
         if kind not in _types and getattr(kind, "__setattr__", None) is refuse_attribute:
             _types.add(kind)
             place = bytearray_at(id(kind) + _PLACE_OF_NAMES, 1)[0]
-            names = _word(id(kind) + _SLOTS + 4 * (place - 1))
+            names = word_at(id(kind) + _SLOTS + 4 * (place - 1))
             bytearray_at(names + _FLAGS, 1)[0] |= _IS_FIXED
 
 
-def _word(address):
+def word_at(address):
     a, b, c, d = bytearray_at(address, 4)
     return a | b << 8 | c << 16 | d << 24
 
