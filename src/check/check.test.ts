@@ -1,5 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Project } from '#project/project';
+import { defaultScene, type SceneObject } from '#scene/scene';
 import { taskOf } from './task/read-task';
 import { ahead, checked, checkedProject, checkpointAt, projectWith, readyScene, readySolution, sceneWith, targetAt, taskWith } from './testing/tasks'; // prettier-ignore
 
@@ -308,6 +309,58 @@ describe('rounds and checkpoints', () => {
     const [first, second] = [one.worlds[0]?.atMs ?? 0, two.worlds[0]?.atMs ?? 0];
     expect(second / first).toBeGreaterThan(1.8);
     expect(second / first).toBeLessThan(2.2);
+  });
+});
+
+describe('a round', () => {
+  const line = (x: number, id = 't'): SceneObject => ({ ...targetAt(x, 450, id), size: [100, 200], round: false });
+  const start = (x: number): SceneObject => ({ ...line(x, 's'), type: 'checkpoint', number: 1 });
+  const lapsOf = async (objects: readonly SceneObject[], program: string) => {
+    const checks = [{ type: 'laps', count: 3 }];
+    const { passed, worlds } = await checked(taskWith(sceneWith(objects), { checks, seconds: 20 }), program);
+    return [passed, worlds[0]?.missed['laps']?.params['done']];
+  };
+  const backAndForth = `from mbrobot import *
+while True:
+    forward(); delay(1500)
+    backward(); delay(1500)
+`;
+
+  it('is none where the robot stands in the only field', async () =>
+    expect(await lapsOf([start(200)], 'x = 1')).toEqual([false, 0]));
+
+  it('is one where a line is crossed once, also through two fields that overlap', async () => {
+    expect(await lapsOf([line(400)], ahead(2500))).toEqual([false, 1]);
+    expect(await lapsOf([start(400), line(420)], ahead(2500))).toEqual([false, 1]);
+  });
+
+  it('counts again after the field was left', async () => {
+    expect(await lapsOf([line(400)], backAndForth)).toEqual([true, undefined]);
+    expect(await lapsOf([start(200)], backAndForth)).toEqual([true, undefined]);
+  });
+});
+
+describe('a check sees each step that the goals see', () => {
+  it.each([
+    [1, 5, [500, 597, 694, 791, 888, 985]],
+    [3, 20, [500, 711, 922, 1133, 1344, 1555]],
+  ])('at size %d: gates of %d mm at full speed', async (scale, width, places) => {
+    const gates = places.map((x, at): SceneObject => ({
+      ...{ ...checkpointAt(x, 450, 1), id: `c${String(at)}`, size: [width, 300], round: false },
+    }));
+    const scene = sceneWith(gates, { size: [2600, 900], robot: { ...defaultScene().robot, at: [200, 450], scale } });
+    const task = taskWith(scene, { checks: [{ type: 'goals' }, { type: 'checkpoints' }], seconds: 8 });
+    const { worlds } = await checked(task, 'from mbrobot import *\nsetSpeed(100)\nforward()\ndelay(6000)\n');
+    expect(worlds[0]?.held).toEqual(['goals', 'checkpoints']);
+  });
+
+  it.each([500, 509, 518, 527, 568])('a touch right after the target at %d mm does not count', async (x) => {
+    const field: SceneObject = { ...targetAt(x, 450), size: [100, 200], round: false };
+    const wall = { type: 'wall', id: 'w', from: [x + 18, 200], to: [x + 18, 700], thickness: 10 } as const;
+    const checks = [{ type: 'goals' }, { type: 'touches', most: 0 }];
+    const program = 'from mbrobot import *\nsetSpeed(100)\nforward()\ndelay(3000)\nstop()\n';
+    const { passed, worlds } = await checked(taskWith(sceneWith([field, wall]), { checks }), program);
+    expect([passed, worlds[0]?.touches]).toEqual([true, 0]);
   });
 });
 

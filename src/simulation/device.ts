@@ -15,7 +15,7 @@ import { mountRobot, type Mounted } from './mount-robot';
 import { tellEvents, type DeviceOutlets } from './outlets';
 import { robotLibraries } from './robot-libraries';
 import type { RunSetup } from './run-setup';
-import type { DeviceSnapshot } from './snapshot';
+import type { DeviceSnapshot, Lights } from './snapshot';
 import { boardSnapshot, robotSnapshot } from './take-snapshot';
 import { createTrailSender } from './trail';
 
@@ -176,6 +176,11 @@ export class Device {
       default:
         action satisfies never;
     }
+  }
+
+  /** Its lights now: a small part of a snapshot. */
+  shine(): Lights {
+    return { rgb: this.board.rgb, lights: this.lights.chains(), robot: this.mounted?.robot.state() ?? null };
   }
 
   snapshot(): DeviceSnapshot {

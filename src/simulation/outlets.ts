@@ -43,6 +43,8 @@ export interface RunOutlets {
   readonly log?: (event: TimedLogEvent, device: number) => void;
   readonly trail?: (point: TrailPoint, device: number) => void;
   readonly set?: (set: OutputSet, device: number) => void;
+  /** Every step of the world, and the beginning, once the judge has looked: who listens asks the run what it wants to know. */
+  readonly step?: () => void;
   /** What the run shows, every 20 ms of simulated time, after the world has moved. */
   readonly moment?: (snapshot: Snapshot) => void;
   /** Whether the moment at this time is wanted; one that is not is not even made. Left out: all are. */

@@ -1,5 +1,5 @@
 import { packetOfText } from '#board/radio-text';
-import type { Vec } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import type { Scene } from '#scene/scene';
 import type { Inspected } from '#vm/debug/inspected';
@@ -18,7 +18,7 @@ import { RunInputs } from './run-inputs';
 import { checkRun, createInputCheck } from './run-problem';
 import type { RunSetup } from './run-setup';
 import { seedOfDevice } from './several/seed-of-device';
-import type { Snapshot } from './snapshot';
+import type { Lights, Snapshot } from './snapshot';
 import { TRACE_PERIOD_US, type TraceRow } from './trace';
 import { TraceRecorder } from './trace-recorder';
 import type { Verdict } from './task/verdict';
@@ -158,6 +158,26 @@ export class Simulation {
     return this.judge?.touches ?? 0;
   }
 
+  /** Where the first device's robot is, or `null` if it has none. */
+  get pose(): Pose | null {
+    return this.first.mounted?.chassis.pose() ?? null;
+  }
+
+  /** What the first device's display shows: 25 levels 0 … 9, row by row. */
+  get display(): ArrayLike<number> {
+    return this.first.board.display.pixels;
+  }
+
+  /** The lights of the first device and its robot. */
+  get lights(): Lights {
+    return this.first.shine();
+  }
+
+  /** The judge has decided. */
+  get isJudged(): boolean {
+    return this.judge?.isFinal === true;
+  }
+
   /** Free bytes on a program's heap now, or when it ended. */
   heapFree(device = 0): number {
     return this.devices[device]?.heapFree() ?? 0;
@@ -295,7 +315,8 @@ export class Simulation {
     this.judge?.step(this.nowUs);
     for (const device of this.devices) device.sendTrail();
     this.recorder.step(this.nowUs);
-    const { moment, isMomentWanted } = this.outlets;
+    const { step, moment, isMomentWanted } = this.outlets;
+    step?.();
     if (moment && this.nowUs % TRACE_PERIOD_US === 0 && isMomentWanted?.(this.nowUs) !== false) moment(this.snapshot());
   }
 

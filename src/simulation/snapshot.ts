@@ -70,6 +70,12 @@ export interface Snapshot extends DeviceSnapshot {
   readonly verdict: Verdict | null;
 }
 
+/** The lights of a device and its robot. */
+export interface Lights extends Pick<DeviceSnapshot, 'rgb' | 'lights'> {
+  /** `null` for the bare board. */
+  readonly robot: RobotState | null;
+}
+
 /** The robot at one moment. */
 export interface RobotSnapshot {
   /** Id of its type. */

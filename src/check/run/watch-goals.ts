@@ -4,16 +4,18 @@ import type { Verdict } from '#simulation/task/verdict';
 
 /** Watches the goals and rules of the course. */
 export function watchGoals(): Watcher {
+  let standing: Standing = OPEN;
   let verdict: Verdict | null = null;
   return {
-    glance: (now) => {
-      verdict = now.verdict;
+    step: (run) => {
+      if (standing !== OPEN || !run.isJudged) return;
+      ({ verdict } = run);
+      standing = verdict?.state === 'passed' ? metAt(run.nowUs) : failedAt(run.nowUs);
     },
-    standing: () => {
-      if (verdict === null || verdict.atMs === null) return OPEN;
-      const atUs = verdict.atMs * 1000;
-      return verdict.state === 'passed' ? metAt(atUs) : failedAt(atUs);
+    end: (run) => {
+      verdict ??= run.verdict;
     },
+    standing: () => standing,
     reason: () => reasonOf(verdict),
   };
 }
@@ -41,9 +43,9 @@ function reachedIn(verdict: Verdict | null): Reason['params'] {
 export function watchTouches(most: number): Watcher {
   let [touches, failedUs]: [number, number | null] = [0, null];
   return {
-    glance: (now) => {
-      ({ touches } = now);
-      if (touches > most) failedUs ??= now.timeUs;
+    step: (run) => {
+      ({ touches } = run);
+      if (touches > most) failedUs ??= run.nowUs;
     },
     standing: () => (failedUs === null ? HELD : failedAt(failedUs)),
     reason: () => ({ code: 'touches', params: { count: touches, most } }),
@@ -54,8 +56,9 @@ export function watchTouches(most: number): Watcher {
 export function watchTime(seconds: number): Watcher {
   let failedUs: number | null = null;
   return {
-    glance: ({ timeUs, reachedUs }) => {
-      if ((reachedUs ?? timeUs) > seconds * 1_000_000) failedUs ??= timeUs;
+    clock: (nowUs, reachedUs) => {
+      const isLate = reachedUs === null ? nowUs >= seconds * 1_000_000 : reachedUs > seconds * 1_000_000;
+      if (isLate) failedUs ??= nowUs;
     },
     standing: (): Standing => (failedUs === null ? HELD : failedAt(failedUs)),
     reason: () => ({ code: 'slow', params: { seconds } }),

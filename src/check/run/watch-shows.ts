@@ -1,6 +1,6 @@
 import { textBytesOf } from '#board/radio-text';
 import type { Rgb } from '#core/rgb';
-import type { Snapshot } from '#simulation/snapshot';
+import type { Lights } from '#simulation/snapshot';
 import type { LightColor, LightPlace } from '../task/task';
 import type { ReasonCode } from '../result';
 import { metAt, OPEN, type Standing, type Watcher } from './watcher';
@@ -22,8 +22,8 @@ function once(
 export function watchDisplay(image: string): Watcher {
   const wanted = Array.from(image.replaceAll(':', ''), (digit) => digit !== '0');
   return once('display', { image }, (come) => ({
-    moment: ({ timeUs, display }) => {
-      if (wanted.every((lit, place) => (display[place] ?? 0) > 0 === lit)) come(timeUs);
+    step: ({ display, nowUs }) => {
+      if (wanted.every((lit, place) => (display[place] ?? 0) > 0 === lit)) come(nowUs);
     },
   }));
 }
@@ -31,15 +31,15 @@ export function watchDisplay(image: string): Watcher {
 /** Watches the lights of the first robot and its board. */
 export function watchLight(which: LightPlace, color: LightColor | null): Watcher {
   return once('light', { which, ...(color !== null && { color }) }, (come) => ({
-    moment: (snapshot) => {
-      if (isLit(snapshot, which, color)) come(snapshot.timeUs);
+    step: (run) => {
+      if (isLit(run.lights, which, color)) come(run.nowUs);
     },
   }));
 }
 
-function isLit({ robot, rgb, lights }: Snapshot, which: LightPlace, color: LightColor | null): boolean {
-  const { left, right } = robot?.state.leds ?? { left: 0, right: 0 };
-  const robotRgb = robot?.state.rgb ?? [];
+function isLit({ robot, rgb, lights }: Lights, which: LightPlace, color: LightColor | null): boolean {
+  const { left, right } = robot?.leds ?? { left: 0, right: 0 };
+  const robotRgb = robot?.rgb ?? [];
   // A robot with two colour lights has left and right; one with four has the left ones first.
   const half = robotRgb.length / 2;
   const shines = (light: Rgb): boolean => (color === null ? light.some((part) => part > 0) : isColor(light, color));

@@ -1,14 +1,14 @@
-import type { Vec } from '#core/geometry';
+import type { Pose, Vec } from '#core/geometry';
 import { zoneHolds, isZone } from '#scene/kinds/zone';
 import type { Scene, Zone } from '#scene/scene';
-import type { Snapshot } from '#simulation/snapshot';
+import { Laps } from './laps';
 import { metAt, OPEN, type Standing, type Watcher } from './watcher';
 
-/** Within a step of the world a robot at rest does not move farther than its figures are rounded. */
+/** A robot at rest stays within this. Chosen: below what a ruler shows, above what rounding makes. */
 const STILL_MM = 0.05;
 const STILL_RAD = 0.0005;
 
-const placeIn = ({ robot }: Snapshot): Vec | null => (robot === null ? null : { x: robot.pose.xMm, y: robot.pose.yMm });
+const placeOf = ({ xMm, yMm }: Pose): Vec => ({ x: xMm, y: yMm });
 
 const ofType = ({ objects }: Scene, type: Zone['type']): readonly Zone[] =>
   objects.filter((object): object is Zone => isZone(object) && object.type === type);
@@ -26,9 +26,10 @@ export function watchStop(
     null;
   let hasMoved = false;
   return {
-    moment: ({ timeUs, robot }) => {
-      if (standing !== OPEN || robot === null) return;
-      const { xMm: x, yMm: y, headingRad } = robot.pose;
+    step: ({ nowUs: timeUs, pose }) => {
+      if (standing !== OPEN || pose === null) return;
+      const { headingRad } = pose;
+      const { x, y } = placeOf(pose);
       const isStill =
         since !== null &&
         Math.abs(x - since.x) < STILL_MM &&
@@ -53,46 +54,28 @@ export function watchCheckpoints(course: Scene): Watcher {
   const of = left.size;
   let standing: Standing = OPEN;
   return {
-    moment: (snapshot) => {
-      const place = placeIn(snapshot);
-      if (standing !== OPEN || place === null) return;
-      for (const zone of left) if (zoneHolds(zone, place)) left.delete(zone);
-      if (left.size === 0 && of > 0) standing = metAt(snapshot.timeUs);
+    step: ({ nowUs, pose }) => {
+      if (standing !== OPEN || pose === null) return;
+      for (const zone of left) if (zoneHolds(zone, placeOf(pose))) left.delete(zone);
+      if (left.size === 0 && of > 0) standing = metAt(nowUs);
     },
     standing: () => standing,
     reason: () => ({ code: 'checkpoints', params: { done: of - left.size, of } }),
   };
 }
 
-/**
- * Watches rounds: all checkpoints in their order, then the targets, or without a target the first checkpoint again. The
- * round begins anew with that.
- */
+/** Watches rounds: `Laps` says what one is. */
 export function watchLaps(course: Scene, count: number): Watcher {
-  const checkpoints = ofType(course, 'checkpoint').toSorted((a, b) => a.number - b.number);
   const targets = ofType(course, 'target').filter(({ blocks }) => blocks === 0);
-  const round = targets.length > 0 ? [...checkpoints, ...targets] : checkpoints;
-  const isRing = targets.length === 0;
-  let [next, laps, isStarted] = [0, 0, false];
+  const laps = new Laps(ofType(course, 'checkpoint'), targets);
   let standing: Standing = OPEN;
-  const arrive = (timeUs: number): void => {
-    const isFirst = isRing && next === 0;
-    if (isFirst && isStarted) laps += 1;
-    isStarted = true;
-    next += 1;
-    if (next === round.length) {
-      if (!isRing) laps += 1;
-      next = 0;
-    }
-    if (laps >= count) standing = metAt(timeUs);
-  };
   return {
-    moment: (snapshot) => {
-      const place = placeIn(snapshot);
-      const zone = round[next];
-      if (standing === OPEN && place !== null && zone !== undefined && zoneHolds(zone, place)) arrive(snapshot.timeUs);
+    step: ({ nowUs, pose }) => {
+      if (standing !== OPEN || pose === null) return;
+      laps.visit(placeOf(pose));
+      if (laps.count >= count) standing = metAt(nowUs);
     },
     standing: () => standing,
-    reason: () => ({ code: 'laps', params: { done: laps, of: count } }),
+    reason: () => ({ code: 'laps', params: { done: laps.count, of: count } }),
   };
 }

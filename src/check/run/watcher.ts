@@ -1,7 +1,6 @@
 import type { SoundEvent } from '#board/sound/sound-event';
 import type { RadioPacket, TimedLogEvent } from '#simulation/outlets';
-import type { Snapshot } from '#simulation/snapshot';
-import type { Verdict } from '#simulation/task/verdict';
+import type { Simulation } from '#simulation/simulation';
 import type { Reason } from '../result';
 
 /** What a watcher says about its check at some moment of the run. */
@@ -14,25 +13,20 @@ export interface Standing {
   readonly atUs: number | null;
 }
 
-/** The run now, as far as it costs nothing to look at. */
-export interface Glance {
-  readonly timeUs: number;
-  readonly verdict: Verdict | null;
-  /** Touches up to now, also after the goals of the course are reached. */
-  readonly touches: number;
-  /** When all that is needed was reached; `null`: it is not yet. */
-  readonly reachedUs: number | null;
-}
+/** The run at a step of the world, after its judge has looked. Each thing is made when it is asked for. */
+export type Step = Pick<Simulation, 'nowUs' | 'pose' | 'verdict' | 'isJudged' | 'touches' | 'display' | 'lights'>;
 
 /** Looks at a run for one check. What it has no function for, nobody makes. */
 export interface Watcher {
   standing(): Standing;
   /** Why the check does not hold, asked at the end of the run. */
   reason(): Reason;
-  /** Ten times a second of simulated time. */
-  glance?(glance: Glance): void;
-  /** What the run shows, 50 times a second. */
-  moment?(snapshot: Snapshot): void;
+  /** Every step of the world, as the judge of the course sees it. */
+  step?(run: Step): void;
+  /** After the last step that counts. */
+  end?(run: Step): void;
+  /** After all others have looked at a step. @param reachedUs when all that is needed was reached; `null`: it is not yet */
+  clock?(nowUs: number, reachedUs: number | null): void;
   /** What the first device's program prints. */
   print?(text: string, timeUs: number): void;
   sound?(event: SoundEvent): void;

@@ -77,6 +77,11 @@ export class Judge {
     return this.final ?? (this.isAsked() ? this.openVerdict() : null);
   }
 
+  /** It has decided; its verdict stays. */
+  get isFinal(): boolean {
+    return this.final !== null;
+  }
+
   /** Number of touches of walls, blocks, the edge or obstacles up to now, also after the decision, of all robots that count. */
   get touches(): number {
     return this.entrants.reduce((sum, { collisions }) => sum + collisions, 0);

@@ -1,0 +1,157 @@
+import type { RunOutlets } from '#simulation/outlets';
+import type { Scene } from '#scene/scene';
+import type { Reason, WorldResult } from '../result';
+import { watcherOf, type RunCheck } from './watchers';
+import type { Standing, Step, Watcher } from './watcher';
+
+/** A check and who watches for it. */
+interface Watched {
+  readonly check: RunCheck;
+  readonly watcher: Watcher;
+}
+
+/** What became of a run's checks. */
+export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches'>;
+
+/** Why what a run has not reached was not reached, if there is more to say than which check it was. */
+export type Cause = (failedUs: number | null) => Reason | null;
+
+/**
+ * All that look at a run for a task's checks. They see each step of the world that the judge of the course sees, and with the
+ * step in which everything is decided, or the time is over, they close their eyes: what comes later does not count.
+ */
+export class Judging {
+  private readonly watched: readonly Watched[];
+  private isOver = false;
+  private touches = 0;
+  private lastUs = 0;
+  private endUs = 0;
+  /** Something was printed or sent since the last step. */
+  private hasHeard = false;
+
+  /** @param limitUs the last simulated time that counts */
+  constructor(
+    checks: readonly RunCheck[],
+    course: Scene,
+    private readonly limitUs: number,
+  ) {
+    this.watched = checks.map((check): Watched => ({ check, watcher: watcherOf(check, course) }));
+  }
+
+  /** Nothing that happens now changes anything. */
+  get isDone(): boolean {
+    return this.isOver;
+  }
+
+  /** Look at the run: before the first step of the world, and after each. */
+  step(run: Step): void {
+    // What is printed or sent comes between two steps, and may have been the last that was missing.
+    if (run.nowUs > this.limitUs || (this.hasHeard && this.isDecided(this.lastUs))) this.end(run);
+    this.hasHeard = false;
+    if (this.isOver) return;
+    this.lastUs = run.nowUs;
+    ({ touches: this.touches } = run);
+    for (const { watcher } of this.watched) watcher.step?.(run);
+    if (this.isDecided(run.nowUs) || run.nowUs >= this.limitUs) this.end(run);
+  }
+
+  /** The run is over. */
+  end(run: Step): void {
+    if (this.isOver) return;
+    this.isOver = true;
+    this.endUs = run.nowUs;
+    for (const { watcher } of this.watched) watcher.end?.(run);
+  }
+
+  /** Only what somebody listens to is made. What is printed is never kept. */
+  outlets(nowUs: () => number): RunOutlets {
+    const having = (name: 'print' | 'sound' | 'radio' | 'log'): readonly Watcher[] =>
+      this.watched.flatMap(({ watcher }) => (watcher[name] === undefined ? [] : [watcher]));
+    const [prints, sounds, radios, logs] = [having('print'), having('sound'), having('radio'), having('log')];
+    const hears = (device: number): boolean => {
+      const isHeard = device === 0 && nowUs() <= this.limitUs && !this.isOver;
+      this.hasHeard ||= isHeard;
+      return isHeard;
+    };
+    return {
+      print: (text, device) => {
+        if (hears(device)) for (const watcher of prints) watcher.print?.(text, nowUs());
+      },
+      ...(sounds.length > 0 && {
+        sound: (event, device) => {
+          if (hears(device)) for (const watcher of sounds) watcher.sound?.(event);
+        },
+      }),
+      ...(radios.length > 0 && {
+        radio: (packet, device) => {
+          if (hears(device)) for (const watcher of radios) watcher.radio?.(packet);
+        },
+      }),
+      ...(logs.length > 0 && {
+        log: (event, device) => {
+          if (hears(device)) for (const watcher of logs) watcher.log?.(event);
+        },
+      }),
+    };
+  }
+
+  /** What became of the checks, once the run is over. */
+  outcome(cause: Cause): Outcome {
+    const ends = this.watched.map(({ check, watcher }) => ({ check, watcher, ...watcher.standing() }));
+    const reachedUs = this.reachedAt();
+    // Who has touched nothing because nothing was done has not kept a rule.
+    const counts =
+      reachedUs !== null || !ends.some(({ check, state }) => check.needed && (state === 'open' || state === 'met'));
+    const isHeld = ({ state }: Standing): boolean => state === 'met' || (state === 'held' && counts);
+    const lacking = ends.filter((end) => end.check.needed && (end.state === 'open' || end.state === 'failed'));
+    const failed = lacking.find(({ state }) => state === 'failed');
+    const first = failed ?? lacking[0];
+    // What ended the run is why everything that was still to come did not.
+    const ended = cause(failed?.atUs ?? null) ?? failed?.watcher.reason() ?? null;
+    const reason = first === undefined ? null : (ended ?? first.watcher.reason());
+    const whyMissed = ({ state, watcher }: (typeof ends)[number]): Reason => {
+      if (state === 'failed') return watcher.reason();
+      return (state === 'held' ? reason : ended) ?? watcher.reason();
+    };
+    return {
+      passed: first === undefined,
+      reason,
+      atMs: timeOf(first, reachedUs ?? this.endUs),
+      touches: this.touches,
+      held: ends.filter(isHeld).map(({ check }) => check.id),
+      missed: Object.fromEntries(ends.filter((end) => !isHeld(end)).map((end) => [end.check.id, whyMissed(end)])),
+    };
+  }
+
+  /** Something needed has failed for good; or nothing is open, and something was reached. */
+  private isDecided(nowUs: number): boolean {
+    const reachedUs = this.reachedAt();
+    let [isOpen, isMet] = [false, false];
+    for (const { check, watcher } of this.watched) {
+      watcher.clock?.(nowUs, reachedUs);
+      const { state } = watcher.standing();
+      if (state === 'failed' && check.needed) return true;
+      isOpen ||= state === 'open';
+      isMet ||= state === 'met';
+    }
+    return isMet && !isOpen;
+  }
+
+  /** When the last of what is needed was reached; `null`: something is not yet, or there is nothing to reach. */
+  private reachedAt(): number | null {
+    let reachedUs: number | null = null;
+    for (const { check, watcher } of this.watched) {
+      if (!check.needed) continue;
+      const { state, atUs } = watcher.standing();
+      if (state === 'open') return null;
+      if (state === 'met' && atUs !== null) reachedUs = Math.max(reachedUs ?? 0, atUs);
+    }
+    return reachedUs;
+  }
+}
+
+/** Simulated ms of the decision; `null`: what is missing was not decided. */
+function timeOf(missing: Standing | undefined, passedUs: number): number | null {
+  if (missing === undefined) return passedUs / 1000;
+  return missing.atUs === null ? null : missing.atUs / 1000;
+}
