@@ -69,6 +69,11 @@ export interface Chassis {
   /** From the robot frame to the world, mm. */
   toWorld(point: Vec): Vec;
   /**
+   * Convex outlines of all that is solid on the robot now besides its type's body: added parts, jaws and fork where they
+   * stand, and what they hold. Robot frame, mm, counter-clockwise.
+   */
+  addedMm(): readonly (readonly Vec[])[];
+  /**
    * Adds something solid to the body that is not part of its type, such as a bumper or a plate. Mass and drive stay as
    * they are.
    *

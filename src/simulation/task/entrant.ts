@@ -51,7 +51,7 @@ export class Entrant {
   take(brief: TaskBrief): void {
     this.brief = brief;
     this.route.take(brief);
-    this.forbidden = forbiddenIn(brief, this.robot.body);
+    this.forbidden = forbiddenIn(brief);
     this.lastPose = null;
     this.waiting = null;
   }
@@ -71,7 +71,7 @@ export class Entrant {
     const hasMoved = this.lastPose === null || !isSame(pose, this.lastPose);
     this.lastPose = pose;
     if (hasMoved) this.waiting = this.route.visit({ x: pose.xMm, y: pose.yMm }, this.waiting);
-    return this.newTouch() ?? (hasMoved ? this.overForbidden(pose) : null);
+    return this.newTouch() ?? this.overForbidden(pose, hasMoved);
   }
 
   /** The middle of its axle is in one of these zones. */
@@ -126,13 +126,19 @@ export class Entrant {
     return by === undefined ? null : { reason: 'touched', by };
   }
 
-  private overForbidden(pose: Pose): Failure | null {
-    const { xMm: x, yMm: y, headingRad } = pose;
+  /** @param hasMoved a robot that stands can still move its jaws, or take something up */
+  private overForbidden({ xMm: x, yMm: y, headingRad }: Pose, hasMoved: boolean): Failure | null {
+    if (this.forbidden.length === 0) return null;
+    const added = this.robot.chassis.addedMm();
+    if (!hasMoved && added.length === 0) return null;
+    const own = [...this.robot.body, ...added];
+    const robotReach = reachOf(own);
     let parts: readonly Outline[] | null = null;
-    for (const { zone, atX, atY, reachSquared } of this.forbidden) {
-      if ((x - atX) * (x - atX) + (y - atY) * (y - atY) > reachSquared) continue;
+    for (const { zone, atX, atY, reachMm } of this.forbidden) {
+      const reach = robotReach + reachMm;
+      if ((x - atX) * (x - atX) + (y - atY) * (y - atY) > reach * reach) continue;
       const direction = { x: exactCos(headingRad), y: exactSin(headingRad) };
-      parts ??= this.robot.body.map((part) => movedOutline(part, { x, y }, direction));
+      parts ??= own.map((part) => movedOutline(part, { x, y }, direction));
       if (parts.some((part) => zoneOverlaps(zone, part))) return { reason: 'forbidden', by: zone.id };
     }
     return null;
@@ -141,18 +147,23 @@ export class Entrant {
 
 const tenths = (mm: number): number => Math.round(mm * 10) / 10;
 
-/** A forbidden zone, and the distance within which the robot can be over it. */
+/** A forbidden zone, and how far from its middle it reaches. */
 interface Forbidden {
   readonly zone: Zone;
   readonly atX: number;
   readonly atY: number;
-  readonly reachSquared: number;
+  readonly reachMm: number;
 }
 
-function forbiddenIn({ forbidden }: TaskBrief, body: readonly Outline[]): readonly Forbidden[] {
-  const bodyReach = Math.max(0, ...body.flat().map(({ x, y }) => lengthOf(x, y)));
-  return forbidden.map((zone) => {
-    const reach = bodyReach + lengthOf(zone.size[0], zone.size[1]) / 2;
-    return { zone, atX: zone.at[0], atY: zone.at[1], reachSquared: reach * reach };
-  });
+const forbiddenIn = ({ forbidden }: TaskBrief): readonly Forbidden[] =>
+  forbidden.map((zone) => ({
+    ...{ zone, atX: zone.at[0], atY: zone.at[1] },
+    reachMm: lengthOf(zone.size[0], zone.size[1]) / 2,
+  }));
+
+/** How far from its axle's middle a robot reaches. */
+function reachOf(parts: readonly Outline[]): number {
+  let squared = 0;
+  for (const part of parts) for (const { x, y } of part) squared = Math.max(squared, x * x + y * y);
+  return Math.sqrt(squared);
 }

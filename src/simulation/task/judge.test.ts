@@ -426,3 +426,66 @@ describe('the test robot', () => {
     expect(robot.toWorld({ x: 59, y: 0 }).x - robot.pose().xMm).toBeCloseTo(59, 9);
   });
 });
+
+describe('a forbidden field feels all of a robot', () => {
+  /** The robot's nose is 30 mm before the field. */
+  const field = (robotNoseMm: number): Zone =>
+    zone('forbidden', 'f', [300 + robotNoseMm + 30 + 100, 500], { size: [200, 400] });
+  const nose = Math.max(
+    ...testChassis()
+      .outlineMm.flat()
+      .map(({ x }) => x),
+  );
+  const ahead = (fromMm: number, toMm: number) => [
+    { x: nose + fromMm, y: -5 },
+    { x: nose + toMm, y: -5 },
+    { x: nose + toMm, y: 5 },
+    { x: nose + fromMm, y: 5 },
+  ];
+  const reasonOf = ({ verdict }: ReturnType<typeof start>) => verdict()?.reason ?? null;
+
+  it('not the air before it', () => {
+    const rig = start([field(nose)]);
+    rig.drive(0.1, 0);
+    expect(reasonOf(rig)).toBe(null);
+  });
+
+  it('a plate or bumper of 40 mm before it, none of 20 mm', () => {
+    for (const [length, reason] of [
+      [20, null],
+      [40, 'forbidden'],
+    ] as const) {
+      const rig = start([field(nose)]);
+      rig.robot.addPart(ahead(0, length));
+      rig.drive(0.1, 0);
+      expect([length, reasonOf(rig)]).toEqual([length, reason]);
+    }
+  });
+
+  it('a jaw that swings into it while the robot stands', () => {
+    const rig = start([field(nose)]);
+    const jaw = [{ x: 0, y: -2 }, { x: 60, y: -2 }, { x: 60, y: 2 }, { x: 0, y: 2 }]; // prettier-ignore
+    const claw = rig.robot.addGripper({ hingeMm: { x: nose, y: 15 }, jawMm: [jaw], forceN: 1 });
+    claw.setSwing(Math.PI / 2);
+    rig.drive(0.4, 0);
+    expect(reasonOf(rig)).toBe(null);
+    claw.setSwing(0);
+    rig.drive(0.4, 0);
+    expect(reasonOf(rig)).toBe('forbidden');
+  });
+
+  it('a fork, and a block on it once it is lifted', () => {
+    const short = { plateMm: ahead(0, 25), clearMm: 5 };
+    const rig = start([field(nose), { ...block('b', [300 + nose + 24, 500]), size: [20, 20] } as SceneObject]);
+    const fork = rig.robot.addFork(short);
+    rig.drive(0.1, 0);
+    expect(reasonOf(rig)).toBe(null);
+    fork.setHeightMm(10);
+    rig.drive(0.1, 0);
+    expect([fork.isHolding(), reasonOf(rig)]).toEqual([true, 'forbidden']);
+    const long = start([field(nose)]);
+    long.robot.addFork({ plateMm: ahead(0, 40), clearMm: 5 });
+    long.drive(0.1, 0);
+    expect(reasonOf(long)).toBe('forbidden');
+  });
+});

@@ -26,7 +26,7 @@ export interface Watched {
  * - A block is delivered while all its corners are in a target that wants blocks and no robot holds it.
  * - *Passed*: all checkpoints, all targets, and all blocks at the same time. A task with only a time limit is passed
  *   when the time is over: holding out was the task. Without even that, it stays open.
- * - *Failed*: a part of the robot's body is over a forbidden zone; it touches spikes; with `noTouch` it touches
+ * - *Failed*: any part of the robot, also what is fixed to it or held, is over a forbidden zone; it touches spikes; with `noTouch` it touches
  *   anything solid (except blocks, if blocks are to be delivered); the time is over. If a task passes and fails in the
  *   same step, it has failed.
  * - *Helped*: what would have been passed, had neither the hand moved anything nor the course been edited. Help that the

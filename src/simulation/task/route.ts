@@ -28,6 +28,15 @@ export class Route {
     return this.arrival;
   }
 
+  /** The places that are next: the checkpoints of one number, or the targets that are left. */
+  get next(): readonly Zone[] {
+    const isLeft = ({ id }: Zone): boolean => !this.reached.has(id);
+    const left = this.brief.checkpoints.filter(isLeft);
+    return left.length > 0
+      ? left.filter(({ number }) => number === left[0]?.number)
+      : this.brief.robotTargets.filter(isLeft);
+  }
+
   get isDone(): boolean {
     const { checkpoints, robotTargets } = this.brief;
     return [checkpoints, robotTargets].every((zones) => zones.every(({ id }) => this.reached.has(id)));

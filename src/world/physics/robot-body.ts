@@ -191,6 +191,17 @@ export class RobotBody implements Chassis {
     );
   }
 
+  addedMm(): Vec[][] {
+    const outlines: Vec[][] = [];
+    for (let fixture = this.body.getFixtureList(); fixture; fixture = fixture.getNext()) {
+      const shape = fixture.getShape();
+      if (shape instanceof PolygonShape)
+        outlines.push(shape.m_vertices.map(({ x, y }) => ({ x: x * MM_PER_UNIT, y: y * MM_PER_UNIT })));
+    }
+    // The engine has the newest first, and those of the type at the end.
+    return outlines.slice(0, -this.type.outlineMm.length);
+  }
+
   /** Call it after the hand tool has moved a block. */
   blockPlaced(): void {
     for (const tool of this.tools) tool.blockPlaced();
