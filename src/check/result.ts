@@ -58,6 +58,8 @@ export interface Reason {
 export const reasonCodes = [
   // of the course's goals
   ...(['time', 'forbidden', 'spikes', 'touched', 'robot', 'left', 'open', 'helped'] as const),
+  // of a run in which nothing came of them
+  ...(['empty', 'unmoved', 'waits'] as const),
   // of the other checks
   ...(['stop', 'laps', 'checkpoints', 'touches', 'slow'] as const),
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
@@ -66,6 +68,9 @@ export const reasonCodes = [
   ...(['exception', 'panic', 'stuck', 'refused', 'broken'] as const),
 ] as const;
 export type ReasonCode = (typeof reasonCodes)[number];
+
+/** Nothing was done wrong: something was just not reached. */
+export const isUnreached = ({ code }: Reason): boolean => ['open', 'empty', 'unmoved', 'waits'].includes(code);
 
 /** All of the judge's reasons are among them. */
 export const goalReason = (reason: GoalReason): ReasonCode => reason;

@@ -85,7 +85,8 @@ course, a link, the id of a ready course such as closed-line, or a task of a ser
 or id: series.json#3, "LINK#3". HAND-INS are programs, project files, links, texts with links in
 them (.txt, .eml), folders and zips: there each file is a hand-in with its name, each sub-folder
 one whose program is main.py. What cannot be read is told and the rest goes on. Course, robot and
-chance are the task's; only the programs are the pupils'.
+chance are the task's; only the programs are the pupils'. A run may take as long as the task or the
+course says, else 300 simulated seconds.
   --jobs N            so many threads (default: as many as this computer has)
   --report, --csv, --junit
                       a page with drawings to print, a table for a spreadsheet, test results

@@ -33,6 +33,9 @@ export function findFact(fact: Fact, files: Files): FactFound {
   }
 }
 
+/** Whether there is no code at all. */
+export const isEmpty = (files: Files): boolean => programsIn(files).every((source) => codeLines(source) === 0);
+
 const found = (holds: boolean): FactFound => ({ holds, found: null, line: null });
 
 const programsIn = (files: Files): readonly PythonText[] =>

@@ -60,7 +60,7 @@ describe('the result of a class', () => {
           worlds: [{ id: 'visible', hidden: false, reason: null, touches: 0 }],
           remarks: [],
         },
-        { passed: false, worlds: [{ passed: false, reason: 'The goal was not reached (0 of 1).', atMs: null }] },
+        { passed: false, worlds: [{ passed: false, reason: 'The robot never moved.', atMs: null }] },
         {
           name: 'Cem',
           passed: false,
@@ -75,7 +75,7 @@ describe('the result of a class', () => {
     const [head, ...rows] = csvOf(classResult('t', await results()), 'de').split('\r\n');
     expect(head).toBe('Name,bestanden,Punkte,Sterne,goals,visible: bestanden,visible: ms,visible: Berührungen,nicht bestanden,Bemerkungen'); // prettier-ignore
     expect(rows[0]).toMatch(/^Anna,1,1,,1,1,\d+(\.\d+)?,0,,$/);
-    expect(rows[1]).toBe(`"'=Ben ""<b>""",0,0,,0,0,,0,Das Ziel ist nicht erreicht (0 von 1).,`);
+    expect(rows[1]).toBe(`"'=Ben ""<b>""",0,0,,0,0,,0,Der Roboter hat sich nie bewegt.,`);
   });
 
   it('is XML in which what cannot be read is an error, and what has not passed a failure', async () => {

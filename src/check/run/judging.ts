@@ -1,3 +1,4 @@
+import type { Pose } from '#core/geometry';
 import type { RunOutlets } from '#simulation/outlets';
 import type { Scene } from '#scene/scene';
 import type { Reason, WorldResult } from '../result';
@@ -13,8 +14,8 @@ interface Watched {
 /** What became of a run's checks. */
 export type Outcome = Pick<WorldResult, 'passed' | 'reason' | 'atMs' | 'held' | 'missed' | 'touches'>;
 
-/** Why what a run has not reached was not reached, if there is more to say than which check it was. */
-export type Cause = (failedUs: number | null) => Reason | null;
+/** Why a check was not reached, if there is more to say than that (`causeOf`). */
+export type Cause = (check: RunCheck, failedUs: number | null) => Reason | null;
 
 /**
  * All that look at a run for a task's checks. They see each step of the world that the judge of the course sees, and with the
@@ -26,6 +27,8 @@ export class Judging {
   private touches = 0;
   private lastUs = 0;
   private endUs = 0;
+  private start: Pose | null = null;
+  private isAway = false;
   /** Something was printed or sent since the last step. */
   private hasHeard = false;
 
@@ -50,6 +53,7 @@ export class Judging {
     this.hasHeard = false;
     if (this.isOver) return;
     this.lastUs = run.nowUs;
+    if (!this.isAway) this.note(run.pose);
     ({ touches: this.touches } = run);
     for (const { watcher } of this.watched) watcher.step?.(run);
     if (this.isDecided(run.nowUs) || run.nowUs >= this.limitUs) this.end(run);
@@ -95,8 +99,17 @@ export class Judging {
     };
   }
 
-  /** What became of the checks, once the run is over. */
-  outcome(cause: Cause): Outcome {
+  /** The first robot is not where it was in the beginning, or has not always been there. */
+  get hasMoved(): boolean {
+    return this.isAway;
+  }
+
+  /**
+   * What became of the checks, once the run is over.
+   *
+   * @param besides what there is to say of all that was not reached
+   */
+  outcome(cause: Cause, besides: Reason['params']): Outcome {
     const ends = this.watched.map(({ check, watcher }) => ({ check, watcher, ...watcher.standing() }));
     const reachedUs = this.reachedAt();
     // Who has touched nothing because nothing was done has not kept a rule.
@@ -107,11 +120,21 @@ export class Judging {
     const failed = lacking.find(({ state }) => state === 'failed');
     const first = failed ?? lacking[0];
     // What ended the run is why everything that was still to come did not.
-    const ended = cause(failed?.atUs ?? null) ?? failed?.watcher.reason() ?? null;
-    const reason = first === undefined ? null : (ended ?? first.watcher.reason());
-    const whyMissed = ({ state, watcher }: (typeof ends)[number]): Reason => {
-      if (state === 'failed') return watcher.reason();
-      return (state === 'held' ? reason : ended) ?? watcher.reason();
+    const whyOpen = ({ check, watcher }: (typeof ends)[number]): Reason => {
+      if (failed !== undefined) return cause(check, failed.atUs) ?? whyFailed(failed);
+      const { code, params } = cause(check, null) ?? watcher.reason();
+      return { code, params: { ...params, ...besides } };
+    };
+    const whyFailed = ({ check, watcher }: (typeof ends)[number]): Reason => {
+      const reason = watcher.reason();
+      return (reason.code === 'time' ? cause(check, null) : null) ?? reason;
+    };
+    const whyFirst =
+      first && (first.state === 'failed' ? (cause(first.check, first.atUs) ?? whyFailed(first)) : whyOpen(first));
+    const reason = whyFirst ?? null;
+    const whyMissed = (end: (typeof ends)[number]): Reason => {
+      if (end.state === 'failed') return whyFailed(end);
+      return end.state === 'held' && reason !== null ? reason : whyOpen(end);
     };
     return {
       passed: first === undefined,
@@ -121,6 +144,13 @@ export class Judging {
       held: ends.filter(isHeld).map(({ check }) => check.id),
       missed: Object.fromEntries(ends.filter((end) => !isHeld(end)).map((end) => [end.check.id, whyMissed(end)])),
     };
+  }
+
+  private note(pose: Pose | null): void {
+    if (pose === null) return;
+    this.start ??= pose;
+    const { xMm, yMm, headingRad } = this.start;
+    this.isAway = pose.xMm !== xMm || pose.yMm !== yMm || pose.headingRad !== headingRad;
   }
 
   /** Something needed has failed for good; or nothing is open, and something was reached. */

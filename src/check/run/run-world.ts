@@ -3,7 +3,8 @@ import { checkRun } from '#simulation/run-problem';
 import type { RunSetup } from '#simulation/run-setup';
 import { Simulation } from '#simulation/simulation';
 import type { Reason, WorldResult } from '../result';
-import { isFact, USUAL_SECONDS, type ClassTask, type WorldVariant } from '../task/task';
+import { isFact, usualSeconds, type ClassTask, type WorldVariant } from '../task/task';
+import { causeOf, type RunEnd } from './cause';
 import { Judging } from './judging';
 import { setupOf } from './setup';
 import { STILL_US, stillness } from './stillness';
@@ -50,7 +51,13 @@ export async function runWorld(
   runToEnd(simulation, judging, { limitUs, stillUs: stillUs(checks), beat });
   const { id, hidden } = world;
   judging.end(simulation);
-  const outcome = judging.outcome((failedUs) => endReason(simulation, failedUs));
+  const { hasMoved } = judging;
+  const end: RunEnd = { ended: simulation.ended, hasMoved, files: setup.devices[0].files, world };
+  const isCut = end.ended === null && simulation.nowUs >= limitUs;
+  const outcome = judging.outcome(
+    (check, failedUs) => causeOf(end, check, failedUs),
+    isCut ? { limit: limitUs / 1_000_000 } : {},
+  );
   simulation.dispose();
   return { id, hidden, ...outcome, hash: simulation.traceHash, ...trail.way() };
 }
@@ -76,8 +83,8 @@ export function notRun({ checks }: ClassTask, { id, hidden }: WorldVariant, reas
 
 /** The longest time of a run. The course's own limit decides in its last step. */
 function limitOf({ seconds }: ClassTask, { scene }: RunSetup): number {
-  const ofCourse = scene.task.seconds === null ? null : scene.task.seconds * 1_000_000 + SLICE_US;
-  return seconds === null ? (ofCourse ?? USUAL_SECONDS * 1_000_000) : seconds * 1_000_000;
+  if (seconds !== null) return seconds * 1_000_000;
+  return usualSeconds(scene) * 1_000_000 + (scene.task.seconds === null ? 0 : SLICE_US);
 }
 
 /** Lets the run go on until it is decided, its time is over, or nothing more can happen. */
@@ -93,16 +100,3 @@ function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, 
 /** As long as usual, or as a check waits for a stop. */
 const stillUs = (checks: readonly RunCheck[]): number =>
   Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? check.seconds * 1_000_000 + SLICE_US : 0)));
-
-/** How the program ended, if that is why something was not reached: not where something had failed before. */
-function endReason({ ended }: Simulation, failedUs: number | null): Reason | null {
-  if (ended === null || (failedUs !== null && failedUs < ended.timeUs)) return null;
-  if (ended.exception !== null) {
-    const { type, message, line } = ended.exception;
-    return { code: 'exception', params: { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 } };
-  }
-  return ended.kind === 'finished' ? null : { code: 'panic', params: {} };
-}
-
-/** A program may raise an exception with a text of any length. */
-const MESSAGE_CHARACTERS = 300;

@@ -1,14 +1,19 @@
 import { goalReason, type Reason } from '../result';
+import type { Scene } from '#scene/scene';
+import { Approach } from './approach';
 import { failedAt, HELD, metAt, OPEN, type Standing, type Watcher } from './watcher';
 import type { Verdict } from '#simulation/task/verdict';
 
 /** Watches the goals and rules of the course. */
-export function watchGoals(): Watcher {
+export function watchGoals(course: Scene): Watcher {
+  const approach = course.task.robots === undefined ? new Approach(course) : null;
   let standing: Standing = OPEN;
   let verdict: Verdict | null = null;
   return {
     step: (run) => {
-      if (standing !== OPEN || !run.isJudged) return;
+      if (standing !== OPEN) return;
+      approach?.step(run);
+      if (!run.isJudged) return;
       ({ verdict } = run);
       standing = verdict?.state === 'passed' ? metAt(run.nowUs) : failedAt(run.nowUs);
     },
@@ -16,17 +21,18 @@ export function watchGoals(): Watcher {
       verdict ??= run.verdict;
     },
     standing: () => standing,
-    reason: () => reasonOf(verdict),
+    reason: () => reasonOf(verdict, approach?.nearestMm ?? null),
   };
 }
 
-function reasonOf(verdict: Verdict | null): Reason {
+/** @param nearestMm how near the robot came to the next place, `null`: there is none */
+function reasonOf(verdict: Verdict | null, nearestMm: number | null): Reason {
   if (verdict?.state === 'helped') return { code: 'helped', params: {} };
   const reached = reachedIn(verdict);
   const { reason = null, by = null } = verdict ?? {};
-  return reason === null
-    ? { code: 'open', params: reached }
-    : { code: goalReason(reason), params: { by: by ?? '', ...reached } };
+  const near = nearestMm === null ? {} : { near: Math.ceil(nearestMm / 10) };
+  if (reason === null) return { code: 'open', params: { ...reached, ...near } };
+  return { code: goalReason(reason), params: { by: by ?? '', ...reached, ...(reason === 'time' && near) } };
 }
 
 /** What was reached, and of how much. */

@@ -12,7 +12,7 @@ export type RunCheck = Exclude<Check, Fact>;
 export function watcherOf(check: RunCheck, course: Scene): Watcher {
   switch (check.type) {
     case 'goals':
-      return watchGoals();
+      return watchGoals(course);
     case 'stop':
       return watchStop(course, check);
     case 'laps':

@@ -1,5 +1,5 @@
 import type { SceneEdit } from '#scene/edit';
-import type { Point } from '#scene/scene';
+import type { Point, Scene } from '#scene/scene';
 import type { InputEvent } from '#simulation/input';
 import type { Speed } from '#simulation/pace';
 import type { Project, SourceFile } from '#project/project';
@@ -16,7 +16,7 @@ export interface ClassTask {
   readonly worlds: readonly [WorldVariant, ...WorldVariant[]];
   /** Number of hidden worlds in which the checks must hold; `null`: in all. */
   readonly least: number | null;
-  /** Simulated seconds after which a run is over; `null`: the course's time, else `USUAL_SECONDS`. */
+  /** Simulated seconds after which a run is over; `null`: `usualSeconds`. */
   readonly seconds: number | null;
   /** Points for two and for three stars, the first one is for passing; `null`: no stars. */
   readonly stars: readonly [two: number, three: number] | null;
@@ -25,8 +25,14 @@ export interface ClassTask {
   readonly locks: Locks;
 }
 
-/** A run without another limit ends after so many simulated seconds. Chosen: twice the longest ready course. */
-export const USUAL_SECONDS = 120;
+/**
+ * A run without another limit ends after so many simulated seconds. Chosen: more than twice what a pupil who drives slowly
+ * takes for the longest ready maze (127 s); a program that never ends costs seconds of wall time.
+ */
+const USUAL_SECONDS = 300;
+
+/** How many simulated seconds a run has where the task does not say it: those of the course, else `USUAL_SECONDS`. */
+export const usualSeconds = ({ task }: Pick<Scene, 'task'>): number => task.seconds ?? USUAL_SECONDS;
 
 /** One of the conditions of a task. */
 export type Check = CheckKind & {

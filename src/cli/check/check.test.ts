@@ -78,7 +78,7 @@ describe('parcours check', () => {
     expect(code).toBe(3);
     expect(out.split('\n')).toEqual([
       'passed  anna  1  19.5 s',
-      'failed  ben  0  Das Ziel ist nicht erreicht (0 von 4).',
+      'failed  ben  0  Der Roboter hat sich nie bewegt. Das Programm lief nach 300 s noch, und länger dauert diese Prüfung nicht.',
       'closed-line: 1 of 2 passed',
       '',
     ]);

@@ -1,7 +1,7 @@
 import { computed, onScopeDispose, shallowRef, watch, type ComputedRef, type ShallowRef } from 'vue';
 
 import { handInLimits, type Said, type SaidRemark } from '#check/hand-in/hand-in';
-import type { CheckResult, WorldResult } from '#check/result';
+import { isUnreached, type CheckResult, type WorldResult } from '#check/result';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
 import { mainReason, visibleTask } from '#check/task/visible';
@@ -81,7 +81,7 @@ export function useHandIn(
 }
 
 function verdictOf(run: WorldResult | null): Said['verdict'] {
-  if (run === null || run.reason?.code === 'open') return 'open';
+  if (run === null || (run.reason !== null && isUnreached(run.reason))) return 'open';
   return run.passed ? 'passed' : 'failed';
 }
 

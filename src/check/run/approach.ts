@@ -1,0 +1,43 @@
+import type { Vec } from '#core/geometry';
+import { zoneHolds } from '#scene/kinds/zone';
+import { distanceToEdge } from '#scene/outline';
+import type { Scene, Zone } from '#scene/scene';
+import { shapeOutline } from '#scene/shape/shape';
+import { Route, type Waiting } from '#simulation/task/route';
+import { briefOf } from '#simulation/task/task-brief';
+import type { Step } from './watcher';
+
+/** Simulated time between two looks at distances. Chosen: a robot at full speed drives less than a centimetre. */
+const LOOK_US = 20_000;
+
+/** How near the first robot came to the place that it had to reach next. */
+export class Approach {
+  private readonly route: Route;
+  private waiting: Waiting = null;
+  private next: readonly Zone[] = [];
+  private nearest: number | null = null;
+
+  constructor(course: Scene) {
+    this.route = new Route(briefOf(course));
+  }
+
+  /** Distance of the middle of the axle from the nearest of the places that were next, in mm; `null`: there is none. */
+  get nearestMm(): number | null {
+    return this.nearest;
+  }
+
+  step({ nowUs, pose }: Step): void {
+    if (pose === null) return;
+    const at = { x: pose.xMm, y: pose.yMm };
+    this.waiting = this.route.visit(at, this.waiting);
+    if (nowUs % LOOK_US !== 0) return;
+    const { next } = this.route;
+    if (next.length !== this.next.length || next.some((zone, place) => zone !== this.next[place])) {
+      this.next = next;
+      this.nearest = null;
+    }
+    for (const zone of next) this.nearest = Math.min(this.nearest ?? Infinity, distanceTo(zone, at));
+  }
+}
+
+const distanceTo = (zone: Zone, at: Vec): number => (zoneHolds(zone, at) ? 0 : distanceToEdge(shapeOutline(zone), at));

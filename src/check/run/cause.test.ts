@@ -1,0 +1,84 @@
+import { describe, expect, it } from 'vitest';
+import { reasonText } from '../report/say';
+import type { CheckResult } from '../result';
+import { ahead, checked, sceneWith, targetAt, taskWith } from '../testing/tasks';
+
+describe('why something is missed', () => {
+  const wall = { type: 'wall', id: 'w', from: [900, 200], to: [900, 700], thickness: 10 } as const;
+  const checks = [
+    { type: 'stop', seconds: 1 },
+    { type: 'touches', most: 0 },
+    { type: 'console', text: 'done' },
+  ];
+  const task = taskWith(sceneWith([targetAt(700, 450), wall]), { checks: [{ type: 'goals' }, ...checks] });
+  const codesOf = async (program: string) => {
+    const result = await checked(task, program);
+    const [world] = result.worlds;
+    return [world?.reason?.code, ...result.checks.map(({ reason }) => reason?.code ?? 'held')];
+  };
+
+  it('is what ended the run, not what could not come any more', async () =>
+    expect(await codesOf(ahead(9000))).toEqual(['touches', 'held', 'touches', 'touches', 'touches']));
+
+  it('is the error that came before a robot without a program drove on into the wall', async () =>
+    expect(await codesOf('from mbrobot import *\nforward()\nx = y\n')).toEqual([
+      ...['exception', 'held', 'exception', 'touches', 'exception'],
+    ]));
+
+  it('is told of each where a program just ended too early', async () =>
+    expect(await codesOf(ahead(3000))).toEqual(['console', 'held', 'held', 'console', 'console']));
+});
+
+describe('a goal that was not reached', () => {
+  const goal = sceneWith([targetAt(700, 450)]);
+  const say = ({ worlds }: CheckResult): string => reasonText(worlds[0]?.reason ?? { code: 'panic', params: {} }, 'en');
+  const said = async (program: string, data: object = { seconds: 3 }, course = goal): Promise<string> =>
+    say(await checked(taskWith(course, data), program));
+
+  it('of an empty program, also where it has only remarks', async () =>
+    expect(await said('\n# later\n')).toBe('The program is empty.'));
+
+  it('by a robot that has never moved', async () => expect(await said('x = 1')).toBe('The robot never moved.'));
+
+  it('by a program that waits for what does not come', async () =>
+    expect(await said(`from microbit import *\nwhile not button_a.is_pressed(): pass\n${ahead(4000)}`)).toBe(
+      'The robot never moved: the program waits for “button_a”, which does not come in this task. The program was still running after 3 s, the limit of this check.',
+    ));
+
+  it('but where the task presses the button, nobody is said to wait for it', async () => {
+    const inputs = [{ timeUs: 100_000, action: { type: 'button', button: 'a', down: true } }];
+    const data = { seconds: 3, worlds: [{ id: 'visible', hidden: false, inputs }] };
+    expect(await said('from microbit import *\nwhile not button_b.is_pressed(): pass\n', data)).toBe(
+      'The robot never moved. The program was still running after 3 s, the limit of this check.',
+    );
+  });
+
+  it('tells how near the robot came: 500 mm ahead is the middle of a field of 200 mm', async () => {
+    const text = await said(ahead(500));
+    expect(text).toMatch(/^The goal was not reached \(0 of 1\)\. The robot came as near as (2\d|3\d) cm\.$/);
+  });
+
+  it('names the limit of the check where it was the end, and none where the program had ended', async () => {
+    const endless = 'from mbrobot import *\nleft()\nwhile True: delay(10)\n';
+    expect(await said(endless)).toBe(
+      'The goal was not reached (0 of 1). The robot came as near as 40 cm. The program was still running after 3 s, the limit of this check.',
+    );
+  });
+
+  it('within the time of the course, too', async () => {
+    const timed = { ...goal, task: { ...goal.task, seconds: 2 } };
+    expect(await said('while True: pass', {}, timed)).toBe('The robot never moved.');
+    expect(await said(ahead(500), {}, timed)).toMatch(/^The time was over \(0 of 1 reached\)\. The robot came as near/);
+  });
+
+  it('is reached after two minutes where neither course nor task has a limit', async () => {
+    const late = `from mbrobot import *\ndelay(125000)\n${ahead(4000)}`;
+    expect((await checked(taskWith(goal), late)).passed).toBe(true);
+  });
+
+  it('leaves what a check of the board lacks to that check', async () => {
+    const checks = [{ type: 'goals' }, { type: 'console', text: 'done' }];
+    const { worlds } = await checked(taskWith(goal, { checks, seconds: 2 }), 'while True: pass');
+    expect(worlds[0]?.missed['console']).toEqual({ code: 'console', params: { text: 'done', limit: 2 } });
+  });
+});

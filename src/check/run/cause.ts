@@ -1,0 +1,53 @@
+import { findFact, isEmpty, type Files } from '../program/facts';
+import type { Simulation } from '#simulation/simulation';
+import type { Reason } from '../result';
+import type { WorldVariant } from '../task/task';
+import type { RunCheck } from './watchers';
+
+/** How a run ended, as far as it tells why something was not reached. */
+export interface RunEnd extends Pick<Simulation, 'ended'> {
+  readonly hasMoved: boolean;
+  /** The first device's program. */
+  readonly files: Files;
+  readonly world: WorldVariant;
+}
+
+/**
+ * Why nothing more was reached; `null`: there is nothing to say besides what is missing.
+ *
+ * @param failedUs when something had failed: then only an earlier end of the program is why
+ */
+export function causeOf(
+  { ended, hasMoved, files, world }: RunEnd,
+  check: RunCheck,
+  failedUs: number | null,
+): Reason | null {
+  const byEnd = endReason(ended, failedUs);
+  if (byEnd !== null || failedUs !== null || hasMoved) return byEnd;
+  if (isEmpty(files)) return { code: 'empty', params: {} };
+  if (!isOfWay(check)) return null;
+  const awaited = ended === null && world.inputs.length === 0 ? awaitedIn(files) : undefined;
+  return awaited === undefined ? { code: 'unmoved', params: {} } : { code: 'waits', params: { name: awaited } };
+}
+
+/** Checks that a robot which stands cannot keep. */
+const isOfWay = ({ type }: RunCheck): boolean => ['goals', 'stop', 'laps', 'checkpoints'].includes(type);
+
+/** What a program asks for that only somebody else can do. */
+const AWAITED = ['button_a', 'button_b', 'pin_logo', 'was_gesture', 'is_gesture', 'input'];
+
+const awaitedIn = (files: Files): string | undefined =>
+  AWAITED.find((name) => findFact({ type: 'calls', name }, files).holds);
+
+/** How the program ended, if that is why something was not reached: not where something had failed before. */
+function endReason(ended: Simulation['ended'], failedUs: number | null): Reason | null {
+  if (ended === null || (failedUs !== null && failedUs < ended.timeUs)) return null;
+  if (ended.exception !== null) {
+    const { type, message, line } = ended.exception;
+    return { code: 'exception', params: { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 } };
+  }
+  return ended.kind === 'finished' ? null : { code: 'panic', params: {} };
+}
+
+/** A program may raise an exception with a text of any length. */
+const MESSAGE_CHARACTERS = 300;
