@@ -3,6 +3,8 @@ import type { Memory } from '../run/values';
 /** A MicroPython that stands still, as a debugger finds it: read it at once, since the next bytecode may change it. */
 export interface Inspected {
   readonly memory: Memory;
+  /** The board's MicroPython: 18 for 1.18. */
+  readonly minor: number;
   /** The code_states of the functions that run now, outermost first: one word each, from here up to `framesEnd()`. */
   readonly framesStart: number;
   framesEnd(): number;

@@ -62,11 +62,15 @@ const LAYOUTS: ReadonlyMap<string, Layout> = new Map<string, Layout>([
 export class Objects {
   private readonly memory: Memory;
 
+  /** The board's MicroPython: 18 for 1.18. */
+  readonly minor: number;
+
   constructor(
     private readonly vm: Inspected,
     readonly names: Names,
   ) {
     this.memory = vm.memory;
+    this.minor = vm.minor;
   }
 
   layoutOf(object: number): Layout {

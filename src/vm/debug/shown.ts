@@ -124,7 +124,7 @@ function textOf(objects: Objects, object: number, around: readonly number[]): st
     case 'big':
       return bigText(objects.big(object));
     case 'float':
-      return floatText(objects.float(object));
+      return floatText(objects, objects.float(object));
     case 'name':
     case 'str':
       return quotedText(objects.text(object, MOST_TEXT).bytes);
@@ -188,8 +188,8 @@ function functionText(objects: Objects, fun: number): string {
 const bigText = (value: bigint): string => (value > MOST_BIG || value < -MOST_BIG ? '<int>' : value.toString());
 
 /** py/objfloat.c: what could be a whole number is told by a point. */
-function floatText(value: number): string {
-  const text = formatSingle(value, LETTER_G, REPR_DIGITS, 0);
+function floatText(objects: Objects, value: number): string {
+  const text = formatSingle(objects.minor, value, LETTER_G, REPR_DIGITS, 0);
   return /[.en]/.test(text) ? text : `${text}.0`;
 }
 
@@ -226,7 +226,7 @@ function arrayText(objects: Objects, object: number): string {
   if (type === 'bytearray') return `bytearray(${quotedBytes(objects.bytes(object, MOST_TEXT))})`;
   if (type === 'memoryview') return '<memoryview>';
   const { letter, items } = objects.elements(object, MOST_ITEMS);
-  const list = items.map((item) => (typeof item === 'string' ? item : floatText(item)));
+  const list = items.map((item) => (typeof item === 'string' ? item : floatText(objects, item)));
   const more = objects.count(object) > items.length ? ', …' : '';
   return items.length === 0 ? `array('${letter}')` : `array('${letter}', [${list.join(', ')}${more}])`;
 }

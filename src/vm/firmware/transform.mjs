@@ -12,6 +12,7 @@ import { computeInSingles } from './single-floats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
 import { exportState, fixMemory } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
+import { declareVersion } from './version.mjs';
 import {
   addressOfText,
   bodyStart,
@@ -383,4 +384,5 @@ function declareHost(module) {
     .join('\n');
   const inProgram = ' (global $in_program (mut i32) (i32.const 0))';
   module.head = `${module.head.slice(0, end)}\n${imports}\n${counters}\n${inProgram}${module.head.slice(end)}`;
+  declareVersion(module);
 }

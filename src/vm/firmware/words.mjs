@@ -2,6 +2,7 @@
 // NORMAL, and three years of versions lie between them. Here the C code says what the device says.
 //
 // A text that is longer than the one it replaces lies where a text was that nobody says any more.
+import { olderThan } from './version.mjs';
 import { addressOfText, expressionEnd, flat, onlyFunction, onlyMatch, replaceBytes, replaceOnce } from './wat.mjs';
 
 const CALL = '%q() takes %d positional arguments but %d were given';
@@ -15,11 +16,10 @@ const BOUND = '<bound_method %p ';
 const CLOSURE = '<closure ';
 const FUNCTION = '<function>';
 
-/** The board's MicroPython is older than 1.19; the run-time side says so. */
-const IS_OLD = '(global.get $before_1_19)';
+/** The board's MicroPython is older than 1.19. */
+const IS_OLD = olderThan(19);
 
 export function speakAsTheDevice(module) {
-  module.head += '\n (global $before_1_19 (mut i32) (i32.const 1))\n (export "before_1_19" (global $before_1_19))';
   const place = (text) => `(i32.const ${addressOfText(module, text)})`;
   const saying = (what, text) => onlyFunction(module, what, new RegExp(escaped(place(text)))).name;
 

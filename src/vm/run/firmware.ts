@@ -51,8 +51,8 @@ export interface Firmware {
   readonly reserve: WebAssembly.Global;
   /** 1: code that is compiled now prints the values of its expressions, as in the REPL. */
   readonly echo: WebAssembly.Global;
-  /** 1: the board's MicroPython is older than 1.19, and some errors have other words. */
-  readonly before_1_19: WebAssembly.Global;
+  /** The board's MicroPython, such as 18 for 1.18: numbers, errors and names have been others then. */
+  readonly minor: WebAssembly.Global;
   /** Start of the collector's tables; the heap's blocks follow them. */
   readonly heap_start: WebAssembly.Global;
   /** End of the heap. */
@@ -146,7 +146,7 @@ export function instantiateFirmware(
       fatal: () => host().fatal(),
       collected: () => host().collected(),
       scope: (address: number) => host().scope(address),
-      ...decimals(inMemory),
+      ...decimals(running, inMemory),
     },
     env: { ...invokers(running, inMemory, flow), ...boundary(inMemory, host), ...files.environment, ...system(host) },
     wasi_snapshot_preview1: { ...files.wasi, ...output(inMemory, host) },
@@ -160,11 +160,14 @@ export function instantiateFirmware(
 }
 
 /** Decimal numbers as the board writes and reads them; the build step takes the published ways out. */
-const decimals = (memory: () => Memory): HostFunctions => ({
-  format_single: (value: number, at: number, letter: number, precision: number, sign: number) =>
-    memory().putAscii(at, formatSingle(value, letter, precision, sign)),
-  parse_single: (at: number, length: number) => parseSingle(memory().text(at, length)),
-});
+const decimals = (running: () => Firmware, memory: () => Memory): HostFunctions => {
+  const minor = (): number => running().minor.value;
+  return {
+    format_single: (value: number, at: number, letter: number, precision: number, sign: number) =>
+      memory().putAscii(at, formatSingle(minor(), value, letter, precision, sign)),
+    parse_single: (at: number, length: number) => parseSingle(minor(), memory().text(at, length)),
+  };
+};
 
 function notLoaded(): never {
   throw new Error('The firmware is not loaded yet.');

@@ -261,6 +261,7 @@ export class Session {
     const { firmware, memory, scopes, heap } = this;
     return {
       memory,
+      minor: firmware.minor.value,
       framesStart: firmware.frames_end.value,
       framesEnd: () => firmware.frames_end.value,
       interned: firmware.interned.value,
@@ -282,8 +283,7 @@ export class Session {
   private loadLibrary(): void {
     this.firmware.allocation_cost.value = this.setup.board.type.costsUs.allocationUs;
     this.firmware.library_gas.value = 0x7fffffff;
-    const [major, minor] = this.setup.board.firmware.micropython;
-    this.firmware.before_1_19.value = Number(major === 1 && minor < 19);
+    [, this.firmware.minor.value] = this.setup.board.firmware.micropython;
     if (this.setup.observer !== undefined || this.ports.hold.watch !== null) return this.boot();
     const { firmware, memory, engine, scopes } = this;
     const wanted = { module: this.setup.firmware, board: this.setup.board, fileNames: this.ports.files.names };

@@ -1,7 +1,7 @@
-// Single floats and decimal digits, as MicroPython v1.18 turns one into the other on the board: with multiplications and
-// divisions in single precision, so that the last of many digits may be off, there and here alike.
-
-const single = Math.fround;
+// Single floats and decimal digits, as the board's MicroPython turns one into the other: in single precision, so that
+// the last of many digits may be off, there and here alike. Its version says how.
+import { scaledDigits, subtractedDigits } from './single-float-digits';
+import { EXPONENT_ROOM, powerOfTen, single, type Digits, type Layout } from './single-float-layout';
 
 /** The board's buffers, in bytes: for `print` and `str`, and for formats such as `%f`. */
 const REPR_BUFFER = 16;
@@ -10,43 +10,19 @@ const FORMAT_BUFFER = 32;
 const REPR_DIGITS = 7;
 /** The precision by which the firmware's C asks for as many digits as `repr` shows. */
 const REPR_PRECISION = 99;
-/** Bytes of an exponent's sign, two digits and what goes with them: `9e+99` and a closing zero. */
-const EXPONENT_ROOM = 6;
-/** From here on a number below 1 counts as 1. */
-const ALMOST_ONE = single(0.9999995);
-
-const POWERS = [32, 16, 8, 4, 2, 1].map((power) => ({
-  power,
-  up: single(Number(`1e${power}`)),
-  down: single(Number(`1e-${power}`)),
-}));
-
-type Style = 'e' | 'f' | 'g';
-
-/** How the digits of a number are set. */
-interface Layout {
-  style: Style;
-  /** What is left of the number: its first digit stands before the point. */
-  rest: number;
-  /** Size of the decimal exponent. */
-  exponent: number;
-  /** Sign of the exponent, if it is shown. */
-  exponentSign: '' | '+' | '-';
-  precision: number;
-  /** Digits still to write. */
-  digits: number;
-  /** Digits before the one after which the point stands; negative: it is written already. */
-  point: number;
-}
+/** The MicroPython 1.x since which decimal numbers are read and written differently. */
+const NEWER_MINOR = 20;
 
 /**
  * Writes a number as the board's firmware does.
  *
+ * @param minor the firmware's MicroPython: 18 for 1.18
  * @param letter character code of `e`, `f` or `g`; a capital letter gives a capital exponent
  * @param precision digits (as in `%.3f`); negative: 6
  * @param sign character code of what stands before numbers that are not negative; 0: nothing
  */
-export function formatSingle(value: number, letter: number, precision: number, sign: number): string {
+export function formatSingle(minor: number, value: number, letter: number, precision: number, sign: number): string {
+  const way = minor < NEWER_MINOR ? scaledDigits : subtractedDigits;
   const repr = precision === REPR_PRECISION;
   const negative = value < 0 || Object.is(value, -0);
   const prefix = negative ? '-' : sign === 0 ? '' : String.fromCharCode(sign);
@@ -55,8 +31,9 @@ export function formatSingle(value: number, letter: number, precision: number, s
     const name = Number.isNaN(value) ? 'nan' : 'inf';
     return prefix + (capital ? name.toUpperCase() : name);
   }
-  const asked = String.fromCharCode(letter | 0x20) as Style;
-  const room = (repr ? REPR_BUFFER : FORMAT_BUFFER) - 1 - prefix.length;
+  const asked = String.fromCharCode(letter | 0x20) as Layout['style'];
+  const buffer = repr ? REPR_BUFFER : FORMAT_BUFFER;
+  const room = buffer - 1 - prefix.length;
   const text = prefix.split('');
   const layout: Layout = {
     style: asked,
@@ -68,14 +45,12 @@ export function formatSingle(value: number, letter: number, precision: number, s
     point: 0,
   };
   if (layout.rest === 0) layOutZero(layout, room);
-  else if (layout.rest < 1) layOutBelowOne(layout, room, text);
-  else layOutFromOne(layout, room);
+  else if (layout.rest < 1) way.belowOne(layout, room, text);
+  else layOutFromOne(layout, room, way);
   layout.precision = Math.max(0, layout.precision);
   if (layout.style === 'e') layout.digits = layout.precision + 1;
   else if (layout.style === 'g') layout.digits = layout.precision = Math.max(1, layout.precision);
-  writeDigits(layout, text);
-  // Where the digit to round by is too far away, `%f` has nothing to round.
-  if ((asked !== 'f' || layout.exponent <= layout.digits) && layout.rest >= 5) roundUp(layout, text);
+  if (way.write(layout, text, asked)) roundUp(layout, text, way.keepsInBuffer ? buffer - 1 : Infinity);
   if (asked === 'g' && layout.precision > 0) dropZeros(text);
   if (layout.exponentSign !== '') text.push(capital ? 'E' : 'e', layout.exponentSign, twoDigits(layout.exponent));
   return text.join('');
@@ -93,52 +68,8 @@ function layOutZero(layout: Layout, room: number): void {
   }
 }
 
-/** A number below 1: its zeros are written here if it is not shown with an exponent. */
-function layOutBelowOne(layout: Layout, room: number, text: string[]): void {
-  const first = layout.rest >= ALMOST_ONE ? '1' : '0';
-  for (const { power, up, down } of POWERS)
-    if (down > layout.rest) {
-      layout.exponent += power;
-      layout.rest = single(layout.rest * up);
-    }
-  let exponentSign: '+' | '-' = '-';
-  if (layout.rest < 1 && layout.rest >= ALMOST_ONE) {
-    layout.rest = 1;
-    if (layout.exponent === 0) exponentSign = '+';
-  } else if (layout.rest < 1) {
-    layout.exponent++;
-    layout.rest = single(layout.rest * 10);
-  }
-  if (layout.style === 'e' || (layout.style === 'g' && layout.exponent > 4)) {
-    layout.exponentSign = exponentSign;
-    if (layout.precision > room - EXPONENT_ROOM)
-      layout.precision = room - EXPONENT_ROOM + (layout.style === 'g' ? 1 : 0);
-    return;
-  }
-  if (layout.style === 'g') layout.precision += layout.exponent - 1;
-  layout.style = 'f';
-  layout.point = -1;
-  text.push(first);
-  layout.precision = Math.min(layout.precision, room - 2);
-  layout.digits = layout.precision;
-  if (layout.digits === 0) return;
-  text.push('.');
-  while (--layout.exponent !== 0 && layout.digits !== 0) {
-    text.push('0');
-    layout.digits--;
-  }
-}
-
-function layOutFromOne(layout: Layout, room: number): void {
-  for (const { power, up, down } of POWERS)
-    if (up <= layout.rest) {
-      layout.exponent += power;
-      layout.rest = single(layout.rest * down);
-    }
-  if (layout.rest >= 10) {
-    layout.exponent++;
-    layout.rest = single(layout.rest * single(0.1));
-  }
+function layOutFromOne(layout: Layout, room: number, way: Digits): void {
+  way.fromOne(layout);
   fitFromOne(layout, room);
   if (layout.style === 'g' && layout.exponent < layout.precision) {
     layout.style = 'f';
@@ -164,18 +95,8 @@ function fitFromOne(layout: Layout, room: number): void {
   if (layout.style === 'g') layout.precision = Math.min(layout.precision, room - EXPONENT_ROOM + 1);
 }
 
-function writeDigits(layout: Layout, text: string[]): void {
-  let { point } = layout;
-  for (let count = 0; count < layout.digits; count++, point--) {
-    const digit = Math.trunc(layout.rest);
-    text.push(digit < 0 ? '0' : String.fromCharCode(48 + digit));
-    if (point === 0 && layout.precision > 0) text.push('.');
-    layout.rest = single(single(layout.rest - digit) * 10);
-  }
-}
-
-/** Adds one to the last digit. */
-function roundUp(layout: Layout, text: string[]): void {
+/** Adds one to the last digit; where that makes the text longer than it may be, the last digit goes. */
+function roundUp(layout: Layout, text: string[], longest: number): void {
   let at = text.length - 1;
   for (; at >= 0; at--) {
     const character = text[at] ?? '';
@@ -201,6 +122,7 @@ function roundUp(layout: Layout, text: string[]): void {
     text.pop();
   }
   text.splice(first, 0, '1');
+  if (text.length > longest) text.pop();
 }
 
 function dropZeros(text: string[]): void {
@@ -215,10 +137,8 @@ const SMALLEST_POWER = -37;
 /** Powers of ten up to this one are exact in a single. */
 const EXACT_POWER = 9;
 
-const powerOfTen = (power: number): number => single(Number(`1e${power}`));
-
 /** The number that the board reads: digits with an optional point, exponent and underscores. */
-export function parseSingle(text: string): number {
+export function parseSingle(minor: number, text: string): number {
   const [, whole = '', fraction = '', power = '0'] = /^([\d_]*)\.?([\d_]*)(?:e([-+]?[\d_]+))?/i.exec(text) ?? [];
   const read = { mantissa: 0, exponent: 0 };
   const zeros = { whole: 0, fraction: 0 };
@@ -233,8 +153,8 @@ export function parseSingle(text: string): number {
   for (const part of ['whole', 'fraction'] as const)
     for (const character of (part === 'whole' ? whole : fraction).replaceAll('_', '')) {
       const digit = Number(character);
-      // Zeros wait until another digit shows that they count.
-      if (digit === 0 || read.mantissa >= MANTISSA_LIMIT) {
+      // In a newer MicroPython zeros wait until another digit shows that they count.
+      if (minor >= NEWER_MINOR && (digit === 0 || read.mantissa >= MANTISSA_LIMIT)) {
         zeros[part]++;
         continue;
       }
