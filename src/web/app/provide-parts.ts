@@ -21,7 +21,7 @@ import { provideLayout, type LayoutParts } from '../layout/parts';
 import { createDialogs } from '../page/dialogs';
 import type { Language } from '../page/i18n';
 import { createNotices } from '../page/notices';
-import { providePage } from '../page/parts';
+import { providePage, type PageParts } from '../page/parts';
 import { DataLogModel } from '../run/data-log-model';
 import { createHand } from '../run/hand';
 import { provideRun, type RunParts } from '../run/parts';
@@ -74,6 +74,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   followSettings({ ...mine, ...running });
   emptyConsole({ work, ...running, ...talk });
   const editor = createEditor({ ...mine, ...sight, ...running, runStart });
+  keepPast({ ...page, work, ...running });
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   keepTask({ ...page, ...mine, ...running, ...editing });
@@ -94,6 +95,15 @@ export function provideParts(parts: AllParts): void {
   provideCourseEditor(parts);
   provideFirstSteps(parts);
   provideTask(parts);
+}
+
+/** Nobody builds in the past: what would change the course there changes nothing, by whichever way it comes. */
+function keepPast({ work, run, notices }: Pick<WorkParts, 'work'> & Pick<RunParts, 'run'> & PageParts): void {
+  work.staysAsItIs = () => {
+    if (run.past.value === null) return false;
+    void import('../look-back/tell-past').then(({ tellPast }) => tellPast(notices));
+    return true;
+  };
 }
 
 /** What another course's runs have printed goes with it, unless the next run has already begun. */
@@ -153,7 +163,7 @@ function createEditor(
     { flush: 'sync' },
   );
   useLiveEdits(run, work, hand, runStart);
-  return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive });
+  return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive, past: run.past });
 }
 
 /** Where stars are kept: nowhere on a page that keeps no work, or where the browser allows it not. */

@@ -19,6 +19,7 @@ function editing(kind: LayoutKind = 'wide') {
   const settings: SettingsModel = { current, own: current, change, bring: change, hold: change };
   const edits: CourseStep[] = [];
   work.onStep((step) => edits.push(step));
+  const past = shallowRef<unknown>(null);
   const scope = effectScope();
   const editor = scope.run(() =>
     createCourseEditor({
@@ -27,9 +28,10 @@ function editing(kind: LayoutKind = 'wide') {
       kind: shallowRef(kind),
       runStart: shallowRef<Scene | null>(null),
       isActive: shallowRef(false),
+      past,
     }),
   )!;
-  return { work, editor, edits };
+  return { work, editor, edits, past };
 }
 
 describe('the course editor', () => {
@@ -42,6 +44,16 @@ describe('the course editor', () => {
     expect([work.canUndo.value, editor.selection.value.ids, edits.length]).toEqual([true, ['a'], 1]);
     expect(heard.map(({ type }) => type)).toEqual(['tool', 'edit']);
     expect(editor.said.value).toBe('edit');
+  });
+
+  it('is the hand while somebody looks back; the tool comes back with the present', () => {
+    const { editor, past } = editing();
+    editor.choose('pen');
+    past.value = {};
+    expect(editor.tool.value).toBe('hand');
+    editor.choose('block');
+    past.value = null;
+    expect(editor.tool.value).toBe('pen');
   });
 
   it('says the same words again so that they are heard again', () => {

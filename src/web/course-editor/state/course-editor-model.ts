@@ -69,7 +69,8 @@ export interface EditorView {
 
 /** What the course editor is doing: the chosen tool, its options, the selection. Session state, never in a file. */
 export interface CourseEditorModel {
-  readonly tool: Readonly<ShallowRef<ArenaTool>>;
+  /** While somebody looks back it is the hand; what was chosen comes back with the present. */
+  readonly tool: ComputedRef<ArenaTool>;
   readonly options: Readonly<ShallowRef<ToolOptions>>;
   readonly selection: Readonly<ShallowRef<Selection>>;
   /** Whether the palette is unfolded. While it is folded, only the hand works. */
@@ -124,6 +125,8 @@ export interface EditorSurroundings {
   readonly runStart: Readonly<ShallowRef<Scene | null>>;
   /** Whether a run is under way. */
   readonly isActive: Readonly<ShallowRef<boolean>>;
+  /** The moment that is looked at instead of now; `null`: nobody looks back. */
+  readonly past: Readonly<ShallowRef<unknown>>;
 }
 
 /** Creates the course editor's state, which lives as long as the app. */
@@ -143,7 +146,8 @@ export function createCourseEditor(around: EditorSurroundings): CourseEditorMode
 
 /** Its functions do not use `this` and can be passed on alone. */
 class CourseEditor implements CourseEditorModel {
-  readonly tool = shallowRef<ArenaTool>('hand');
+  readonly tool: ComputedRef<ArenaTool>;
+  private readonly chosen = shallowRef<ArenaTool>('hand');
   readonly options = shallowRef<ToolOptions>(usualToolOptions);
   readonly selection = shallowRef(nothingSelected);
   readonly free = shallowRef(false);
@@ -164,9 +168,10 @@ class CourseEditor implements CourseEditorModel {
   private parts: EditorParts | null = null;
 
   constructor(private readonly around: EditorSurroundings) {
-    const { settings, kind, work, runStart, isActive } = around;
+    const { settings, kind, work, runStart, isActive, past } = around;
     this.runStart = runStart;
     this.unfinished = work.unfinished;
+    this.tool = computed(() => (past.value === null ? this.chosen.value : 'hand'));
     // On a phone the arena needs the room; elsewhere the tools are shown.
     this.isOpen = computed(() => settings.current.value.showTools ?? kind.value !== 'phone');
     this.isWaiting = computed(
@@ -175,11 +180,12 @@ class CourseEditor implements CourseEditorModel {
   }
 
   readonly choose = (tool: ArenaTool): void => {
-    if (this.around.work.keeper.value?.refusesTool(tool) === true) return;
+    const { work, past } = this.around;
+    if (work.keeper.value?.refusesTool(tool) === true || (past.value !== null && tool !== 'hand')) return;
     this.drag.value = null;
     this.measure.value = null;
-    if (tool === this.tool.value) return;
-    this.tool.value = tool;
+    if (tool === this.chosen.value) return;
+    this.chosen.value = tool;
     if (tool !== 'select' && tool !== 'rotate' && tool !== 'points') this.selection.value = nothingSelected;
     this.tell({ type: 'tool', tool });
   };

@@ -55,6 +55,8 @@ export class WorkModel {
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** Of the task that is open, what it keeps as it is; `null`: nothing. */
   readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
+  /** Whether the course must stay as it is just now, whatever wants to change it; whoever asks has been told. */
+  staysAsItIs: () => boolean = () => false;
   /** The course with its undo history. */
   readonly history: ShallowRef<History>;
   private readonly listeners = new Set<(step: CourseStep) => void>();
@@ -238,7 +240,8 @@ export class WorkModel {
 
   private go(type: CourseStep['type'], history: History, step: Step | undefined): boolean {
     const before = this.history.value;
-    if (history === before || !step || this.keeper.value?.refusesStep(type, step) === true) return false;
+    if (history === before || !step || this.staysAsItIs()) return false;
+    if (this.keeper.value?.refusesStep(type, step) === true) return false;
     const { present } = history;
     this.history.value = history;
     const { course, scene } = this.origin;

@@ -1,0 +1,51 @@
+// @vitest-environment happy-dom
+import { describe, expect, it, vi } from 'vitest';
+import { nextTick } from 'vue';
+
+import { editingPage, samples } from './testing/editing';
+import { show, startRun } from './testing/run';
+
+/** A course with a wall that is still to be drawn, and a run that is looked back at with the pen in hand. */
+async function lookingBack() {
+  const page = await editingPage([samples.stroke]);
+  page.editor.choose('pen');
+  await startRun(page);
+  await show(page, { timeUs: 1_000_000 });
+  page.run.lookBack();
+  await nextTick();
+  return page;
+}
+const added = { type: 'add', objects: [samples.block] } as const;
+
+describe('while somebody looks back', () => {
+  it('nothing changes the course, nothing ends the run, and it is told why', async () => {
+    const page = await lookingBack();
+    const before = page.scene();
+    expect(page.editor.commit(added)).toBe(false);
+    page.editor.undo();
+    expect([page.scene(), page.run.phase.value]).toEqual([before, 'paused']);
+    expect(page.run.past.value?.timeUs).toBe(1_000_000);
+    await vi.dynamicImportSettled();
+    expect(page.notices.current.value?.values).toEqual({ text: expect.stringContaining('Zurück zu jetzt') });
+  });
+
+  it('not even what was drawn before is taken back; it is as soon as the present is there again', async () => {
+    const page = await editingPage([]);
+    page.editor.commit(added);
+    await startRun(page);
+    await show(page, { timeUs: 1_000_000 });
+    page.run.lookBack();
+    page.editor.undo();
+    expect(page.ids()).toEqual([samples.block.id]);
+    page.run.past.value = null;
+    page.editor.undo();
+    expect(page.ids()).toEqual([]);
+  });
+
+  it('only the hand works, and the tool comes back with the present', async () => {
+    const page = await lookingBack();
+    expect(page.editor.tool.value).toBe('hand');
+    page.run.past.value = null;
+    expect(page.editor.tool.value).toBe('pen');
+  });
+});

@@ -1,0 +1,8 @@
+import type { PageParts } from '../page/parts';
+import { say } from '../page/i18n/say';
+import { lookBackWords as words } from './look-back-words';
+
+/** Tells whoever wants to build while looking back why nothing changes, and the way out. */
+export function tellPast(notices: PageParts['notices']): void {
+  notices.show({ kind: 'info', key: 'notice.text', values: { text: say(words.standsStill) } });
+}
