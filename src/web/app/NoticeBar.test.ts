@@ -200,16 +200,16 @@ function withDialog() {
 const dialog = (): HTMLElement | null => document.querySelector('.dialog-card');
 const answers = (): readonly string[] => [...document.querySelectorAll('.dialog-card button')].map(textOf);
 
-/** Asks whether a file shall be deleted; notes the answer. */
+/** Asks whether a file shall be replaced; notes the answer. */
 function askRemoval(page: TestPage, file: string, said: string[]): void {
   page.dialogs.ask({
     kind: 'choose',
-    title: 'code.removeTitle',
-    text: 'code.removeText',
+    title: 'files.askTitle',
+    text: 'files.askText',
     values: { file },
     choices: [
       { key: 'code.cancel', run: () => said.push(`${file} stays`) },
-      { key: 'code.removeYes', look: 'stop', run: () => said.push(`${file} goes`) },
+      { key: 'files.askReplace', look: 'stop', run: () => said.push(`${file} goes`) },
     ],
   });
 }
@@ -220,10 +220,12 @@ describe('the question in a dialog', () => {
     expect(dialog()).toBeNull();
     askRemoval(page, 'drive.py', []);
     await flushPromises();
-    expect(textOf(dialog()?.querySelector('h2'))).toBe('drive.py löschen?');
-    expect(textOf(dialog()?.querySelector('p'))).toBe('Der Inhalt geht verloren.');
-    expect(answers()).toEqual(['Abbrechen', 'Löschen']);
-    named('drive.py löschen?', '[role="dialog"]');
+    expect(textOf(dialog()?.querySelector('h2'))).toBe('drive.py gibt es schon');
+    expect(textOf(dialog()?.querySelector('p'))).toBe(
+      'Soll die geladene Datei die offene ersetzen? Die bisherige Arbeit bleibt aufbewahrt.',
+    );
+    expect(answers()).toEqual(['Abbrechen', 'Ersetzen']);
+    named('drive.py gibt es schon', '[role="dialog"]');
   });
 
   it('does only what was answered', async () => {
@@ -231,7 +233,7 @@ describe('the question in a dialog', () => {
     const said: string[] = [];
     askRemoval(page, 'drive.py', said);
     await flushPromises();
-    await press('Löschen', '.dialog-card button');
+    await press('Ersetzen', '.dialog-card button');
     expect(said).toEqual(['drive.py goes']);
     expect(page.dialogs.current.value).toBeNull();
   });
@@ -242,11 +244,11 @@ describe('the question in a dialog', () => {
     askRemoval(page, 'one.py', said);
     askRemoval(page, 'two.py', said);
     await flushPromises();
-    expect(textOf(dialog()?.querySelector('h2'))).toBe('one.py löschen?');
+    expect(textOf(dialog()?.querySelector('h2'))).toBe('one.py gibt es schon');
     await press('Abbrechen', '.dialog-card button');
     await flushPromises();
-    expect(textOf(dialog()?.querySelector('h2'))).toBe('two.py löschen?');
-    await press('Löschen', '.dialog-card button');
+    expect(textOf(dialog()?.querySelector('h2'))).toBe('two.py gibt es schon');
+    await press('Ersetzen', '.dialog-card button');
     expect(said).toEqual(['one.py stays', 'two.py goes']);
   });
 
@@ -255,11 +257,11 @@ describe('the question in a dialog', () => {
     askRemoval(page, 'one.py', []);
     askRemoval(page, 'two.py', []);
     await flushPromises();
-    named('Löschen', '.dialog-card button').focus();
-    await press('Löschen', '.dialog-card button');
+    named('Ersetzen', '.dialog-card button').focus();
+    await press('Ersetzen', '.dialog-card button');
     await flushPromises();
     expect(document.activeElement).not.toBe(before);
-    await press('Löschen', '.dialog-card button');
+    await press('Ersetzen', '.dialog-card button');
     await flushPromises();
     expect(document.activeElement).toBe(before);
   });

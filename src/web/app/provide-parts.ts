@@ -58,6 +58,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   );
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
   const { keeper } = work;
+  work.programs = starStore(wish);
   keepWork(work, opened.storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
@@ -78,7 +79,7 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   tellIdleHand({ ...page, ...running, work, editor });
   const editing = { editor, panels: createEditorPanels({ ...mine, ...sight }) };
   keepTask({ ...page, ...mine, ...running, ...editing });
-  const task = createTask({ ...mine, ...running }, window.parent === window, starStore(wish));
+  const task = createTask({ ...mine, ...running }, window.parent === window, work.programs);
   const slot = new DebugSlot({ ...mine, ...running, engine });
   return { ...page, ...mine, ...sight, ...talk, ...running, ...editing, ...firstSteps, host, task, slot };
 }
@@ -166,7 +167,7 @@ function createEditor(
   return createCourseEditor({ work, settings, kind: layout.kind, runStart, isActive: run.isActive, past: run.past });
 }
 
-/** Where stars are kept: nowhere on a page that keeps no work, or where the browser allows it not. */
+/** Where stars and programs of courses are kept: nowhere on a page that keeps no work, or where the browser allows it not. */
 function starStore({ keepsWork }: HostWish): Storage | null {
   try {
     return keepsWork ? localStorage : null;

@@ -7,6 +7,7 @@ import { say } from '../page/i18n/say';
 import { compileFirmware } from '../run/worker/firmware';
 import type { WorkParts } from '../work/model/parts';
 import { every, laneCount, startThread } from '../run/check-thread';
+import { askOnLeaving } from './ask-on-leaving';
 import { ClassKeeper } from './class-keeper';
 import { ClassModel, type OpenTask } from './model/class-model';
 import { classWords as words } from './class-words';
@@ -33,7 +34,10 @@ export function classOf({ work }: Pick<WorkParts, 'work'>): ClassModel {
 
 /** What keeps it in the browser; the first time it brings back what was kept. */
 export function keeperOf(model: ClassModel): ClassKeeper {
-  const keeper = keepers.get(model) ?? new ClassKeeper(model);
+  const known = keepers.get(model);
+  if (known !== undefined) return known;
+  const keeper = new ClassKeeper(model);
+  askOnLeaving(model, keeper);
   keepers.set(model, keeper);
   return keeper;
 }

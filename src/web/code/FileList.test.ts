@@ -45,16 +45,28 @@ describe('the menu of a file', () => {
     expect(page.work.open.value.text).toBe('# helfer.py');
   });
 
-  it('asks before it deletes: cancelled, nothing is lost', () => {
+  it('deletes at once, and brings the file back into its place with what was in it', () => {
+    const page = menu('helfer.py', 'main.py', 'helfer.py', 'karte.py');
+    item('Löschen').click();
+    expect(names(page)).toEqual(['main.py', 'karte.py']);
+    expect(page.notices.current.value).toMatchObject({ key: 'notice.fileRemoved', values: { file: 'helfer.py' } });
+    page.notices.current.value?.action?.run();
+    expect(names(page)).toEqual(['main.py', 'helfer.py', 'karte.py']);
+    expect(page.work.open.value).toEqual({ name: 'helfer.py', text: '# helfer.py' });
+    expect(page.notices.current.value).toBeNull();
+  });
+
+  it('offers it no longer once another file has the name, or another work is open', () => {
     const page = menu('helfer.py', 'main.py', 'helfer.py');
     item('Löschen').click();
-    const question = page.dialogs.current.value;
-    if (question?.kind !== 'choose') throw new Error('There should be a choice.');
-    expect(question.choices.map(({ key }) => key)).toEqual(['code.cancel', 'code.removeYes']);
-    question.choices[0]?.run();
-    expect(names(page)).toEqual(['main.py', 'helfer.py']);
-    question.choices[1]?.run();
-    expect(names(page)).toEqual(['main.py']);
+    page.work.create('helfer.py', 'other = 1');
+    expect(page.notices.current.value).toBeNull();
+    page.work.remove('helfer.py');
+    page.work.create('helfer.py', 'third = 1');
+    item('Löschen').click();
+    expect(page.notices.current.value).not.toBeNull();
+    page.work.setScene({ ...page.work.scene.value, name: 'another' }, null);
+    expect(page.notices.current.value).toBeNull();
   });
 
   it('leaves main.py its name and its place, and says why', () => {

@@ -4,7 +4,7 @@ import { isTapeFile } from '#tape/tape';
 
 import type { PageParts } from '../page/parts';
 import type { Workplace } from '../work/model/parts';
-import { PREVIOUS_KEPT } from '../work/storage/history';
+import { KEPT_ANYWAY } from '../work/storage/history';
 import { isOurs } from '../work/use-courses';
 import { useOpenings } from '../work/use-openings';
 import { isReadyArena } from '../work/catalogue/examples';
@@ -37,9 +37,9 @@ const MAX_BYTES = 16 * 1024 * 1024;
  */
 export async function openJsonFiles(app: TakesDocuments, files: readonly File[]): Promise<void> {
   if (await hasSeries(app, files)) return;
-  if (files.length > PREVIOUS_KEPT) {
+  if (files.length > KEPT_ANYWAY) {
     // More would push earlier ones, and the pupil's own work, out of what is kept.
-    refuse(app, say(words.tooManyFiles, { count: files.length, max: PREVIOUS_KEPT }));
+    refuse(app, say(words.tooManyFiles, { count: files.length, max: KEPT_ANYWAY }));
     return;
   }
   const refusals: string[] = [];

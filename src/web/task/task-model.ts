@@ -94,6 +94,13 @@ function keepStars(
     if (count === 0 || course === null || run.recording.value.isBrought) return;
     if (!isSameArena(course.scene, work.scene.value)) return;
     const robot = run.snapshot.value?.robot?.type;
-    if (course.mission === undefined || course.mission.robot === robot) stars.keep(course.id, count);
+    if (course.mission !== undefined && course.mission.robot !== robot) return;
+    stars.keep(course.id, count);
+    const { setup } = run.recording.value;
+    const timeMs = run.snapshot.value?.verdict?.atMs ?? 0;
+    void import('../work/programs/own-programs').then(({ filesOfRun, keepBest }) => {
+      if (setup !== null)
+        keepBest(work, course.id, { atMs: Date.now(), files: filesOfRun(setup), stars: count, timeMs });
+    });
   });
 }

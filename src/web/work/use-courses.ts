@@ -10,6 +10,17 @@ import { courseName } from './catalogue/first-course';
 import { withoutGiven } from './model/keeper';
 import type { WorkParts, Workplace } from './model/parts';
 import { useDevice } from './hardware/use-device';
+import { dateText } from '../page/i18n/number-text';
+import { say } from '../page/i18n/say';
+import {
+  isAsOpened,
+  leaveProgram,
+  noteOpened,
+  programsOf,
+  withProgram as withOwn,
+  type OwnProgram,
+} from './programs/own-programs';
+import { programWords } from './programs/program-words';
 import { useOpenings } from './use-openings';
 
 /** Opening courses and coming back to earlier work; neither ever loses what was open. */
@@ -40,10 +51,42 @@ export function useCourses(app: Workplace) {
   /** Opens a course with its program, whatever the pupil has written: that is put aside, unless it is known to be `ours`. */
   function openWhole(course: Course, ours?: boolean): void {
     const project = projectOf(course, language());
+    noteOpened(project);
+    openProject(course, project, ours);
+  }
+
+  function openProject(course: Course, project: Project, ours?: boolean): void {
     open(project, courseName(course.scene, course.id), ours);
     const robot = robotOf(project);
     if (robot !== null) device.bringRobot(robot);
     device.setUpForCourse();
+  }
+
+  /** Opens a course with one of the pupil's own programs for it; the one it comes with is the other choice. */
+  function openOwn(course: Course, own: OwnProgram): void {
+    const project = withOwn(projectOf(course, language()), own);
+    if (project === null) {
+      openWhole(course);
+      return;
+    }
+    openProject(course, project);
+    const values = {
+      name: courseName(course.scene, course.id),
+      when: dateText(own.atMs, language()),
+    };
+    const action = {
+      ...({ key: 'notice.text', values: { text: say(programWords.start) } } as const),
+      run: () => openWhole(course),
+    };
+    app.notices.show({ kind: 'ok', key: 'notice.text', values: { text: say(programWords.isBack, values) }, action });
+  }
+
+  /** Opens a course as the pupil has left it, or with its program where they have written nothing in it yet. */
+  function openAgain(course: Course): void {
+    if (!isOurs(app.work.work.value.project)) leaveProgram(app.work, Date.now()); // it may be the same course
+    const { last } = programsOf(app.work, course.id);
+    if (course.isRandom || last === undefined) openWhole(course);
+    else openOwn(course, last);
   }
   /** Opens the arena of a course; the program stays. */
   function openScene(course: Course): void {
@@ -51,10 +94,16 @@ export function useCourses(app: Workplace) {
     openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
   }
 
-  /** Opens a course. Where the pupil has written something, they choose whether the course's program comes along. */
-  function openCourse(course: Course): void {
+  /**
+   * Opens a course. Where the pupil has written something, they choose whether the course's program comes along: one of
+   * their own if they have one, else the one that it comes with.
+   *
+   * @param anew in any case the one that it comes with
+   */
+  function openCourse(course: Course, anew = false): void {
+    const openIt = anew ? openWhole : openAgain;
     if (isOurProgram(app.work.work.value.project)) {
-      openWhole(course);
+      openIt(course);
       return;
     }
     app.dialogs.ask({
@@ -65,12 +114,21 @@ export function useCourses(app: Workplace) {
       choices: [
         { key: 'code.cancel', run: () => undefined },
         { key: 'course.sceneOnly', look: 'outline', run: () => openScene(course) },
-        { key: 'course.withProgram', look: 'run', run: () => openWhole(course) },
+        { key: 'course.withProgram', look: 'run', run: () => openIt(course) },
       ],
     });
   }
 
-  return { openCourse, openWhole, openScene, openExample, openBoardProgram, restore: openings.restore };
+  return {
+    openCourse,
+    openWhole,
+    openAgain,
+    openOwn,
+    openScene,
+    openExample,
+    openBoardProgram,
+    restore: openings.restore,
+  };
 }
 
 /** A program for one device takes the place of all. */
@@ -94,4 +152,5 @@ export const isOurs = (project: Project): boolean => isOurProgram(project) && is
 /** Nothing of the pupil's own is in the files. */
 const isOurProgram = (project: Project): boolean =>
   isUntouched(project) ||
+  isAsOpened(project) ||
   (project.devices === undefined && project.files.length === 1 && isBoardProgram(project.files[0]?.text ?? ''));

@@ -1,6 +1,7 @@
 import type { Project } from '#project/project';
 import { NO_ROBOT } from '#simulation/hardware';
 
+import { leaveProgram } from './programs/own-programs';
 import type { Previous } from './storage/history';
 import { travelling, withTravelling } from './settings/travelling';
 import type { WorkParts, Workplace } from './model/parts';
@@ -20,7 +21,7 @@ export function useOpenings(app: Workplace) {
    * @param file the file it comes from, without its ending
    */
   function open(project: Project, name: string, isOurs: boolean, file?: string): void {
-    if (!isOurs) stampSettings(app);
+    if (!isOurs) leave();
     void app.run.reset();
     work.openProject(project, isOurs ? null : workName(app), file);
     work.isBrought = false;
@@ -30,11 +31,17 @@ export function useOpenings(app: Workplace) {
 
   /** Opens an arena, the program stays. One of the pupil's own is put aside with the program and can be had back. */
   function openScene({ scene, course }: Pick<Project, 'scene' | 'course'>, name: string, isOurs: boolean): void {
-    if (!isOurs) stampSettings(app);
+    if (!isOurs) leave();
     device.allowRobot();
     work.setScene(scene, course, isOurs ? null : workName(app));
     device.setUpForCourse();
     tell(name, isOurs);
+  }
+
+  /** What is left for something else keeps what it runs on, and its course keeps the program. */
+  function leave(): void {
+    stampSettings(app);
+    leaveProgram(work, Date.now());
   }
 
   function tell(name: string, isOurs: boolean): void {
@@ -49,7 +56,7 @@ export function useOpenings(app: Workplace) {
 
   /** Brings earlier work back; what is open now takes its place among the earlier ones. */
   function restore(entry: Previous): void {
-    stampSettings(app);
+    leave();
     void app.run.reset();
     work.restore(entry, workName(app));
     work.isBrought = false;

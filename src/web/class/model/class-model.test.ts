@@ -55,6 +55,36 @@ describe('a class', () => {
     expect(report.split('Schön gelöst, &lt;b&gt;Ada&lt;/b&gt;!')).toHaveLength(3); // in the table, and on Ada's sheet
   });
 
+  it('comes back with results and notes when it was taken away by mistake, unless something was handed in since', async () => {
+    const { model, passed, asked } = classWith();
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000)), program('Ben', 'x = 1')]);
+    model.write('Ada', 'gut');
+    const bringBack = model.clear();
+    expect(model.rows.value).toEqual([]);
+    bringBack();
+    expect(passed()).toEqual([['Ada', true], ['Ben', false]]); // prettier-ignore
+    expect([model.rows.value[0]?.note, asked.length]).toEqual(['gut', 2]);
+    const late = model.clear();
+    await model.add([program('Cleo', 'y = 1')]);
+    late();
+    expect(passed()).toEqual([['Cleo', false]]);
+  });
+
+  it('is unsaved as soon as there is a result or a note, until a table or report has it', async () => {
+    const { model } = classWith();
+    await model.add([program('Ada', ahead(3000))]);
+    expect(model.isUnsaved.value).toBe(false); // the file is still where it came from
+    model.write('Ada', 'gut');
+    expect(model.isUnsaved.value).toBe(true);
+    model.noteSaved();
+    expect(model.isUnsaved.value).toBe(false);
+    await model.choose({ name: 'T', from: 'open', task });
+    expect(model.isUnsaved.value).toBe(true);
+    model.clear();
+    expect(model.isUnsaved.value).toBe(false);
+  });
+
   it('that is taken away while it is checked, is gone for good', async () => {
     const { model } = classWith({ starter: () => new Promise(() => undefined) });
     await model.choose({ name: 'T', from: 'open', task });

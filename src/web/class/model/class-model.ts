@@ -49,6 +49,13 @@ export class ClassModel {
   readonly hasFailed = shallowRef(false);
   /** Those that are checked, as reports have them: with what is told about twins. */
   readonly found: ComputedRef<ClassResult>;
+  /** There are results or notes that were saved nowhere; a class that is kept saves itself. */
+  readonly isUnsaved = computed(
+    () =>
+      this.rows.value !== this.saved.value &&
+      this.rows.value.some(({ result, note }) => result !== null || note !== ''),
+  );
+  private readonly saved: ShallowRef<readonly Row[]> = shallowRef([]);
   private sources: readonly Source[] = [];
   private turn = 0;
   private lanes: readonly Lane[] = [];
@@ -109,11 +116,27 @@ export class ClassModel {
     this.rows.value = rows.map(({ content, ...row }) => ({ ...row, handIn: handInOf(content) }));
   }
 
-  /** Takes everything away that was handed in. */
-  clear(): void {
+  /**
+   * Takes everything away that was handed in.
+   *
+   * @returns brings it back, with results and notes, as long as nothing else was handed in
+   */
+  clear(): () => void {
+    const [sources, rows] = [this.sources, this.rows.value];
     this.stop();
     this.sources = [];
     this.rows.value = [];
+    return () => {
+      if (this.rows.value.length > 0) return;
+      this.sources = sources;
+      this.rows.value = rows;
+      void this.check();
+    };
+  }
+
+  /** What there is now was put into a file or onto paper. */
+  noteSaved(): void {
+    this.saved.value = this.rows.value;
   }
 
   /** Ends what is being checked. */

@@ -21,14 +21,14 @@ export function useCourseOpening() {
   const app = { ...usePage(), ...useRun(), ...useWork(), ...useLayout() };
   const { openCourse } = useCourses(app);
   const openId = computed(() => app.work.work.value.project.course);
-  function open(course: Course): void {
+  function open(course: Course, anew = false): void {
     app.gallery.close();
-    openCourse(course);
+    openCourse(course, anew);
   }
   return {
-    open,
+    open: (course: Course): void => open(course),
     openSolved(course: Course): void {
-      if (app.work.keeper.value?.refuses('solution') !== true) open(solved(course));
+      if (app.work.keeper.value?.refuses('solution') !== true) open(solved(course), true);
     },
     /** It is the one in the arena, changed or not. */
     isOpen: (course: Course): boolean => !course.isRandom && openId.value === course.id,

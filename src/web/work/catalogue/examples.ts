@@ -24,13 +24,9 @@ export function examplesOf(robot: RobotType): readonly ExampleOf[] {
 /** Those of all robots, in their order. */
 export const examples: readonly ExampleOf[] = robotTypes.flatMap(examplesOf);
 
+/** Whoever has written what is also the solution has written it all the same. */
 const brought: ReadonlySet<string> = new Set([
-  ...readyCourses.flatMap((course) =>
-    [course, ...course.devices].flatMap(({ program, solution }) => [
-      ...Object.values(program),
-      ...Object.values(solution),
-    ]),
-  ),
+  ...readyCourses.flatMap((course) => [course, ...course.devices].flatMap(({ program }) => Object.values(program))),
   ...examples.flatMap(({ example }) => Object.values(example.source)),
 ]);
 

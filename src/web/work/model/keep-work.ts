@@ -104,6 +104,7 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
     try {
       if (storage.tab !== undefined) {
         const saver = late ?? (await fetchLate()).createDiskSaver(storage.tab);
+        if (late === null) void import('../take-over').then(({ takeOver }) => takeOver(model, savedMs));
         kept = await (late ??= saver).keep(work, text, isSaved);
       }
     } catch {

@@ -55,6 +55,8 @@ export class WorkModel {
   readonly unfinished: ShallowRef<(() => Scene | null) | null> = shallowRef(null);
   /** Of the task that is open, what it keeps as it is; `null`: nothing. */
   readonly keeper: ShallowRef<Keeper | null> = shallowRef(null);
+  /** Where the browser keeps the pupil's programs of ready courses (`own-programs.ts`); `null`: nowhere. */
+  programs: Storage | null = null;
   /** Whether the course must stay as it is just now, whatever wants to change it; whoever asks has been told. */
   staysAsItIs: () => boolean = () => false;
   /** The course with its undo history. */
@@ -161,6 +163,13 @@ export class WorkModel {
       this.files.value.filter((file) => file.name !== name),
       open,
     );
+  }
+
+  /** Puts a file that was removed from a device back into its place, and shows it. */
+  putBack(device: number, file: SourceFile, at: number): void {
+    const { project } = this.work.value;
+    this.setProject(withFiles(project, device, filesOfDevice(project, device).toSpliced(at, 0, file)));
+    if (device === this.place.value) this.show(file.name);
   }
 
   /** Adds a loaded file under a free name, never over another file. Returns the name. */

@@ -13,8 +13,14 @@ export interface Previous {
   readonly file?: string | undefined;
 }
 
-/** How many pieces of earlier work are kept. */
-export const PREVIOUS_KEPT = 5;
+/** The newest pieces of earlier work are kept however large they are: so many. */
+export const KEPT_ANYWAY = 5;
+
+/**
+ * Older ones are kept as long as all together are shorter than this (characters). Chosen: some eighty missions, or thirty
+ * courses that were built; it is saved with every change, and must cost no frame.
+ */
+export const KEPT_CHARACTERS = 120_000;
 
 /** Everything a tab keeps: the open work and what was put aside. */
 export interface Work {
@@ -30,7 +36,16 @@ export interface Work {
 /** Puts `entry` aside, newest first; the same work is kept once, but of two files that say the same both stay. */
 export function putAside(previous: readonly Previous[], entry: Previous): readonly Previous[] {
   const others = previous.filter(({ file, project }) => file !== entry.file || !isSameWork(project, entry.project));
-  return [entry, ...others].slice(0, PREVIOUS_KEPT);
+  return withRoom([entry, ...others]);
+}
+
+/** As many of these as there is room for, the first ones in any case. */
+export function withRoom(entries: readonly Previous[]): readonly Previous[] {
+  let left = KEPT_CHARACTERS;
+  return entries.filter(({ project }, place) => {
+    left -= packedText(project).length;
+    return place < KEPT_ANYWAY || left >= 0;
+  });
 }
 
 /** Two projects with the same files in the same course. */

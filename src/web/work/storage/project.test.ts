@@ -3,7 +3,7 @@ import { describe, expect, it } from 'vitest';
 import { defaultProjectSettings, type Project } from '#project/project';
 import { defaultScene } from '#scene/scene';
 
-import { PREVIOUS_KEPT, putAside, workToText, type Previous } from './history';
+import { KEPT_ANYWAY, KEPT_CHARACTERS, putAside, workToText, type Previous } from './history';
 import { defaultSettings, settingsFromText } from '../settings/settings';
 import { unpackProject, workFromText } from './read-work';
 import { packedText } from './stored-project';
@@ -80,12 +80,21 @@ describe('stored work', () => {
     for (const text of ['', '{', 'null', '{"version":2}', '[1]']) expect(workFromText(text)).toBeNull();
   });
 
-  it('keeps five earlier pieces, newest first, none of them twice', () => {
-    let kept: readonly Previous[] = [];
-    for (let i = 0; i < 8; i += 1) kept = putAside(kept, { name: 'x', atMs: i, project: project(String(i)) });
-    kept = putAside(kept, { name: 'x', atMs: 9, project: project('6') });
-    expect(kept).toHaveLength(PREVIOUS_KEPT);
-    expect(kept.map((entry) => entry.project.files[0]!.text)).toEqual(['6', '7', '5', '4', '3']);
+  const kept = (texts: readonly string[]): readonly string[] =>
+    texts
+      .reduce((all: readonly Previous[], text, atMs) => putAside(all, { name: 'x', atMs, project: project(text) }), [])
+      .map((entry) => entry.project.files[0]!.text);
+
+  it('keeps all twelve programs of a lesson, newest first, none of them twice', () => {
+    const names = Array.from({ length: 12 }, (_, place) => String(place));
+    expect(kept([...names, '6'])).toEqual(['6', '11', '10', '9', '8', '7', '5', '4', '3', '2', '1', '0']);
+  });
+
+  it('gives up the oldest where all are too long, but never one of the newest five', () => {
+    const long = (sign: string): string => sign.repeat(KEPT_CHARACTERS / 4);
+    expect(kept(['a', 'b', ...['c', 'd', 'e', 'f', 'g'].map(long)]).map(([sign]) => sign)).toEqual([...'gfedc']);
+    expect(kept([...'abcdefg'].map(long))).toHaveLength(KEPT_ANYWAY);
+    expect(kept(['a', long('b'), 'c', 'd', 'e', 'f', 'g']).at(-1)).toBe('a');
   });
 });
 

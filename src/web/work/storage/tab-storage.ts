@@ -97,13 +97,17 @@ function makeRoom(local: TextStore, name: string, text: string): boolean {
 
 /** Removes copies of other tabs beyond `count`. */
 function prune(local: TextStore, own: string, count: number): void {
-  const copies: string[] = [];
-  for (let index = 0; index < local.length; index += 1) {
-    const key = local.key(index);
-    if (key?.startsWith(COPY) === true) copies.push(key);
-  }
-  for (const key of surplus(copies, COPY + own, count)) local.removeItem(key);
+  for (const key of surplus(copyKeys(local), COPY + own, count)) local.removeItem(key);
 }
+
+function copyKeys(local: TextStore): readonly string[] {
+  const keys = Array.from({ length: local.length }, (_, index) => local.key(index) ?? '');
+  return keys.filter((key) => key.startsWith(COPY));
+}
+
+/** What each tab has left, by its name. */
+export const copiesOf = (local: TextStore): readonly (readonly [tab: string, text: string])[] =>
+  copyKeys(local).map((key) => [key.slice(COPY.length), get(local, key) ?? '']);
 
 /** The names of copies beyond `count`, never the tab's own; they begin with the time a tab was opened, so the oldest go first. */
 export function surplus(names: readonly string[], own: string, count: number): readonly string[] {

@@ -1,0 +1,20 @@
+import type { Project } from '#project/project';
+
+import { withRoom, type Previous } from './history';
+import { packedText } from './stored-project';
+
+/** The earlier works with those of other tabs, newest first: each once, and never the one that is open. */
+export function withAll(previous: readonly Previous[], works: readonly Previous[], open: Project): readonly Previous[] {
+  const known = new Set([open, ...previous.map(({ project }) => project)].map(written));
+  const others = works.filter(({ project }) => {
+    const isNew = !known.has(written(project));
+    known.add(written(project));
+    return isNew;
+  });
+  if (others.length === 0) return previous;
+  return withRoom([...previous, ...others].sort((one, other) => other.atMs - one.atMs));
+}
+
+/** What somebody has written and built, whatever it was to run on. */
+const written = ({ files, scene, devices, task }: Project): string =>
+  packedText({ files, scene, course: null, ...(devices && { devices }), ...(task && { task }) });
