@@ -210,15 +210,17 @@ export class Simulation {
 
   /**
    * Lets programs and world run until simulated time `us`; after a program's end the world goes on, and the REPL waits. A
-   * call of the device that is not finished by then is finished first, so the clock may be a little later.
+   * call of the device that is not finished by then is finished first, so the clock may be a little later. Time is whole µs:
+   * of a limit between two, the earlier one counts.
    */
   advanceTo(us: number): void {
     this.advanceProgramTo(us);
-    if (this.heldBy === null) this.first.resumeUntil(us);
+    if (this.heldBy === null) this.first.resumeUntil(Math.floor(us));
   }
 
   /** Like `advanceTo`, but stops when the program ends: at once, or of several at the step at which all have ended. */
-  advanceProgramTo(us: number): void {
+  advanceProgramTo(limitUs: number): void {
+    const us = Math.floor(limitUs);
     if (this.isFresh) this.begin();
     for (const { hold } of this.devices) hold.isHeld = false;
     const isWatched = this.devices.some(({ hold }) => hold.watch !== null);

@@ -121,6 +121,20 @@ describe('the debugger', () => {
     expect(page.slot.isStanding.value).toBe(false);
   });
 
+  it('steps on live from the last moment of the past, which is the present', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    page.run.lookBack();
+    await nextTick();
+    expect(page.slot.isStanding.value).toBe(false);
+    debug.step('over');
+    await nextTick();
+    expect(page.run.past.value).toBeNull();
+    expect(sentOf(page, 'step-line')).toEqual([{ type: 'step-line', step: 'over', device: 0 }]);
+  });
+
   it('forgets the break points with the work that they belong to', async () => {
     const page = createPage();
     const debug = await needed(page);

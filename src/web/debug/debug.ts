@@ -101,11 +101,25 @@ export class Debug {
   /** Goes on line by line: the program that is shown makes a step, or goes on up to a line. */
   step(step: LineStep): void {
     if (this.slot.isStanding.value) this.app.run.debug.step(step, this.app.work.place.value);
-    else void this.past.step(step);
+    else void this.stepInPast(step);
   }
+
+  /** Where no line follows any more that has been, the present is there again; and from it, it goes on. */
+  private async stepInPast(step: LineStep): Promise<void> {
+    const { run, work } = this.app;
+    const turn = ++this.turns;
+    const isNow = run.past.value === run.present.value;
+    if (!isNow && (await this.past.step(step))) return;
+    if (turn !== this.turns || run.past.value === null) return; // somebody wants something else by now
+    run.past.value = run.recording.value.asked.value = null;
+    if (isNow && this.slot.isStanding.value) run.debug.step(step, work.place.value);
+  }
+  /** Counts what somebody wants to see of the past. */
+  private turns = 0;
 
   /** Goes to the line that began before, in the past. */
   back(): void {
+    this.turns += 1;
     void this.past.back();
   }
 

@@ -10,10 +10,10 @@ export interface Anchor {
 /** Further behind than this (ms of wall time) a run does not try to catch up: a burst after a hiccup would look like a jump. */
 const BACKLOG_MS = 100; // chosen: six frames, still caught up without being seen
 
-/** Simulated time (µs) that a run anchored at `anchor` should have reached at `wallMs`; `Infinity` at full speed. */
+/** Simulated time, in whole µs, that a run anchored at `anchor` should have reached at `wallMs`; `Infinity` at full speed. */
 export function dueUs(anchor: Anchor, wallMs: number): number {
   if (anchor.speed === 'max') return Infinity;
-  return anchor.simulatedUs + Math.max(0, wallMs - anchor.wallMs) * 1000 * anchor.speed;
+  return anchor.simulatedUs + Math.floor(Math.max(0, wallMs - anchor.wallMs) * 1000 * anchor.speed);
 }
 
 /** The anchor to go on with: the same one, or a new one here and now when the machine has fallen behind for good. */

@@ -33,7 +33,11 @@ const drive = soloRun({
 });
 
 /** A run in the worker, whose messages are answered by `answer`. */
-function inWorker(setup: RunSetup, answer: (message: FromWorker, send: (message: ToWorker) => void) => void) {
+function inWorker(
+  setup: RunSetup,
+  answer: (message: FromWorker, send: (message: ToWorker) => void) => void,
+  turnMs = 4,
+) {
   let wallMs = 0;
   const tasks: (() => void)[] = [];
   let made: Simulation | null = null;
@@ -59,7 +63,7 @@ function inWorker(setup: RunSetup, answer: (message: FromWorker, send: (message:
       while (made === null) await Promise.resolve();
       await Promise.resolve();
       for (let turns = 0; made.nowUs < us && turns < 100_000; turns++) {
-        wallMs += 4;
+        wallMs += turnMs;
         tasks.shift()?.();
       }
     },
@@ -108,6 +112,32 @@ describe('break points and steps in the worker', { timeout: 60_000 }, () => {
     run.receive({ type: 'break-points', points: [[{ file: 'main.py', line: 8 }]] });
     await run.until(150_000);
     expect(lines.slice(0, 7)).toEqual([8, 9, 10, 3, 10, 11, 12]);
+  });
+
+  it('stop when the lines begin in the run again, whatever the wall clock says meanwhile', async () => {
+    const begun = new Set<string>();
+    const again = await Simulation.create(drive, firmware);
+    again.watch((event) => {
+      if (event.kind === 'line') begun.add(`${String(event.line)} at ${String(again.timeOf(0))}`);
+      return false;
+    });
+    again.advanceTo(UNTIL_US);
+    const held: string[] = [];
+    let line: number | undefined;
+    const run = inWorker(
+      drive,
+      (message, send) => {
+        if (message.type === 'snapshot') line = message.snapshot.position?.line;
+        if (message.type !== 'held') return;
+        held.push(`${String(line)} at ${String(message.timeUs)}`);
+        send({ type: 'step-line', step: 'into', device: 0 });
+      },
+      0.0137,
+    );
+    run.receive({ type: 'break-points', points: [[{ file: 'main.py', line: 6 }]] });
+    await run.until(60_000);
+    expect(held.length).toBeGreaterThan(8);
+    expect(held.filter((moment) => !begun.has(moment))).toEqual([]);
   });
 
   it('stop whichever device they belong to, and are forgotten when they are taken away', async () => {
