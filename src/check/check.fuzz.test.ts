@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { isRecord } from '#core/record';
 import { createRng, type Rng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import type { Carried, Project } from '#project/project';
 import { mutatedTree } from '#scene/testing/mutate';
 import { check } from './check';
@@ -11,12 +12,10 @@ import { taskOf } from './task/read-task';
 import { projectOfTask } from './task/write-task';
 import { ahead, firmware, projectWith, sceneWith, targetAt } from './testing/tasks';
 
-/** How many are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Every so many of those that can be read are run, too. */
 const RUN_EVERY = 100;
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 120_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 120_000 + 20 * fuzzRuns;
 
 /** A task with something of everything. */
 const task: Carried = {
@@ -63,11 +62,11 @@ function changed(data: Carried, rng: Rng): Carried {
 
 describe('randomly changed tasks and hand-ins', () => {
   it(
-    `are read as something that can be checked, or give a message, never an exception (${String(RUNS)})`,
+    `are read as something that can be checked, or give a message, never an exception (${String(fuzzRuns)})`,
     async () => {
       const project: Project = projectWith(sceneWith([targetAt(600, 450)]), ahead(1000));
       const counts = { read: 0, refused: 0, run: 0 };
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const read = taskOf({ ...project, task: changed(task, rng) });
         const handed = handInOf({ ...project, handIn: changed(handIn, rng) });
@@ -94,7 +93,7 @@ describe('randomly changed tasks and hand-ins', () => {
         ])
           expect(text).not.toContain('undefined');
       }
-      for (const count of [counts.read, counts.refused]) expect(count).toBeGreaterThan(RUNS / 100);
+      for (const count of [counts.read, counts.refused]) expect(count).toBeGreaterThan(fuzzRuns / 100);
       expect(counts.run).toBeGreaterThan(0);
     },
     TIME_LIMIT_MS,

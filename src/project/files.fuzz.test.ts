@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { sceneLimits } from '#scene/scene';
 import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 
@@ -9,10 +10,8 @@ import { openJson } from './open-json';
 import { projectLimits, type Project } from './project';
 import { classProject, devicesProject, fullProject, handedInProject } from './testing/projects';
 
-/** How many files are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 
 const level = { canvas: { width: 800, height: 600 }, walls: [{ x: 9, y: 9, w: 90, h: 10 }], marks: [{ x: 5, y: 5, radius: 3 }, { x: 9, y: 5, radius: 3 }] }; // prettier-ignore
 
@@ -24,14 +23,14 @@ function expectWithinLimits({ files, scene }: Project): void {
 
 describe('randomly changed project files and levels', () => {
   it(
-    `open as something valid or give a message, never an exception (${String(RUNS)} files)`,
+    `open as something valid or give a message, never an exception (${String(fuzzRuns)} files)`,
     () => {
       const text = projectToText(fullProject());
       const several = JSON.parse(projectToText(devicesProject())) as unknown;
       const ofClass = { ...classProject(), ...handedInProject() };
       const values: readonly unknown[] = [JSON.parse(text), level, [...level.marks], several, JSON.parse(projectToText(ofClass))]; // prettier-ignore
       const counts = { project: 0, scene: 0, problem: 0 };
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const value = values[seed % 3 === 0 ? 1 + (seed % 2) : seed % 3 === 1 ? (seed % 2) * 4 : 3];
         const file = rng.unit() < 0.3 ? mutatedText(text, rng) : (JSON.stringify(mutatedTree(value, rng, false)) ?? '');
@@ -44,7 +43,7 @@ describe('randomly changed project files and levels', () => {
           project: opened.project,
         });
       }
-      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(RUNS / 100);
+      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(fuzzRuns / 100);
       expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
     },
     TIME_LIMIT_MS,

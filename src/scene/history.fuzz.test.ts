@@ -1,5 +1,6 @@
 import { isDeepStrictEqual } from 'node:util';
 import type { Rng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { describe, it } from 'vitest';
 import { editProblem } from './check-edit';
 import { applyEdit, type SceneEdit } from './edit';
@@ -9,7 +10,7 @@ import { asKept } from './groups';
 import { parseScene } from './parse';
 import { defaultScene, type Scene } from './scene';
 import { serializeScene } from './serialize';
-import { forManySeeds, fuzzRuns, inPercent, wholeFrom } from './testing/fuzz';
+import { forManySeeds, inPercent, wholeFrom } from './testing/fuzz';
 import { randomEdit, randomObject } from './testing/random-scene';
 
 /** The ids of the objects that an edit names. */

@@ -1,6 +1,7 @@
 import { readdirSync, readFileSync } from 'node:fs';
 import { isDeepStrictEqual } from 'node:util';
 import { describe, expect, it } from 'vitest';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { unpackLevels } from './background';
 import { editProblem, parseEdit } from './check-edit';
 import { applyEdit } from './edit';
@@ -10,7 +11,7 @@ import type { SceneProblem } from './problem';
 import { findProblems } from './rules';
 import { countPoints, sceneLimits, type Scene } from './scene';
 import { serializeScene } from './serialize';
-import { forManySeeds, fuzzRuns, inPercent, oneOf } from './testing/fuzz';
+import { forManySeeds, inPercent, oneOf } from './testing/fuzz';
 import { mutatedText, mutatedTree } from './testing/mutate';
 import { randomEdit } from './testing/random-scene';
 

@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { createRng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { mutatedText, mutatedTree } from '#scene/testing/mutate';
 import { parseSeries } from './read-series';
 import { seriesLimits } from './series';
@@ -8,19 +9,17 @@ import { seriesLinkOf, seriesOfLink } from './series-link';
 import { aSeries, readyCourses } from './testing/series';
 import { seriesForPupils, seriesToText } from './write-series';
 
-/** How many files are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 
 describe('randomly changed series', () => {
   it(
-    `open as something valid or give a message, never an exception (${String(RUNS)} files)`,
+    `open as something valid or give a message, never an exception (${String(fuzzRuns)} files)`,
     () => {
       const text = seriesToText(aSeries());
       const value: unknown = JSON.parse(text);
       const counts = { whole: 0, partly: 0, refused: 0 };
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const file = rng.unit() < 0.3 ? mutatedText(text, rng) : (JSON.stringify(mutatedTree(value, rng, false)) ?? '');
         const read = parseSeries(file, readyCourses);
@@ -36,7 +35,7 @@ describe('randomly changed series', () => {
         const given = seriesForPupils(read.series);
         expect(parseSeries(seriesToText(given), readyCourses), `seed ${String(seed)}`).toEqual({ series: given });
       }
-      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(RUNS / 100);
+      for (const count of Object.values(counts)) expect(count).toBeGreaterThan(fuzzRuns / 100);
     },
     TIME_LIMIT_MS,
   );
@@ -45,7 +44,7 @@ describe('randomly changed series', () => {
     'and links are whole or say what is wrong',
     () => {
       const { fragment } = seriesLinkOf(seriesForPupils(aSeries()), readyCourses)!;
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const link = mutatedText(fragment, createRng(seed));
         const read = seriesOfLink(link, readyCourses);
         if (!('series' in read)) expect('fault' in read ? read.fault : read.problem).not.toBe('');

@@ -1,6 +1,7 @@
 import { isDeepStrictEqual } from 'node:util';
 import { describe, it } from 'vitest';
 import type { Rng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { editProblem } from '#scene/check-edit';
 import { applyEdit, type SceneEdit } from '#scene/edit';
 import { parseScene } from '#scene/parse';
@@ -8,7 +9,7 @@ import { inverse } from '#scene/inverse';
 import type { Scene } from '#scene/scene';
 import { asKept } from '#scene/groups';
 import { serializeScene } from '#scene/serialize';
-import { forManySeeds, fuzzRuns, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
+import { forManySeeds, inPercent, oneOf, wholeFrom } from '#scene/testing/fuzz';
 import { nudged, turned } from '../arrange';
 import { aligned, distributed } from '../arranging/align';
 import { grouped, locked, ungrouped, unlocked, withoutLock } from '../arranging/hold';

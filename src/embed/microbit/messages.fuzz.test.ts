@@ -2,16 +2,15 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { mutatedTree } from '#scene/testing/mutate';
 
 import { RecordingSimulator, type RecordedCall } from '../testing/recording-simulator';
 import { createMicrobitAdapter } from './adapter';
 import { LABEL_NAMES, microbitEvent } from './messages';
 
-/** How many messages are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 /** Messages to one page before it is loaded anew. */
 const PER_PAGE = 50;
 
@@ -90,16 +89,16 @@ function expectAllowed(call: RecordedCall, kind: string): void {
 
 describe('randomly changed messages of the micro:bit dialect', () => {
   it(
-    `throw nothing and change nothing but what they may (${String(RUNS)} messages)`,
+    `throw nothing and change nothing but what they may (${String(fuzzRuns)} messages)`,
     async () => {
       const counts = new Map<string, number>();
       const count = (name: string): unknown => counts.set(name, (counts.get(name) ?? 0) + 1);
-      for (let seed = 1; seed <= RUNS;) {
+      for (let seed = 1; seed <= fuzzRuns;) {
         const simulator = new RecordingSimulator();
         const said: object[] = [];
         const adapter = createMicrobitAdapter(simulator, { post: (one) => void said.push(one), nowMs: () => 0 });
         const fixed = untouched(simulator);
-        for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
+        for (let of = 0; of < PER_PAGE && seed <= fuzzRuns; of += 1, seed += 1) {
           const sent = message(createRng(seed));
           const calls = simulator.calls.length;
           const files = simulator.project().files;
@@ -118,7 +117,7 @@ describe('randomly changed messages of the micro:bit dialect', () => {
         adapter.close();
       }
       for (const name of [...Object.keys(ALLOWED), 'nothing'])
-        expect(counts.get(name), name).toBeGreaterThan(RUNS / 500);
+        expect(counts.get(name), name).toBeGreaterThan(fuzzRuns / 500);
     },
     TIME_LIMIT_MS,
   );

@@ -2,6 +2,7 @@ import * as v from 'valibot';
 import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { projectToText } from '#project/file';
 import { mutatedTree } from '#scene/testing/mutate';
 import { fullProject } from '#project/testing/projects';
@@ -15,10 +16,8 @@ import { eventSchemas } from './event-schemas';
 import { limits } from './limits';
 import type { CommandName, EventName } from './protocol';
 
-/** How many messages are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 /** Messages to one page before it is loaded anew. */
 const PER_PAGE = 50;
 
@@ -118,10 +117,10 @@ function expectPromised(said: object, seed: number): void {
 
 describe('randomly changed messages of our own dialect', () => {
   it(
-    `throw nothing, change nothing but what they may, and are answered once each (${String(RUNS)} messages)`,
+    `throw nothing, change nothing but what they may, and are answered once each (${String(fuzzRuns)} messages)`,
     async () => {
       const done = new Map<string, number>();
-      for (let seed = 1; seed <= RUNS;) {
+      for (let seed = 1; seed <= fuzzRuns;) {
         const simulator = new RecordingSimulator();
         const said: object[] = [];
         const connection = { post: (message: object) => void said.push(message), nowMs: () => seed };
@@ -133,7 +132,7 @@ describe('randomly changed messages of our own dialect', () => {
           courses: [],
         });
         adapter.receive({ parcours: 1, type: 'hello' });
-        for (let of = 0; of < PER_PAGE && seed <= RUNS; of += 1, seed += 1) {
+        for (let of = 0; of < PER_PAGE && seed <= fuzzRuns; of += 1, seed += 1) {
           const message = messageOf(createRng(seed), idOf(seed));
           const { id, parcours, type } = fieldsOf(message);
           const isAsked = id === idOf(seed) && typeof parcours === 'number';
@@ -152,7 +151,7 @@ describe('randomly changed messages of our own dialect', () => {
         adapter.close();
         expect(simulator.listenerCount).toBe(0);
       }
-      for (const call of allowedCalls) expect(done.get(call), call).toBeGreaterThan(RUNS / 1000);
+      for (const call of allowedCalls) expect(done.get(call), call).toBeGreaterThan(fuzzRuns / 1000);
       expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
     },
     TIME_LIMIT_MS,

@@ -3,6 +3,7 @@ import { describe, expect, it } from 'vitest';
 
 import { createRng, type Rng } from '#core/rng';
 import { LANGUAGES } from '#core/languages';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { FILE_BYTES, MAIN, projectLimits } from '#project/project';
 import { mutatedTree } from '#scene/testing/mutate';
 
@@ -11,10 +12,8 @@ import { RecordingSimulator } from '../testing/recording-simulator';
 import { createWebTigerPythonAdapter } from './adapter';
 import { pageData } from './messages';
 
-/** How many messages are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 
 const MESSAGES: readonly unknown[] = [
   { type: 'files', data: [{ name: MAIN, data: 'print(1)' }] },
@@ -52,7 +51,7 @@ function someEvent(rng: Rng): SimulatorEvent {
 
 describe('messages of any shape to the adapter of WebTigerPython', () => {
   it(
-    `never throw, and change nothing but the files and the settings it has (${String(RUNS)} messages)`,
+    `never throw, and change nothing but the files and the settings it has (${String(fuzzRuns)} messages)`,
     async () => {
       const simulator = new RecordingSimulator();
       const posted = new Map<string, number>();
@@ -66,7 +65,7 @@ describe('messages of any shape to the adapter of WebTigerPython', () => {
         },
       });
       let taken = 0;
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const before = { project: simulator.project(), settings: simulator.settings() };
         const message = oneOf(MESSAGES, rng);
@@ -89,9 +88,9 @@ describe('messages of any shape to the adapter of WebTigerPython', () => {
         simulator.tell(someEvent(rng));
         if (seed % 100 === 0) await Promise.resolve();
       }
-      expect(taken).toBeGreaterThan(RUNS / 10);
+      expect(taken).toBeGreaterThan(fuzzRuns / 10);
       for (const type of ['code', 'output', 'error', 'full_output'])
-        expect(posted.get(type), type).toBeGreaterThan(RUNS / 100);
+        expect(posted.get(type), type).toBeGreaterThan(fuzzRuns / 100);
       expect(({} as Record<string, unknown>)['polluted']).toBeUndefined();
     },
     TIME_LIMIT_MS,

@@ -6,6 +6,7 @@ import { createRng, type Rng } from '#core/rng';
 import { mutatedText } from '#scene/testing/mutate';
 
 import { fromBase64Url } from '#core/base64-url';
+import { fuzzRuns } from '#core/testing/fuzz-runs';
 import { ColumnWriter, type Bytes } from './columns';
 import { linkOf, linkOfBytes, projectOfLink } from './link';
 import { deflatedBytes } from './link-bytes';
@@ -15,10 +16,8 @@ import { mutatedBytes } from '../testing/mutate';
 import { classProject, fullProject, largeProject, shapesProject, startsProject } from '../testing/projects';
 import { programOfLink } from '../webtigerpython/program-link';
 
-/** How many links are tried: `npm run fuzz` tries a million. */
-const RUNS = Number(process.env['FUZZ_RUNS'] ?? 10_000);
 /** Only against an endless loop. */
-const TIME_LIMIT_MS = 60_000 + 20 * RUNS;
+const TIME_LIMIT_MS = 60_000 + 20 * fuzzRuns;
 
 const courses = (): null => null;
 const linkFor = (project: Project): string => linkOf(project, { courses, program: true })?.fragment ?? '';
@@ -56,13 +55,13 @@ function forgedModel(link: string, rng: Rng): string {
 
 describe('randomly changed links', () => {
   it(
-    `open as a valid project or give a message, never an exception (${String(RUNS)} links)`,
+    `open as a valid project or give a message, never an exception (${String(fuzzRuns)} links)`,
     () => {
       const projects = [fullProject(), drawingProject(), startsProject(), shapesProject(), classProject()];
       const links = projects.map(linkFor);
       const columns = projects.slice(0, 2).map(columnsOf);
       const codes = new Map<string, number>();
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const rng = createRng(seed);
         const index = seed % projects.length;
         const way = rng.unit();
@@ -79,16 +78,17 @@ describe('randomly changed links', () => {
       // An opened project can be shared again: nothing in it exceeds the limits of a link or a file.
       else expect(projectOfLink(linkFor(read.project), courses), `seed ${String(seed)}`).toMatchObject({ project: read.project }); // prettier-ignore
       }
-      for (const code of ['opened', 'damaged', 'invalid']) expect(codes.get(code), code).toBeGreaterThan(RUNS / 200);
+      for (const code of ['opened', 'damaged', 'invalid'])
+        expect(codes.get(code), code).toBeGreaterThan(fuzzRuns / 200);
     },
     TIME_LIMIT_MS,
   );
 
   it(
-    `never unpack to more than the limit, whatever the deflated bytes are (${String(RUNS)} of them)`,
+    `never unpack to more than the limit, whatever the deflated bytes are (${String(fuzzRuns)} of them)`,
     () => {
       const deflated = packed(new Uint8Array(100_000));
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const bytes = unpacked(mutatedBytes(deflated, createRng(seed)), 5_000);
         if (typeof bytes !== 'string') expect(bytes.length).toBeLessThanOrEqual(5_000);
       }
@@ -99,11 +99,11 @@ describe('randomly changed links', () => {
 
 describe('randomly changed links of WebTigerPython', () => {
   it(
-    `open as valid files or give a message, never an exception (${String(RUNS)} links)`,
+    `open as valid files or give a message, never an exception (${String(fuzzRuns)} links)`,
     () => {
       const files = [{ name: 'main.py', data: 'print("hallo")\n'.repeat(9) }, { name: 'fahren.py', data: 'ü = 1' }]; // prettier-ignore
       const link = `?code=${LZString.compressToBase64(JSON.stringify(files))}&device=micro:bit`;
-      for (let seed = 1; seed <= RUNS; seed += 1) {
+      for (let seed = 1; seed <= fuzzRuns; seed += 1) {
         const read = programOfLink(mutatedText(link, createRng(seed)));
         if ('problem' in read) expect(read.problem.message).not.toBe('');
         else expect(read.files[0]?.name).toBe('main.py');

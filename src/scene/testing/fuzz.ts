@@ -1,8 +1,5 @@
 import { createRng, type Rng } from '#core/rng';
 
-/** How many random cases a fuzz test tries: 10,000, or what `npm run fuzz` says. */
-export const fuzzRuns = Number(process.env.FUZZ_RUNS ?? 10_000);
-
 /**
  * Checks a property for many seeds; a failure names its seed, so that it can be tried alone.
  *
