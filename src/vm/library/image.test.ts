@@ -15,9 +15,9 @@ print(repr(Image('A')))`;
     ]);
   });
 
-  it('divided by nothing is as bright as can be where it is not dark', () => {
+  it('divided by nothing is as bright as can be', () => {
     const program = "i = Image('09:10:')\nprint(repr(i / 0), repr(i / 0.0), repr(i * float('inf')))";
-    expect(linesOf(program)).toEqual(["Image('09:90:') Image('09:90:') Image('09:90:')"]);
+    expect(linesOf(program)).toEqual(["Image('99:99:') Image('99:99:') Image('99:99:')"]);
   });
 
   it('is not made from a sign of more than one byte', () => {

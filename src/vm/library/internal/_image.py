@@ -235,7 +235,7 @@ class MicroBitImage:
 
     def __truediv__(self, divisor):
         divisor = _number(divisor)
-        # In C nothing is too much: what is not dark becomes as bright as can be.
+        # What C makes of it: every pixel becomes as bright as can be.
         return _scaled(self._b, 1.0 / divisor if divisor else _INFINITE)
 
     def __repr__(self):

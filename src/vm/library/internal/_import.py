@@ -1,16 +1,12 @@
 # The modules that a program can import: the device's, not those that only this build of MicroPython has.
 # Loaded last, when the library has all it needs.
-import array
 import builtins
-import collections
-import random
-import struct
 import _hal
 import _files
 import _builtins
 import _sys
 import os
-from _sim import bytearray_at, on_import as _on_import, word_at
+from _sim import on_import as _on_import, put_word, word_at
 
 _Module = type(builtins)
 _file_size = _hal.file_size
@@ -55,6 +51,8 @@ def _import(name, globals=None, locals=None, names=None, _level=0):
         module = _import_module(name, globals, locals, names, _level)
     if _level == 0 and name in _on_import and _file_size(name + ".py") < 0:
         _on_import.pop(name)()
+    if name in _old_names and _file_size(name + ".py") < 0:
+        _rename(module, _old_names[name])
     if names and "*" in names and not isinstance(module, _Module):
         # What a program has put into sys.modules: the C code would read it as a module.
         raise ImportError("can't import name *")
@@ -74,15 +72,15 @@ def _rename(module, name):
     table = word_at(names + 12)
     for place in range(table, table + 8 * (word_at(names + 4) >> 3), 8):
         if word_at(place) == id("__name__"):
-            bytearray_at(place + 4, 4)[:] = struct.pack("<I", id(name))
+            put_word(place + 4, id(name))
 
 
-if _hal.board_micropython(1) < 19:
-    # Modules that MicroPython has cut down were called so.
-    _rename(array, "uarray")
-    _rename(collections, "ucollections")
-    _rename(random, "urandom")
-    _rename(struct, "ustruct")
+# Modules that MicroPython has cut down were called with u before 1.19. Each is renamed by its first import, for the one of
+# random draws a number.
+_OLD_NAMES = "array collections random struct" if _hal.board_micropython(1) < 19 else ""
+_old_names = {}
+for _name in _OLD_NAMES.split():
+    _old_names[_name] = _old_names["u" + _name] = "u" + _name
 
 _loaded = _sys.modules
 # The library's own parts, which are no modules of the device's.

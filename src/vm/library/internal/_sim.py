@@ -83,6 +83,11 @@ def word_at(address):
     return a | b << 8 | c << 16 | d << 24
 
 
+def put_word(address, word):
+    word &= 0xFFFFFFFF
+    bytearray_at(address, 4)[:] = bytes((word & 255, word >> 8 & 255, word >> 16 & 255, word >> 24))
+
+
 def ints(*values):
     """Raises the device's TypeError for the first value that is not a whole number."""
     for value in values:

@@ -178,8 +178,10 @@ function arithmeticCalls(machine: Machine, board: Board, charge: Charge): Syscal
       charge(Math.min(count, MOST), pixelScaleUs);
       const by = single(typeof factor === 'number' ? factor : (numberOf(factor) ?? 0));
       scaled.fill(0);
-      for (let i = 0; i < Math.min(count, scaled.length); i++)
-        scaled[i] = Math.min(Math.trunc((given.pixels[i] ?? 0) * by + 0.5), BRIGHTEST) || 0; // 0 × ∞ is dark
+      for (let i = 0; i < Math.min(count, scaled.length); i++) {
+        const value = (given.pixels[i] ?? 0) * by + 0.5;
+        scaled[i] = value < BRIGHTEST ? Math.trunc(value) : BRIGHTEST; // 0 × ∞, which is no number, is bright in C, too
+      }
       return null;
     },
     image_invert: (a, to) => {

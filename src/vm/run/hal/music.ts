@@ -6,7 +6,7 @@ import { SPEAKER_PIN, SPEAKER_REFUSED } from './sound';
 import type { Machine, SyscallTable, Value, Wait } from '../syscall';
 
 /** What the player prints when its turn comes to something that is no text: modmusic.c, microbit_music_tick. */
-const NO_NOTE = new TextEncoder().encode('TypeError: expecting a str for note\r\n');
+const NO_NOTE = new TextEncoder().encode('TypeError: expecting a str for note\n');
 
 /**
  * Music. A pin is given by its number, −1 for the speaker alone.

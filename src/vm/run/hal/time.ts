@@ -88,7 +88,8 @@ function callbackCalls(machine: Machine): SyscallTable {
   let stops: Stop[] = [];
   machine.onEnd(() => stops.forEach((stop) => stop()));
   const repeat = (callback: number, periodUs: number): void => {
-    let dueUs = clock.nowUs;
+    // From whole ms on: drv_softtimer.c, with the board's own clock.
+    let dueUs = clock.nowUs - ((clock.nowUs - machine.startUs) % 1000);
     let stop: Stop = () => undefined;
     const next = (): void => {
       dueUs += periodUs;
