@@ -144,6 +144,11 @@ export class Display {
     this.run({ length: copies.length, frameAt: (place) => copies[place] ?? DARK }, options);
   }
 
+  /** The same with pictures that are made when they are due. */
+  showFilm(film: Film, options: ShowOptions): void {
+    this.run(film, options);
+  }
+
   /** Runs a text through the display from the right; the text has left when the animation ends. */
   scroll(text: string, options: ScrollOptions): void {
     this.run(scrollFilm(text, options.monospace), { delayMs: options.delayMs, loop: options.loop, clear: false });

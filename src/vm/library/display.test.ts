@@ -110,6 +110,23 @@ sleep(1000)`);
     expect(run.until(1500).bench.picture()).toBe('.9.9.\n99999\n99999\n.999.\n..9..');
   });
 
+  it('reads a picture in the background when it is due, and not before', () => {
+    const program = `
+dot = Image(5, 5)
+pictures = [dot, dot]
+display.show(pictures, delay=50, loop=True, wait=False)
+sleep(120)
+dot.set_pixel(2, 2, 9)
+pictures.clear()
+del dot
+import gc
+gc.collect()
+junk = [Image(5, 5) for _ in range(50)]
+sleep(120)
+print(display.get_pixel(2, 2))`;
+    expect(linesOf(program)).toEqual(['9']);
+  });
+
   it('asks a generator for its pictures one by one', () => {
     const run = play(`
 from microbit import *

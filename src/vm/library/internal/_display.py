@@ -36,6 +36,8 @@ def _add(frame):
     return True
 
 
+_shown = None
+
 # Pictures that a generator makes one by one, perhaps without end: each is fetched when it is due.
 _frames = None
 _delay = 0
@@ -123,6 +125,7 @@ class MicroBitDisplay:
         self._sequence(image, delay, clear, wait, loop)
 
     def _sequence(self, frames, delay, clear, wait, loop):
+        global _shown
         _hal.display_begin()
         if not isinstance(frames, (tuple, list)):
             if loop:
@@ -131,6 +134,8 @@ class MicroBitDisplay:
             else:
                 _one_by_one(iter(frames), delay, clear, wait)
                 return
+        # Read when they are due: kept until then.
+        frames = _shown = tuple(frames)
         added = True
         for frame in frames:
             added = _add(frame)

@@ -16,7 +16,7 @@ const BAD_BRIGHTNESS = -2;
  * - display_show_image(address): at once, and stays
  * - display_show_text(text, delayMs, loop, clear) → whether something moves now; one character that neither loops nor
  *   clears is shown at once, an empty text only ends what was moving
- * - display_begin(), then display_add_image(address), display_add_text(text) → False at a text of more or less than one byte, then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
+ * - display_begin(), then display_add_image(address), read whenever it is due, display_add_text(text) → False at a text of more or less than one byte, then display_run(delayMs, loop, clear, callback) → whether something moves now; a callback is queued when it has ended,
  *   unless something else has replaced it: display_moves_on() tells the callback whether that still holds
  * - display_turn() → which picture or animation this is, counted from the start
  * - display_scroll(text, delayMs, loop, monospace) · display_clear(): at the next tick · display_blank(): at once, and
@@ -38,7 +38,7 @@ interface Stage {
   readonly begin: () => void;
   /** Counts them. */
   readonly turn: () => number;
-  /** Valid until the syscall returns. */
+  /** Valid until the image changes. */
   readonly image: (address: Value | undefined) => Uint8Array;
 }
 
@@ -106,40 +106,45 @@ function atOnce(machine: Machine, board: Board, stage: Stage): SyscallTable {
 
 function sequences(machine: Machine, board: Board, stage: Stage): SyscallTable {
   const { display } = board;
-  let frames: Uint8Array[] = [];
+  /** Each is read when it is due: images may change meanwhile. */
+  let frames: (() => Uint8Array)[] = [];
   /** The animation whose end has queued a callback. */
   let dueAfter = -1;
-  const add = (frame: Uint8Array): null => {
-    frames.push(frame);
-    return null;
-  };
   return {
     display_begin: () => {
       frames = [];
       display.stopAnimation();
       return null;
     },
-    display_add_image: (address) => add(stage.image(address).slice()),
+    display_add_image: (address) => {
+      frames.push(() => stage.image(address));
+      return null;
+    },
     display_add_text: (text) => {
       const [character = '', ...more] = bytesOf(textOf(text));
       if (character === '' || more.length > 0) return false;
-      frames.push(display.glyph(character));
+      frames.push(() => display.glyph(character));
       return true;
     },
     display_run: (delayMs, loop, clear, callback) => {
       stage.begin();
       const next = wholeOf(callback) ?? -1;
       const turn = stage.turn();
-      display.showFrames(frames, {
-        delayMs: wholeOf(delayMs) ?? 0,
-        loop: loop === true,
-        clear: clear === true,
-        onOver: () => {
-          if (next < 0) return;
-          dueAfter = turn;
-          machine.schedule(next);
+      const film = frames;
+      const frameAt = (place: number): Uint8Array => film[place]?.() ?? new Uint8Array(SIDE * SIDE);
+      display.showFilm(
+        { length: film.length, frameAt },
+        {
+          delayMs: wholeOf(delayMs) ?? 0,
+          loop: loop === true,
+          clear: clear === true,
+          onOver: () => {
+            if (next < 0) return;
+            dueAfter = turn;
+            machine.schedule(next);
+          },
         },
-      });
+      );
       frames = [];
       return display.isAnimating;
     },
