@@ -26,6 +26,8 @@ export function useStops(
     slot.need((debug) => debug.points.toggle(file, number));
     return true;
   }
+  /** Where it stood when it was shown last. */
+  let stood: unknown = null;
   function show(): void {
     const debug = slot.debug.value;
     const editor = view.value;
@@ -35,10 +37,13 @@ export function useStops(
       const onMove = (lines: readonly number[]): void => debug.points.set(key(), lines);
       editor.dispatch({ effects: place.reconfigure(stopMarks(onMove, (name) => debug.valueOf(name))) });
     }
-    const at = debug.place.value;
-    showStopsCalmly(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null);
+    const at = debug.here.value;
+    // Who writes while it stands is not taken away from where they write.
+    const isNew = stood !== debug.place.value;
+    stood = debug.place.value;
+    showStopsCalmly(editor, debug.points.of(key()), at?.file === work.open.value.name ? at.line : null, isNew);
   }
-  const shown = (): unknown[] => [view.value, slot.debug.value?.points.lines.value, slot.debug.value?.place.value];
+  const shown = (): unknown[] => [view.value, slot.debug.value?.points.lines.value, slot.debug.value?.here.value];
   watch(shown, show, { flush: 'post' });
   const column = [
     place.of([]),

@@ -6,6 +6,7 @@ import type { Variables } from '#vm/debug/variables';
 import { createPage, type TestPage } from '../app/testing/page';
 import { show, startRun } from '../app/testing/run';
 import type { Debug } from './debug';
+import { isChanged } from './ran-program';
 
 const needed = async (page: TestPage): Promise<Debug> => {
   page.slot.need();
@@ -67,7 +68,7 @@ describe('the debugger', () => {
     await startRun(page);
     debug.points.toggle('1/main.py', 2);
     await nextTick();
-    page.work.setText('main.py', 'a = 1\nb = 2\n');
+    page.work.setText('main.py', `${page.work.open.value.text}\n# more\n`); // its line stays
     await nextTick();
     expect(sentOf(page, 'break-points')).toEqual([{ type: 'break-points', points: [[{ file: 'main.py', line: 2 }]] }]);
   });
@@ -87,6 +88,38 @@ describe('the debugger', () => {
     expect([debug.place.value, debug.found.value]).toEqual([null, null]);
     await holds(page, 2000, withN('2'));
     expect([...(debug.found.value?.before ?? [])]).toEqual([['global n', '1']]);
+  });
+
+  it('follows its line through what is written since, and tells what ran where the line is gone', async () => {
+    const page = createPage();
+    const debug = await needed(page);
+    page.work.setText('main.py', 'for i in range(9):\n    x = i\n    print(i)\n');
+    debug.points.toggle('1/main.py', 3);
+    await nextTick();
+    await startRun(page);
+    await holds(page, 1000, withN('1'));
+    expect(debug.here.value).toEqual({ file: 'main.py', line: 3, ran: null });
+    page.work.setText('main.py', '# a\n# b\nfor i in range(9):\n    x = i\n    print(i)\n');
+    debug.points.set('1/main.py', [5]); // as the editor moves it
+    await nextTick();
+    expect(debug.here.value).toEqual({ file: 'main.py', line: 5, ran: 'print(i)' });
+    expect(debug.place.value?.line).toBe(3);
+    expect(sentOf(page, 'break-points').at(-1)).toEqual({
+      type: 'break-points',
+      points: [[{ file: 'main.py', line: 3 }]],
+    });
+    page.work.setText('main.py', 'for i in range(9):\n    x = i\n    print("new", i)\n');
+    expect(debug.here.value).toEqual({ file: 'main.py', line: null, ran: 'print(i)' });
+    expect(isChanged(page)).toBe(true);
+    debug.points.set('1/main.py', [3]);
+    await page.run.reset();
+    await startRun(page);
+    await nextTick();
+    expect(sentOf(page, 'break-points').at(-1)).toEqual({
+      type: 'break-points',
+      points: [[{ file: 'main.py', line: 3 }]],
+    });
+    expect(isChanged(page)).toBe(false);
   });
 
   it('leaves the board to who has gone back to it, until the next run', async () => {

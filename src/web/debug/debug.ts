@@ -10,6 +10,7 @@ import { BreakPoints } from './break-points';
 import { changesBetween, type Before } from './changes';
 import { fileKey } from './file-key';
 import { Past, type PastParts } from './past';
+import { changedFile } from './ran-program';
 
 /** Whether there is something to see of the program of the device that is shown. */
 export interface Stillness {
@@ -25,6 +26,15 @@ export interface Stillness {
 export interface Place {
   readonly file: string;
   readonly line: number;
+}
+
+/** A place in a program that may have been written on since. */
+export interface Here {
+  readonly file: string;
+  /** `null`: the line is not there any more. */
+  readonly line: number | null;
+  /** What the line said when it ran, where the file is another one by now; else `null`. */
+  readonly ran: string | null;
 }
 
 /** What a program was found with. */
@@ -43,6 +53,8 @@ export class Debug {
   readonly points = new BreakPoints(tabStore());
   /** Where the device that is shown stands, in a moment of the past, too; `null`: its program runs, or is over. */
   readonly place: ComputedRef<Place | null>;
+  /** The same in the program as it is written now. */
+  readonly here: ComputedRef<Here | null>;
   /** Of the device that is shown, while its program stands. */
   readonly found: ShallowRef<Found | null> = shallowRef(null);
   private readonly last = new Map<number, Variables>();
@@ -62,7 +74,15 @@ export class Debug {
       const position = isStill.value ? (run.shown.value?.position ?? null) : null;
       return position === null ? null : { file: position.file, line: position.line };
     });
-    watch([this.points.lines, () => work.work.value.project, work.devices], () => this.tellPoints(), {
+    this.here = computed(() => {
+      if (this.place.value === null) return null;
+      const { file, line } = this.place.value;
+      const changed = changedFile(app, work.place.value, file);
+      if (changed === null) return { file, line, ran: null };
+      return { file, line: changed.now(line), ran: changed.text.split(/\r?\n/)[line - 1]?.trim() ?? '' };
+    });
+    const written = () => work.work.value.project;
+    watch([this.points.lines, written, work.devices, run.recording], () => this.tellPoints(), {
       immediate: true,
     });
     watch(work.openings, () => this.points.clear());
@@ -151,12 +171,21 @@ export class Debug {
     this.found.value = null;
   }
 
+  /** The run has the lines that it began with. */
+  private linesOf(place: number, file: string, lines: readonly number[]): BreakPoint[] {
+    const changed = this.app.run.isActive.value ? changedFile(this.app, place, file) : null;
+    return lines.flatMap((now) => {
+      const line = changed === null ? now : changed.before(now);
+      return line === null ? [] : [{ file, line }];
+    });
+  }
+
   private tellPoints(): void {
     const { run, work } = this.app;
     const { project } = work.work.value;
     const points = work.devices.value.map((_, place) =>
       filesOfDevice(project, place).flatMap(({ name }): BreakPoint[] =>
-        this.points.of(fileKey(project, place, name)).map((line) => ({ file: name, line })),
+        this.linesOf(place, name, this.points.of(fileKey(project, place, name))),
       ),
     );
     if (isSame(points, this.toldPoints)) return; // the program changes with every key

@@ -23,30 +23,14 @@ import {
 import { programWords } from './programs/program-words';
 import { useOpenings } from './use-openings';
 
-/** Opening courses and coming back to earlier work; neither ever loses what was open. */
-export function useCourses(app: Workplace) {
+/** Opening courses with one of their programs, or with the pupil's own. */
+function useWholeCourses(app: Workplace) {
   const openings = useOpenings(app);
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
   /** What it runs on is chosen separately: the settings of the previous work do not come along. */
   const open = ({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void =>
     openings.open(project, name, ours);
-
-  /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
-  function openExample(entry: ExampleOf): void {
-    const { example, robot } = entry;
-    open(alone(withExample(app.work.work.value.project, entry, language())), example.title[language()]);
-    device.bringRobot(robot, example.options);
-  }
-
-  /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
-  function openBoardProgram({ title, source, board }: BoardProgram): void {
-    void app.run.reset();
-    open(alone(withProgram(app, source[language()])), title[language()]);
-    const wish = boardWish(app.settings.current.value.device);
-    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
-    device.chooseRobot(NO_ROBOT);
-  }
 
   /** Opens a course with its program, whatever the pupil has written: that is put aside, unless it is known to be `ours`. */
   function openWhole(course: Course, ours?: boolean): void {
@@ -88,10 +72,37 @@ export function useCourses(app: Workplace) {
     if (course.isRandom || last === undefined) openWhole(course);
     else openOwn(course, last);
   }
+
   /** Opens the arena of a course; the program stays. */
   function openScene(course: Course): void {
     const isReady = isReadyArena(app.work.scene.value);
     openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
+  }
+
+  return { open, openWhole, openOwn, openAgain, openScene, restore: openings.restore };
+}
+
+/** Opening courses and coming back to earlier work; neither ever loses what was open. */
+export function useCourses(app: Workplace) {
+  const device = useDevice(app);
+  const language = (): Language => app.settings.current.value.language;
+  const whole = useWholeCourses(app);
+  const { open, openWhole, openAgain, openScene } = whole;
+
+  /** Opens a sample program with its robot and what it needs on it, in the arena it is made for: see `withExample`. */
+  function openExample(entry: ExampleOf): void {
+    const { example, robot } = entry;
+    open(alone(withExample(app.work.work.value.project, entry, language())), example.title[language()]);
+    device.bringRobot(robot, example.options);
+  }
+
+  /** Opens a sample program for the microcomputer alone: the robot goes, and with it the arena. */
+  function openBoardProgram({ title, source, board }: BoardProgram): void {
+    void app.run.reset();
+    open(alone(withProgram(app, source[language()])), title[language()]);
+    const wish = boardWish(app.settings.current.value.device);
+    if (board !== null && wish !== board && wish !== AUTO) device.chooseDevice(AUTO_DEVICE);
+    device.chooseRobot(NO_ROBOT);
   }
 
   /**
@@ -119,16 +130,7 @@ export function useCourses(app: Workplace) {
     });
   }
 
-  return {
-    openCourse,
-    openWhole,
-    openAgain,
-    openOwn,
-    openScene,
-    openExample,
-    openBoardProgram,
-    restore: openings.restore,
-  };
+  return { ...whole, openCourse, openExample, openBoardProgram };
 }
 
 /** A program for one device takes the place of all. */

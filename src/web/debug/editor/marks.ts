@@ -168,7 +168,8 @@ export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
   const [view] = shown;
   const resting = calm.get(view);
   if (resting !== undefined) {
-    resting.next = shown;
+    const [editor, lines, line, isNew] = shown;
+    resting.next = [editor, lines, line, isNew || resting.next?.[3] === true];
     return;
   }
   showStops(...shown);
@@ -180,9 +181,13 @@ export function showStopsCalmly(...shown: Parameters<typeof showStops>): void {
   }, CALM_MS);
 }
 
-/** Shows break points and where the program stands; a line that has come to stand is brought into view. */
-export function showStops(view: EditorView, lines: readonly number[], line: number | null): void {
+/**
+ * Shows break points and where the program stands.
+ *
+ * @param isNew the program has come to stand there: the line is brought into view
+ */
+export function showStops(view: EditorView, lines: readonly number[], line: number | null, isNew = true): void {
   const effects: StateEffect<unknown>[] = [setPoints.of(lines), setStanding.of(line), showTapped.of(null)];
-  if (line !== null && isWithin(view.state.doc, line)) effects.push(toLine(view.state.doc.line(line).from));
+  if (isNew && line !== null && isWithin(view.state.doc, line)) effects.push(toLine(view.state.doc.line(line).from));
   view.dispatch({ effects });
 }
