@@ -13,7 +13,10 @@ import { fileName, saveText } from '../work/save-file';
 import { nameToSave } from '../work/work-name';
 import { lookBackWords as words } from './look-back-words';
 
-type Recorded = Pick<Tape, 'setup' | 'untilUs'>;
+type Recorded = Pick<Tape, 'setup' | 'untilUs' | 'untilProgramEnds'>;
+
+/** A call of a program that is not over at the end of a run is finished first: so far the clock may be later, µs. */
+const CALL_US = 10_000;
 
 type App = Pick<PageParts, 'notices'> & Pick<RunParts, 'run'> & WorkParts;
 
@@ -43,8 +46,7 @@ export async function linkToRun(app: App): Promise<string | null> {
 async function textOfRun(app: App): Promise<string | null> {
   const recorded = await recordedNow(app.run);
   if (recorded === null) return null;
-  const { untilUs } = recorded;
-  const untilProgramEnds = false;
+  const { untilUs, untilProgramEnds } = recorded;
   try {
     const setup = setupAsKept(recorded.setup);
     const wish = { setup, untilUs, untilProgramEnds };
@@ -62,11 +64,16 @@ async function recordedNow(run: RunModel): Promise<Recorded | null> {
   const [setup, inputs] = [recording?.setup ?? null, recording?.inputs.value ?? null];
   const endUs = run.present.value?.timeUs ?? 0;
   if (setup === null || inputs === null) return null;
-  return untilStop({ setup: { ...setup, inputs: inputs.filter(({ timeUs }) => timeUs <= endUs) }, untilUs: endUs });
+  const as = recording?.as ?? null;
+  // Nothing was done to it since it was opened, and it stands where it ended: it is saved as it came.
+  if (as !== null && inputs.length === (setup.inputs ?? []).length && endUs <= as.untilUs + CALL_US)
+    return { setup, ...as.ends };
+  const done = inputs.filter(({ timeUs }) => timeUs <= endUs);
+  return { ...untilStop({ setup: { ...setup, inputs: done }, untilUs: endUs }), untilProgramEnds: false };
 }
 
 /** Of a run that was stopped, all until then: Stop interrupts the programs, and their last words are not the run's. */
-function untilStop({ setup, untilUs }: Recorded): Recorded {
+function untilStop({ setup, untilUs }: Omit<Recorded, 'untilProgramEnds'>): Omit<Recorded, 'untilProgramEnds'> {
   const { inputs = [] } = setup;
   const last = inputs.at(-1);
   if (last?.action.type !== 'interrupt') return { setup, untilUs };

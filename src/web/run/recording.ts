@@ -20,6 +20,8 @@ interface Asked {
 export interface BroughtTape {
   readonly pieces: readonly Uint8Array[];
   readonly untilUs: number;
+  /** How its file says until when it goes. */
+  readonly ends: { readonly untilUs: number; readonly untilProgramEnds: boolean };
 }
 
 /** What is kept of a run: enough to show any of its moments again, and to run it again up to one. */
@@ -60,9 +62,12 @@ export class Recording {
   ) {
     this.ghost = shallowRef(left);
     this.isBrought = brought !== null;
+    this.as = brought;
     for (const piece of brought?.pieces ?? []) this.add(piece, null);
   }
   readonly isBrought: boolean;
+  /** As it was brought; `null`: it was not. */
+  readonly as: BroughtTape | null;
 
   /** The run can be run again. */
   get canGoOn(): boolean {

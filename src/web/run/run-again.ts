@@ -1,5 +1,6 @@
 import type { RunSetup } from '#simulation/run-setup';
 import type { Snapshot } from '#simulation/snapshot';
+import type { BroughtTape } from './recording';
 import type { RunModel } from './run-model';
 
 /**
@@ -22,6 +23,7 @@ export function goOn(run: RunModel, fromUs: number, paused = false): Promise<voi
 interface RunAgain {
   readonly kept: RunSetup;
   readonly untilUs: number;
+  readonly ends: BroughtTape['ends'];
   /** What it showed at its beginning. */
   readonly first: Snapshot;
   /** All of its moments, up to `untilUs`. */
@@ -34,8 +36,9 @@ interface RunAgain {
  * A run that was kept is looked back at from a moment. Meanwhile it is run again as fast as it can, and stands still at its
  * end: from there it could go on.
  */
-export function showAgain(run: RunModel, { kept, untilUs, first, pieces, atUs }: RunAgain): Promise<void> {
-  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), brought: { pieces, untilUs } });
+export function showAgain(run: RunModel, { kept, first, atUs, ...tape }: RunAgain): Promise<void> {
+  const { untilUs } = tape;
+  const begun = run.begin({ kept, paused: true, catchUpUs: Math.max(untilUs, 1), brought: tape });
   run.past.value = first;
   run.recording.value.asked.value = { timeUs: Math.min(atUs, untilUs), ...(atUs === 0 && { exact: first }) };
   return begun;

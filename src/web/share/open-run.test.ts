@@ -4,12 +4,14 @@ import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { effectScope, nextTick, watch, type EffectScope } from 'vue';
 
 import { withoutSecrets } from '#check/task/write-task';
-import { parseTape } from '#tape/file';
+import { parseTape, setupAsKept, tapeToText } from '#tape/file';
+import { version } from '../../../package.json';
 import { createParts, type AllParts } from '../app/provide-parts';
 import { downloads } from '../app/testing/downloads';
 import { workerHere } from '../app/testing/worker-here';
 import { linkToRun, saveRun } from '../look-back/save-run';
 import { setLanguage, t } from '../page/i18n';
+import { repeatShown } from '../run/repeat-shown';
 import { noHost } from '../visit/host-view';
 import { firstCourse } from '../work/catalogue/first-course';
 import { nothingKept } from '../work/model/keep-work';
@@ -73,6 +75,30 @@ describe('a run that is taken along', () => {
     expect(page.task.ready.value?.id).toBe('forward-maqueen-lite');
     expect(said()).toBe('mine.run.json: the run is the same as when it was saved. You see its beginning.');
     expect(page.notices.current.value?.action?.key).toBe('course.restore');
+  });
+
+  it.each([
+    ['ends with its program', 'print(1)\n', { untilUs: 60_000_000, untilProgramEnds: true }, []],
+    [
+      'goes on after a Ctrl-C that is the last that was done to it',
+      'while True:\n    pass\n',
+      { untilUs: 600_000, untilProgramEnds: false },
+      [{ timeUs: 300_000, action: { type: 'interrupt' } }] as const,
+    ],
+  ])('is the same file when it is opened and saved again: one that %s', async (_, main, ends, inputs) => {
+    const read = parseTape(await saved());
+    if (!('tape' in read)) throw new Error(read.problem);
+    const [device] = read.tape.setup.devices;
+    const setup = setupAsKept({ ...read.tape.setup, devices: [{ ...device, files: { 'main.py': main } }], inputs });
+    const repeated = await repeatShown(page, { setup, ...ends }, String);
+    const text = tapeToText({ madeBy: version, setup, ...ends, result: repeated!.result });
+    await page.run.reset();
+    open(text);
+    await soon(() => expect(said()).toContain('the same'));
+    await soon(() => expect(page.run.recording.value.canGoOn).toBe(true));
+    const files = downloads();
+    await saveRun(page);
+    expect(await files[0]!.blob.text()).toBe(text);
   });
 
   it('is the same with presses, words, the hand and a changed course', async () => {

@@ -126,7 +126,8 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
       if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
       const { simulatedUs: untilUs } = result;
       const { first, pieces } = repeated;
-      await showAgain(app.run, { kept: setup, untilUs, first, pieces, atUs });
+      const ends = { untilUs: tape.untilUs, untilProgramEnds };
+      await showAgain(app.run, { kept: setup, untilUs, ends, first, pieces, atUs });
       const at = clockText(Math.min(atUs, untilUs), true);
       tell(app, 'ok', say(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
     }
