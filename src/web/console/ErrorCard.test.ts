@@ -4,6 +4,7 @@ import { beforeAll, describe, expect, it } from 'vitest';
 
 import { mountOn, named, textOf } from '../app/testing/mount-on';
 import { createPage } from '../app/testing/page';
+import { startRun } from '../app/testing/run';
 import { fetchAdvice } from './advice/explain';
 import type { ErrorReport } from './advice/error-advice';
 import ErrorCard from './ErrorCard.vue';
@@ -87,6 +88,22 @@ describe('the card of an error', () => {
     page.work.setText('main.py', after);
     await flushPromises();
     expect(card.find('.mend').exists()).toBe(false);
+  });
+
+  it('leads to the variables of then, but not where the program could not be read: no line of it has run', async () => {
+    const page = pageWith('main.py');
+    await startRun(page);
+    for (const [type, leads] of [
+      ['ValueError', true],
+      ['SyntaxError', false],
+    ] as const) {
+      // prettier-ignore
+      const failure = { type, message: 'x', traceback: '' };
+      page.say({ type: 'program-ended', device: 0, ended: { reason: 'exception', exception: failure, timeUs: 1000 } });
+      const report = { failure: page.run.ended.value!.exception!, source: { text: 'x', line: 1 }, table: null };
+      const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
+      expect(card.find('[data-testid="error-look"]').exists(), type).toBe(leads);
+    }
   });
 
   it('leads to the line in which a bracket opens', () => {
