@@ -7,10 +7,12 @@ import * as icons from '@mdi/js';
 import vue from '@vitejs/plugin-vue';
 import { build, defineConfig, type Plugin, type PluginOption, type UserConfig } from 'vite';
 
+import { olderUnits, runsInTheOldest } from './build/oldest.ts';
 import { programs } from './build/programs.ts';
 import { scenes } from './build/scenes.ts';
 import { frameCheckParts, withFrameCheck } from './scripts/frame-check.mjs';
 import { licencesOfApp } from './scripts/licences.mjs';
+import { OLDEST } from './scripts/oldest.mjs';
 import { singleFile } from './scripts/single-file.mjs';
 
 /**
@@ -128,6 +130,7 @@ const common = {
   root: 'src/web',
   base: './',
   publicDir: false,
+  css: { postcss: { plugins: [olderUnits] } },
   resolve: {
     alias: [
       // What jsPDF would fetch to print web pages; courses are printed from their own data.
@@ -158,7 +161,10 @@ function drawingsLighter(): Plugin {
 }
 
 /** The plugins of both builds, made anew for each. */
-const commonPlugins = (): PluginOption[] => [programs(), scenes(), vue(), iconsApart(), drawingsLighter()];
+const commonPlugins = (): PluginOption[] => [
+  ...[programs(), scenes(), vue(), iconsApart(), drawingsLighter()],
+  runsInTheOldest(),
+];
 
 /** The worker as one classic script. */
 async function workerCode(): Promise<string> {
@@ -167,10 +173,10 @@ async function workerCode(): Promise<string> {
     root: common.root,
     logLevel: 'warn',
     resolve: common.resolve,
-    plugins: [programs()],
+    plugins: [programs(), runsInTheOldest()],
     build: {
       write: false,
-      target: 'es2022',
+      target: OLDEST,
       lib: { entry: here('src/web/run/worker/worker.ts'), formats: ['iife'], name: 'parcoursWorker' },
       rolldownOptions: { output: { codeSplitting: false } },
     },
@@ -209,9 +215,9 @@ function onePage(): Plugin {
         else this.error(`${name} would lie beside the single file.`);
         Reflect.deleteProperty(bundle, name);
       }
-      const [icon, licences] = await Promise.all([read('src/web/logo.svg'), licencesOfApp()]);
+      const [icon, licences, check] = await Promise.all([read('src/web/logo.svg'), licencesOfApp(), frameCheckParts()]);
       for (const page of pages()) {
-        const source = singleFile(await read(`src/web/${page}`), { script, css, icon, licences });
+        const source = singleFile(await read(`src/web/${page}`), { script, css, icon, licences, check });
         this.emitFile({ type: 'asset', fileName: singleOf(page), source });
       }
     },
@@ -260,14 +266,14 @@ const folder: UserConfig = {
   plugins: [...commonPlugins(), frameCheck(), installable(), licences()],
   worker: {
     format: 'es',
-    plugins: () => [programs()],
+    plugins: () => [programs(), runsInTheOldest()],
     rolldownOptions: { output: { codeSplitting: { groups: [belowWorker] } } },
   },
   server: { fs: { allow: ['../..'] } },
   build: {
     outDir: '../../dist/app',
     emptyOutDir: true,
-    target: 'es2022',
+    target: OLDEST,
     // The content policy forbids data: scripts, and the VM must be a file of its own to be compiled while it streams in.
     assetsInlineLimit: 0,
     // The polyfill would only make old Safaris ask a moment earlier.
@@ -297,7 +303,7 @@ const single: UserConfig = {
   build: {
     outDir: '../../dist/app',
     emptyOutDir: false,
-    target: 'es2022',
+    target: OLDEST,
     assetsInlineLimit: 1e9,
     cssCodeSplit: false,
     modulePreload: false,

@@ -4,6 +4,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { engines, installBrowsers, usableEngines } from './browsers.mjs';
 import { buildWhenChanged } from './fingerprint.mjs';
+import { installOldBrowsers, oldBrowsersEnv } from './old-browsers.mjs';
 import { Failure, main, mustRun, note, root, run, step } from './progress.mjs';
 import { serve } from './serve.mjs';
 import { buildApp, setUp } from './setup.mjs';
@@ -27,6 +28,7 @@ export async function browserTests(args = []) {
     const projects = usable.map(({ engine }) => `--project=${engine}`);
     const env = {
       ...Object.assign({}, ...usable.map((it) => it.env)),
+      ...(await oldBrowsersEnv()),
       PARCOURS_APP: app.url,
       PARCOURS_PROBE: probe.url,
       PLAYWRIGHT_JSON_OUTPUT_NAME: REPORT,
@@ -124,6 +126,7 @@ function* testsOf(suite) {
 await main(import.meta.url, async (args) => {
   await setUp();
   await installBrowsers();
+  await installOldBrowsers();
   await buildApp();
   const rows = await browserTests(args);
   if (rows.some(({ failed }) => failed > 0)) throw new Failure('The browser tests failed.');

@@ -1,4 +1,4 @@
-/** The parts of the check for frames (`frame-check.mjs`). */
+/** The parts of what a page says where it cannot start (`frame-check.mjs`). */
 export interface FrameCheckParts {
   readonly script: string;
   readonly css: string;
@@ -7,3 +7,4 @@ export interface FrameCheckParts {
 export function frameCheckParts(): Promise<FrameCheckParts>;
 export function scriptHash(script: string): string;
 export function withFrameCheck(page: string, parts: FrameCheckParts): string;
+export function withSingleCheck(page: string, parts: FrameCheckParts): string;

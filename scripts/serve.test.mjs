@@ -45,7 +45,7 @@ describe('the server', () => {
 
   it('knows the one script that stands in the page itself', async () => {
     const { script } = await frameCheckParts();
-    expect(PAGE_POLICY).toContain(`script-src 'self' ${scriptHash(script)} 'wasm-unsafe-eval'`);
+    expect(PAGE_POLICY).toContain(`script-src 'self' ${scriptHash(script)} 'wasm-unsafe-eval' 'unsafe-eval'`);
   });
 
   it('leaves the single file its own policy', async () => {

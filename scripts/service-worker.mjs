@@ -3,6 +3,7 @@ import { createHash } from 'node:crypto';
 import { readdir, readFile, writeFile } from 'node:fs/promises';
 import { join, resolve } from 'node:path';
 import { build } from 'vite';
+import { OLDEST } from './oldest.mjs';
 import { main, note, root } from './progress.mjs';
 
 const SOURCE = 'src/web/offline/sw.ts';
@@ -55,7 +56,7 @@ async function bareServiceWorker() {
     define: { 'process.env.NODE_ENV': '"production"' },
     build: {
       write: false,
-      target: 'es2022',
+      target: OLDEST,
       lib: { entry: join(root, SOURCE), formats: ['iife'], name: 'parcours' },
     },
   });

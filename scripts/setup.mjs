@@ -44,7 +44,7 @@ async function buildCli() {
 export const APP_SOURCES = [
   ...['src', 'courses', 'build', '.cache/vm'],
   ...['vite.config.ts', 'package.json', 'package-lock.json', 'LICENSE'],
-  ...['frame-check', 'licences', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
+  ...['frame-check', 'licences', 'oldest', 'single-file', 'service-worker'].map((name) => `scripts/${name}.mjs`),
   ...['fingerprint', 'progress'].map((name) => `scripts/${name}.mjs`),
 ];
 

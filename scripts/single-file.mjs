@@ -1,5 +1,5 @@
 // Puts the whole app into one HTML file that needs nothing beside it: for frames that may load nothing (decision 0018).
-import { scriptHash } from './frame-check.mjs';
+import { scriptHash, withSingleCheck } from './frame-check.mjs';
 
 /** The single file's own policy: its one script by its hash, workers made from it, WebAssembly, and no network. */
 const policyFor = (script) =>
@@ -30,11 +30,11 @@ export const inlineComment = (text) => text.replace(/--(?=!?>)/g, '- -');
  * The page with everything inside.
  *
  * @param {string} html the ordinary page
- * @param {{ script: string, css: string, icon: string, licences: string }} parts classic script, all styles, the icon as
- *   SVG, the licences of all of it
+ * @param {{ script: string, css: string, icon: string, licences: string, check: import('./frame-check.d.mts').FrameCheckParts }} parts
+ *   classic script, all styles, the icon as SVG, the licences of all of it, what it says where it cannot start
  * @throws Error where the page does not look as expected
  */
-export function singleFile(html, { script, css, icon, licences }) {
+export function singleFile(html, { script, css, icon, licences, check }) {
   const code = `\n${inlineScript(script).replace(/\r\n?/g, '\n').trim()}\n`;
   let page = html;
   const put = (pattern, replacement) => {
@@ -51,5 +51,5 @@ export function singleFile(html, { script, css, icon, licences }) {
   );
   put(/[ \t]*<script type="module"[^>]*><\/script>\n/, `    <style>${inlineStyle(css)}</style>\n`);
   put(/[ \t]*<\/body>/, `    <script>${code}</script>\n  </body>`);
-  return `${page.trimEnd()}\n<!--\n${inlineComment(licences).trim()}\n-->\n`;
+  return `${withSingleCheck(page, check).trimEnd()}\n<!--\n${inlineComment(licences).trim()}\n-->\n`;
 }

@@ -15,7 +15,11 @@ const PAGE = `<!doctype html>
   </body>
 </html>
 `;
-const single = (script) => singleFile(PAGE, { script, css: 'p{}', icon: '<svg/>', licences: 'MIT' });
+const check = await frameCheckParts();
+const single = (script) => singleFile(PAGE, { script, css: 'p{}', icon: '<svg/>', licences: 'MIT', check });
+
+/** The scripts inside a page: the check, and the app where it is a single file. */
+const scriptsIn = (page) => Array.from(page.matchAll(/<script>([^]*?)<\/script>/g), ([, script]) => script);
 
 describe('code inside a page', () => {
   it('cannot end its element, nor hide its end', () => {
@@ -49,7 +53,8 @@ describe('the single file', () => {
 
   it('allows its own script alone, by its hash', () => {
     const page = single('run("$&")');
-    const script = /<script>([^]*)<\/script>/.exec(page)[1];
+    const [first, script] = scriptsIn(page);
+    expect(first).toBe(check.script);
     expect(script.trim()).toBe('run("$&")');
     expect(page).toContain(`script-src ${scriptHash(script)} 'wasm-unsafe-eval'`);
     expect(page).toContain("connect-src 'none'");
@@ -57,30 +62,114 @@ describe('the single file', () => {
 
   it('runs its script when the page is there', () => {
     const page = single('run()');
-    expect(page.indexOf('<script>')).toBeGreaterThan(page.indexOf('id="app"'));
+    expect(page.lastIndexOf('<script>')).toBeGreaterThan(page.indexOf('id="app"'));
   });
 
   it('is not made of a page that looks otherwise', () => {
-    expect(() => singleFile('<p>', { script: '', css: '', icon: '', licences: '' })).toThrow(/nothing like/);
+    expect(() => singleFile('<p>', { script: '', css: '', icon: '', licences: '', check })).toThrow(/nothing like/);
   });
 });
 
-describe('the check for frames', () => {
-  it('has a sentence in each of the four languages', async () => {
-    const { html } = await frameCheckParts();
-    expect(Array.from(html.matchAll(/<p lang="(\w\w)">/g), ([, language]) => language)).toEqual([
-      'de',
-      'fr',
-      'it',
-      'en',
-    ]);
+/** A browser as the check sees it, and what it does there. */
+function checked({
+  list = { at() {}, toReversed() {} },
+  at = 'https://school.example/',
+  agent = 'Chrome/120',
+  ...more
+}) {
+  const page = { attributes: {}, listeners: {}, policy: '' };
+  const root = {
+    hasAttribute: (name) => name in page.attributes || (name === 'data-single' && more.isSingle === true),
+    setAttribute: (name, value) => (page.attributes[name] = value),
+  };
+  const wish = {
+    content: "script-src 'self' 'wasm-unsafe-eval'",
+    parentNode: { replaceChild: (it) => (page.policy = it) },
+  };
+  const document = {
+    documentElement: root,
+    querySelector: () => wish,
+    createElement: () => (more.hasModules === false ? {} : { noModule: false }),
+  };
+  const { search, protocol } = new URL(at);
+  const names = ['document', 'location', 'navigator', 'self', 'addEventListener'];
+  const navigator = { userAgent: agent, languages: more.languages ?? ['en-GB'] };
+  const listen = (name, listener) => (page.listeners[name] = listener);
+  const self = { origin: more.origin ?? 'https://school.example' };
+  const script = check.script.replaceAll('[].', 'list.');
+  new Function(...names, 'list', script)(document, { search, protocol }, navigator, self, listen, list);
+  return { ...page, why: page.attributes['data-cannot'] ?? null, said: page.attributes['data-said'] };
+}
+
+describe('why a page cannot start', () => {
+  it('is said in each of the four languages', () => {
+    const reasons = check.html.split(/<(?:div|noscript)/).slice(2);
+    expect(reasons).toHaveLength(5);
+    for (const reason of reasons)
+      expect(Array.from(reason.matchAll(/<p lang="(\w\w)">/g), ([, it]) => it)).toEqual(['de', 'fr', 'it', 'en']);
   });
 
-  it('is allowed by the page that it stands in', async () => {
-    const parts = await frameCheckParts();
-    const page = withFrameCheck(PAGE, parts);
-    expect(page).toContain(`script-src 'self' ${scriptHash(parts.script)} 'wasm-unsafe-eval'`);
-    expect(page).toContain(`<script>${parts.script}</script>`);
+  it('is nothing at first in a browser that will do', () => {
+    expect(checked({}).why).toBeNull();
+    expect(checked({ agent: 'Firefox/115.0' }).why).toBeNull();
+  });
+
+  it('is the browser, where it is older than the oldest', () => {
+    expect(checked({ list: {} }).why).toBe('old');
+    expect(checked({ hasModules: false }).why).toBe('old');
+    expect(checked({ agent: 'Firefox/114.0' }).why).toBe('old');
+  });
+
+  it('is the frame, or the folder that it was opened from', () => {
+    expect(checked({ origin: 'null' }).why).toBe('frame');
+    expect(checked({ origin: 'null', at: 'file:///C:/index.html' }).why).toBe('folder');
+    expect(checked({ origin: 'null', isSingle: true }).why).toBeNull();
+  });
+
+  it.each(['error', 'unhandledrejection'])('is a file that does not come, after an event %s', (event) => {
+    const page = checked({});
+    page.listeners[event]();
+    expect(page.attributes['data-cannot']).toBe('files');
+  });
+
+  it('keeps to the first reason', () => {
+    const page = checked({ list: {} });
+    page.listeners.error();
+    expect(page.attributes['data-cannot']).toBe('old');
+  });
+
+  it('is told in the language of the address, or else in the first that the browser wants', () => {
+    expect(checked({ at: 'https://school.example/?lang=it' }).said).toBe('it');
+    expect(checked({ languages: ['ja', 'fr-CH', 'de'] }).said).toBe('fr');
+    expect(checked({ languages: ['ja'] }).said).toBe('de');
+  });
+
+  it('can be read by any browser: the script has nothing newer than ES5', () => {
+    expect(check.script).not.toMatch(/=>|`|\b(const|let|class)\b|\?[.?]/);
+  });
+});
+
+describe('the page’s own policy', () => {
+  it('is set by the check, whose script the host’s policy allows by its hash', () => {
+    const page = withFrameCheck(PAGE, check);
+    expect(page).toContain(`<script>${check.script}</script>`);
+    expect(page).toMatch(
+      /<meta name="policy" content="default-src 'self'; script-src 'self' 'wasm-unsafe-eval'" \/>\s*<script>/,
+    );
     expect(page).toContain('<div id="app"><div class="cannot-start"');
+    expect(checked({}).policy).toMatchObject({
+      httpEquiv: 'Content-Security-Policy',
+      content: "script-src 'self' 'wasm-unsafe-eval'",
+    });
+  });
+
+  it('lets the VM start also in browsers that do not know the word for that', () => {
+    expect(checked({ list: { at() {} } }).policy.content).toBe("script-src 'self' 'unsafe-eval'");
+  });
+
+  it('stands in the single file too, which has no sentence about frames', () => {
+    expect(single('run()')).toContain('<html data-single lang="de">');
+    expect(single('run()')).not.toContain('parcours.single.html');
+    expect(single('run()')).toContain('<div class="old">');
   });
 });

@@ -4,6 +4,7 @@ import { join } from 'node:path';
 import { installBrowsers, usableEngines } from './browsers.mjs';
 import { check } from './check.mjs';
 import { browserTests } from './e2e.mjs';
+import { installOldBrowsers } from './old-browsers.mjs';
 import { elapsed, Failure, main, root, run } from './progress.mjs';
 import { buildApp, setUp } from './setup.mjs';
 
@@ -49,6 +50,7 @@ await main(import.meta.url, async () => {
   const started = Date.now();
   await setUp();
   await installBrowsers();
+  await installOldBrowsers();
   usableEngines(); // says what will be skipped, and with CI=true refuses, before the long part
   const rows = [
     ...(await part('Checks', check)),

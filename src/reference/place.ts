@@ -36,7 +36,7 @@ function pieceBefore(source: PythonText, node: SyntaxNode): SyntaxNode | null {
   if (!cursor.prev(false)) return null;
   while (!isPiece(source, cursor.node)) if (!cursor.prev()) return null;
   const piece = cursor.node;
-  const isNewLine = /(?<!\\)\n/.test(source.text.slice(piece.to, node.from));
+  const isNewLine = /(^|[^\\])\n/.test(source.text.slice(piece.to, node.from));
   return piece.name === ';' || (isNewLine && bracketsAround(piece).length === 0) ? null : piece;
 }
 

@@ -1,3 +1,5 @@
+import './page/oldest/fill';
+
 import './page/styles/base.css';
 import './page/styles/tokens.css';
 import './page/styles/page.css';

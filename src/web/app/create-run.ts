@@ -9,6 +9,7 @@ import { SensorsModel } from '../run/sensors-model';
 import type { RunParts } from '../run/parts';
 import { createWorker } from '../run/worker/create-worker';
 import { compileFirmware } from '../run/worker/firmware';
+import { troubleOf } from '../run/worker/firmware-trouble';
 import type { VisitParts } from '../visit/parts';
 import { runSetup } from '../work/run-setup';
 import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
@@ -53,7 +54,7 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
       if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log, ...from });
     },
     ...starting(around, () => radio.clear()),
-    ...troubles(around),
+    ...troubles(around, run),
   });
   const sensors = new SensorsModel(run);
   const radio = new RadioModel(run);
@@ -121,8 +122,18 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
   };
 }
 
+/** What is said where the VM cannot be had. */
+const UNAVAILABLE = {
+  absent: 'notice.firmware',
+  foreign: 'notice.firmwareForeign',
+  forbidden: 'notice.firmwarePolicy',
+} as const;
+
 /** What is said when a run goes wrong through no fault of the program. */
-function troubles(around: Around): Pick<RunHost, 'onFailed' | 'onRefused' | 'onUnavailable' | 'onKilled'> {
+function troubles(
+  around: Around,
+  run: () => RunModel,
+): Pick<RunHost, 'onFailed' | 'onRefused' | 'onSlow' | 'onUnavailable' | 'onKilled'> {
   const { notices, host } = around;
   return {
     onFailed: (message) => {
@@ -133,8 +144,10 @@ function troubles(around: Around): Pick<RunHost, 'onFailed' | 'onRefused' | 'onU
       notices.show({ kind: 'info', key: 'notice.refused', values: { message } });
       host.tell({ type: 'refused', message });
     },
-    onUnavailable: () => {
-      notices.show({ kind: 'error', key: 'notice.firmware' });
+    onSlow: () =>
+      notices.show({ kind: 'info', key: 'notice.firmwareSlow', holds: () => run().phase.value === 'starting' }),
+    onUnavailable: (why) => {
+      notices.show({ kind: 'error', key: UNAVAILABLE[troubleOf(why)] });
       host.tell({ type: 'failed', message: 'A part of the simulator could not be fetched.' });
     },
     onKilled: () => notices.show({ kind: 'warn', key: 'notice.killed' }),

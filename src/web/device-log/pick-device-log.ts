@@ -1,4 +1,5 @@
 import type { TakesLogs } from './takes-logs';
+import { latePart } from '../page/late-part';
 
 /** Asks for a file of readings; what reads it is fetched once there is one. */
 export function pickDeviceLog(app: TakesLogs): void {
@@ -9,7 +10,7 @@ export function pickDeviceLog(app: TakesLogs): void {
     const files = [...(picker.files ?? [])];
     import('./open-device-log')
       .then(({ openDeviceLogs }) => openDeviceLogs(app, files))
-      .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+      .catch(() => app.notices.show(latePart));
   });
   picker.click();
 }

@@ -11,6 +11,7 @@ import { appVersion } from './app-version';
 import type { OpenLate } from './late-adapter';
 import { allowedOrigins, ORIGINS_META } from './origins';
 import { openTransport } from './transport';
+import { latePart } from '../page/late-part';
 
 /** Speaks with the embedding page, beginning with the messages that it has already sent. @returns ends it */
 export function openFrame(app: HostedPage, early: readonly MessageEvent<unknown>[]): () => void {
@@ -22,7 +23,7 @@ export function openFrame(app: HostedPage, early: readonly MessageEvent<unknown>
     openOurs: (connection) => openOurs(simulator, connection),
     openUnasked: unaskedDialect(app, simulator),
     nowMs: () => performance.now(),
-    onMissing: () => app.notices.show({ kind: 'error', key: 'notice.firmware' }),
+    onMissing: () => app.notices.show(latePart),
   });
   const receive = (event: MessageEvent<unknown>): void => transport.receive(event);
   addEventListener('message', receive);

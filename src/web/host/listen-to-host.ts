@@ -2,6 +2,7 @@ import { onMounted, onScopeDispose } from 'vue';
 import type { HostedPage } from './hosted-page';
 
 import { fetchAgain } from './fetch-again';
+import { latePart } from '../page/late-part';
 
 /** Most messages kept until the code that understands them is loaded. Chosen: more than any host sends by then. */
 const MOST_EARLY = 200;
@@ -33,7 +34,7 @@ export function listenToHost(app: HostedPage): void {
         removeEventListener('message', keep);
         close = openFrame(app, early.splice(0));
       })
-      .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+      .catch(() => app.notices.show(latePart));
   });
   onScopeDispose(() => {
     removeEventListener('message', keep);

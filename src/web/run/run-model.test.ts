@@ -158,6 +158,30 @@ describe('a run whose VM is on its way', () => {
     await aMoment();
     expect([run.phase.value, told]).toEqual(['stopped', []]);
   });
+
+  it('tells why its VM cannot be had', async () => {
+    const told: unknown[] = [];
+    const why = new Error('forbidden');
+    const run = newRun({ firmware: () => Promise.reject(why), onUnavailable: (reason) => told.push(reason) });
+    await run.start();
+    expect([run.phase.value, told]).toEqual(['failed', [why]]);
+  });
+
+  it('tells that its VM lets wait for itself after ten seconds, and not of one that was stopped', async () => {
+    vi.useFakeTimers();
+    const told: string[] = [];
+    const run = newRun({ firmware: () => new Promise(nothing), onSlow: () => told.push('slow') });
+    void run.start();
+    await vi.advanceTimersByTimeAsync(9_900);
+    expect(told).toEqual([]);
+    await vi.advanceTimersByTimeAsync(200);
+    expect(told).toEqual(['slow']);
+    void run.start();
+    await run.stop();
+    await vi.advanceTimersByTimeAsync(11_000);
+    expect(told).toEqual(['slow']);
+    vi.useRealTimers();
+  });
 });
 
 describe('a run in which nothing happens any more', () => {

@@ -17,6 +17,15 @@ import { RunClient, type ClientOptions, type ToRun } from './run-client';
 /** A run is called busy when it has said nothing for this long, in ms: it is inside one long call. */
 const BUSY_AFTER_MS = 1000;
 
+/** So long the VM may take before that is told, in ms. Chosen: a slow school network needs less. */
+const SLOW_MS = 10_000;
+
+/** The same work; where it takes long, that is told. */
+function patiently(work: Promise<void>, tell: () => unknown): Promise<void> {
+  const timer = setTimeout(tell, SLOW_MS);
+  return work.finally(() => clearTimeout(timer));
+}
+
 /** What a run needs of the app around it. */
 export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'> {
   /** The set-up of a run that starts now. @param kept that of a run that was kept, and is to be run again */
@@ -34,8 +43,10 @@ export interface RunHost extends Pick<ClientOptions, 'createWorker' | 'firmware'
   onRestarted(device: number): void;
   /** What sounded, was sent by radio and was logged. */
   onEvents(events: RunEvents, device: number): void;
-  /** The VM could not be loaded: no connection, most likely. */
-  onUnavailable(): void;
+  /** The VM could not be loaded. @param why see `troubleOf` */
+  onUnavailable(why: unknown): void;
+  /** The VM lets wait for itself. */
+  onSlow?(): void;
   onFailed(message: string): void;
   /** The run did not take an input; it goes on without it. */
   onRefused(message: string): void;
@@ -167,11 +178,11 @@ export class RunModel {
       this.recording.value = new Recording(setup, left, brought);
       this.names = setup.devices.map(({ name }) => name);
       this.endings.value = this.names.map(() => null);
-      await this.client.start(setup, { speed: this.speed, paused, catchUpUs });
-    } catch {
+      await patiently(this.client.start(setup, { speed: this.speed, paused, catchUpUs }), () => isWanted() && this.host.onSlow?.()); // prettier-ignore
+    } catch (why) {
       if (!isWanted()) return;
       this.end('failed');
-      this.host.onUnavailable();
+      this.host.onUnavailable(why);
     }
   }
   private startsPaused = false;

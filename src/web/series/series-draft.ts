@@ -22,8 +22,12 @@ export interface SeriesDraft {
   replace(series: Series): void;
 }
 
+/** Eight random digits. (`randomUUID` is missing on pages that came over plain http.) */
+const newId = (): string =>
+  Array.from(crypto.getRandomValues(new Uint8Array(4)), (byte) => byte.toString(16).padStart(2, '0')).join('');
+
 /** Without a name and tasks. What pupils have done of one series has nothing to do with another. */
-export const emptySeries = (): Series => ({ id: crypto.randomUUID().slice(0, 8), title: '', text: '', tasks: [] });
+export const emptySeries = (): Series => ({ id: newId(), title: '', text: '', tasks: [] });
 
 let made: SeriesDraft | null = null;
 

@@ -8,6 +8,7 @@ import type { WorkParts, Workplace } from '../work/model/parts';
 import { useOpenings } from '../work/use-openings';
 import { workName } from '../work/work-name';
 import type { TakesDocuments } from './open-json';
+import { latePart } from '../page/late-part';
 
 /** Where files of all kinds are taken in. */
 export type TakesFiles = TakesDocuments & Pick<RunParts, 'dataLog'>;
@@ -71,7 +72,7 @@ const isLog = ({ name }: File): boolean => /\.(?:html?|csv|tsv|txt|xlsx?|ods)$/i
 /** Opens what is no program: what does that comes late. */
 async function late<T>({ notices }: TakesFiles, part: Promise<T>, act: (part: T) => Promise<void>): Promise<void> {
   const come = await part.catch(() => null);
-  if (come === null) notices.show({ kind: 'error', key: 'notice.firmware' });
+  if (come === null) notices.show(latePart);
   else await act(come);
 }
 

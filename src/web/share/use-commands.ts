@@ -1,6 +1,7 @@
 import { THEMES } from '../work/settings/settings';
 import { saveFile } from '../work/save-file';
 import type { TakesFiles } from './load-files';
+import { latePart } from '../page/late-part';
 
 /** The commands that several bars and keys share. */
 export function useCommands(app: TakesFiles) {
@@ -21,7 +22,7 @@ export function useCommands(app: TakesFiles) {
 
   /** Taking files in, and saving others than programs, comes late. */
   function late<T>(part: Promise<T>, act: (part: T) => void): void {
-    part.then(act).catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+    part.then(act).catch(() => app.notices.show(latePart));
   }
 
   return {

@@ -6,6 +6,7 @@ import type { VisitParts } from '../visit/parts';
 import type { Workplace } from '../work/model/parts';
 import { hostWish, parametersOf } from '../visit/address';
 import { heldSettings } from '../visit/held-settings';
+import { latePart } from '../page/late-part';
 
 /** Parameters that carry work: a program (WebTigerPython's, or one in a course of ours), or a course. */
 const OPENED = ['code', 'fs', 'world', 'task'] as const;
@@ -38,7 +39,7 @@ export function useLinks(app: Workplace & VisitParts): void {
         else if (isProject || opened.some((name) => PROGRAMS.includes(name))) showSource();
         else clearAddress();
       })
-      .catch(() => app.notices.show({ kind: 'error', key: 'notice.firmware' }));
+      .catch(() => app.notices.show(latePart));
   }
   /** The other settings in the address hold for this visit, also against the opened project. */
   function hold(): void {

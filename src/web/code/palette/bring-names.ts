@@ -40,4 +40,4 @@ export function bringNames(
 
 /** A module's name in the program stands before what is the module's, or for the module itself. */
 const called = (code: string, name: string, alias: string, module: string): string =>
-  code.replace(new RegExp(`(?<![\\w.])${name}\\b`, 'g'), name === module ? alias : `${alias}.${name}`);
+  code.replace(new RegExp(`(^|[^\\w.])${name}\\b`, 'g'), `$1${name === module ? alias : `${alias}.${name}`}`);

@@ -60,8 +60,8 @@ function nameLate(name: string, source: Source, written: Written): SyntaxAdvice 
 /** The failing line with one name written otherwise; nothing where the name stands there more than once. */
 function lineWith(name: string, right: string, { text, line }: Source): { line?: string } {
   const written = text.split('\n')[line - 1] ?? '';
-  const word = new RegExp(`(?<![\\w.])${name}\\b`, 'g');
-  return (written.match(word) ?? []).length === 1 ? { line: written.replace(word, right) } : {};
+  const word = new RegExp(`(^|[^\\w.])${name}\\b`, 'g');
+  return (written.match(word) ?? []).length === 1 ? { line: written.replace(word, `$1${right}`) } : {};
 }
 
 function renamed({ message }: Failure, meant: string, { text, line }: Source): SyntaxAdvice['mend'] {

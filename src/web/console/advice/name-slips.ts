@@ -21,7 +21,7 @@ export function nameAdvice(type: string, message: string, { text, line }: Source
     return isSign ? withMend(slip, text, line) : null;
   }
   const change = (to: string): { line?: string } => {
-    const found = written.match(new RegExp(`(?<![\\w.])${name}(?!\\w)`, 'g')) ?? [];
+    const found = written.match(new RegExp(`(?:^|[^\\w.])${name}(?!\\w)`, 'g')) ?? [];
     return found.length === 1 ? { line: written.replace(name, to) } : {};
   };
   const value = MEANT[name];

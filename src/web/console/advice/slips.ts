@@ -90,9 +90,9 @@ const rules: readonly Rule[] = [
   },
   { look: /^for\b(?!.*\bin\b)(?!\s*=)(?!\s+\w+\()/, key: 'error.forForm' },
   {
-    look: /(?<=^(?:if|elif|while|return)\b.*)(?:=>|=<|=!|<>)/,
+    look: /^(?:if|elif|while|return)\b.*?(=>|=<|=!|<>)/,
     key: 'error.compareSign',
-    values: ([sign]) => ({ sign, right: COMPARED[sign] ?? '' }),
+    values: ([, sign = '']) => ({ sign, right: COMPARED[sign] ?? '' }),
     mend: (line) => line.replace(/=>|=<|=!|<>/g, (sign) => COMPARED[sign] ?? sign),
   },
   { look: /\b(and|or)\s*(?:[<>]|==|!=)/, key: 'error.compareAgain', values: word },
@@ -103,9 +103,9 @@ const rules: readonly Rule[] = [
     mend: (line) => line.replace(/\s*([+-])[+-]/, ' $1= 1'),
   },
   {
-    look: /&&|\|\||(?<=(?:\b(?:if|elif|while|return|and|or)|=)\s*)!(?!=)/,
+    look: /(&&|\|\|)|(?:\b(?:if|elif|while|return|and|or)|=)\s*(!)(?!=)/,
     key: 'error.wordForSign',
-    values: ([sign]) => ({ sign, right: JOINED[sign] ?? '' }),
+    values: ([, joined, not = '']) => ({ sign: joined ?? not, right: JOINED[joined ?? not] ?? '' }),
     mend: (line) => line.replace(/\s*(&&|\|\|)\s*/g, (_all, sign: string) => ` ${JOINED[sign] ?? sign} `).replace(/!(?!=)\s*/g, 'not '), // prettier-ignore
   },
   {

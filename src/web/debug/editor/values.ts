@@ -5,8 +5,10 @@ import type { Shown } from '#vm/debug/shown';
 
 /** The name at a place of a text, as Python's are written; `null`: there is none. */
 export function nameAt(text: string, at: number): { readonly name: string; readonly from: number } | null {
-  for (const { 0: name, index } of text.matchAll(/(?<![\w.])[\p{L}_][\p{L}\p{N}_]*/gu))
-    if (index <= at && at <= index + name.length) return { name, from: index };
+  for (const { 1: before = '', 2: name = '', index } of text.matchAll(/(^|[^\w.])([\p{L}_][\p{L}\p{N}_]*)/gu)) {
+    const from = index + before.length;
+    if (from <= at && at <= from + name.length) return { name, from };
+  }
   return null;
 }
 

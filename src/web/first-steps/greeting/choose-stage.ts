@@ -1,6 +1,7 @@
 import type { Workplace } from '../../work/model/parts';
 import type { LayoutParts } from '../../layout/parts';
 import type { Stage } from './stage';
+import { latePart } from '../../page/late-part';
 
 /** Brings a stage into sight, see `changeStage`: what it takes to change the program along with it comes with the first choice. */
 export async function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, stage: Stage): Promise<void> {
@@ -8,6 +9,6 @@ export async function chooseStage(app: Workplace & Pick<LayoutParts, 'layout'>, 
     const { changeStage } = await import('./change-stage');
     changeStage(app, stage);
   } catch {
-    app.notices.show({ kind: 'error', key: 'notice.firmware' });
+    app.notices.show(latePart);
   }
 }

@@ -1,8 +1,12 @@
 import firmwareUrl from '../../../../.cache/vm/vm.wasm?url';
+import { FirmwareError, isCompiled, mayCompile } from './firmware-trouble';
 
 let compiled: Promise<WebAssembly.Module> | null = null;
 
-/** The VM, compiled once per page (while it is downloaded, where the host names its type right) and shared by all workers. */
+/**
+ * The VM, compiled once per page (while it is downloaded, where the host names its type right) and shared by all workers.
+ * Rejects with a `FirmwareError`.
+ */
 export function compileFirmware(): Promise<WebAssembly.Module> {
   compiled ??= compile(new URL(firmwareUrl, import.meta.url).href).catch((error: unknown) => {
     compiled = null; // offline for a moment: the next try may work
@@ -11,10 +15,18 @@ export function compileFirmware(): Promise<WebAssembly.Module> {
   return compiled;
 }
 
-async function compile(url: string): Promise<WebAssembly.Module> {
-  const response = await fetch(url);
-  if (!response.ok) throw new Error(`${url}: ${response.status}`);
-  if (response.headers.get('content-type')?.startsWith('application/wasm'))
-    return WebAssembly.compileStreaming(response);
-  return WebAssembly.compile(await response.arrayBuffer());
+/** Fetches and compiles the VM at an address. */
+export async function compile(url: string): Promise<WebAssembly.Module> {
+  if (!mayCompile()) throw new FirmwareError('forbidden');
+  try {
+    const response = await fetch(url);
+    if (!response.ok) throw new Error(`${url}: ${response.status}`);
+    if (response.headers.get('content-type')?.startsWith('application/wasm'))
+      return await WebAssembly.compileStreaming(response);
+    const bytes = await response.arrayBuffer();
+    if (!isCompiled(new Uint8Array(bytes))) throw new FirmwareError('foreign');
+    return await WebAssembly.compile(bytes);
+  } catch (cause) {
+    throw cause instanceof FirmwareError ? cause : new FirmwareError('absent', { cause });
+  }
 }

@@ -2,6 +2,8 @@
  * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`),
  * checks hand-ins (`checker.ts`), or makes a film (`film.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
  */
+import '../../page/oldest/fill';
+
 import { Simulation } from '#simulation/simulation';
 
 import type { Checker, ToChecker } from './checker';

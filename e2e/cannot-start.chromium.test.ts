@@ -1,0 +1,108 @@
+import type { Page, Route } from '@playwright/test';
+import { expect, test } from './app';
+import { on } from './page';
+
+/** What is in sight of what the page says where it cannot start. */
+const said = (page: Page): Promise<string> =>
+  page.evaluate(() => {
+    const place = document.querySelector<HTMLElement>('.cannot-start');
+    return place === null || getComputedStyle(place).visibility !== 'visible' ? '' : place.innerText.trim();
+  });
+
+const SCRIPT = /\/assets\/(page|index|main)-[^/]*\.js$/;
+const answer =
+  (status: number, contentType: string, body = '') =>
+  (route: Route) =>
+    route.fulfill({ status, contentType, body, headers: { 'X-Content-Type-Options': 'nosniff' } });
+
+test.describe('a page whose first script', () => {
+  for (const [what, how] of [
+    ['is not there', answer(404, 'text/plain')],
+    ['comes under a wrong type', answer(200, 'text/plain', 'export {}')],
+    ['is a web page', answer(200, 'text/html', '<!doctype html>')],
+    ['never comes', (route: Route) => route.abort()],
+    ['is cut', answer(200, 'text/javascript', 'export const a = (')],
+  ] as const)
+    test(`${what} says so`, async ({ page }) => {
+      await page.route(SCRIPT, how);
+      await page.goto('./?lang=en');
+      await expect.poll(() => said(page)).toMatch(/^Parcours does not start: its files do not arrive[^]*filter\.$/);
+    });
+});
+
+test('a browser that is too old says which would do', async ({ page }) => {
+  await page.addInitScript(() => Reflect.deleteProperty(Array.prototype, 'at'));
+  await page.route(SCRIPT, (route) => route.abort());
+  await page.goto('./?lang=fr');
+  await expect.poll(() => said(page)).toMatch(/^Ce navigateur est trop ancien/);
+});
+
+test('without JavaScript the page says that it needs it, and nothing else', async ({ browser, baseURL }) => {
+  const context = await browser.newContext({ javaScriptEnabled: false });
+  const page = await context.newPage();
+  await page.goto(baseURL ?? '');
+  const shown = page.locator('.cannot-start p:visible');
+  await expect(shown).toHaveText([
+    /braucht JavaScript/,
+    /a besoin de JavaScript/,
+    /ha bisogno di JavaScript/,
+    /needs JavaScript/,
+  ]);
+  await context.close();
+});
+
+test('a page that starts holds itself to its own policy, which has no eval', async ({ page }) => {
+  await page.goto('./');
+  await page.locator(on('editor')).waitFor();
+  const policies = await page.evaluate(() =>
+    [...document.querySelectorAll('meta[http-equiv="Content-Security-Policy"]')].map((it) =>
+      it.getAttribute('content'),
+    ),
+  );
+  expect(policies).toHaveLength(1);
+  expect(policies[0]).toContain("script-src 'self' 'wasm-unsafe-eval';");
+  const refused = await page.evaluate(() => {
+    try {
+      return String(Reflect.construct(Function, ['return 1']));
+    } catch (error) {
+      return (error as Error).name;
+    }
+  });
+  expect(refused).toBe('EvalError');
+});
+
+test.describe('on a page that runs', () => {
+  test('a late part that does not come is told, with the way out', async ({ page }) => {
+    await page.goto('./?lang=en');
+    await page.locator(on('editor')).waitFor();
+    await page.route(/\/assets\/ShareDialog-[^/]*\.js$/, (route) => route.abort());
+    await page.locator('header.top').getByRole('button', { name: 'Share' }).click();
+    await expect(page.locator('.notice')).toContainText('This part could not be loaded.');
+    await expect(page.locator('.notice').getByRole('button', { name: 'Reload' })).toBeVisible();
+  });
+
+  test('a web page in the simulator’s place is told as that', async ({ page }) => {
+    await page.route(/\.wasm$/, answer(200, 'text/html', '<!doctype html><title>Filter</title>'));
+    await page.goto('./?lang=en');
+    await page.locator(on('run')).click();
+    await expect(page.locator('.notice')).toContainText('Something else arrives instead of the simulator');
+  });
+
+  test('a simulator that lets wait for itself is told of', async ({ page }) => {
+    await page.route(/\.wasm$/, () => undefined);
+    await page.goto('./?lang=en');
+    await page.locator(on('run')).click();
+    await expect(page.locator('.notice')).toContainText('The simulator is not there yet');
+  });
+
+  test('a policy that forbids WebAssembly is named', async ({ page }) => {
+    await page.route(/\/(\?.*)?$/, async (route) => {
+      const response = await route.fetch();
+      const policy = (response.headers()['content-security-policy'] ?? '').replace(/'(wasm-)?unsafe-eval'/g, '');
+      await route.fulfill({ response, headers: { ...response.headers(), 'content-security-policy': policy } });
+    });
+    await page.goto('./?lang=en');
+    await page.locator(on('run')).click();
+    await expect(page.locator('.notice')).toContainText('forbids WebAssembly');
+  });
+});

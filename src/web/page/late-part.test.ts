@@ -1,0 +1,50 @@
+// @vitest-environment happy-dom
+import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
+
+import { latePart, tellLateParts } from './late-part';
+import { createNotices } from './notices';
+
+describe('a late part that does not come', () => {
+  const notices = createNotices();
+  let stop = (): void => undefined;
+  beforeEach(() => {
+    vi.useFakeTimers();
+    stop = tellLateParts(notices);
+  });
+  afterEach(() => {
+    stop();
+    notices.close();
+    vi.useRealTimers();
+  });
+  const miss = (): boolean => window.dispatchEvent(new Event('vite:preloadError'));
+
+  it('is told, with the way out, to whoever has asked for it by a press', () => {
+    document.body.dispatchEvent(new Event('click', { bubbles: true }));
+    vi.advanceTimersByTime(29_000);
+    miss();
+    expect(notices.current.value).toBe(latePart);
+    expect(latePart.action?.key).toBe('notice.reload');
+  });
+
+  it('is told also after a key', () => {
+    document.body.dispatchEvent(new Event('keydown', { bubbles: true }));
+    miss();
+    expect(notices.current.value).toBe(latePart);
+  });
+
+  it('that was fetched ahead is not missed', () => {
+    miss();
+    expect(notices.current.value).toBeNull();
+    document.body.dispatchEvent(new Event('click', { bubbles: true }));
+    vi.advanceTimersByTime(31_000);
+    miss();
+    expect(notices.current.value).toBeNull();
+  });
+
+  it('is told no more once the page is left', () => {
+    stop();
+    document.body.dispatchEvent(new Event('click', { bubbles: true }));
+    miss();
+    expect(notices.current.value).toBeNull();
+  });
+});
