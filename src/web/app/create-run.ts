@@ -54,7 +54,7 @@ export function createRun(around: Around, engine: RunEngine): RunParts {
       if (events.log.length > 0) around.host.tell({ type: 'log', events: events.log, ...from });
     },
     ...starting(around, () => radio.clear()),
-    ...troubles(around, run),
+    ...troubles(around, () => run),
   });
   const sensors = new SensorsModel(run);
   const radio = new RadioModel(run);
