@@ -4,7 +4,7 @@
 # So where the way ends, the robot also looks to the left and to the right.
 from mbrobot import *
 
-NEAR = 22               # centimetres: closer than this it does not go
+NEAR = 25               # centimetres: closer than this it does not go
 FREE = 50               # centimetres: so far ahead the new way should be free
 LOOK = 110              # milliseconds of turning for a look to the side
 

@@ -5,6 +5,7 @@ import type { LogEvent } from '#board/data-log';
 import { stillness } from '#check/run/stillness';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
 import type { RunOutlets } from '#simulation/outlets';
+import { PHYSICS } from '#simulation/physics-version';
 import { packetReport, type PacketReport } from '#simulation/report';
 import { checkRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
@@ -106,7 +107,7 @@ function writeTape(
   };
   writeSync(
     file,
-    tapeToText({ madeBy: version, setup: { ...setup, inputs }, ...until, result: resultOf(run, output) }),
+    tapeToText({ madeBy: version, physics: PHYSICS, setup: { ...setup, inputs }, ...until, result: resultOf(run, output) }),
   );
 }
 

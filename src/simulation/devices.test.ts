@@ -401,9 +401,9 @@ const SETUPS = Number(process.env['PARCOURS_DEVICE_SETUPS'] ?? 30);
 
 describe('the same run', { timeout: 600_000 }, () => {
   it.each([
-    [2, 'f9060b5643748cc10183f80f2110ee936b82163bf8ebacac634b5a9b2a29c66b'],
-    [4, 'a622bc7d931ca1fa2908c25dd8e0a58df207412a1f6c3e56626efa21044d6ee8'],
-    [8, '9be3ac8d20f5bcad024b434af5eb406e6b79ac71ba589c52cdef189c81b0b793'],
+    [2, 'e7ace7badfa684721b1f1c6f1dd9e167cf54043a28de275c3a45af0f60cda5f9'],
+    [4, '720d1f8d9c3ec741f59637f1b6fb839899742ea0a48bf1a2359f31feda1b7b0e'],
+    [8, '1059f35bd4f785ceef1ce22507d2a7ff6641283cd9ed5ad5a4e06f1dab08b63e'],
   ])('of %s devices is what was recorded', async (count, traceHash) => {
     const simulation = await Simulation.create(convoyOf(count), firmware);
     simulation.advanceTo(20_000_000);

@@ -47,8 +47,8 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   const { at, heading, scale } = start;
   const pose: Pose = { xMm: at[0], yMm: at[1], headingRad: radOf(heading) };
   const reality = createReality(place.reality, place.seed, () => clock.nowUs, place.traits);
-  const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose);
-  let supply = reality.supply({ left: 0, right: 0 });
+  const chassis = world.addChassis(reality.body(scaledBody(type.body, scale)), pose, () => clock.nowUs);
+  chassis.setBattery((left, right) => reality.supply({ left, right }));
   const robot = build.attach({
     clock,
     board: isMisplugged(hardware) ? spareBoard(type) : place.board,
@@ -59,7 +59,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
       const heard = heardCone(cone, hardware.options);
       return reality.echo(world.distanceCone(chassis.toWorld(from), direction, heard, chassis));
     },
-    supplyMv: () => Math.round(FULL_MV * supply),
+    supplyMv: () => Math.round(FULL_MV * reality.supply({ left: chassis.duty(0), right: chassis.duty(1) })),
     options: hardware.options,
     scale,
     lineReadings: place.traits?.line ?? {},
@@ -72,12 +72,7 @@ export function mountRobot(hardware: Hardware, place: Place): Mounted | null {
   const step = (): void => {
     robot.step();
     senses.step();
-    const now = reality.supply({ left: chassis.duty(0), right: chassis.duty(1) });
-    if (now === supply) return;
-    supply = now;
-    chassis.setSupply(supply);
   };
-  chassis.setSupply(supply);
   return { type, robot, chassis, senses, step };
 }
 

@@ -1,23 +1,26 @@
 import type { Vec } from '#core/geometry';
-import type { ChassisType } from '#world/chassis';
+import type { ChassisType, Wheel } from '#world/chassis';
 
 /**
- * A body at another size: every length, the top speed and the motors' force grow with the scale; the mass stays. So a
- * small and a large robot speed up in the same time, and all their movements look alike at their own size.
+ * A body at another size: every length, the top speed, the motors' force and the tyres' grip grow with the scale; the
+ * mass stays. So a small and a large robot speed up in the same time, and all their movements look alike at their own
+ * size.
  */
 export function scaledBody(body: ChassisType, scale: number): ChassisType {
   if (scale === 1) return body;
   const scaled = ({ x, y }: Vec): Vec => ({ x: x * scale, y: y * scale });
+  const wheel = ({ atMm, radiusMm, gripMu }: Wheel): Wheel => ({
+    atMm: scaled(atMm),
+    radiusMm: radiusMm * scale,
+    gripMu: gripMu * scale,
+  });
   const [left, right] = body.wheels;
   return {
     ...body,
     outlineMm: body.outlineMm.map((part) => part.map(scaled)),
     centreOfMassMm: scaled(body.centreOfMassMm),
     ...(body.inertiaGMm2 === undefined ? {} : { inertiaGMm2: body.inertiaGMm2 * scale * scale }),
-    wheels: [
-      { ...left, atMm: scaled(left.atMm), radiusMm: left.radiusMm * scale },
-      { ...right, atMm: scaled(right.atMm), radiusMm: right.radiusMm * scale },
-    ],
+    wheels: [wheel(left), wheel(right)],
     ...(body.castorMm === undefined ? {} : { castorMm: scaled(body.castorMm) }),
     drive: {
       ...body.drive,

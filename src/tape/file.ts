@@ -10,6 +10,9 @@ import { isTapeFile, TAPE_FORMAT, type Tape } from './tape';
 /** The version that this app writes and the newest that it reads. The course within has a version of its own. */
 export const TAPE_VERSION = 1;
 
+/** That of files which do not say any. */
+const FIRST_PHYSICS = 1;
+
 /** Longest file that is read. Chosen: 100,000 inputs and eight devices with all their files. */
 const MOST_CHARACTERS = 40_000_000;
 
@@ -34,13 +37,14 @@ export type ParsedTape =
 type Fields = Readonly<Record<string, unknown>>;
 
 /** A tape as its file: JSON that ends in a newline. */
-export function tapeToText({ madeBy, setup, untilUs, untilProgramEnds, result }: Tape): string {
+export function tapeToText({ madeBy, physics, setup, untilUs, untilProgramEnds, result }: Tape): string {
   const kept = setupToValue(setup);
   const hashes = { programs: programHashes(setup.devices), setup: hashOfText(JSON.stringify(kept)) };
   const lines = Object.entries({
     format: TAPE_FORMAT,
     version: TAPE_VERSION,
     madeBy,
+    physics,
     setup: kept,
     untilUs,
     untilProgramEnds,
@@ -99,6 +103,7 @@ function parsed(value: Fields): ParsedTape {
   const run = readSetup(setup);
   const tape: Tape = {
     madeBy: typeof value.madeBy === 'string' ? value.madeBy.slice(0, 40) : '?',
+    physics: value.physics === undefined ? FIRST_PHYSICS : numberIn(value, 'physics'),
     setup: run,
     untilUs: numberIn(value, 'untilUs'),
     untilProgramEnds: value.untilProgramEnds === true,

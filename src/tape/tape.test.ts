@@ -28,7 +28,14 @@ beforeAll(async () => {
   const setup = convoyOf(3);
   const { simulation, result } = await run(setup, true);
   const recorded = { ...setup, inputs: simulation.inputLog };
-  text = tapeToText({ madeBy: '0.0.0', setup: recorded, untilUs: 1_000_000, untilProgramEnds: false, result });
+  text = tapeToText({
+    madeBy: '0.0.0',
+    physics: 2,
+    setup: recorded,
+    untilUs: 1_000_000,
+    untilProgramEnds: false,
+    result,
+  });
 });
 
 /** The recording, or a failure of the test. */
@@ -61,6 +68,14 @@ describe('a recorded run', () => {
     expect(differences(tape.result, result).join(' ')).toMatch(
       /robot 1, output \(hash\): [0-9a-f]{64} in the recording, /,
     );
+  });
+
+  it('says with which physics it was made; a file without is from the first', () => {
+    expect(read().tape.physics).toBe(2);
+    const old = text.replace(/ *"physics": .*\n/, '');
+    expect(old).not.toBe(text);
+    expect(read(old)).toMatchObject({ tape: { physics: 1 }, changes: [] });
+    expect(problemOf(text.replace('"physics": 2', '"physics": "x"'))).toContain('physics: must be a number from 0');
   });
 
   it('tells that a program, or something else, was changed since', () => {

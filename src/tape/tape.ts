@@ -11,6 +11,8 @@ export const isTapeFile = (text: string): boolean => /"format":\s*"parcours-tape
 export interface Tape {
   /** Version of the Parcours that has recorded it. */
   readonly madeBy: string;
+  /** The physics with which it was recorded: see `PHYSICS`. */
+  readonly physics: number;
   /** With every input of the run, at its time. */
   readonly setup: RunSetup;
   /** The run goes on until this simulated time, or, if it says so, until all programs have ended. */

@@ -44,8 +44,11 @@ export interface Chassis {
   setDuty(wheel: WheelSide, duty: number): void;
   /** The duty that was set, −1 … 1. */
   duty(wheel: WheelSide): number;
-  /** Voltage of the battery compared with a full one, 0 … 1 (the start): it weakens both motors like a smaller duty. */
-  setSupply(share: number): void;
+  /**
+   * Gives it another battery than a full one that never weakens. `supply` is its voltage compared with that, 0 … 1, while
+   * the motors run at these duties: it weakens both like a smaller duty.
+   */
+  setBattery(supply: (left: number, right: number) => number): void;
   /** Speed of the wheel's rim in mm/s, forward positive. A slipping wheel's floor speed differs. */
   wheelSpeedMmPerS(wheel: WheelSide): number;
   /** How far the wheel has turned since the start, in rad, forward positive. */

@@ -1,5 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import type { Fork } from './chassis';
+import { turned } from './physics/block-body';
+import { gapBetween } from './physics/convex';
+import { rectangleCorners, wallCorners } from './shapes';
 import type { BlockHandle } from './shapes';
 import { createToolRig, TEST_FORK, UP_MM } from './testing/tools';
 import type { ToolRig } from './testing/tools';
@@ -144,9 +147,15 @@ describe('a raised fork', () => {
     const wide = block({ x: 2090, y: 2020 }, 60);
     lift(UP_MM);
     expect(wide.isHeld()).toBe(true);
-    world.addWall({ fromMm: { x: 2200, y: 2045 }, toMm: { x: 2200, y: 2200 }, thicknessMm: 10 });
-    drive(150, 150, 3);
-    expect(wide.pose().xMm + 30).toBeLessThan(2202);
+    const wall = { fromMm: { x: 2200, y: 2045 }, toMm: { x: 2200, y: 2200 }, thicknessMm: 10 };
+    world.addWall(wall);
+    // The wheels spin, and the robot turns about the end of the wall.
+    for (let part = 0; part < 30; part++) {
+      drive(150, 150, 0.1);
+      const { xMm: x, yMm: y, headingRad: angle } = wide.pose();
+      const outline = turned(rectangleCorners({ x: 60, y: 60 }), { x, y, angle });
+      expect(gapBetween(outline, wallCorners(wall)).gap).toBeGreaterThan(-0.5);
+    }
     expect(robot.collisions()).toBe(1);
   });
 

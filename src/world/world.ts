@@ -35,7 +35,11 @@ export interface World {
   addStroke(stroke: StrokeShape): StrokeHandle;
   /** Lays a picture under the strokes, or removes it. Throws RangeError if its levels do not fit its cells. */
   setFloor(grid: FloorGrid | null): void;
-  addChassis(type: ChassisType, pose: Pose): Chassis;
+  /**
+   * @param nowUs clock of the program that drives it: each duty acts from the moment at which it is set, also within a
+   *   step. It began with the world. Left out: from the next step on
+   */
+  addChassis(type: ChassisType, pose: Pose, nowUs?: () => number): Chassis;
   /** Moves everything on by `STEP_US`. */
   step(): void;
   /** Reflectance under a round spot on the floor, 0 (black) … 1 (bare floor); 0 if its middle is outside the arena. */
@@ -97,8 +101,8 @@ export function createWorld(size: WorldSize): World {
     },
     addStroke: (stroke) => ground.addStroke(stroke),
     setFloor: (grid) => ground.setFloor(grid),
-    addChassis(type, pose) {
-      const body = physics.addRobot(type, pose);
+    addChassis(type, pose, nowUs) {
+      const body = physics.addRobot(type, pose, nowUs);
       robots.push({ body, parts: type.outlineMm.map((part) => movingObstacle(part, () => body.pose())) });
       return body;
     },

@@ -124,6 +124,18 @@ describe('parcours replay', { timeout: 60_000 }, () => {
     expect(err).toContain('This is not the run that was recorded.');
   });
 
+  it('says that an older physics is why a run comes out differently, and looks into it all the same', () => {
+    const text = readFileSync(record('physics.json'), 'utf8');
+    const older = text
+      .replace(/ *"physics": .*\n/, '')
+      .replace(/"traceHash":"\w{64}"/, `"traceHash":"${'0'.repeat(64)}"`);
+    const tape = file('older.json', older);
+    const { code, err } = parcours('replay', tape, '--quiet');
+    expect(code).toBe(1);
+    expect(err).toContain('recorded with an older physics of the robots (1; this is 2)');
+    expect(parcours('replay', tape, '--at', '0.25s', '--json')).toMatchObject({ code: 0, err: '' });
+  });
+
   it('refuses to write over the program', () => {
     const program = file('own.py', PROGRAM);
     expect(parcours('run', program, '--record', program)).toMatchObject({

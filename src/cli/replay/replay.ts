@@ -1,4 +1,5 @@
 import { version } from '../../../package.json';
+import { PHYSICS } from '#simulation/physics-version';
 import { parseTape } from '#tape/file';
 import { differences, type TapeResult } from '#tape/result';
 import type { Tape } from '#tape/tape';
@@ -71,6 +72,9 @@ function stopProblem({ setup, result }: Tape, { stop }: ReplayOptions, device: n
     : `--line: there is no "${stop.file}" on the board. It has ${files.join(', ')}.`;
 }
 
+const physicsWords = (physics: number): string =>
+  `parcours: recorded with ${physics < PHYSICS ? 'an older' : 'a newer'} physics of the robots (${physics}; this is ${PHYSICS}): their way may differ, and the run can be looked at all the same (--at, --line).`;
+
 type Ran = Extract<Outcome, { type: 'ran' }>;
 
 function tellComparison(
@@ -84,7 +88,8 @@ function tellComparison(
     repeated === null ? ['The repetition did not come to its end.'] : differences(tape.result, repeated.result);
   const isSame = differs.length === 0 && changes.length === 0;
   for (const line of differs) terminal.message(`parcours: ${line}`);
-  if (differs.length > 0 && tape.madeBy !== version)
+  if (differs.length > 0 && tape.physics !== PHYSICS) terminal.message(physicsWords(tape.physics));
+  else if (differs.length > 0 && tape.madeBy !== version)
     terminal.message(`parcours: recorded with Parcours ${tape.madeBy}, this is ${version}.`);
   terminal.message(isSame ? sameWords(tape.result) : 'parcours: This is not the run that was recorded.');
   if (json) {

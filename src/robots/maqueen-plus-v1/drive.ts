@@ -1,4 +1,5 @@
 /** Motors and wheel pulses of the Maqueen Plus V1. */
+import type { Clock } from '#core/clock';
 import type { Stop } from '#core/stop';
 import type { Chassis } from '#world/chassis';
 import type { Side } from './controller';
@@ -9,6 +10,7 @@ export const PULSES_PER_TURN = 80;
 
 const RAD_PER_PULSE = (2 * Math.PI) / PULSES_PER_TURN;
 const SIDES = [0, 1] as const;
+const US_PER_S = 1_000_000;
 
 /** Both motors with their pulse counters. */
 export interface Drive {
@@ -22,29 +24,49 @@ export interface Drive {
   /** The present duty of the motors, −1 … 1. */
   duty(): { readonly left: number; readonly right: number };
   /** Call it after each step of the world. */
-  step(passedS: number): void;
+  step(): void;
   readonly stop: Stop;
 }
 
-/** Puts the motors on a chassis of any scale. */
-export function createDrive(chassis: Chassis, scale: number): Drive {
+/** What they are put on: a chassis of any scale. */
+export interface DriveContext {
+  readonly chassis: Chassis;
+  readonly clock: Clock;
+  readonly scale: number;
+}
+
+/** Puts the motors on a chassis. */
+export function createDrive({ chassis, clock, scale }: DriveContext): Drive {
   const controls = [createSpeedControl(), createSpeedControl()] as const;
   const wanted: [number, number] = [0, 0];
   const turnRad: [number, number] = [0, 0];
   const lastRad: [number, number] = [chassis.wheelTurnRad(0), chassis.wheelTurnRad(1)];
   let isControlled = false;
+  let controlledUs = 0;
 
+  /** Controls by what was wanted up to now. */
+  const control = (): void => {
+    const passedS = (clock.nowUs - controlledUs) / US_PER_S;
+    controlledUs = clock.nowUs;
+    for (const side of SIDES) {
+      const speed = chassis.wheelSpeedMmPerS(side) / scale;
+      chassis.setDuty(side, controls[side].next(wanted[side], speed, passedS));
+    }
+  };
   const setBoth = (left: number, right: number): void => {
+    if (isControlled) control();
     wanted[0] = left;
     wanted[1] = right;
-    for (const side of SIDES) if (!isControlled || wanted[side] === 0) chassis.setDuty(side, wanted[side]);
+    if (isControlled) control();
+    else for (const side of SIDES) chassis.setDuty(side, wanted[side]);
   };
   return {
     motors: setBoth,
     speedControl: (isOn) => {
       if (isOn === isControlled) return;
       isControlled = isOn;
-      for (const control of controls) control.reset();
+      controlledUs = clock.nowUs;
+      for (const one of controls) one.reset();
       setBoth(wanted[0], wanted[1]);
     },
     pulses: (side) => Math.floor(turnRad[side] / RAD_PER_PULSE) & 0xffff,
@@ -52,14 +74,13 @@ export function createDrive(chassis: Chassis, scale: number): Drive {
       turnRad[side] = 0;
     },
     duty: () => ({ left: chassis.duty(0), right: chassis.duty(1) }),
-    step: (passedS) => {
+    step: () => {
       for (const side of SIDES) {
         const now = chassis.wheelTurnRad(side);
         turnRad[side] += Math.abs(now - lastRad[side]);
         lastRad[side] = now;
-        if (isControlled)
-          chassis.setDuty(side, controls[side].next(wanted[side], chassis.wheelSpeedMmPerS(side) / scale, passedS));
       }
+      if (isControlled) control();
     },
     stop: () => {
       isControlled = false;

@@ -130,6 +130,23 @@ describe('Maqueen Plus V1: speed control', () => {
     passMs(8);
     expect(robot.state().duty).toEqual({ left: 0, right: 0 });
   });
+
+  it('acts from the moment of its writes: wherever they fall, a turn comes out the same to 0.1°', () => {
+    const turns = [0, 700, 1500, 2600, 3700].map((us) => {
+      const { send, chassis, passMs } = onTheFloor();
+      send(0x0a, 1);
+      passMs(4 + us / 1000);
+      send(0x00, 1, 40);
+      send(0x02, 2, 40);
+      passMs(800);
+      send(0x00, 0, 0);
+      send(0x02, 0, 0);
+      passMs(400);
+      return (chassis.turnedRad() * 180) / Math.PI;
+    });
+    expect(Math.abs(turns[0] ?? 0)).toBeGreaterThan(90);
+    expect(Math.max(...turns) - Math.min(...turns)).toBeLessThan(0.1);
+  });
 });
 
 describe('Maqueen Plus V1: lights and servos', () => {

@@ -10,7 +10,6 @@ import type { Vec } from '#core/geometry';
 import type { Rgb } from '#core/rgb';
 import { attachHcSr04 } from '#devices/hc-sr04';
 import { attachIrReceiver } from '#devices/ir-receiver';
-import { STEP_US } from '#world/step';
 import { mountLineRow, type LinePlace } from '../line-row';
 import { mountServos, tellColors } from '../mounting';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
@@ -41,8 +40,6 @@ const BRIGHTNESS = { black: 1000, floor: 3500 };
 /** In front of the micro:bit, near the front edge: chosen. NOE puts it 48 mm ahead of the axle. */
 const SONAR_AT: Vec = { x: 74, y: 0 };
 
-const STEP_S = STEP_US / 1_000_000;
-
 const WIRES: Robot['wires'] = { P1: [], P2: [], P16: [] };
 
 export const maqueenPlusV1Build: RobotBuild = {
@@ -52,10 +49,10 @@ export const maqueenPlusV1Build: RobotBuild = {
 };
 
 function attach(context: RobotContext): Robot {
-  const { board, chassis, clock, scale, onSet } = context;
+  const { board, clock, onSet } = context;
   const tell = tellColors(context);
   const servos = mountServos(context, type, SERVO_PORTS);
-  const drive = createDrive(chassis, scale);
+  const drive = createDrive(context);
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...BRIGHTNESS });
   let lights: readonly [Rgb, Rgb] = [
     [0, 0, 0],
@@ -94,7 +91,7 @@ function attach(context: RobotContext): Robot {
     bumper: null,
   });
   const step = (): void => {
-    drive.step(STEP_S);
+    drive.step();
     line.sample();
     servos.step();
   };

@@ -54,7 +54,8 @@ export function putOnFloor(build: RobotBuild, setup: FloorSetup = {}): Floor {
   const board = new Board(boardType, clock);
   const world = createWorld({ widthMm: 3000, heightMm: 3000 });
   prepare(world);
-  const chassis = world.addChassis({ ...build.type.body, strength }, { xMm: 1000, yMm: 1000, headingRad: 0 });
+  const pose = { xMm: 1000, yMm: 1000, headingRad: 0 };
+  const chassis = world.addChassis({ ...build.type.body, strength }, pose, () => clock.nowUs);
   const robot = build.attach({
     clock,
     board,

@@ -1,3 +1,4 @@
+import { PHYSICS } from '#simulation/physics-version';
 import { setupAsKept, tapeToText } from '#tape/file';
 import { RUN_LINK_CHARACTERS, runLinkOf } from '#tape/link';
 import type { Tape } from '#tape/tape';
@@ -51,7 +52,7 @@ async function textOfRun(app: App): Promise<string | null> {
     const setup = setupAsKept(recorded.setup);
     const wish = { setup, untilUs, untilProgramEnds };
     const repeated = await repeatShown(app, wish, (percent) => say(words.saving, { percent }));
-    return repeated && tapeToText({ madeBy: version, setup, untilUs, untilProgramEnds, result: repeated.result });
+    return repeated && tapeToText({ madeBy: version, physics: PHYSICS, setup, untilUs, untilProgramEnds, result: repeated.result });
   } catch {
     app.notices.show({ kind: 'error', key: 'notice.text', values: { text: say(words.saveFailed) } });
     return null;

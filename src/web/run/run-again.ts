@@ -20,7 +20,7 @@ export function goOn(run: RunModel, fromUs: number, paused = false): Promise<voi
 }
 
 /** A run that was kept, and how it is looked at. */
-interface RunAgain {
+export interface RunAgain {
   readonly kept: RunSetup;
   readonly untilUs: number;
   readonly ends: BroughtTape['ends'];

@@ -204,9 +204,28 @@ describe('a run that is taken along', () => {
   });
 });
 
+const result = /"traceHash":"[0-9a-f]{64}"/;
+const other = `"traceHash":"${'0'.repeat(64)}"`;
+
+describe('a run that was made with another physics of the robots', () => {
+  it.each<[string, (text: string) => string, string]>([
+    [
+      'an older one, by a file that does not say any',
+      (text) => text.replace(/ *"physics": .*\n/, ''),
+      'an older physics',
+    ],
+    ['a newer one', (text) => text.replace(/"physics": \d+/, '"physics": 99'), 'a newer physics'],
+  ])('is looked at as it comes out here, and says so: %s', async (_which, change, words) => {
+    const text = change((await saved()).replace(result, other));
+    await page.run.reset();
+    open(text);
+    await soon(() => expect(said()).toContain(`mine.run.json: the run was made with ${words} of the robots.`));
+    await soon(() => expect(page.run.past.value).not.toBeNull());
+    expect(page.notices.current.value).toMatchObject({ kind: 'warn' });
+  });
+});
+
 describe('a run that cannot be shown', () => {
-  const result = /"traceHash":"[0-9a-f]{64}"/;
-  const other = `"traceHash":"${'0'.repeat(64)}"`;
   it.each<[string, (text: string) => string, string]>([
     [
       'it comes out differently',

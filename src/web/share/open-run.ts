@@ -9,12 +9,13 @@ import { readRunLink } from '#tape/link';
 import { differences } from '#tape/result';
 import type { Tape } from '#tape/tape';
 import type { Scene } from '#scene/scene';
+import { PHYSICS } from '#simulation/physics-version';
 import type { RunSetup } from '#simulation/run-setup';
 import { version } from '../../../package.json';
 
 import { say } from '../page/i18n/say';
 import { repeatShown } from '../run/repeat-shown';
-import { showAgain } from '../run/run-again';
+import { showAgain, type RunAgain } from '../run/run-again';
 import { clockText } from '../run/use-run-text';
 import type { Workplace } from '../work/model/parts';
 import type { Course } from '#catalogue/course';
@@ -106,12 +107,13 @@ function courseOf({ name, description }: Scene): string | null {
   return readyCourses.find(isCalledSo)?.id ?? null;
 }
 
-/** Shows the run if it still comes to what it came to when it was recorded. */
+/** Shows the run if it still comes to what it came to when it was recorded, or if only another physics makes the difference. */
 async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise<void> {
-  const { setup, result, untilProgramEnds, madeBy } = tape;
+  const { setup, result, untilProgramEnds, madeBy, physics } = tape;
   const { action } = app.notices.current.value ?? {};
   // One that does not end where it did is another one already.
   const untilUs = Math.min(tape.untilUs, result.simulatedUs + END_US);
+  const ends = { untilUs: tape.untilUs, untilProgramEnds };
   const giveUp = new AbortController();
   const isLate = watchLate(app, () => giveUp.abort());
   try {
@@ -119,23 +121,34 @@ async function check(app: Workplace, { file, atUs }: Given, tape: Tape): Promise
     const repeated = await repeatShown(app, wish, (percent) => say(words.checking, { file, percent }), giveUp);
     if (isLate()) return;
     if (repeated === null) tell(app, 'info', say(words.givenUp, { file }), action);
-    else if (differences(result, repeated.result).length > 0) {
-      const text = madeBy === version ? words.differs : words.differsSince;
-      tell(app, 'warn', say(text, { file, madeBy, version }), action);
-    } else {
-      if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
+    else if (differences(result, repeated.result).length === 0) {
       const { simulatedUs: untilUs } = result;
-      const { first, pieces } = repeated;
-      const ends = { untilUs: tape.untilUs, untilProgramEnds };
-      await showAgain(app.run, { kept: setup, untilUs, ends, first, pieces, atUs });
+      await show(app, repeated, { kept: setup, untilUs, ends, atUs });
       const at = clockText(Math.min(atUs, untilUs), true);
       tell(app, 'ok', say(atUs === 0 ? words.isSame : words.isSameAt, { file, at }), action);
+    } else if (physics !== PHYSICS) {
+      const untilUs = Math.min(result.simulatedUs, repeated.result.simulatedUs);
+      await show(app, repeated, { kept: setup, untilUs, ends, atUs });
+      tell(app, 'warn', say(physics < PHYSICS ? words.olderPhysics : words.newerPhysics, { file }), action);
+    } else {
+      const text = madeBy === version ? words.differs : words.differsSince;
+      tell(app, 'warn', say(text, { file, madeBy, version }), action);
     }
   } catch {
     if (!isLate()) tell(app, 'warn', say(words.failed, { file }), action);
   } finally {
     isLate.end();
   }
+}
+
+/** Looks at a run that was repeated. */
+async function show(
+  app: Workplace,
+  { first, pieces }: Pick<RunAgain, 'first' | 'pieces'>,
+  run: Omit<RunAgain, 'first' | 'pieces'>,
+): Promise<void> {
+  if (!app.settings.current.value.showArena) app.settings.change({ showArena: true });
+  await showAgain(app.run, { ...run, first, pieces });
 }
 
 /** Notices when somebody opens something else, or runs the program: then nobody wants to see this run any more. */

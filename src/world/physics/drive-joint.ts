@@ -3,9 +3,24 @@ import type { ChassisType, Wheel, WheelSide } from '../chassis';
 import { SCRUB_FULL_BEYOND } from '../drive-law';
 import { Joint, Vec2 } from './planck';
 import type { Body, TimeStep } from './planck';
+import { Power } from './power';
 import { GRAVITY, UNITS_PER_MM, UNITS_PER_NEWTON } from './scale';
 import { solverBodyOf } from './solver-body';
 import type { SolverBody } from './solver-body';
+
+/** What a motor does in a step at one duty, and what its tyre then does. */
+interface Stretch {
+  /** Share of the step, 1 for all of it. */
+  share: number;
+  /** Impulse of the motor and inertia of the rim, as far as known before the step is solved. */
+  push: number;
+  /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
+  stiffness: number;
+  /** Maximum impulse of the dry friction in this step. */
+  dry: number;
+  /** Impulse on the floor in this step, if this duty held through all of it. */
+  impulse: number;
+}
 
 /** One driven wheel inside the solver; lengths in units, masses in g. */
 interface DrivenWheel {
@@ -17,17 +32,17 @@ interface DrivenWheel {
   readonly grip: number;
   /** Pull of its motor when blocked, at full duty. */
   readonly stallForce: number;
-  duty: number;
+  readonly power: Power;
   /** Speed of the rim. */
   rim: number;
-  /** Impulse on the floor in this step. */
+  /** Impulse on the floor in this step, lengthwise and sideways. */
   impulse: number;
-  /** Impulse of the motor and inertia of the rim, as far as known before the step is solved. */
-  push: number;
-  /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
-  stiffness: number;
-  /** Maximum impulse of the dry friction in this step. */
-  dry: number;
+  side: number;
+  /** For a step through which its duty stays the same. */
+  readonly whole: Stretch;
+  readonly alone: readonly Stretch[];
+  /** One for each of its duties in this step. */
+  stretches: readonly Stretch[];
 }
 
 /**
@@ -52,8 +67,6 @@ export class DriveJoint extends Joint {
   private readonly viscous: number;
   /** Torque of the scrub per cube of the mean speed. */
   private readonly scrubPerSpeed3: number;
-  private readonly sideGrip: number;
-  private sideImpulse = 0;
   private scrub = 0;
   private maxScrub = 0;
   private cos = 1;
@@ -86,16 +99,16 @@ export class DriveJoint extends Joint {
       const y = atMm.y * UNITS_PER_MM;
       const response = this.inverseMass + (y * y) / this.inertia;
       const fixed = { y, response, grip: gripMu * weightPerWheel, stallForce: stallForce * strength };
-      return { ...fixed, duty: 0, rim: 0, impulse: 0, push: 0, stiffness: 0, dry: 0 };
+      const whole = { share: 1, push: 0, stiffness: 0, dry: 0, impulse: 0 };
+      return { ...fixed, power: new Power(), rim: 0, impulse: 0, side: 0, whole, alone: [whole], stretches: [whole] };
     };
     const [leftStrength, rightStrength] = type.strength ?? [1, 1];
     this.wheels = [wheel(left, leftStrength), wheel(right, rightStrength)];
-    this.sideGrip = this.wheels[0].grip + this.wheels[1].grip;
   }
 
-  /** Sets the duty of a motor, −1 … 1. */
-  setDuty(side: WheelSide, duty: number): void {
-    this.wheels[side].duty = duty;
+  /** Sets the duty of a motor, −1 … 1, when this share of the step (0 … 1) is over. */
+  setDuty(side: WheelSide, duty: number, at: number): void {
+    this.wheels[side].power.set(duty, at);
   }
 
   /** Speed of the rim in units/s. */
@@ -106,7 +119,7 @@ export class DriveJoint extends Joint {
   /** Whether a motor drives or a wheel still turns. */
   isMoving(): boolean {
     const [left, right] = this.wheels;
-    return left.duty !== 0 || right.duty !== 0 || left.rim !== 0 || right.rim !== 0;
+    return left.power.isOn || right.power.isOn || left.rim !== 0 || right.rim !== 0;
   }
 
   /** Stops the wheels and forgets the impulses of the last step, after the body was moved by hand. */
@@ -114,8 +127,8 @@ export class DriveJoint extends Joint {
     for (const wheel of this.wheels) {
       wheel.rim = 0;
       wheel.impulse = 0;
+      wheel.side = 0;
     }
-    this.sideImpulse = 0;
     this.scrub = 0;
   }
 
@@ -129,16 +142,48 @@ export class DriveJoint extends Joint {
     this.prepare(left, step.dt);
     this.prepare(right, step.dt);
     this.maxScrub = this.scrubTorque(Math.abs(left.rim + right.rim) / 2, Math.abs(left.rim - right.rim)) * step.dt;
-    this.push(left.impulse, right.impulse, this.sideImpulse, this.scrub);
+    this.push(left.impulse, right.impulse, left.side + right.side, this.scrub);
   }
 
+  /**
+   * Within a step in which its duty changes, a wheel comes out at the mean of what each duty alone would give, weighted
+   * by time. So a change that comes a little later moves the robot a little farther, evenly, and it does not matter where
+   * in a step a program begins.
+   */
   private prepare(wheel: DrivenWheel, dt: number): void {
+    if (wheel.power.isSteady) {
+      const { whole } = wheel;
+      this.prepareStretch(wheel, whole, wheel.power.duty, dt);
+      if (wheel.power.duty * wheel.rim < 0) this.prepareReversal(wheel, dt);
+      wheel.stretches = wheel.alone;
+      return;
+    }
+    wheel.stretches = wheel.power.pieces().map(({ share, duty }) => {
+      const stretch = { share, push: 0, stiffness: 0, dry: 0, impulse: wheel.impulse };
+      this.prepareStretch(wheel, stretch, duty, dt);
+      return stretch;
+    });
+  }
+
+  private prepareStretch(wheel: DrivenWheel, stretch: Stretch, duty: number, dt: number): void {
     // A shorted motor (duty 0) brakes as strongly as one at full duty resists its own speed.
-    const resisting = wheel.duty === 0 ? 1 : Math.abs(wheel.duty);
-    wheel.push = this.rimMass * wheel.rim + wheel.stallForce * wheel.duty * dt;
-    wheel.stiffness = this.rimMass + this.slope * (resisting + this.viscous) * dt;
+    const resisting = duty === 0 ? 1 : Math.abs(duty);
+    stretch.push = this.rimMass * wheel.rim + wheel.stallForce * duty * dt;
+    stretch.stiffness = this.rimMass + this.slope * (resisting + this.viscous) * dt;
     const sticking = Math.max(0, 1 - Math.abs(wheel.rim) / this.breakawaySpeed);
-    wheel.dry = (this.dryForce + this.breakawayForce * sticking) * dt;
+    stretch.dry = (this.dryForce + this.breakawayForce * sticking) * dt;
+  }
+
+  /**
+   * A wheel that changes its direction within the step: up to then friction slows it down as the motor does, afterwards
+   * it acts against the motor. Otherwise the moment of the change, within the step, would make a difference.
+   */
+  private prepareReversal({ rim, response, stallForce, power, whole }: DrivenWheel, dt: number): void {
+    const pull = Math.abs(stallForce * power.duty) * dt;
+    const before = (Math.abs(rim) * (this.rimMass + 1 / response)) / (pull + whole.dry);
+    if (pull <= whole.dry || before >= 1) return;
+    whole.push += Math.sign(rim) * whole.dry * (1 - 2 * before);
+    whole.dry = 0;
   }
 
   /** Maximum resistance of tyres and castor to a turn at this mean speed and this difference of the wheels. */
@@ -156,29 +201,33 @@ export class DriveJoint extends Joint {
     this.scrub += twist;
     this.push(0, 0, 0, twist);
 
-    // Both wheels from the same state, so that equal duties stay equal to the last bit.
+    // Both wheels, lengthwise and sideways, from the same state, so that equal duties stay equal to the last bit.
     const forward = velocity.v.x * this.cos + velocity.v.y * this.sin;
-    const leftImpulse = this.tyreImpulse(left, forward - left.y * velocity.w, step.dt);
-    const rightImpulse = this.tyreImpulse(right, forward - right.y * velocity.w, step.dt);
-    this.push(leftImpulse - left.impulse, rightImpulse - right.impulse, 0, 0);
-    left.impulse = leftImpulse;
-    right.impulse = rightImpulse;
-
     const sideways = velocity.v.y * this.cos - velocity.v.x * this.sin;
-    const side = clamp(this.sideImpulse - sideways / this.inverseMass, this.sideGrip * step.dt) - this.sideImpulse;
-    this.sideImpulse += side;
-    this.push(0, 0, side, 0);
+    const halfSide = sideways / this.inverseMass / 2;
+    const [leftBefore, rightBefore] = [left.impulse, right.impulse];
+    const sideBefore = left.side + right.side;
+    this.solveTyre(left, forward - left.y * velocity.w, halfSide, step.dt);
+    this.solveTyre(right, forward - right.y * velocity.w, halfSide, step.dt);
+    this.push(left.impulse - leftBefore, right.impulse - rightBefore, left.side + right.side - sideBefore, 0);
   }
 
-  /**
-   * Impulse of a tyre on the body: it makes rim and floor equally fast, up to the grip. The motor's pull falls linearly
-   * with the unknown speed, and its dry friction opposes it; hence the soft threshold.
-   */
-  private tyreImpulse(wheel: DrivenWheel, speed: number, dt: number): number {
+  /** The impulse of a tyre on the body: the mean over the stretches of the step. */
+  private solveTyre(wheel: DrivenWheel, speed: number, halfSide: number, dt: number): void {
     const withoutTyre = speed - wheel.response * wheel.impulse;
-    const common =
-      soften(wheel.push + withoutTyre / wheel.response, wheel.dry) / (wheel.stiffness + 1 / wheel.response);
-    return clamp((common - withoutTyre) / wheel.response, wheel.grip * dt);
+    const side = wheel.side - halfSide;
+    const grip = wheel.grip * dt;
+    wheel.impulse = 0;
+    wheel.side = 0;
+    for (const stretch of wheel.stretches) {
+      const along = tyreImpulse(wheel, stretch, withoutTyre);
+      // A sliding tyre rubs against the direction in which it slides: what it needs lengthwise is missing sideways.
+      const needed = Math.sqrt(along * along + side * side);
+      const given = needed > grip ? grip / needed : 1;
+      stretch.impulse = along * given;
+      wheel.impulse += stretch.share * stretch.impulse;
+      wheel.side += stretch.share * side * given;
+    }
   }
 
   private push(left: number, right: number, side: number, twist: number): void {
@@ -192,8 +241,14 @@ export class DriveJoint extends Joint {
 
   /** Call it after each step: the rims take the speed that motor and tyre gave them. */
   settle(): void {
-    if (!this.body.isAwake()) return this.forget();
-    for (const wheel of this.wheels) wheel.rim = soften(wheel.push - wheel.impulse, wheel.dry) / wheel.stiffness;
+    const isAwake = this.body.isAwake();
+    if (!isAwake) this.forget();
+    for (const wheel of this.wheels) {
+      wheel.power.beginStep();
+      if (!isAwake) continue;
+      wheel.rim = 0;
+      for (const stretch of wheel.stretches) wheel.rim += stretch.share * rimAfter(stretch);
+    }
   }
 
   override solvePositionConstraints(): boolean {
@@ -217,6 +272,18 @@ export class DriveJoint extends Joint {
     this.forget();
   }
 }
+
+/**
+ * Impulse that a tyre needs to make rim and floor equally fast. The motor's pull falls linearly with the unknown speed,
+ * and its dry friction opposes it; hence the soft threshold.
+ */
+function tyreImpulse({ response }: DrivenWheel, { push, stiffness, dry }: Stretch, withoutTyre: number): number {
+  const common = soften(push + withoutTyre / response, dry) / (stiffness + 1 / response);
+  return (common - withoutTyre) / response;
+}
+
+/** Speed of the rim at the end of a step. */
+const rimAfter = ({ push, impulse, dry, stiffness }: Stretch): number => soften(push - impulse, dry) / stiffness;
 
 const clamp = (value: number, limit: number): number => (value > limit ? limit : value < -limit ? -limit : value);
 

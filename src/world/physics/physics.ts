@@ -30,7 +30,8 @@ export interface Physics {
   /** Takes a block out of the world. */
   removeBlock(block: BlockBody): void;
   addMover(mover: MoverShape): MoverBody | ChaserBody;
-  addRobot(type: ChassisType, pose: Pose): RobotBody;
+  /** @param nowUs see `World.addChassis` */
+  addRobot(type: ChassisType, pose: Pose, nowUs?: () => number): RobotBody;
   /** Moves all bodies on by one step of the world. */
   step(): void;
 }
@@ -78,8 +79,8 @@ export function createPhysics(size: WorldSize): Physics {
       movers.push(mover);
       return mover;
     },
-    addRobot(type, pose) {
-      const robot = new RobotBody(world, floor, around, type, pose);
+    addRobot(type, pose, nowUs) {
+      const robot = new RobotBody(world, floor, around, type, pose, nowUs);
       robots.push(robot);
       return robot;
     },

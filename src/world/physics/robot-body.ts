@@ -1,6 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import type { Chassis, ChassisPart, ChassisType, ForkType, GripperType, WheelSide } from '../chassis';
-import { STEP_S } from '../step';
+import { STEP_S, STEP_US } from '../step';
 import { DriveJoint } from './drive-joint';
 import { ForkBody } from './fork-body';
 import { GripperBody } from './gripper-body';
@@ -14,6 +14,13 @@ import type { Tool, ToolPlace } from './tool';
 
 /** A touch that begins within this many steps after the last one of the same thing is the same collision. Chosen: 0.1 s. */
 const SAME_COLLISION_STEPS = 25;
+
+/** A duty that was set for a moment after the end of the present step. */
+interface LaterDuty {
+  readonly wheel: WheelSide;
+  readonly duty: number;
+  readonly atUs: number;
+}
 
 interface Touch {
   /** Number of the robot's convex parts that touch it now. */
@@ -43,10 +50,23 @@ export class RobotBody implements Chassis {
   private collisionCount = 0;
   private readonly wheelTurn: [number, number] = [0, 0];
   private readonly wheelDuty: [number, number] = [0, 0];
-  private supply = 1;
+  /** What acts on the motors now, while `wheelDuty` may be ahead of it. */
+  private readonly acting: [number, number] = [0, 0];
+  private later: LaterDuty[] = [];
+  private battery: (left: number, right: number) => number = () => 1;
+  private readonly nowUs: (() => number) | null;
 
-  constructor(world: PlanckWorld, floor: Body, around: Surroundings, type: ChassisType, pose: Pose) {
+  /** @param nowUs time of the clock by which the duties are set; left out: each is set between two steps */
+  constructor(
+    world: PlanckWorld,
+    floor: Body,
+    around: Surroundings,
+    type: ChassisType,
+    pose: Pose,
+    nowUs?: () => number,
+  ) {
     this.type = type;
+    this.nowUs = nowUs ?? null;
     this.body = createBody(world, type, pose);
     this.lodged = new Lodged(this.body, around);
     this.toolPlace = {
@@ -91,19 +111,45 @@ export class RobotBody implements Chassis {
     for (const solid of this.solids()) this.placedAnew.add(solid);
   }
 
-  setDuty(wheel: WheelSide, duty: number): void {
-    this.wheelDuty[wheel] = Math.min(Math.max(duty, -1), 1);
-    this.joint.setDuty(wheel, this.wheelDuty[wheel] * this.supply);
+  setDuty(wheel: WheelSide, wanted: number): void {
+    const duty = Math.min(Math.max(wanted, -1), 1);
+    this.wheelDuty[wheel] = duty;
+    const atUs = this.nowUs?.() ?? this.stepBeganUs;
+    if (atUs - this.stepBeganUs >= STEP_US) this.later.push({ wheel, duty, atUs });
+    else this.act(wheel, duty, atUs);
   }
 
   duty(wheel: WheelSide): number {
     return this.wheelDuty[wheel];
   }
 
-  setSupply(share: number): void {
-    this.supply = share;
-    this.joint.setDuty(0, this.wheelDuty[0] * share);
-    this.joint.setDuty(1, this.wheelDuty[1] * share);
+  setBattery(supply: (left: number, right: number) => number): void {
+    this.battery = supply;
+    this.act(0, this.acting[0], this.stepBeganUs);
+  }
+
+  private get stepBeganUs(): number {
+    return this.steps * STEP_US;
+  }
+
+  /** Sets a motor; what it draws changes the supply of both. */
+  private act(wheel: WheelSide, duty: number, atUs: number): void {
+    this.acting[wheel] = duty;
+    const [left, right] = this.acting;
+    const supply = this.battery(left, right);
+    const share = Math.max(atUs - this.stepBeganUs, 0) / STEP_US; // a device's clock may be 1 µs behind at a step
+    this.joint.setDuty(0, left * supply, share);
+    this.joint.setDuty(1, right * supply, share);
+  }
+
+  /** Sets what was set for a moment of the step that begins. */
+  private actLater(): void {
+    const due = this.later;
+    this.later = [];
+    for (const change of due) {
+      if (change.atUs - this.stepBeganUs >= STEP_US) this.later.push(change);
+      else this.act(change.wheel, change.duty, change.atUs);
+    }
   }
 
   wheelSpeedMmPerS(wheel: WheelSide): number {
@@ -223,6 +269,7 @@ export class RobotBody implements Chassis {
   afterStep(): void {
     this.steps++;
     this.joint.settle();
+    if (this.later.length > 0) this.actLater();
     if (!this.body.isAwake()) return;
     const { x, y } = this.body.getPosition();
     const angle = this.body.getAngle();
