@@ -46,6 +46,8 @@ interface Column {
 
 class TableReader {
   private readonly columns: Column[] = [];
+  /** Heading → place in the table. */
+  private readonly known = new Map<string, number>();
   private readonly rows: string[][] = [];
   private readonly remarks: Remark[] = [];
   /** Place in the present rows → place in the table. */
@@ -72,6 +74,7 @@ class TableReader {
       return;
     } else if (this.isBelowTitle(row.cells)) {
       this.columns.length = 0;
+      this.known.clear();
       this.setNames(row.cells, row.line);
       return;
     }
@@ -97,7 +100,8 @@ class TableReader {
     if (cells.some((cell) => this.isNumber(cell))) return false;
     const known = this.names.filter((name) => name !== '');
     const isGroup = afterGap && this.rows.length > 0 && cells.length > 1 && cells.every((cell) => cell !== '');
-    return isGroup || known.every((name) => cells.includes(name));
+    const all = new Set(cells);
+    return isGroup || known.every((name) => all.has(name));
   }
 
   /** Tables of spreadsheets may begin with a title: the names are below it, and more of them. */
@@ -117,10 +121,12 @@ class TableReader {
       const times = (seen.get(name) ?? 0) + 1;
       seen.set(name, times);
       const heading = times === 1 ? name : `${name} (${String(times)})`;
-      const known = this.columns.findIndex((column) => column.heading === heading);
-      if (known !== -1) return known;
+      const known = this.known.get(heading);
+      if (known !== undefined) return known;
       added.push(heading);
-      return this.columns.push({ heading, numbers: 0, texts: 0, firstText: null }) - 1;
+      const own = this.columns.push({ heading, numbers: 0, texts: 0, firstText: null }) - 1;
+      this.known.set(heading, own);
+      return own;
     });
     this.names = cells;
     if (!isFirst && added.length > 0) this.remarks.push({ code: 'new-columns', line, columns: added.join(', ') });
