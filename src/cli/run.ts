@@ -1,4 +1,4 @@
-import { closeSync, existsSync, openSync, realpathSync, statSync } from 'node:fs';
+import { closeSync, existsSync, openSync } from 'node:fs';
 import { basename, dirname, resolve } from 'node:path';
 import { findBoard } from '#board/boards/index';
 import { traitsFor } from '#my-robot/my-robot';
@@ -19,6 +19,7 @@ import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
+import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
 import { reasonOf } from './reason-of';
@@ -241,52 +242,31 @@ function placed(problem: string, options: RunOptions): string {
   return problem;
 }
 
-/** The file that a path leads to, through links; a file that is not there yet is where it will be. */
-function realPath(path: string): string {
-  try {
-    return realpathSync(path);
-  } catch {
-    return resolve(path);
-  }
-}
-
-/** Whether two results would write over each other; into /dev/null and its like any number may be written. */
-const areOneFile = (one: string | null, other: string | null): boolean =>
-  one !== null && other !== null && realPath(one) === realPath(other) && (!existsSync(one) || statSync(one).isFile());
-
-type Opened = { readonly file: number } | { readonly problem: string };
-
 /** What a run may write, each into a file of its own. */
 const RESULTS = ['trace', 'log', 'record'] as const;
 type Results = Readonly<Record<(typeof RESULTS)[number], number | null>>;
 
+/** Opens the output files of the run, without emptying them yet: a refused run must not destroy an earlier result. */
 function openResults(options: RunOptions): Results | { readonly problem: string } {
-  const opened: Record<string, number | null> = {};
-  for (const [place, name] of RESULTS.entries()) {
-    const path = options[name];
-    const twin = RESULTS.slice(0, place).find((other) => areOneFile(options[other], path));
-    if (twin !== undefined)
-      return { problem: `--${twin} and --${name}: ${path ?? ''} can be only one of them. Choose another name.` };
-    const result = openResult(`--${name}`, path, options);
-    if (result && 'problem' in result) return result;
-    opened[name] = result && result.file;
-  }
-  return opened as Results;
-}
-
-/** Opens an output file of the run, without emptying it yet: a refused run must not destroy an earlier result. */
-function openResult(option: string, path: string | null, options: RunOptions): Opened | null {
-  if (path === null) return null;
   const { program, files, devices, scene, input, myRobot } = options;
   const others = devices.flatMap((device) => [device.program, ...device.files]);
-  const read = [program, ...files, ...others, scene, input, myRobot].filter((name) => name !== null).map(realPath);
-  if (read.includes(realPath(path))) return { problem: `${option}: ${path} is read by this run. Choose another name.` };
-  try {
-    return { file: openSync(path, 'a') };
-  } catch (error) {
-    const isFolderMissing = !existsSync(dirname(resolve(path)));
-    return { problem: `${option}: ${path}: ${isFolderMissing ? 'its folder does not exist.' : reasonOf(error)}` };
+  const reads = [program, ...files, ...others, scene, input, myRobot].filter((name) => name !== null);
+  const outputs = RESULTS.map((name) => ({ option: `--${name}`, path: options[name] }));
+  const problem = outputProblem(outputs, reads, 'run');
+  if (problem !== null) return { problem };
+  const opened: Record<string, number | null> = {};
+  for (const name of RESULTS) {
+    const path = options[name];
+    try {
+      opened[name] = path === null ? null : openSync(path, 'a');
+    } catch (error) {
+      const isFolderMissing = !existsSync(dirname(resolve(path ?? '')));
+      return {
+        problem: `--${name}: ${path ?? ''}: ${isFolderMissing ? 'its folder does not exist.' : reasonOf(error)}`,
+      };
+    }
   }
+  return opened as Results;
 }
 
 /** The result of the course's task. */

@@ -1,0 +1,52 @@
+import { existsSync, realpathSync, statSync } from 'node:fs';
+import { basename, dirname, join, resolve } from 'node:path';
+
+/** A file that a command is asked to write. */
+export interface Output {
+  /** As it is typed, such as `--csv`. */
+  readonly option: string;
+  /** `null`: it is not asked for. */
+  readonly path: string | null;
+}
+
+/**
+ * What is wrong with files that a command is to write, `null` for nothing: none may be one that it reads, by whatever name
+ * or link, nor a program, nor the same as another one. Into /dev/null and its like anything may be written.
+ *
+ * @param reads files that the command reads; what does not exist is none
+ */
+export function outputProblem(outputs: readonly Output[], reads: readonly string[], command: string): string | null {
+  const asked = outputs.flatMap(({ option, path }) => (path === null ? [] : [{ option, path }]));
+  const program = asked.find(({ path }) => /\.py$/i.test(path));
+  if (program !== undefined) return `${program.option}: ${program.path} is called like a program. Choose another name.`;
+  const wanted = asked.filter(({ path }) => !existsSync(path) || statSync(path).isFile());
+  if (wanted.length === 0) return null;
+  const known = new Set(reads.filter((path) => existsSync(path)).flatMap(identities));
+  for (const [place, { option, path }] of wanted.entries()) {
+    const own = identities(path);
+    if (own.some((one) => known.has(one))) return `${option}: ${path} is read by this ${command}. Choose another name.`;
+    const other = wanted.slice(0, place).find((one) => identities(one.path).some((id) => own.includes(id)));
+    if (other !== undefined)
+      return `${other.option} and ${option}: ${path} can be only one of them. Choose another name.`;
+  }
+  return null;
+}
+
+/** What two names have in common that lead to one file: where it lies behind links, and what it is on its disk. */
+function identities(path: string): readonly string[] {
+  try {
+    const { dev, ino } = statSync(path, { bigint: true });
+    return [realpathSync(path), ...(ino === 0n ? [] : [`${dev}:${ino}`])];
+  } catch {
+    return [placeOf(path)];
+  }
+}
+
+/** Where a file will be that is not there yet. */
+function placeOf(path: string): string {
+  try {
+    return join(realpathSync(dirname(resolve(path))), basename(path));
+  } catch {
+    return resolve(path);
+  }
+}
