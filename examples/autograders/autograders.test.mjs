@@ -83,7 +83,7 @@ describe('the JSON schema of a result', () => {
     const result = JSON.parse(readFileSync(all, 'utf8'));
     expect(problemsOf(result)).toBeNull();
     expect(result).toMatchObject({ maxPoints: 3.5, passed: 2, of: 5 });
-    expect(result.handIns.map(({ points, stars }) => [points, stars ?? null])).toEqual([[3.5, 3], [1, 0], [0, null], [0, null], [3.5, 3]]); // prettier-ignore
+    expect(result.handIns.map(({ points, stars }) => [points, stars ?? null])).toEqual([[3.5, 3], [1, 0], [null, null], [null, null], [3.5, 3]]); // prettier-ignore
     expect(result.handIns[0].worlds.map(({ id, hidden }) => [id, hidden])).toEqual([['visible', false], ['other motors', true]]); // prettier-ignore
   });
 
@@ -122,7 +122,7 @@ describe('the example for Moodle', () => {
       ['Identifier', 'Grade', 'Feedback comments'],
       ['Participant 17', '100', ''],
       ['Participant 18', '28.57', expect.stringContaining('The goal was not reached (0 of 4).')],
-      ['Participant 19', '0', 'cannot be read: the folder has no main.py.'],
+      ['Participant 19', '', 'cannot be read: the folder has no program (main.py).'],
       ['Participant 21', '', ''],
     ]);
     expect(rows[4]?.[1]).toBe('"Eli ""Eel"" Frei"');
@@ -135,7 +135,7 @@ describe('the example for Moodle', () => {
     const german = WORKSHEET.replace('Status,Grade,', 'Status,Punkte,').replace('Feedback comments', 'Kommentar');
     const sheet = write('german.csv', german);
     const { out } = script('moodle/grades.mjs', all, sheet, '--grade', 'Punkte', '--feedback', 'Kommentar');
-    expect(cellsOf(out).map((row) => row[4])).toEqual(['Punkte', '3.5', '1', '0', '']);
+    expect(cellsOf(out).map((row) => row[4])).toEqual(['Punkte', '3.5', '1', '', '']);
     const refused = script('moodle/grades.mjs', all, sheet);
     expect([refused.code, refused.out]).toEqual([1, '']);
     expect(refused.err).toContain('The worksheet has no column Grade, Bewertung');
@@ -145,7 +145,7 @@ describe('the example for Moodle', () => {
   it('makes a table for the gradebook of hand-ins that are called like users', () => {
     const { out } = script('moodle/grades.mjs', resultOf('../alone'));
     expect(cellsOf(out).map((row) => row.slice(0, 2))).toEqual([
-      ...[['name', 'grade'], ['anna', '3.5'], ['ben', '1'], ['cem', '0']], // prettier-ignore
+      ...[['name', 'grade'], ['anna', '3.5'], ['ben', '1'], ['cem', '']], // prettier-ignore
     ]);
   });
 });
@@ -176,7 +176,7 @@ describe('the example for Gradescope', () => {
     ]);
   });
 
-  it('says why not, and grades what cannot be read with 0', () => {
+  it('says why not, and does not grade what cannot be read', () => {
     const standing = grade('standing', { 'robot.py': STANDING });
     expect([standing.score, standing.output]).toEqual([1, 'Not passed yet. ☆☆☆']);
     expect(standing.tests[0]).toMatchObject({
@@ -185,8 +185,11 @@ describe('the example for Gradescope', () => {
       output: 'The goal was not reached (0 of 4).',
     });
     const photo = grade('photo', { 'photo.jpg': '…' });
-    expect([photo.score, photo.output]).toEqual([0, 'cannot be read: the folder has no main.py.']);
-    expect(photo.tests.every(({ status }) => status !== 'passed')).toBe(true);
+    expect([photo.score, photo.output]).toEqual([undefined, 'cannot be read: the folder has no program (main.py).']);
+    expect(photo.tests.every(({ status, score }) => status !== 'passed' && score === undefined)).toBe(true);
+    const several = grade('several', { 'a.py': RIGHT, 'b.py': STANDING });
+    expect(several.score).toBeUndefined();
+    expect(several.output).toContain('There are several: a.py, b.py.');
   });
 });
 
@@ -222,6 +225,11 @@ describe('the example for GitHub Classroom', () => {
       expect([result.status, result.max_score]).toEqual([status, 3.5]);
       expect(result.tests.reduce((sum, one) => sum + one.score, 0)).toBe(score);
     }
+  });
+
+  it('tells no points of what cannot be read: the job fails, and says why', () => {
+    const { code, out, err } = script('github-classroom/points.mjs', resultOf('Cem Öz_19_assignsubmission_file'));
+    expect([code, out, err]).toEqual([1, '', 'cannot be read: the folder has no program (main.py).\n']);
   });
 });
 

@@ -4,6 +4,7 @@ import { isSame } from '#core/same';
 import { findFact, type Files } from './program/facts';
 import { twinHash, twinOfAll } from './program/twin';
 import type { HandIn } from './hand-in/hand-in';
+import { otherTask } from './hand-in/other-task';
 import type { CheckOutcome, CheckResult, Reason, Remark, WorldResult } from './result';
 import { programsOf } from './run/programs';
 import { notRun, runWorld } from './run/run-world';
@@ -117,17 +118,19 @@ function isUnchanged({ project }: ClassTask, [main, ...others]: readonly Files[]
 
 function remarksOn(
   task: ClassTask,
-  { project, hasCourse, said, locks }: HandIn,
+  handIn: HandIn,
   worlds: readonly WorldResult[],
   unchanged: boolean,
 ): readonly Remark[] {
+  const { project, hasCourse, said, locks } = handIn;
   const remarks: Remark[] = [];
   const tell = (code: Remark['code'], params: Remark['params'] = {}): void => {
     remarks.push({ code, params });
   };
   const [visible] = worlds;
-  if (said !== null && said.task !== '' && task.id !== '' && said.task !== task.id)
-    tell('other-task', { task: said.task });
+  const other = otherTask(task, handIn);
+  // Whatever differs from this task was right there: nobody is suspected of it.
+  if (other !== null) return [{ code: 'other-task', params: { task: other } }];
   if ((hasCourse && !isSameCourse(task.project.scene, project.scene)) || said?.remarks.includes('course') === true)
     tell('course');
   if (said?.remarks.includes('hand') === true) tell('hand');

@@ -1,3 +1,5 @@
+import { unseenShown } from '#core/unseen';
+
 /** The destination of a run's text: the program's output goes to stdout, our messages to stderr. */
 export interface Terminal {
   /** Output of the program; prints nothing when quiet. */
@@ -27,9 +29,9 @@ const BAR_SIGNS = 30;
 
 const CLEAR_LINE = '\r\u001b[K';
 
-/** Names and values may hold signs that steer a terminal: they are shown, not sent. */
+/** Names and values may hold signs that steer a terminal, or that nobody sees: they are shown, not sent. */
 export const printable = (text: string): string =>
-  text.replace(
+  unseenShown(text).replace(
     /[\u0000-\u0008\u000b-\u001f\u007f-\u009f]/g,
     (sign) => `\\x${sign.charCodeAt(0).toString(16).padStart(2, '0')}`,
   );

@@ -16,8 +16,13 @@ const { values: options, positionals } = parseArgs({
 const [resultPath, worksheetPath] = positionals;
 const { maxPoints, handIns } = JSON.parse(readFileSync(resultPath, 'utf8'));
 
+/** What could not be read has no grade. */
 const gradeOf = ({ points }) =>
-  options.max === undefined ? points : Math.round((points / (maxPoints || 1)) * Number(options.max) * 100) / 100;
+  points === null
+    ? ''
+    : options.max === undefined
+      ? points
+      : Math.round((points / (maxPoints || 1)) * Number(options.max) * 100) / 100;
 
 /** What the pupil may read: the reasons. Remarks, such as who has the same program, are the teacher's. */
 function feedbackOf({ worlds, checks, remarks }) {
@@ -29,7 +34,7 @@ function feedbackOf({ worlds, checks, remarks }) {
 /** RFC 4180. */
 function rowsOf(text) {
   const rows = [[]];
-  for (const [, quoted, plain, end] of text.matchAll(/(?:"((?:[^"]|"")*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
+  for (const [, quoted, plain, end] of text.matchAll(/(?:"([^"]*(?:""[^"]*)*)"|([^,\r\n]*))(,|\r?\n|$)/g)) {
     rows.at(-1).push(quoted?.replaceAll('""', '"') ?? plain);
     if (end !== ',') rows.push([]);
   }
@@ -53,7 +58,7 @@ function filled([headings, ...rows]) {
   // both a file and a text has the better one's grade.
   const byNumber = new Map(
     handIns
-      .toSorted((a, b) => a.points - b.points)
+      .toSorted((a, b) => (a.points ?? -1) - (b.points ?? -1))
       .map((one) => [/_(\d+)_assignsubmission_/.exec(one.name)?.[1] ?? one.name, one]),
   );
   for (const row of rows) {

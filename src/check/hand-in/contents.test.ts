@@ -5,18 +5,18 @@ import { handInOfBytes } from './contents';
 const none = () => null;
 
 describe('a file that is handed in', () => {
-  it('is told to be no program where it is a picture, not to be no text', () => {
+  it('is told to be no program where it is a picture, not to be no text', async () => {
     const picture = Uint8Array.of(0xff, 0xd8, 0xff, 0xe0);
-    expect(handInOfBytes('Foto.jpg', picture, none)).toMatchObject({ problem: { code: 'kind' } });
-    expect(handInOfBytes('anna.py', picture, none)).toMatchObject({ problem: { code: 'not-text' } });
+    expect(await handInOfBytes('Foto.jpg', picture, none)).toMatchObject({ problem: { code: 'kind' } });
+    expect(await handInOfBytes('anna.py', picture, none)).toMatchObject({ problem: { code: 'not-text' } });
   });
 
-  it('may be a program from an editor of Windows, with its mark at the beginning', () => {
-    const content = handInOfBytes('anna.py', new TextEncoder().encode('\ufeffx = 1\r\n'), none);
+  it('may be a program from an editor of Windows, with its mark at the beginning', async () => {
+    const content = await handInOfBytes('anna.py', new TextEncoder().encode('\ufeffx = 1\r\n'), none);
     expect(content).toMatchObject({ handIn: { project: { files: [{ name: 'main.py', text: 'x = 1\r\n' }] } } });
   });
 
-  it('may be a zip of a folder, in a folder, with what computers of Apple add', () => {
+  it('may be a zip of a folder, in a folder, with what computers of Apple add', async () => {
     const zip = zipSync({
       'work/': new Uint8Array(),
       'work/anna/main.py': strToU8('import two\n'),
@@ -24,11 +24,11 @@ describe('a file that is handed in', () => {
       '__MACOSX/work/._anna': new Uint8Array(9),
     });
     const files = [{ name: 'main.py', text: 'import two\n' }, { name: 'two.py', text: 'x = 2\n' }]; // prettier-ignore
-    expect(handInOfBytes('anna.zip', zip, none)).toMatchObject({ handIn: { project: { files } } });
+    expect(await handInOfBytes('anna.zip', zip, none)).toMatchObject({ handIn: { project: { files } } });
   });
 
-  it('lies in so many folders that nobody has packed it, and is not looked for', () => {
+  it('is found in however many folders', async () => {
     const zip = zipSync({ [`${'a/'.repeat(30_000)}main.py`]: strToU8('x = 1\n') });
-    expect(handInOfBytes('deep.zip', zip, none)).toMatchObject({ problem: { code: 'no-main' } });
+    expect(await handInOfBytes('deep.zip', zip, none)).toHaveProperty('handIn');
   });
 });

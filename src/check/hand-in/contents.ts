@@ -8,29 +8,39 @@ import { isTextWithLinks, linksInFile } from './links';
 import { handInOf, handInOfFiles } from './read-hand-in';
 import { openLink } from './open-link';
 import { unread, type Unread } from './unread';
-import { belowFolders, readZip } from './zip';
+import { Budget, chosenIn, HAND_IN_BYTES, lastOf, readBeside, type TreeFile } from './tree';
+import { readZip } from './zip';
 
 /** What a source holds: a hand-in, or why there is none. */
 export type Content = { readonly handIn: HandIn } | { readonly problem: Unread };
 
-/** A file somewhere. */
-export interface NamedBytes {
-  readonly name: string;
-  readonly bytes: Uint8Array;
-}
+/** Zips in zips that are opened. Chosen: a platform's around a pupil's around what was packed. */
+const MOST_LEVELS = 3;
 
-/** Largest file that is opened. Chosen: more than the largest project. */
-export const MOST_FILE_BYTES = 4 * projectLimits.textCharacters;
+/** The largest file of a name that is opened, in bytes. */
+export const mostBytes = (name: string): number => (/\.py$/i.test(name) ? FILE_BYTES : HAND_IN_BYTES);
 
 /** The hand-in of a file: a program, a project, a text with a link to one, or a zip of one. Never throws. */
-export function handInOfBytes(name: string, bytes: Uint8Array, courses: ReadyCourses): Content {
-  if (/\.zip$/i.test(name)) return handInOfZip(bytes, courses);
+export async function handInOfBytes(
+  name: string,
+  bytes: Uint8Array,
+  courses: ReadyCourses,
+  packing: Packing = { budget: new Budget(), level: 0 },
+): Promise<Content> {
+  if (/\.zip$/i.test(name)) return handInOfZip(bytes, courses, packing);
   if (!/\.(json|py)$/i.test(name) && !isTextWithLinks(name)) return unread('kind');
   const text = textOf(bytes);
   if (text === null) return unread('not-text');
   if (/\.json$/i.test(name)) return handInOfJson(text);
   if (isTextWithLinks(name)) return handInOfText(name, text, courses);
   return handInOfPrograms([{ name: MAIN, text }]);
+}
+
+/** Where in zips a hand-in lies. */
+interface Packing {
+  readonly budget: Budget;
+  /** How many zips are around it. */
+  readonly level: number;
 }
 
 /** What is somebody's one link, such as a text that was typed into a learning platform. */
@@ -40,22 +50,27 @@ function handInOfText(name: string, text: string, courses: ReadyCourses): Conten
   return second === undefined ? handInOfLink(first, courses) : unread('many-links');
 }
 
-/** The hand-in of a folder: its main.py with the files beside it; without one its only program, project or text with a link. */
-export function folderHandIn(files: readonly NamedBytes[], courses: ReadyCourses): Content {
-  const main = files.find(({ name }) => name === MAIN);
-  if (main === undefined) {
-    const programs = files.filter(({ name }) => /\.(py|json|zip)$/i.test(name));
-    const likely = programs.length > 0 ? programs : files.filter(({ name }) => isTextWithLinks(name));
-    const [only] = likely;
-    if (only === undefined || likely.length > 1) return unread('no-main');
-    return handInOfBytes(only.name, only.bytes, courses);
-  }
+/** The one hand-in that all these files are, at whatever depth its program lies. */
+export async function handInOfTree(
+  files: readonly TreeFile[],
+  courses: ReadyCourses,
+  { budget, level }: Packing = { budget: new Budget(), level: 0 },
+): Promise<Content> {
+  const chosen = chosenIn(files);
+  if ('problem' in chosen) return chosen;
+  const { program, beside } = chosen;
+  const name = lastOf(program.path);
+  const main = await budget.read(program, mostBytes(name));
+  if ('problem' in main) return main;
+  if (beside === undefined) return handInOfBytes(name, main.bytes, courses, { budget, level: level + 1 });
+  const others = await readBeside(beside, budget);
+  if ('problem' in others) return others;
   const read: SourceFile[] = [];
-  for (const { name, bytes } of [main, ...files.filter((file) => file !== main)]) {
+  for (const { name: own, bytes } of [{ name, bytes: main.bytes }, ...others]) {
     const text = textOf(bytes);
     // What the board could not hold does not belong to the program.
-    if (text !== null && nameProblem(name, read) === null) read.push({ name, text });
-    else if (name === MAIN) return unread('not-text');
+    if (text !== null && nameProblem(own, read) === null) read.push({ name: own, text });
+    else if (own === MAIN) return unread('not-text');
   }
   return handInOfPrograms(read);
 }
@@ -67,18 +82,10 @@ export function handInOfLink(address: string, courses: ReadyCourses): Content {
   return 'project' in opened ? handInOfProject(opened.project) : handInOfPrograms(opened.files);
 }
 
-function handInOfZip(bytes: Uint8Array, courses: ReadyCourses): Content {
+function handInOfZip(bytes: Uint8Array, courses: ReadyCourses, packing: Packing): Content | Promise<Content> {
+  if (packing.level >= MOST_LEVELS) return unread('no-main');
   const zip = readZip(bytes);
-  if ('problem' in zip) return zip;
-  const files: NamedBytes[] = [];
-  for (const entry of belowFolders(zip.entries)) {
-    const { path } = entry;
-    if (path.includes('/') || /\.zip$/i.test(path)) continue;
-    const file = entry.read(FILE_BYTES);
-    if ('problem' in file) return file;
-    files.push({ name: path, bytes: file.bytes });
-  }
-  return folderHandIn(files, courses);
+  return 'problem' in zip ? zip : handInOfTree(zip.entries, courses, packing);
 }
 
 function handInOfJson(text: string): Content {

@@ -12,6 +12,8 @@ export interface HandIn {
   readonly said: Said | null;
   /** What the pupil's page kept locked; left out: nobody knows. */
   readonly locks?: Locks;
+  /** Tells which course was handed out (`courseMark`); left out: nobody knows. */
+  readonly mark?: string;
 }
 
 /** What the pupil's page writes into a hand-in. It is told, and checked where it can be. */

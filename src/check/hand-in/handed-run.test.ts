@@ -37,7 +37,7 @@ describe('a run that is handed in', () => {
 
   it('as its file is the same', async () => {
     const bytes = new TextEncoder().encode(run);
-    const source = fileSource({ path: 'Ada.run.json', read: () => ({ bytes }) }, () => null);
+    const source = fileSource({ path: 'Ada.run.json', size: bytes.length, read: () => ({ bytes }) }, () => null);
     expect(programs(await handInOf(source))).toEqual(files);
   });
 

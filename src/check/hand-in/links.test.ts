@@ -23,6 +23,13 @@ describe('the links in a text', () => {
 });
 
 describe('the links in a table', () => {
+  it('are read behind a cell of many megabytes, and in a table whose quotes never end, in no time', () => {
+    const long = `Name,Text,Link\nAda,"${'x""\n'.repeat(3_000_000)}",${LINK}\nBen,"",${LINK}0`;
+    expect(linksInFile('long.csv', long)).toMatchObject([{ address: LINK }, { name: 'Ben', address: `${LINK}0` }]);
+    const open = `Name,Link\n${'"""a\n'.repeat(200_000)}`;
+    expect(linksInFile('open.csv', `Ada,${LINK}\n${open}`)).toEqual([{ name: 'Ada', address: LINK }]);
+  });
+
   const named = (name: string, address = LINK) => ({ name, address });
 
   it('have the name that stands in the cell before them', () => {

@@ -102,19 +102,30 @@ function linksInTable(text: string): readonly NamedLink[] {
 function rowsOf(text: string): readonly (readonly string[])[] {
   const [head = ''] = text.split('\n', 1);
   const [sign = ','] = [',', ';', '\t'].toSorted((a, b) => head.split(b).length - head.split(a).length);
-  const rows: string[][] = [];
-  let row: string[] = [];
-  for (const [, quoted, plain = '', end] of text.matchAll(cellOf(sign))) {
-    row.push(quoted?.replaceAll('""', '"') ?? plain);
-    if (end === sign) continue;
-    rows.push(row);
-    row = [];
+  const rows: string[][] = [[]];
+  let mayClose = true;
+  for (let at = 0; at < text.length; at += 1) {
+    const isQuoted = mayClose && text[at] === '"';
+    const close: number = isQuoted ? closingQuote(text, at) : -1;
+    // Looked for once: a file full of quotes would take hours.
+    if (isQuoted) mayClose = close >= 0;
+    const from = close < 0 ? at : close + 1;
+    let end = from;
+    while (end < text.length && text[end] !== sign && text[end] !== '\n') end += 1;
+    const inQuotes = close < 0 ? '' : text.slice(at + 1, close).replaceAll('""', '"');
+    rows.at(-1)?.push(inQuotes + text.slice(from, end));
+    if (text[end] === '\n') rows.push([]);
+    at = end;
   }
   return rows;
 }
 
-/** A cell and what ends it. */
-const cellOf = (sign: string): RegExp => new RegExp(`(?:"((?:[^"]|"")*)"|([^${sign}\\r\\n]*))(${sign}|\\r?\\n|$)`, 'g');
+/** Where the quote at this place ends; -1: nowhere, and none behind it does. */
+function closingQuote(text: string, open: number): number {
+  let close = text.indexOf('"', open + 1);
+  while (close >= 0 && text[close + 1] === '"') close = text.indexOf('"', close + 2);
+  return close;
+}
 
 /** What is read on a page, with the addresses of its links; tag by tag, for the same reason. */
 function textOfPage(html: string): string {

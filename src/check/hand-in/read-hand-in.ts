@@ -9,14 +9,16 @@ import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } fr
 /** The hand-in of a project that a pupil has saved or sent, or why there is none. Never throws. */
 export function handInOf(project: Project): { readonly handIn: HandIn } | { readonly problem: string } {
   const { handIn: data, task, ...plain } = project;
-  if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null } };
+  const mark = task?.['handedOut'] === true ? task['course'] : undefined;
+  const marked = typeof mark === 'string' ? { mark } : {};
+  if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null, ...marked } };
   if (data['version'] !== HAND_IN_VERSION)
     return { problem: `handIn: version ${JSON.stringify(data['version']) ?? 'nothing'} is unknown. Update Parcours.` };
   const reader = new Reader();
   const said = saidIn(data, reader);
   if (reader.problems.length > 0) return { problem: summaryOf(reader.problems) };
   const locks = task?.['handedOut'] === true ? locksOf(task) : noLocks;
-  return { handIn: { project: plain, hasCourse: true, said, locks } };
+  return { handIn: { project: plain, hasCourse: true, said, locks, ...marked } };
 }
 
 /** A program alone, handed in. */

@@ -1,25 +1,17 @@
+import { unseenShown } from '#core/unseen';
 import type { ReadyCourses } from '#project/link/link';
-import { MAIN } from '#project/project';
-import { folderHandIn, handInOfBytes, handInOfLink, MOST_FILE_BYTES, type Content, type NamedBytes } from './contents';
+import { MAIN, nameProblem } from '#project/project';
+import { handInOfBytes, handInOfLink, handInOfTree, mostBytes, type Content } from './contents';
 import { isTextWithLinks, linksIn, linksInFile, type NamedLink } from './links';
 import { unread, type Unread } from './unread';
-import { belowFolders, isLitter, readZip, type ZipEntry } from './zip';
+import { chosenIn, lastOf, sortedBy, withoutLitter, type TreeFile } from './tree';
+import { belowFolders, readZip } from './zip';
 
 /** A hand-in that is to be read when its turn comes. */
 export interface Source {
   /** Unlike the others, once they are together (`withOwnNames`). */
   readonly name: string;
   read(): Content | Promise<Content>;
-}
-
-type Bytes = { readonly bytes: Uint8Array } | { readonly problem: Unread };
-
-/** A file in a folder or a zip. */
-export interface TreeFile {
-  /** With `/` between folders; one that ends with it stands for a folder that has perhaps no file. */
-  readonly path: string;
-  /** Its bytes; never more than so many. */
-  read(maxBytes: number): Bytes | Promise<Bytes>;
 }
 
 /** Something that cannot be read. */
@@ -31,7 +23,8 @@ export const fileSource = (file: TreeFile, courses: ReadyCourses): Source => {
   return {
     name: handInName(name),
     async read() {
-      const read = await file.read(MOST_FILE_BYTES);
+      const most = mostBytes(name);
+      const read = file.size > most ? unread('large', { file: name, most }) : await file.read(most);
       return 'problem' in read ? read : handInOfBytes(name, read.bytes, courses);
     },
   };
@@ -43,63 +36,146 @@ export interface Most {
   readonly list: number;
 }
 
-/** The hand-ins of a file: those in a zip, those behind the links in a text, else the one that it is. */
-export async function sourcesIn(file: TreeFile, most: Most, courses: ReadyCourses): Promise<readonly Source[]> {
-  const name = lastOf(file.path);
-  const isZip = /\.zip$/i.test(name);
-  if (!isZip && !isTextWithLinks(name)) return [fileSource(file, courses)];
-  const read = await file.read(isZip ? most.zip : most.list);
-  const called = isZip ? name : handInName(name);
-  if ('problem' in read) return [brokenSource(called, read.problem)];
-  if (isZip) return zipSources(name, read.bytes, courses);
-  const linked = listSources(new TextDecoder().decode(read.bytes), courses, name);
-  return linked.length === 0 ? [brokenSource(called, unread('no-link').problem)] : linked;
+/** What was given at once, such as a word of the command line or a file that was chosen. */
+export interface Given {
+  /** What it is called, without its ending. */
+  readonly name: string;
+  /** A folder or a zip: a single hand-in in it may be called anything. */
+  readonly isTree: boolean;
+  readonly sources: readonly Source[];
 }
 
-/** The hand-ins in a folder: each file is one, each sub-folder is one. */
-export function folderSources(all: readonly TreeFile[], courses: ReadyCourses): readonly Source[] {
-  const folders = new Map<string, TreeFile[]>();
-  for (const file of all) {
-    if (file.path.split('/').some(isLitter)) continue;
-    const [first = ''] = file.path.split('/');
-    const key = file.path.includes('/') ? `${first}/` : first;
-    folders.set(key, [...(folders.get(key) ?? []), file]);
+/** The hand-ins of a file: those in a zip, those behind the links in a text, else the one that it is. Never rejects. */
+export async function givenFile(file: TreeFile, most: Most, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
+  const name = lastOf(file.path);
+  try {
+    return await openedFile(file, most, courses, isAlone);
+  } catch (error) {
+    const problem = error instanceof Error ? error.message : String(error);
+    return plainly([brokenSource(name, unread('gone', { problem }).problem)]);
   }
-  return sortedBy([...folders], ([key]) => key).map(([key, inside]) => {
-    const [file] = inside;
-    return key.endsWith('/') || file === undefined
-      ? folderSource(key.slice(0, -1), inside, courses)
-      : fileSource(file, courses);
+}
+
+/** Those that have their own names. */
+const plainly = (sources: readonly Source[]): Given => ({ name: '', isTree: false, sources });
+
+async function openedFile(file: TreeFile, most: Most, courses: ReadyCourses, isAlone: boolean): Promise<Given> {
+  const name = lastOf(file.path);
+  const isZip = /\.zip$/i.test(name);
+  if (!isZip && !isTextWithLinks(name)) return plainly([fileSource(file, courses)]);
+  const read = await file.read(isZip ? most.zip : most.list);
+  const called = isZip ? name : handInName(name);
+  if ('problem' in read) return plainly([brokenSource(called, read.problem)]);
+  if (isZip) return givenZip(name, read.bytes, courses, isAlone);
+  const linked = listSources(new TextDecoder().decode(read.bytes), courses, name);
+  return plainly(linked.length === 0 ? [brokenSource(called, unread('no-link').problem)] : linked);
+}
+
+/** All hand-ins of what was given together: of several things, one that has a single hand-in says whose it is. */
+export const together = (all: readonly Given[]): readonly Source[] =>
+  all.flatMap(({ name, isTree, sources }) => {
+    const [only, another] = sources;
+    const isWhose = isTree && all.length > 1 && only !== undefined && another === undefined;
+    return isWhose ? [{ ...only, name }] : sources;
   });
+
+/**
+ * The hand-ins of a folder: its files and its folders, or those of the one folder that all of it lies in, if that is a class.
+ *
+ * @param isAlone nothing else is given: it may be a whole class
+ */
+export const givenFolder = (
+  name: string,
+  files: readonly TreeFile[],
+  courses: ReadyCourses,
+  isAlone: boolean,
+): Given => ({
+  ...{ name, isTree: true },
+  sources: treeSources(name, files, { courses, isAlone, isWhole: (below) => !isClass(below) }),
+});
+
+/** Several folders with a program in each are not one pupil's. */
+const isClass = (files: readonly TreeFile[]): boolean =>
+  !isHandIn(files) && foldersIn(files).filter((inside) => 'program' in chosenIn(inside)).length > 1;
+
+/** How a folder or a zip is looked at. */
+interface Looking {
+  readonly courses: ReadyCourses;
+  readonly isAlone: boolean;
+  /** Says of what lies below the folder that all lies in that the folder is one hand-in. */
+  readonly isWhole: (below: readonly TreeFile[]) => boolean;
+}
+
+/**
+ * The hand-ins in a folder or a zip. With main.py at its top it is one, and called like it; else each file is one, and each
+ * folder, below the folders that all of it lies in. A whole class may have somebody's main.py among the others'.
+ */
+function treeSources(
+  name: string,
+  all: readonly TreeFile[],
+  { courses, isAlone, isWhole }: Looking,
+): readonly Source[] {
+  const files = belowFolders(withoutLitter(all), isWhole);
+  if (isHandIn(files) && !(isAlone && hasOthers(files))) return [{ name, read: () => handInOfTree(files, courses) }];
+  return sortedBy([...byTop(files)], ([key]) => key).flatMap(([key, inside]) =>
+    key.endsWith('/')
+      ? [folderSource(key.slice(0, -1), inside, courses)]
+      : inside.map((file) => fileSource(file, courses)),
+  );
+}
+
+/** Beside a main.py there are those of others: in several folders, or programs that it could not import, such as `main (1).py`. */
+const hasOthers = (files: readonly TreeFile[]): boolean =>
+  foldersIn(files).filter((inside) => inside.some(({ path }) => lastOf(path) === MAIN)).length > 1 ||
+  files.some(({ path }) => !path.includes('/') && /\.py$/i.test(path) && nameProblem(path, []) !== null);
+
+const foldersIn = (files: readonly TreeFile[]): readonly (readonly TreeFile[])[] =>
+  [...byTop(files)].flatMap(([key, inside]) => (key.endsWith('/') ? [inside] : []));
+
+/** The files at the top by their names, and those of each folder by its name with `/`. */
+function byTop(files: readonly TreeFile[]): ReadonlyMap<string, readonly TreeFile[]> {
+  const tops = new Map<string, TreeFile[]>();
+  for (const file of files) {
+    const [first = ''] = file.path.split('/', 1);
+    const key = file.path.includes('/') ? `${first}/` : first;
+    const inside = tops.get(key);
+    if (inside === undefined) tops.set(key, [file]);
+    else inside.push(file);
+  }
+  return tops;
 }
 
 /** One hand-in of all files in a folder. */
-const folderSource = (name: string, inside: readonly TreeFile[], courses: ReadyCourses): Source => ({
-  name,
-  async read() {
-    const files: NamedBytes[] = [];
-    for (const file of sortedBy(inside, ({ path }) => path)) {
-      const own = file.path.slice(name.length + 1);
-      if (own === '' || own.includes('/')) continue;
-      const read = await file.read(MOST_FILE_BYTES);
-      if ('bytes' in read) files.push({ name: own, bytes: read.bytes });
-      // A film beside the program is nobody's program.
-      else if (/\.(json|py|zip)$/i.test(own) || isTextWithLinks(own)) return read;
-    }
-    return folderHandIn(files, courses);
-  },
-});
-
-/** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
-function zipSources(name: string, bytes: Uint8Array, courses: ReadyCourses): readonly Source[] {
-  const zip = readZip(bytes);
-  if ('problem' in zip) return [brokenSource(name, zip.problem)];
-  const inside = folderSources(belowFolders(zip.entries, isHandIn), courses);
-  return inside.length > 0 ? inside : [brokenSource(name, unread('no-main').problem)];
+function folderSource(name: string, inside: readonly TreeFile[], courses: ReadyCourses): Source {
+  const files = inside.map((file) => ({ ...file, path: file.path.slice(name.length + 1) }));
+  return { name, read: () => handInOfTree(files, courses) };
 }
 
+/** All that may be unpacked of a zip, by its directory. Chosen: a hundred kilobytes for each of ten thousand hand-ins. */
+const ZIP_BYTES = 1_000_000_000;
+
+/** The hand-ins in a zip, like those in a folder; one that cannot be read is a hand-in that cannot be read. */
+function givenZip(file: string, bytes: Uint8Array, courses: ReadyCourses, isAlone: boolean): Given {
+  const zip = readZip(bytes);
+  const broken = (problem: Unread): Given => plainly([brokenSource(file, problem)]);
+  if ('problem' in zip) return broken(zip.problem);
+  // What is too large alone is refused alone, and a film is never unpacked.
+  const wanted = zip.entries.filter(({ path, size }) => isOpened(path) && size <= mostBytes(path));
+  if (wanted.reduce((sum, { size }) => sum + size, 0) > ZIP_BYTES)
+    return broken(unread('zip-much', { most: ZIP_BYTES }).problem);
+  const name = handInName(file);
+  const sources = treeSources(name, zip.entries, {
+    courses,
+    isAlone,
+    isWhole: (below) => isHandIn(below) && !hasOthers(below),
+  });
+  return sources.length > 0 ? { name, isTree: true, sources } : broken(unread('no-main').problem);
+}
+
+const isOpened = (path: string): boolean => /\.(py|json|zip)$/i.test(path) || isTextWithLinks(path);
+
 /** The folder of a hand-in says whose it is. */
-const isHandIn = (entries: readonly ZipEntry[]): boolean => entries.some(({ path }) => path === MAIN);
+const isHandIn = (files: readonly TreeFile[]): boolean => files.some(({ path }) => path === MAIN);
 
 /**
  * The hand-ins behind the links in a text, whatever stands around them. Those beside which nobody is named have the name
@@ -129,21 +205,16 @@ export async function contentOf(source: Source): Promise<Content> {
   }
 }
 
-const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
-
 /** `anna` for anna.py, anna.json, anna.parcours.json and anna.run.json. */
 const handInName = (file: string): string => file.replace(/(\.parcours|\.run)?\.[^.]*$/, '') || file;
 
-/** Sorted the same everywhere: by the letters' numbers. */
-const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>
-  things.toSorted((a, b) => (key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0));
-
-/** `anna`, `anna (2)`, …: of several with one name each gets its own. `taken`: names that others have already. */
+/** `anna`, `anna (2)`, …: of several with one name each gets its own, and none that only looks like another's. `taken`: names that others have already. */
 export function withOwnNames(sources: readonly Source[], taken: Iterable<string> = []): readonly Source[] {
   const names = new Set(taken);
   return sources.map((source) => {
-    let { name } = source;
-    for (let number = 2; names.has(name); number += 1) name = `${source.name} (${number})`;
+    const own = unseenShown(source.name);
+    let name = own;
+    for (let number = 2; names.has(name); number += 1) name = `${own} (${number})`;
     names.add(name);
     return { ...source, name };
   });

@@ -10,11 +10,22 @@ export const unreadCodes = [
   // files
   ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone'] as const),
   // folders
-  ...(['no-main', 'many-files'] as const),
+  ...(['no-main', 'several', 'many-files'] as const),
   // links
   ...(['link', 'newer-link', 'no-work', 'no-link', 'many-links'] as const),
   // zips
-  ...(['zip', 'zip-list', 'zip-many', 'zip-file', 'zip-locked', 'zip-large', 'zip-way', 'zip-bomb'] as const),
+  ...([
+    'zip',
+    'zip-list',
+    'zip-many',
+    'zip-much',
+    'zip-twice',
+    'zip-file',
+    'zip-locked',
+    'zip-large',
+    'zip-way',
+    'zip-bomb',
+  ] as const),
   // an error of ours
   'broken',
 ] as const;

@@ -5,6 +5,8 @@ import { unread, type Unread } from './unread';
 export interface ZipEntry {
   /** With `/` between folders; one that ends with it is a folder. */
   readonly path: string;
+  /** How large it is when it is unpacked, as the zip's directory says. */
+  readonly size: number;
   /** Unpacks it; never more than so many bytes, whatever the zip says. */
   read(maxBytes: number): { readonly bytes: Uint8Array } | { readonly problem: Unread };
 }
@@ -31,7 +33,10 @@ const MOST_ENTRIES = 20_000;
 /** Folders around what was packed that are looked into. Chosen: more than anybody packs. */
 const MOST_FOLDERS = 20;
 
-/** Reads the directory of a zip; its files are unpacked one by one when they are wanted. Never throws. */
+/**
+ * Reads the directory of a zip; its files are unpacked one by one when they are wanted. A zip in which two files lie at one
+ * place is refused: with a few bytes it would name any number of large ones. Never throws.
+ */
 export function readZip(bytes: Uint8Array): Zip {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const end = endOf(view);
@@ -39,6 +44,7 @@ export function readZip(bytes: Uint8Array): Zip {
   const [count, start] = [view.getUint16(end + 10, true), view.getUint32(end + 16, true)];
   if (count > MOST_ENTRIES) return unread('zip-many', { count, most: MOST_ENTRIES });
   const entries: ZipEntry[] = [];
+  const places: Place[] = [];
   let at = start;
   for (let index = 0; index < count; index++) {
     const isThere = at + DIRECTORY_BYTES <= end && view.getUint32(at, true) === DIRECTORY;
@@ -46,10 +52,24 @@ export function readZip(bytes: Uint8Array): Zip {
     const [name, extra, comment] = [28, 30, 32].map((place) => view.getUint16(at + place, true));
     const path = withoutDots(textOf(bytes.subarray(at + DIRECTORY_BYTES, at + DIRECTORY_BYTES + (name ?? 0)), view.getUint16(at + 8, true))); // prettier-ignore
     const directory = at;
-    if (path !== '') entries.push({ path, read: (maxBytes) => readEntry(bytes, view, directory, maxBytes) });
+    const [packedBytes, size, local] = [20, 24, 42].map((place) => view.getUint32(directory + place, true));
+    if (local !== ZIP64 && packedBytes !== ZIP64)
+      places.push({ from: local ?? 0, to: (local ?? 0) + LOCAL_BYTES + (packedBytes ?? 0) });
+    if (path !== '') entries.push({ path, size: size ?? 0, read: (maxBytes) => readEntry(bytes, view, directory, maxBytes) }); // prettier-ignore
     at += DIRECTORY_BYTES + (name ?? 0) + (extra ?? 0) + (comment ?? 0);
   }
-  return { entries };
+  return overlap(places) ? unread('zip-twice') : { entries };
+}
+
+/** Where a file lies in a zip: no byte of it belongs to another one. */
+interface Place {
+  readonly from: number;
+  readonly to: number;
+}
+
+function overlap(places: readonly Place[]): boolean {
+  const sorted = places.toSorted((a, b) => a.from - b.from);
+  return sorted.some(({ from }, index) => from < (sorted[index - 1]?.to ?? 0));
 }
 
 /** The end of the directory stands at the end, before a comment of any length. */
@@ -64,14 +84,14 @@ export const isLitter = (name: string): boolean =>
   name.startsWith('.') || name === '__MACOSX' || name === '__pycache__';
 
 /**
- * What a zip holds below the folders that all of it lies in: who packs a folder means what is in it.
+ * What a zip or a folder holds below the folders that all of it lies in: who packs a folder means what is in it.
  *
  * @param isWhole says of what lies below one more folder that the folder belongs to it
  */
-export function belowFolders(
-  all: readonly ZipEntry[],
-  isWhole: (below: readonly ZipEntry[]) => boolean = () => false,
-): readonly ZipEntry[] {
+export function belowFolders<T extends { readonly path: string }>(
+  all: readonly T[],
+  isWhole: (below: readonly T[]) => boolean = () => false,
+): readonly T[] {
   let entries = all;
   for (let level = 0; level < MOST_FOLDERS; level++) {
     const below = belowTop(entries);
@@ -82,7 +102,7 @@ export function belowFolders(
 }
 
 /** What lies below the folder that all of it lies in; `null`: there is no such folder. */
-function belowTop(all: readonly ZipEntry[]): readonly ZipEntry[] | null {
+function belowTop<T extends { readonly path: string }>(all: readonly T[]): readonly T[] | null {
   const entries = all.filter(({ path }) => !path.split('/').some(isLitter));
   const [top, another] = new Set(entries.map(({ path }) => path.split('/', 1)[0] ?? ''));
   if (top === undefined || another !== undefined || !entries.every(({ path }) => path.includes('/'))) return null;

@@ -35,6 +35,24 @@ export function classResult(task: string, handIns: readonly NamedResult[]): Clas
 /** Number of hand-ins that have passed. */
 export const passedOf = ({ handIns }: ClassResult): number => handIns.filter(({ result }) => result.passed).length;
 
+/** A task that is not the one of the class, and how many hand-ins were made for it. */
+export interface OtherTask {
+  readonly task: string;
+  readonly count: number;
+}
+
+/** The other tasks that hand-ins belong to, the most frequent first. */
+export function otherTasks({ handIns }: ClassResult): readonly OtherTask[] {
+  const counts = new Map<string, number>();
+  for (const { params } of handIns.flatMap(({ result }) =>
+    result.remarks.filter(({ code }) => code === 'other-task'),
+  )) {
+    const task = String(params['task']);
+    counts.set(task, (counts.get(task) ?? 0) + 1);
+  }
+  return [...counts].map(([task, count]) => ({ task, count })).toSorted((a, b) => b.count - a.count);
+}
+
 /** A class may share one program: so many names are told. */
 const MOST_NAMES = 10;
 

@@ -7,7 +7,7 @@ import { worldName, type Check, type ClassTask } from '../task/task';
 import { passedOf, type ClassResult, type NamedResult } from './class-result';
 import { Drawings } from './drawing';
 import { escaped } from './escaped';
-import { remarkText, reportWords } from './say';
+import { otherTaskTexts, remarkText, reportWords } from './say';
 import styles from './report.css?raw';
 import { isUnread, reasonsAgainst, secondsText } from './texts';
 
@@ -52,7 +52,7 @@ function tableOf(found: ClassResult, { drawings, language }: Sheet): string {
   const rows = handIns.map((one, place) => rowOf(one, place, { drawings, hasStars, language })).join('\n');
   return `
 <h1>${escaped(task)}</h1>
-<p class="summary">${handIns.length === 0 ? words.nobody[language] : summary}</p>
+<p class="summary">${[handIns.length === 0 ? words.nobody[language] : summary, ...otherTaskTexts(found, language)].map(escaped).join('<br>')}</p>
 <table>
 <thead><tr>${head}</tr></thead>
 <tbody>
@@ -98,10 +98,10 @@ function rowOf(
   return [
     `<tr><td class="thumb">${first === undefined ? '' : drawings.way(first, '')}</td>`,
     `<th scope="row"><a href="#hand-in-${place}">${escaped(name)}</a></th>`,
-    `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', result.points)}`,
+    `<td class="verdict">${verdictOf(result, language)}</td>${figure('points', isUnread(result) ? '' : result.points)}`,
     hasStars ? `<td class="stars">${'★'.repeat(result.stars ?? 0)}</td>` : '',
     figure('time', first === undefined ? '' : secondsOf(first)),
-    figure('touches', touches),
+    figure('touches', isUnread(result) ? '' : touches),
     `<td class="said">${said.map(escaped).join('<br>')}</td></tr>`,
   ].join('');
 }
@@ -132,7 +132,7 @@ function sheetOf(
   });
   return `<section id="hand-in-${place}">
 <h2>${escaped(name)}</h2>
-<p>${title} · ${verdictOf(result, language)} · ${words.points[language]}: ${result.points}</p>
+<p>${title} · ${verdictOf(result, language)}${isUnread(result) ? '' : ` · ${words.points[language]}: ${result.points}`}</p>
 <ul>${[...facts, ...remarks].join('')}</ul>${note === '' ? '' : `\n<p class="note">${escaped(note)}</p>`}
 <div class="ways">${figures.join('')}</div>
 </section>`;

@@ -78,6 +78,29 @@ describe('the result of a class', () => {
     expect(rows[1]).toBe(`"'=Ben ""<b>""",0,0,,0,0,,0,Der Roboter hat sich nie bewegt.,`);
   });
 
+  it('is a table in which nothing that could not be read has a figure', async () => {
+    const row = csvOf(classResult('t', await results()), 'en').split('\r\n')[3];
+    expect(row).toBe('Cem,,,,,,,,,"cannot be read: this is not a zip, or only a part of one."');
+  });
+
+  it('is a table in which no part of a name becomes a formula, steers a terminal or is hidden', async () => {
+    const [anna] = (await results()) as [NamedResult];
+    const names = ['a;=1+1', 'b\t+2', 'c\n@x', 'd; "-2', '＝1', '-3', 'e;f', 'g\u001b[2J\0', 'h\u202e'];
+    const all = names.map((name) => ({ ...anna, name }));
+    const csv = csvOf(classResult('t', all), 'en');
+    const shown = [
+      ...[`"a;'=1+1"`, `"b\t'+2"`, `"c\n'@x"`, `"d;' ""-2"`, "'＝1", '-3', '"e;f"'],
+      ...['g⟨U+001B⟩[2J⟨U+0000⟩', 'h⟨U+202E⟩'],
+    ];
+    for (const one of shown) expect(csv).toContain(`\r\n${one},1,`);
+    const html = htmlOf(classResult('t', all), task, 'en');
+    const xml = junitOf(classResult('t', all), 'en');
+    for (const text of [html, xml]) {
+      expect(text).toContain('h⟨U+202E⟩');
+      expect(text).not.toMatch(/[\u202e\u001b\0]/);
+    }
+  });
+
   it('is XML in which what cannot be read is an error, and what has not passed a failure', async () => {
     const xml = wellFormed(junitOf(classResult('t <1>', await results()), 'en'));
     expect(xml).toContain('tests="3" failures="1" errors="1"');

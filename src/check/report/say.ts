@@ -1,13 +1,16 @@
 import type { Language } from '#core/languages';
+import { unseenShown } from '#core/unseen';
 import { filledIn, wordsOf } from '#core/words';
 import { unreadCodes } from '../hand-in/unread';
 import type { Reason, Remark } from '../result';
+import { otherTasks, type ClassResult } from './class-result';
 import type de from './words/de.json';
 
 export const reportWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /** Why a check does not hold: a sentence, and what there is to say of the run besides. */
-export function reasonText({ code, params }: Reason, language: Language): string {
+export function reasonText({ code, params: said }: Reason, language: Language): string {
+  const params = shownIn(said);
   const { reasons, more } = reportWords;
   const besides = (['near', 'limit'] as const).filter((name) => params[name] !== undefined);
   return [reasons[code], ...besides.map((name) => more[name])]
@@ -16,8 +19,21 @@ export function reasonText({ code, params }: Reason, language: Language): string
 }
 
 /** A sentence about something that the teacher is told. */
-export function remarkText({ code, params }: Remark, language: Language): string {
+export function remarkText({ code, params: said }: Remark, language: Language): string {
+  const params = shownIn(said);
   const why = unreadCodes.find((one) => one === params['why']);
   const problem = why && filledIn(reportWords.unread[why][language], params);
   return filledIn(reportWords.remarks[code][language], problem === undefined ? params : { problem });
 }
+
+/** A sentence for each other task that hand-ins belong to: perhaps the wrong one is open. */
+export const otherTaskTexts = (found: ClassResult, language: Language): readonly string[] =>
+  otherTasks(found).map(({ task, count }) =>
+    filledIn(reportWords.report.others[language], shownIn({ task, count, of: found.handIns.length })),
+  );
+
+/** What pupils have written turns no sentence around. */
+const shownIn = (params: Reason['params']): Reason['params'] =>
+  Object.fromEntries(
+    Object.entries(params).map(([name, value]) => [name, typeof value === 'string' ? unseenShown(value) : value]),
+  );

@@ -1,4 +1,5 @@
 import type { Language } from '#core/languages';
+import { plainText } from '#core/unseen';
 import type { CheckResult } from '../result';
 import type { ClassTask } from '../task/task';
 import { passedOf, type ClassResult } from './class-result';
@@ -20,7 +21,7 @@ export function jsonOf(found: ClassResult, { checks: asked }: ClassTask, languag
     handIns: handIns.map(({ name, result }) => {
       const { passed, points, stars, checks, worlds, remarks } = result;
       return {
-        ...{ name, passed, points },
+        ...{ name, passed, points: isUnread(result) ? null : points },
         ...(stars !== null && { stars }),
         checks: checks.map((check) => ({
           ...{ id: check.id, passed: check.passed, points: pointsOf(check.id) },
@@ -62,8 +63,13 @@ export function csvOf({ handIns }: ClassResult, language: Language): string {
     ...(hasNotes ? [say('note')] : []),
   ];
   const rows = handIns.map(({ name, result, note = '' }) => [
-    ...[name, yes(result.passed), String(result.points), String(result.stars ?? '')],
-    ...checks.map((id) => yes(result.checks.find((check) => check.id === id)?.passed ?? false)),
+    // Nobody has no points for what could not be read.
+    ...(isUnread(result)
+      ? [name, '', '', '']
+      : [name, yes(result.passed), String(result.points), String(result.stars ?? '')]),
+    ...checks.map((id) =>
+      isUnread(result) ? '' : yes(result.checks.find((check) => check.id === id)?.passed ?? false),
+    ),
     ...worlds.flatMap((id) => {
       const world = result.worlds.find((one) => one.id === id);
       return world === undefined ? ['', '', ''] : [yes(world.passed), String(world.atMs ?? ''), String(world.touches)];
@@ -81,11 +87,18 @@ const idsOf = (lists: readonly (readonly { readonly id: string }[])[]): readonly
   ...new Set(lists.flat().map(({ id }) => id)),
 ];
 
-/** A text that a spreadsheet would take for a formula is kept from being one. */
+/**
+ * A text that a spreadsheet would take for a formula is kept from being one: also behind a sign that parts cells on computers
+ * of other languages, or a line break.
+ */
 function cell(text: string): string {
-  const safe = /^[=+\-@\t\r]/.test(text) && !/^-?\d+(\.\d+)?$/.test(text) ? `'${text}` : text;
-  return /[",\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
+  const isNumber = /^-?\d+(\.\d+)?$/.test(text);
+  const safe = isNumber ? text : plainText(text).replace(FORMULA, "$1'$2");
+  return /[";,\t\r\n]/.test(safe) ? `"${safe.replaceAll('"', '""')}"` : safe;
 }
+
+/** Where a cell begins, and what makes it a formula; some spreadsheets leave out spaces and quotes before it. */
+const FORMULA = /(^|[;\t\r\n])([\s"]*[=+\-@\uff1d\uff0b\uff0d\uff20])/g;
 
 /** The result of a class as JUnit's XML: a test case for each hand-in, its simulated time as time. */
 export function junitOf(found: ClassResult, language: Language): string {

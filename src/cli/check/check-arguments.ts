@@ -52,8 +52,6 @@ export function parseCheck(
     return { problem: `--lang: "${last('lang') ?? ''}" is not available. Known: ${LANGUAGES.join(', ')}.` };
   const work = last('merge') === null ? workOf(positionals, last, environment) : nothingToRun(positionals, given);
   if (work !== null && 'problem' in work) return work;
-  const twice = sameFile([last('report'), last('junit'), last('csv')]);
-  if (twice !== null) return { problem: `${twice} can be only one of the reports. Choose another name.` };
   return {
     work,
     folder: last('merge') ?? last('resume'),
@@ -91,6 +89,3 @@ function nothingToRun(
   const other = ['jobs', 'shard', 'resume'].find((name) => given.has(name));
   return other === undefined ? null : { problem: `--${other} and --merge: choose one of them.` };
 }
-
-const sameFile = (paths: readonly (string | null)[]): string | null =>
-  paths.find((path, place) => path !== null && paths.indexOf(path) < place) ?? null;

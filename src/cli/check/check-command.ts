@@ -5,10 +5,11 @@ import { classResult, passedOf, type ClassResult, type NamedResult } from '#chec
 import type { Language } from '#core/languages';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
-import { remarkText } from '#check/report/say';
+import { otherTaskTexts, remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
+import { outputProblem, type Output } from '../outputs';
 import { readyTitle } from '../ready-courses';
 import { reasonOf } from '../reason-of';
 import { printable, type Terminal } from '../terminal';
@@ -44,6 +45,7 @@ export async function checkHandIns(options: CheckOptions, terminal: Terminal): P
     for (const one of found.handIns) terminal.line(lineOf(one, options));
     terminal.line(`${checked.name}: ${passed} of ${of} passed`);
   }
+  if (!options.quiet) for (const text of otherTaskTexts(found, options.lang)) terminal.message(`parcours: ${text}`);
   return passed === of ? 0 : 3;
 }
 
@@ -52,10 +54,20 @@ function refuse(problem: string, terminal: Terminal): 2 {
   return 2;
 }
 
+/** The files that are asked for. */
+const outputsOf = ({ report, junit, csv }: CheckOptions): readonly Output[] => [
+  { option: '--report', path: report },
+  { option: '--junit', path: junit },
+  { option: '--csv', path: csv },
+];
+
 /** The results of a folder, without running anything. */
-function joined({ folder }: CheckOptions): Checked | Problem {
+function joined(options: CheckOptions): Checked | Problem {
+  const { folder } = options;
   const read = ResultsFolder.read(folder ?? '');
   if ('problem' in read) return read;
+  const unwritable = outputProblem(outputsOf(options), read.folder.files(), 'check');
+  if (unwritable !== null) return { problem: unwritable };
   const { names, ...named } = read.contents;
   const results: NamedResult[] = [];
   const missing: string[] = [];
@@ -74,15 +86,19 @@ function joined({ folder }: CheckOptions): Checked | Problem {
 /** Runs what is missing. */
 async function runAll(
   work: NonNullable<CheckOptions['work']>,
-  { folder: path, report, quiet, json }: CheckOptions,
+  options: CheckOptions,
   terminal: Terminal,
 ): Promise<Checked | Problem> {
+  const { folder: path, report, quiet, json } = options;
   const read = await readTask(work.task);
   if ('problem' in read) return read;
   const { task } = read;
   const found = await findHandIns(work.handIns);
   if ('problem' in found) return found;
   if (found.sources.length === 0) return { problem: `${work.handIns.join(', ')}: there are no hand-ins.` };
+  const list = { option: '--resume', path: path && ResultsFolder.listIn(path) };
+  const unwritable = outputProblem([...outputsOf(options), list], [...read.files, ...found.files], 'check');
+  if (unwritable !== null) return { problem: unwritable };
   const names = found.sources.map((source) => source.name);
   const folder = path === null ? null : ResultsFolder.open(path, { ...read, names });
   if (folder !== null && 'problem' in folder) return folder;
@@ -200,6 +216,7 @@ function lineOf({ name, result }: NamedResult, { lang }: CheckOptions): string {
     ...(passed ? [] : reasonsAgainst(result, lang)),
     ...remarks.map((remark) => remarkText(remark, lang)),
   ];
+  const figures = isUnread(result) ? [word, name] : [word, name, points];
   // What a program's error says stays in its line.
-  return printable(`${word}  ${name}  ${points}  ${told.join(' · ')}`.trimEnd().replaceAll('\n', ' '));
+  return printable([...figures, told.join(' · ')].join('  ').trimEnd().replaceAll('\n', ' '));
 }

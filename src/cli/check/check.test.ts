@@ -1,5 +1,5 @@
 import { spawnSync } from 'node:child_process';
-import { cpSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
+import { cpSync, linkSync, mkdirSync, readdirSync, readFileSync, symlinkSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
@@ -69,7 +69,7 @@ describe('parcours check', () => {
     expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
     expect([handIns[6]?.remarks[0], handIns[7]?.remarks[0]]).toEqual([
       'cannot be read: this is neither a program (.py) nor a project (.json).',
-      'cannot be read: the folder has no main.py.',
+      'cannot be read: the folder has no program (main.py).',
     ]);
   });
 
@@ -114,8 +114,8 @@ describe('parcours check', () => {
       ['anna', true, 'Same program as: ben'],
       ['ben', true, 'Same program as: anna'],
       ['gone', false, 'cannot be read: the file could not be read (there is no such file.).'],
-      ['empty.zip', false, 'cannot be read: the folder has no main.py.'],
-      ['nobody', false, 'cannot be read: the folder has no main.py.'],
+      ['empty.zip', false, 'cannot be read: the folder has no program (main.py).'],
+      ['nobody', false, 'cannot be read: the folder has no program (main.py).'],
     ]);
     expect(parcours('check', 'closed-line', join(folder, 'nobody'))).toMatchObject({ code: 2, err: expect.stringContaining('there are no hand-ins') as string }); // prettier-ignore
   });
@@ -132,12 +132,30 @@ describe('parcours check', () => {
     [['check', 'closed-line', 'bin', '--reality', '1'], '--reality is not for check.'],
     [['check', '--merge', 'src'], 'src: is no folder of results'],
     [['check', 'closed-line', '--merge', 'src'], '--merge runs nothing: what is "closed-line"?'],
-    [['check', 'closed-line', 'bin', '--csv', 'a', '--junit', 'a'], 'a can be only one of the reports.'],
+    [['check', 'closed-line', 'bin', '--csv', 'a', '--junit', 'a'], '--junit and --csv: a can be only one of them.'],
     [['run', 'main.py', '--jobs', '2'], '--jobs is for hand-ins'],
   ])('refuses %j', (words, problem) => {
     const { code, out, err } = parcours(...words);
     expect([code, out]).toEqual([2, '']);
     expect(err).toContain(problem);
+  });
+
+  it('writes over nothing that was handed in, and not over its task', () => {
+    const here = classOf('kept', { 'anna/main.py': RIGHT, 'ben.txt': 'x' });
+    const task = file('kept-task.json', projectToText(readyProject('closed-line')!));
+    linkSync(join(here, 'anna/main.py'), join(folder, 'hard.csv'));
+    for (const [words, option, path] of [
+      [[task, here, '--csv', join(folder, 'hard.csv')], '--csv', join(folder, 'hard.csv')],
+      [[task, here, '--junit', join(here, 'ben.txt')], '--junit', join(here, 'ben.txt')],
+      [[task, here, '--report', task], '--report', task],
+    ] as const) {
+      const { code, err } = parcours('check', ...words);
+      expect([code, err]).toEqual([2, `parcours: ${option}: ${path} is read by this check. Choose another name.\n`]);
+    }
+    const { code, err } = parcours('check', 'closed-line', '--csv', join(here, 'cem.py'), here);
+    expect([code, err]).toEqual([2, expect.stringContaining('is called like a program')]);
+    expect(readFileSync(join(here, 'anna/main.py'), 'utf8')).toBe(RIGHT);
+    expect(readFileSync(join(here, 'ben.txt'), 'utf8')).toBe('x');
   });
 
   it('takes a mission by its id, calls it by its title, and tells of its start program in whatever language', () => {

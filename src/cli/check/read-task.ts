@@ -22,14 +22,17 @@ type Problem = { readonly problem: string };
 /**
  * The task behind a word of the command line: a task file, a project or a course, a link, the id of a ready course, or one of a
  * series, which is said behind `#`.
+ *
+ * @returns also the files that it may be read from
  */
-export async function readTask(word: string): Promise<NamedTask | Problem> {
+export async function readTask(word: string): Promise<(NamedTask & { readonly files: readonly string[] }) | Problem> {
   const opened = await openedTask(word);
   if ('problem' in opened) return opened;
-  const { project, name, ...titled } = opened;
+  const { project, name, beside = [], ...titled } = opened;
   const read = taskOf(project);
   if ('problem' in read) return { problem: `${shortened(word)}: ${read.problem}` };
-  return { name: read.task.id || name, ...titled, task: read.task };
+  const files = isAddress(word) ? [] : [partsOf(word).where, ...beside];
+  return { name: read.task.id || name, ...titled, task: read.task, files };
 }
 
 async function openedTask(word: string): Promise<OpenedTask | Problem> {

@@ -1,8 +1,8 @@
 import { createHash } from 'node:crypto';
-import { existsSync, mkdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import type { Content } from '#check/hand-in/contents';
-import { projectOfHandIn } from '#check/hand-in/hand-in';
+import { projectOfHandIn, type HandIn } from '#check/hand-in/hand-in';
 import type { CheckResult } from '#check/result';
 import { taskOf } from '#check/task/read-task';
 import type { ClassTask } from '#check/task/task';
@@ -65,6 +65,16 @@ export class ResultsFolder {
     }
   }
 
+  /** The list of those who have handed in, which is written anew. */
+  static readonly listIn = (path: string): string => join(path, LIST);
+
+  /** All its files. */
+  files(): readonly string[] {
+    const results = join(this.path, RESULTS);
+    const kept = existsSync(results) ? readdirSync(results).map((name) => join(results, name)) : [];
+    return [join(this.path, TASK), join(this.path, LIST), ...kept];
+  }
+
   /** The result of a hand-in, if it was kept by this version, for this task and this program; else `null`. */
   find(name: string, key: string): CheckResult | null {
     const kept = this.kept(name);
@@ -85,7 +95,7 @@ export class ResultsFolder {
   keyFor(content: Content): string {
     return 'problem' in content
       ? keyOf(this.taskKey, JSON.stringify(content.problem))
-      : keyOf(this.taskKey, projectToText(projectOfHandIn(content.handIn)), String(content.handIn.hasCourse));
+      : keyOf(this.taskKey, projectToText(projectOfHandIn(content.handIn)), otherOf(content.handIn));
   }
 
   private fileOf(name: string): string {
@@ -102,6 +112,9 @@ export class ResultsFolder {
     }
   }
 }
+
+/** What a hand-in has besides what its project's file holds. */
+const otherOf = ({ hasCourse, locks, mark }: HandIn): string => JSON.stringify([hasCourse, locks, mark]);
 
 /** The file of a result. */
 interface Kept {

@@ -17,6 +17,8 @@ export interface OpenedTask {
   readonly name: string;
   /** As the series calls it; left out: it does not. */
   readonly title?: string;
+  /** The files that were read beside the one that was named. */
+  readonly beside?: readonly string[];
 }
 
 /** A word of the command line in its parts: what stands behind the last `#` says which task of a series is meant. */
@@ -68,19 +70,22 @@ export async function taskOfSeriesFile(
   if (!looksLikeSeries(text)) return null;
   const read = parseSeries(text, readyCourse);
   if ('problem' in read) return { problem: withoutReload(read.problem) };
-  return chosen(read.series, which, path, (file) => Promise.resolve(fileBeside(path, file)));
+  const beside: string[] = [];
+  const task = await chosen(read.series, which, path, (file) => Promise.resolve(fileBeside(path, file, beside)));
+  return 'problem' in task ? task : { ...task, beside };
 }
 
 /** The page says so to people who have it open. */
 const withoutReload = (problem: string): string => problem.replace(' Reload the page to update.', ' Update Parcours.');
 
 /** A file beside a series: its address is seen from there, as on a web server. */
-function fileBeside(series: string, file: string): { readonly text: string } | Problem {
+function fileBeside(series: string, file: string, found: string[]): { readonly text: string } | Problem {
   const base = pathToFileURL(series).href;
   const url = URL.canParse(file, base) ? new URL(file, base) : null;
   if (url?.protocol !== 'file:' || url.host !== '')
     return { problem: 'lies on a web server. Save it beside the series.' };
   const path = fileURLToPath(url);
+  found.push(path);
   const read = readLimited(path, seriesLimits.characters * 4);
   return 'problem' in read ? { problem: read.problem.replace(`${path}: `, '') } : read;
 }

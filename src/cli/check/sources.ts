@@ -1,16 +1,19 @@
 import { readdirSync, readFileSync, statSync } from 'node:fs';
-import { basename, join } from 'node:path';
+import { basename, join, resolve } from 'node:path';
 import {
   brokenSource,
-  folderSources,
+  givenFile,
+  givenFolder,
   linkSource,
-  sourcesIn,
+  together,
   withOwnNames,
+  type Given,
   type Most,
   type Source,
-  type TreeFile,
 } from '#check/hand-in/sources';
+import type { TreeFile } from '#check/hand-in/tree';
 import { unread } from '#check/hand-in/unread';
+import { isLitter } from '#check/hand-in/zip';
 import { isAddress } from '../read-work';
 import { readyCourse } from '../ready-courses';
 import { reasonOf } from '../reason-of';
@@ -18,52 +21,77 @@ import { reasonOf } from '../reason-of';
 /** Chosen: fits in memory beside the runs. */
 const MOST: Most = { zip: 500_000_000, list: 20_000_000 };
 
+/** Folders in folders, and files in all of them, that are looked into. Chosen: more than any class has. */
+const [MOST_DEPTH, MOST_FILES] = [20, 200_000];
+
 /**
  * Finds the hand-ins behind the words of the command line, in their order, those of a folder by their names: project files
  * and programs, folders and zips of them, files of links, links.
  *
- * @returns or what is wrong: a path that does not exist
+ * @returns also the files that they are read from; or what is wrong: a path that does not exist
  */
 export async function findHandIns(
   paths: readonly string[],
-): Promise<{ readonly sources: readonly Source[] } | { readonly problem: string }> {
-  const found: Source[] = [];
-  let isAny = false;
+): Promise<{ readonly sources: readonly Source[]; readonly files: readonly string[] } | { readonly problem: string }> {
+  const all: Given[] = [];
+  const files: string[] = [];
   for (const path of paths) {
-    const here = isAddress(path) ? [linkSource({ name: '', address: path }, 0, readyCourse)] : await sourcesAt(path);
+    const here = isAddress(path) ? linkAt(path) : await givenAt(path, paths.length === 1);
     if ('problem' in here) return here;
-    isAny ||= here.length > 0;
-    found.push(...(here.length > 0 ? here : [brokenSource(basename(path), unread('no-main').problem)]));
+    all.push(here);
+    files.push(...here.files);
   }
-  return { sources: isAny ? withOwnNames(found) : [] };
+  const isAny = all.some(({ sources }) => sources.length > 0);
+  const nobody = (name: string): Source => brokenSource(name, unread('no-main').problem);
+  const found = all.map((one) => (one.sources.length > 0 ? one : { ...one, sources: [nobody(one.name)] }));
+  return { sources: isAny ? withOwnNames(together(found)) : [], files };
 }
 
-async function sourcesAt(path: string): Promise<readonly Source[] | { readonly problem: string }> {
+/** Something given, and the files that it is read from. */
+type FilesGiven = Given & { readonly files: readonly string[] };
+
+/** Its name is the one that stands in it. */
+const linkAt = (address: string): FilesGiven => ({
+  ...{ name: '', isTree: false, files: [] },
+  sources: [linkSource({ name: '', address }, 0, readyCourse)],
+});
+
+async function givenAt(path: string, isAlone: boolean): Promise<FilesGiven | { readonly problem: string }> {
+  const name = basename(resolve(path));
   try {
-    if (statSync(path).isDirectory()) return folderSources(filesIn(path), readyCourse);
-    return await sourcesIn(treeFile(path, basename(path)), MOST, readyCourse);
+    if (statSync(path).isDirectory()) {
+      const inside = filesIn(path);
+      return { ...givenFolder(name, inside, readyCourse, isAlone), files: inside.map((file) => join(path, file.path)) };
+    }
   } catch (error) {
     return { problem: `${path}: ${reasonOf(error)}` };
   }
+  return { ...(await givenFile(treeFile(path, name), MOST, readyCourse, isAlone)), files: [path] };
 }
 
-/** The files of a folder, and of its own folders. */
+/** All files of a folder, at any depth. An empty folder stays somebody's. */
 function filesIn(path: string): readonly TreeFile[] {
-  return readdirSync(path, { withFileTypes: true }).flatMap(({ name }) => {
-    const inside = join(path, name);
-    if (!isFolder(inside)) return [treeFile(inside, name)];
-    // An empty one stays somebody's.
-    return ['', ...ownFiles(inside)].map((one) => treeFile(join(inside, one), `${name}/${one}`));
-  });
-}
-
-/** What it has that is no folder; one that may not be opened has nothing. */
-function ownFiles(path: string): readonly string[] {
-  try {
-    return readdirSync(path).filter((name) => !isFolder(join(path, name)));
-  } catch {
-    return [];
-  }
+  const found: TreeFile[] = [];
+  const names = (own: string): readonly string[] => {
+    try {
+      return readdirSync(join(path, own));
+    } catch (error) {
+      if (own === '') throw error;
+      return []; // One that may not be opened has nothing.
+    }
+  };
+  const look = (own: string, depth: number): void => {
+    for (const name of names(own)) {
+      if (isLitter(name) || found.length >= MOST_FILES) continue;
+      const inside = `${own}${name}`;
+      const isDeeper = isFolder(join(path, inside));
+      found.push(treeFile(join(path, inside), isDeeper ? `${inside}/` : inside));
+      // A link may lead back to a folder above.
+      if (isDeeper && depth < MOST_DEPTH) look(`${inside}/`, depth + 1);
+    }
+  };
+  look('', 0);
+  return found;
 }
 
 /** A link that leads nowhere is none: whoever reads it says so. */
@@ -75,8 +103,10 @@ function isFolder(path: string): boolean {
   }
 }
 
+/** @param path its path in the folder that was given */
 const treeFile = (from: string, path: string): TreeFile => ({
   path,
+  size: sizeOf(from),
   read(maxBytes) {
     try {
       const status = statSync(from);
@@ -88,3 +118,12 @@ const treeFile = (from: string, path: string): TreeFile => ({
     }
   },
 });
+
+/** What is not there has no bytes: whoever reads it says so. */
+function sizeOf(path: string): number {
+  try {
+    return statSync(path).size;
+  } catch {
+    return 0;
+  }
+}

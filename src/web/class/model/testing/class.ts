@@ -7,7 +7,10 @@ import { ClassModel, type ClassPorts } from '../class-model';
 
 /** A program that somebody hands in. */
 export const program = (name: string, text: string): Source =>
-  fileSource({ path: `${name}.py`, read: () => ({ bytes: new TextEncoder().encode(text) }) }, () => null);
+  fileSource(
+    { path: `${name}.py`, size: text.length, read: () => ({ bytes: new TextEncoder().encode(text) }) },
+    () => null,
+  );
 
 /** A class whose threads answer at once: whoever writes `forward` passes. */
 export function classWith(more: Partial<ClassPorts> = {}) {

@@ -1,0 +1,193 @@
+import { strToU8, zipSync } from 'fflate';
+import { describe, expect, it } from 'vitest';
+import { contentOf, givenFile, givenFolder, together, withOwnNames, type Given } from './sources';
+import type { TreeFile } from './tree';
+
+const none = () => null;
+const MOST = { zip: 50_000_000, list: 20_000_000 };
+
+type Files = Readonly<Record<string, string | Uint8Array>>;
+const bytesOf = (content: string | Uint8Array): Uint8Array => (typeof content === 'string' ? strToU8(content) : content); // prettier-ignore
+const file = (path: string, content: string | Uint8Array): TreeFile => {
+  const bytes = bytesOf(content);
+  return { path, size: bytes.length, read: () => ({ bytes }) };
+};
+const zipOf = (files: Files): Uint8Array =>
+  zipSync(Object.fromEntries(Object.entries(files).map(([path, content]) => [path, bytesOf(content)])));
+const zip = (name: string, files: Files, isAlone = true): Promise<Given> =>
+  givenFile(file(name, zipOf(files)), MOST, none, isAlone);
+const folder = (name: string, files: Files, isAlone = true): Given =>
+  givenFolder(name, Object.entries(files).map(([path, text]) => file(path, text)), none, isAlone); // prettier-ignore
+
+/** What each hand-in is called, and the files of its program, or why there is none. */
+async function found(...given: readonly (Given | Promise<Given>)[]) {
+  const sources = withOwnNames(together(await Promise.all(given.map((one) => Promise.resolve(one)))));
+  return Promise.all(
+    sources.map(async (source) => {
+      const content = await contentOf(source);
+      const what = 'handIn' in content ? content.handIn.project.files.map(({ name }) => name) : content.problem;
+      return [source.name, what] as const;
+    }),
+  );
+}
+
+describe('hand-ins as pupils and platforms pack them', () => {
+  it('have their program at any depth', async () => {
+    const files = {
+      '8b/Weiss Tim/Projekt/main.py': 'a',
+      '8b/Huber Eva/v2/src/main.py': 'b',
+      '8b/Roth Jo/main.py': 'c',
+    };
+    const all = [['Huber Eva', ['main.py']], ['Roth Jo', ['main.py']], ['Weiss Tim', ['main.py']]]; // prettier-ignore
+    expect(await found(zip('class.zip', files))).toEqual(all);
+    expect(await found(folder('class', files))).toEqual(all);
+  });
+
+  it('have the modules that lie beside their main.py, and no others', async () => {
+    const files = { 'Ada/Projekt/main.py': 'a', 'Ada/Projekt/own.py': 'b', 'Ada/other.py': 'c', 'Ben/main.py': 'd' };
+    expect(await found(zip('class.zip', files))).toEqual([['Ada', ['main.py', 'own.py']], ['Ben', ['main.py']]]); // prettier-ignore
+  });
+
+  it('are the main.py above all others where old ones lie below it', async () => {
+    const files = { 'Ada/Projekt/main.py': 'new', 'Ada/Projekt/old/main.py': 'old', 'Ben/robot.py': 'b' };
+    expect(await found(folder('class', files))).toEqual([['Ada', ['main.py']], ['Ben', ['main.py']]]); // prettier-ignore
+  });
+
+  it('may be one program of any name, one project, or one zip in a zip in a folder', async () => {
+    const inner = zipOf({ 'work/main.py': 'a', 'work/own.py': 'b' });
+    const files = { 'Ada/a/robot.py': 'a', 'Ada/photo.jpg': 'x', 'Ben/b.zip': zipOf({ 'b/b.zip': inner }) };
+    expect(await found(zip('class.zip', files))).toEqual([['Ada', ['main.py']], ['Ben', ['main.py', 'own.py']]]); // prettier-ignore
+  });
+
+  it('that may be several programs tell which there are', async () => {
+    const files = {
+      'Ada/one/main.py': 'a',
+      'Ada/two/main.py': 'b',
+      'Ben/b.py': 'b',
+      'Ben/x/a.py': 'b',
+      'Cem/x.jpg': '',
+    };
+    expect(await found(folder('class', files))).toEqual([
+      ['Ada', { code: 'several', params: { files: 'one/main.py, two/main.py' } }],
+      ['Ben', { code: 'several', params: { files: 'b.py, x/a.py' } }],
+      ['Cem', { code: 'no-main', params: {} }],
+    ]);
+    const many = Object.fromEntries(Array.from({ length: 9 }, (_, index) => [`Ada/${index}.py`, 'x']));
+    expect(await found(folder('class', { ...many, 'Ben/main.py': '' }))).toMatchObject([
+      ['Ada', { params: { files: '0.py, 1.py, 2.py, 3.py, 4.py, …' } }],
+      ['Ben', ['main.py']],
+    ]);
+  });
+});
+
+describe('a zip or folder with main.py at its top', () => {
+  const own = { 'main.py': 'import own', 'own.py': 'x = 1', 'film.mp4': new Uint8Array(300_000) };
+
+  it('is one hand-in with its modules, called like it, alone or beside others', async () => {
+    expect(await found(zip('anna.zip', own))).toEqual([['anna', ['main.py', 'own.py']]]);
+    expect(await found(zip('anna.zip', own, false), folder('ben', own, false), zip('Cem.ZIP', own, false))).toEqual([
+      ['anna', ['main.py', 'own.py']],
+      ['ben', ['main.py', 'own.py']],
+      ['Cem', ['main.py', 'own.py']],
+    ]);
+  });
+
+  it('is one of a class where it is given alone, and others have theirs beside it', async () => {
+    const others = { 'main.py': '', 'Ada/main.py': '', 'Ben/main.py': '' };
+    expect((await found(zip('class.zip', others))).map(([name]) => name)).toEqual(['Ada', 'Ben', 'main']);
+    const downloads = { 'main.py': 'a', 'main (1).py': 'b', 'main (2).py': 'c' };
+    expect((await found(folder('class', downloads))).map(([name]) => name)).toEqual(['main (1)', 'main (2)', 'main']);
+    expect(await found(zip('anna.zip', others, false), folder('ben', own, false))).toEqual([['anna', ['main.py']], ['ben', ['main.py', 'own.py']]]); // prettier-ignore
+  });
+
+  it('is nobody else’s where several files have one name', async () => {
+    const twice = { './a.py': 'a', '../a.py': 'b', 'b.py': 'c' };
+    expect((await found(zip('class.zip', twice))).map(([name]) => name)).toEqual(['a', 'a (2)', 'b']);
+  });
+
+  it('says whose a single program in it is, where several are given', async () => {
+    const given = [zip('anna.zip', { 'Projekt/main.py': 'a' }), zip('ben.zip', { 'robot.py': 'b' }), folder('cem', { 'x/y/main.py': 'c' })]; // prettier-ignore
+    expect((await found(...given)).map(([name]) => name)).toEqual(['anna', 'ben', 'cem']);
+    const classes = [zip('7a.zip', { 'Ada/main.py': '', 'Ben/main.py': '' }), zip('7b.zip', { 'Cem/main.py': '', 'Dora.py': '' })]; // prettier-ignore
+    expect((await found(...classes)).map(([name]) => name)).toEqual(['Ada', 'Ben', 'Cem', 'Dora']);
+  });
+});
+
+/** A zip in which so many names stand for the same bytes. */
+function manyAtOnePlace(names: readonly string[], content: Uint8Array): Uint8Array {
+  const one = zipSync({ [names[0] ?? '']: content });
+  const view = new DataView(one.buffer);
+  const directory = view.getUint32(one.length - 6, true);
+  const record = one.subarray(directory, one.length - 22);
+  const written = new TextEncoder();
+  const records = names.map((name) => {
+    const named = new Uint8Array([...record.subarray(0, 46), ...written.encode(name)]);
+    new DataView(named.buffer).setUint16(28, name.length, true);
+    return named;
+  });
+  const end = Uint8Array.from(one.subarray(one.length - 22));
+  const endView = new DataView(end.buffer);
+  for (const at of [8, 10]) endView.setUint16(at, names.length, true);
+  endView.setUint32(12, records.reduce((sum, { length }) => sum + length, 0), true); // prettier-ignore
+  return new Uint8Array([one.subarray(0, directory), ...records, end].flatMap((part) => [...part]));
+}
+
+/** A zip that says of each of its files that it is so large. */
+function sayingSize(zip: Uint8Array, size: number): Uint8Array {
+  const view = new DataView(zip.buffer);
+  let at = view.getUint32(zip.length - 6, true);
+  while (view.getUint32(at, true) === 0x02014b50) {
+    view.setUint32(at + 24, size, true);
+    at += 46 + view.getUint16(at + 28, true);
+  }
+  return zip;
+}
+
+describe('what is made to unpack to more than a computer has', () => {
+  const large = new Uint8Array(5_000_000).fill(10);
+
+  it('is refused by the directory of its zip, and the others of the class are read', async () => {
+    const bomb = manyAtOnePlace(['main.py', ...Array.from({ length: 5000 }, (_, index) => `a${index}.py`)], large);
+    const files = { 'Ada/hand-in.zip': bomb, 'Ben/main.py': 'b' };
+    expect(await found(zip('class.zip', files))).toEqual([
+      ['Ada', { code: 'zip-twice', params: {} }],
+      ['Ben', ['main.py']],
+    ]);
+    expect(await found(givenFile(file('bomb.zip', bomb), MOST, none, true))).toEqual([
+      ['bomb.zip', { code: 'zip-twice', params: {} }],
+    ]);
+  });
+
+  it('may have no more programs than a project, told before one is unpacked', async () => {
+    const modules = Object.fromEntries(Array.from({ length: 30 }, (_, index) => [`Ada/m${index}.py`, 'x']));
+    expect(await found(zip('class.zip', { ...modules, 'Ada/main.py': '', 'Ben.py': '' }))).toMatchObject([
+      ['Ada', { code: 'many-files', params: { count: 31, most: 20 } }],
+      ['Ben', ['main.py']],
+    ]);
+  });
+
+  it('is a program that is too large, alone or beside a main.py, also where the zip says something else', async () => {
+    const told = { code: 'large', params: { most: 262_144 } };
+    expect(await found(zip('class.zip', { 'Ada.py': large, 'Ben/main.py': '', 'Ben/b.py': large, 'Cem.py': '' }))).toMatchObject([['Ada', told], ['Ben', told], ['Cem', ['main.py']]]); // prettier-ignore
+    const lying = sayingSize(zipSync({ 'Ada.py': large, 'Ben.py': strToU8('') }), 10);
+    expect(await found(givenFile(file('class.zip', lying), MOST, none, true))).toMatchObject([
+      ['Ada', { code: 'zip-bomb' }],
+      ['Ben', ['main.py']],
+    ]);
+  });
+
+  it('is a zip whose files are more together than any class has', async () => {
+    const files = Object.fromEntries(Array.from({ length: 26 }, (_, index) => [`a${index}.json`, '{}']));
+    const whole = sayingSize(zipOf(files), 40_000_000);
+    expect(await found(givenFile(file('class.zip', whole), MOST, none, true))).toEqual([
+      ['class.zip', { code: 'zip-much', params: { most: 1_000_000_000 } }],
+    ]);
+  });
+
+  it('leaves out what a board could not hold, and keeps what a program may read', async () => {
+    const photos = Object.fromEntries(Array.from({ length: 40 }, (_, index) => [`p${index}.jpg`, new Uint8Array(200_000).fill(0xff)])); // prettier-ignore
+    expect(await found(folder('anna', { ...photos, 'main.py': 'x', 'data.csv': '1,2' }))).toEqual([
+      ['anna', ['main.py', 'data.csv']],
+    ]);
+  });
+});

@@ -1,0 +1,119 @@
+import { FILE_BYTES, MAIN, nameProblem, projectLimits } from '#project/project';
+import { isTextWithLinks } from './links';
+import { unread, type Unread } from './unread';
+import { isLitter } from './zip';
+
+/** What was read, or why it cannot be. */
+export type Bytes = { readonly bytes: Uint8Array } | { readonly problem: Unread };
+
+/** A file in a folder or a zip. */
+export interface TreeFile {
+  /** With `/` between folders; one that ends with it stands for a folder that has perhaps no file. */
+  readonly path: string;
+  /** In bytes, as its folder or zip says before anything is read. */
+  readonly size: number;
+  /** Its bytes; never more than so many. */
+  read(maxBytes: number): Bytes | Promise<Bytes>;
+}
+
+/** The files of one hand-in, by their names alone. */
+interface Chosen {
+  /** What is opened first. */
+  readonly program: TreeFile;
+  /** What the board has besides a main.py; left out: the program is something else, such as a project. */
+  readonly beside?: readonly TreeFile[];
+}
+
+/** All that may be unpacked of one hand-in. Chosen: more than the largest project. */
+export const HAND_IN_BYTES = 4 * projectLimits.textCharacters;
+
+/** Files beside a program that are none themselves, in sum. Chosen: the real board holds a hundredth of it. */
+const OTHER_BYTES = 4_000_000;
+
+/** So many names of files are told. */
+const MOST_NAMES = 5;
+
+/** What may still be unpacked of a hand-in. */
+export class Budget {
+  private left = HAND_IN_BYTES;
+
+  /** Reads a file, if there is still room for it. */
+  async read(file: TreeFile, most: number): Promise<Bytes> {
+    const allowed = Math.min(most, this.left);
+    if (file.size > allowed) return unread('large', { file: lastOf(file.path), most: allowed });
+    const read = await file.read(allowed);
+    if ('bytes' in read) this.left -= read.bytes.length;
+    return read;
+  }
+}
+
+/** What stands behind the last `/`. */
+export const lastOf = (path: string): string => path.slice(path.lastIndexOf('/') + 1);
+
+/** With the `/` at its end; empty: at the top. */
+const folderOf = (path: string): string => path.slice(0, path.lastIndexOf('/') + 1);
+
+/** What is somebody's, at whatever depth. */
+export const withoutLitter = <T extends { readonly path: string }>(all: readonly T[]): readonly T[] =>
+  all.filter(({ path }) => !path.split('/').some(isLitter));
+
+/**
+ * The program of one hand-in: the main.py that lies above all others, with what lies beside it; without one the only
+ * program, project, run or zip; without such the only text that may have a link.
+ */
+export function chosenIn(all: readonly TreeFile[]): Chosen | { readonly problem: Unread } {
+  const files = withoutLitter(all).filter(({ path }) => !path.endsWith('/'));
+  const mains = files.filter(({ path }) => lastOf(path) === MAIN);
+  if (mains.length > 0) {
+    const program = mains.reduce((top, one) => (folderOf(one.path).length < folderOf(top.path).length ? one : top));
+    const folder = folderOf(program.path);
+    if (!mains.every(({ path }) => path.startsWith(folder))) return several(mains);
+    return { program, beside: files.filter((file) => file !== program && folderOf(file.path) === folder) };
+  }
+  const programs = files.filter(({ path }) => /\.(py|json|zip)$/i.test(path));
+  const likely = programs.length > 0 ? programs : files.filter(({ path }) => isTextWithLinks(path));
+  const [program, another] = likely;
+  if (program === undefined) return unread('no-main');
+  return another === undefined ? { program } : several(likely);
+}
+
+function several(files: readonly TreeFile[]): { readonly problem: Unread } {
+  const names = sortedBy(files, ({ path }) => path).slice(0, MOST_NAMES);
+  const said = names.map(({ path }) => path).join(', ');
+  return unread('several', { files: said + (files.length > MOST_NAMES ? ', …' : '') });
+}
+
+/**
+ * Reads what the board has beside a main.py. What it could not hold, such as a film or a picture, is left out; too many
+ * programs, or one that is too large, are told before any of them is read.
+ */
+export async function readBeside(
+  beside: readonly TreeFile[],
+  budget: Budget,
+): Promise<readonly { readonly name: string; readonly bytes: Uint8Array }[] | { readonly problem: Unread }> {
+  const fitting = beside.filter(({ path }) => nameProblem(lastOf(path), []) === null);
+  const [modules, others] = [fitting.filter(isModule), fitting.filter((file) => !isModule(file))];
+  const count = modules.length + 1;
+  if (count > projectLimits.files) return unread('many-files', { count, most: projectLimits.files });
+  const found: { readonly name: string; readonly bytes: Uint8Array }[] = [];
+  for (const file of modules) {
+    const read = await budget.read(file, FILE_BYTES);
+    if ('problem' in read) return read;
+    found.push({ name: lastOf(file.path), bytes: read.bytes });
+  }
+  let left = OTHER_BYTES;
+  for (const file of others.toSorted((a, b) => a.size - b.size)) {
+    if (file.size > Math.min(FILE_BYTES, left)) break;
+    const read = await budget.read(file, Math.min(FILE_BYTES, left));
+    if ('problem' in read) continue;
+    left -= read.bytes.length;
+    found.push({ name: lastOf(file.path), bytes: read.bytes });
+  }
+  return sortedBy(found, ({ name }) => name);
+}
+
+const isModule = ({ path }: TreeFile): boolean => /\.py$/i.test(path);
+
+/** Sorted the same everywhere: by the letters' numbers. */
+export const sortedBy = <T>(things: readonly T[], key: (thing: T) => string): readonly T[] =>
+  things.toSorted((a, b) => (key(a) < key(b) ? -1 : key(a) > key(b) ? 1 : 0));
