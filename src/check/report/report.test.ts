@@ -85,12 +85,12 @@ describe('the result of a class', () => {
 
   it('is a table in which no part of a name becomes a formula, steers a terminal or is hidden', async () => {
     const [anna] = (await results()) as [NamedResult];
-    const names = ['a;=1+1', 'b\t+2', 'c\n@x', 'd; "-2', '＝1', '-3', 'e;f', 'g\u001b[2J\0', 'h\u202e'];
+    const names = ['a;=1+1', 'b\t+2', 'c\n@x', 'd; "-2', '＝1', '-3', 'e;f', 'g\u001b[2J\0', 'h\u202e', '\t=i'];
     const all = names.map((name) => ({ ...anna, name }));
     const csv = csvOf(classResult('t', all), 'en');
     const shown = [
       ...[`"a;'=1+1"`, `"b\t'+2"`, `"c\n'@x"`, `"d;' ""-2"`, "'＝1", '-3', '"e;f"'],
-      ...['g⟨U+001B⟩[2J⟨U+0000⟩', 'h⟨U+202E⟩'],
+      ...['g⟨U+001B⟩[2J⟨U+0000⟩', 'h⟨U+202E⟩', `"\t'=i"`],
     ];
     for (const one of shown) expect(csv).toContain(`\r\n${one},1,`);
     const html = htmlOf(classResult('t', all), task, 'en');

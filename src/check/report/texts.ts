@@ -98,7 +98,7 @@ function cell(text: string): string {
 }
 
 /** Where a cell begins, and what makes it a formula; some spreadsheets leave out spaces and quotes before it. */
-const FORMULA = /(^|[;\t\r\n])([\s"]*[=+\-@\uff1d\uff0b\uff0d\uff20])/g;
+const FORMULA = /(^|[;\t\r\n])((?:[^\S\t\r\n]|")*[=+\-@\uff1d\uff0b\uff0d\uff20])/g;
 
 /** The result of a class as JUnit's XML: a test case for each hand-in, its simulated time as time. */
 export function junitOf(found: ClassResult, language: Language): string {
