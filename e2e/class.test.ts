@@ -5,6 +5,7 @@ import { join } from 'node:path';
 import { readProgram } from '../build/programs';
 import { seriesLinkOf } from '../src/check/series/series-link';
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { CREEP, linkTo, openClass, paste, RIGHT, select } from './class-page';
 import { kindsInNode } from './in-node';
 import { openedCourse } from './opened-course';
@@ -124,50 +125,56 @@ test('a class that sends links is checked: table and report are byte for byte th
   await gone(app, by('class-task'));
 });
 
-test('a class of a mission has the same title and remarks on the page and on the command line, in whatever language it worked', async ({
-  app,
-}) => {
-  test.setTimeout(120_000);
-  const [mission, mail] = ['closed-line-maqueen-lite', await missionMail()];
-  await openClass(app, mission);
-  await pasteInto(app, mail);
-  await app.click(by('class-check-links'));
-  await until(app, by('class-table'));
-  await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
-  expect((await app.text(by('class-table'))).split('nicht bearbeitet')).toHaveLength(5);
-  await app.click(by('class-report'));
-  await until(app, by('class-report-page'));
-  const shown = await app.evaluate(() => document.querySelector('iframe')!.srcdoc);
-  expect(shown).toBe(writtenByCommandLine(mission, mail).report);
-});
+test(
+  'a class of a mission has the same title and remarks on the page and on the command line, in whatever language it worked',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(120_000);
+    const [mission, mail] = ['closed-line-maqueen-lite', await missionMail()];
+    await openClass(app, mission);
+    await pasteInto(app, mail);
+    await app.click(by('class-check-links'));
+    await until(app, by('class-table'));
+    await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
+    expect((await app.text(by('class-table'))).split('nicht bearbeitet')).toHaveLength(5);
+    await app.click(by('class-report'));
+    await until(app, by('class-report-page'));
+    const shown = await app.evaluate(() => document.querySelector('iframe')!.srcdoc);
+    expect(shown).toBe(writtenByCommandLine(mission, mail).report);
+  },
+);
 
-test('a task of a series, whose link is pasted, is checked like on the command line', async ({ app }) => {
-  test.setTimeout(120_000);
-  const tasks = ['slalom', 'closed-line'].map((course, place) => ({
-    id: String(place + 1),
-    title: place === 0 ? '' : 'Rund um den Tisch',
-    from: { kind: 'course' as const, course },
-  }));
-  const made = seriesLinkOf({ id: 'woche', title: 'Woche 3', text: '', tasks }, () => null);
-  const link = `https://example.org/#${made?.fragment ?? ''}`;
-  await openClass(app, 'square');
-  await keepSaved(app);
-  await paste(app, `Die Reihe: ${link}`);
-  await until(app, by('class-series-task'));
-  await select(app, 'class-series-task', '2');
-  const mail = `Ada: ${linkTo(RIGHT)}\nBen: ${linkTo(CREEP)}\n`;
-  await paste(app, mail);
-  await until(app, by('class-table'));
-  await expect.poll(() => app.text(by('class-table')), { timeout: 60_000 }).toContain('19.5');
-  await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
-  const { table, report } = writtenByCommandLine(`${link}#2`, mail);
-  await app.click(by('class-csv'));
-  await expect.poll(() => saved(app)).toBe(table.replace(/^\ufeff/, ''));
-  await app.click(by('class-report'));
-  await until(app, by('class-report-page'));
-  expect(report).toContain('<h1>Rund um den Tisch</h1>');
-  expect(await app.evaluate(() => document.querySelector('iframe')!.srcdoc)).toBe(report);
-});
+test(
+  'a task of a series, whose link is pasted, is checked like on the command line',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(120_000);
+    const tasks = ['slalom', 'closed-line'].map((course, place) => ({
+      id: String(place + 1),
+      title: place === 0 ? '' : 'Rund um den Tisch',
+      from: { kind: 'course' as const, course },
+    }));
+    const made = seriesLinkOf({ id: 'woche', title: 'Woche 3', text: '', tasks }, () => null);
+    const link = `https://example.org/#${made?.fragment ?? ''}`;
+    await openClass(app, 'square');
+    await keepSaved(app);
+    await paste(app, `Die Reihe: ${link}`);
+    await until(app, by('class-series-task'));
+    await select(app, 'class-series-task', '2');
+    const mail = `Ada: ${linkTo(RIGHT)}\nBen: ${linkTo(CREEP)}\n`;
+    await paste(app, mail);
+    await until(app, by('class-table'));
+    await expect.poll(() => app.text(by('class-table')), { timeout: 60_000 }).toContain('19.5');
+    await expect.poll(() => isThere(app, 'progress'), { timeout: 60_000 }).toBe(false);
+    const { table, report } = writtenByCommandLine(`${link}#2`, mail);
+    await app.click(by('class-csv'));
+    await expect.poll(() => saved(app)).toBe(table.replace(/^\ufeff/, ''));
+    await app.click(by('class-report'));
+    await until(app, by('class-report-page'));
+    expect(report).toContain('<h1>Rund um den Tisch</h1>');
+    expect(await app.evaluate(() => document.querySelector('iframe')!.srcdoc)).toBe(report);
+  },
+);
 
 /** What of hand-ins lies in the browser's database: a list as JSON. */
 const keptRows = (): Promise<string> =>

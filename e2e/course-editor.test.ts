@@ -55,36 +55,38 @@ const ON_DARK = STRAIGHT_ON.replace(
 /** Strokes to and fro over the floor below the sensors of a robot at the start of a first visit. */
 const SCRIBBLE = Array.from({ length: 17 }, (_, i) => [400 + 10 * i, i % 2 === 0 ? 80 : 180] as const);
 
-test('a course is changed while its program runs: lines hold at once, walls from the next start on', async ({
-  app,
-}) => {
-  const pupil = withMouse(app);
-  await openEditor(app);
-  await clearAll(app);
-  await pasteProgram(app, ON_DARK);
-  await app.click(on('run'));
-  await expect.poll(() => consoleIn(app)).toContain('begun');
+test(
+  'a course is changed while its program runs: lines hold at once, walls from the next start on',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const pupil = withMouse(app);
+    await openEditor(app);
+    await clearAll(app);
+    await pasteProgram(app, ON_DARK);
+    await app.click(on('run'));
+    await expect.poll(() => consoleIn(app)).toContain('begun');
 
-  await pupil.chooseTool('wall');
-  await pupil.draw([[600, 20], [600, 150], [600, 250]]); // prettier-ignore
-  await until(app, by('waiting'));
-  expect(await consoleIn(app)).not.toContain('dark');
-  await pupil.chooseTool('pen');
-  await pupil.draw(SCRIBBLE);
-  await expect.poll(() => consoleIn(app)).toContain('there: the robot stands');
-  await expect.poll(async () => (await robotAt(app)).xMm).toBeGreaterThan(650); // where the wall is drawn, it is not yet
-  expect((await consoleIn(app)).match(/begun/g)).toHaveLength(1);
-  expect(await isEnabled(app, 'stop')).toBe(true);
+    await pupil.chooseTool('wall');
+    await pupil.draw([[600, 20], [600, 150], [600, 250]]); // prettier-ignore
+    await until(app, by('waiting'));
+    expect(await consoleIn(app)).not.toContain('dark');
+    await pupil.chooseTool('pen');
+    await pupil.draw(SCRIBBLE);
+    await expect.poll(() => consoleIn(app)).toContain('there: the robot stands');
+    await expect.poll(async () => (await robotAt(app)).xMm).toBeGreaterThan(650); // where the wall is drawn, it is not yet
+    expect((await consoleIn(app)).match(/begun/g)).toHaveLength(1);
+    expect(await isEnabled(app, 'stop')).toBe(true);
 
-  await app.click(`${by('waiting')} button`);
-  await gone(app, by('waiting'));
-  await expect.poll(async () => (await robotAt(app)).xMm).toBe(400);
-  await pasteProgram(app, ON_DARK.replace('there', 'once more there')); // the console still has what the first run said
-  await app.click(on('run'));
-  await meetsWall(app, 'once more there');
-});
+    await app.click(`${by('waiting')} button`);
+    await gone(app, by('waiting'));
+    await expect.poll(async () => (await robotAt(app)).xMm).toBe(400);
+    await pasteProgram(app, ON_DARK.replace('there', 'once more there')); // the console still has what the first run said
+    await app.click(on('run'));
+    await meetsWall(app, 'once more there');
+  },
+);
 
-test('Escape drops what a tool has begun', async ({ app }) => {
+test('Escape drops what a tool has begun', IN_ONE_ENGINE, async ({ app }) => {
   const pupil = withMouse(app);
   await openEditor(app);
   await pupil.chooseTool('block');

@@ -70,7 +70,7 @@ test('the solution shows on demand, and passes', IN_ONE_ENGINE, async ({ app }) 
   await expect.poll(() => app.text(by('verdict')), { timeout: 30_000 }).toContain('Well done!');
 });
 
-test('a number makes the same maze for everyone: typed, changed and opened', async ({ app }) => {
+test('a number makes the same maze for everyone: typed, changed and opened', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { language: 'en' });
   await app.click('header .course');
   await until(app, by('new-maze'));

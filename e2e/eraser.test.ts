@@ -1,4 +1,5 @@
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { canUndo, clearAll, listOf, openEditor, withMouse } from './pupil';
 import { by } from './parts';
 import { withKeys } from './keys';
@@ -24,7 +25,7 @@ test('with the mouse: the eraser cuts a line and takes a block in one drag, and 
   await expect.poll(() => listOf(app)).toEqual(before);
 });
 
-test('by keyboard: the eraser takes the block under the crosshair', async ({ app }) => {
+test('by keyboard: the eraser takes the block under the crosshair', IN_ONE_ENGINE, async ({ app }) => {
   const pupil = withKeys(app);
   await openEditor(app);
   await clearAll(app);

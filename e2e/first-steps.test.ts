@@ -143,7 +143,7 @@ test('whatever is in sight, a pupil’s own program stays', IN_ONE_ENGINE, async
   expect(await programIn(app)).toBe('print("mine")');
 });
 
-test('the greeting is there on a first visit only, and goes with the first run', async ({ app }) => {
+test('the greeting is there on a first visit only, and goes with the first run', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await there(app, by('welcome'));
   await app.click(on('run'));

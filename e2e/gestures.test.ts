@@ -1,6 +1,7 @@
 import type { Point, SceneObject } from '../src/scene/scene';
 import { inWindow } from './arena';
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { block, chooseOption, comesTo, foe, isOneEdit, line, objectsIn, opened, places, stops } from './drawer';
 import { by, gone, until } from './parts';
 import { SIZE, toolButton } from './pupil';
@@ -34,7 +35,7 @@ test('a lasso catches what its line meets, and all of it moves together', async 
   await isOneEdit(app, places, [[200, 200], [400, 500], [700, 200]], [[200, 300], [400, 600], [700, 200]]); // prettier-ignore
 });
 
-test('where several are chosen, a click adds or takes away', async ({ app }) => {
+test('where several are chosen, a click adds or takes away', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]), block('b', [400, 500]), block('c', [700, 200]));
   await hand.click(by('several'));
   for (const at of [
@@ -78,7 +79,7 @@ test('a right click opens the menu of a thing: it is locked there, caught by not
   await isOneEdit(app, (all) => all.map(({ lock }) => lock ?? false), [true], [false]);
 });
 
-test('a group is one for a click, and one of it is moved after a double click', async ({ app }) => {
+test('a group is one for a click, and one of it is moved after a double click', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]), block('b', [400, 500]));
   await hand.key('Control', 'a');
   await until(app, by('remove'));
@@ -95,7 +96,7 @@ test('a group is one for a click, and one of it is moved after a double click', 
   await isOneEdit(app, places, [[200, 200], [400, 500]], [[300, 200], [400, 500]]); // prettier-ignore
 });
 
-test('a block goes to the grid, but not while Ctrl is held, nor without the magnet', async ({ app }) => {
+test('a block goes to the grid, but not while Ctrl is held, nor without the magnet', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, block('a', [400, 400]));
   const byHand: readonly Point[] = [[400, 400], [450, 400], [503, 403]]; // prettier-ignore
   await hand.drag(byHand);
@@ -120,31 +121,33 @@ for (const [name, place, gesture, wanted] of [
     await isOneEdit(app, (all) => pointsOf(all) >= wanted, false, true);
   });
 
-test('a line from click to click ends with a click on its last corner, an arc with its third place', async ({
-  app,
-}) => {
-  const hand = await opened(app);
-  await hand.click(toolButton('pen'));
-  await chooseOption(hand, 'Shape', 3);
-  for (const at of [
-    [200, 200],
-    [500, 200],
-    [500, 500],
-    [500, 500],
-  ] as const)
-    await hand.clickAt(at);
-  await isOneEdit(app, (all) => all.map((one) => ('points' in one ? one.points : [])), [], [[[200, 200], [500, 200], [500, 500]]]); // prettier-ignore
-  await chooseOption(hand, 'Shape', 4);
-  for (const at of [
-    [200, 200],
-    [600, 200],
-    [400, 400],
-  ] as const)
-    await hand.clickAt(at);
-  await isOneEdit(app, count, 0, 1);
-});
+test(
+  'a line from click to click ends with a click on its last corner, an arc with its third place',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const hand = await opened(app);
+    await hand.click(toolButton('pen'));
+    await chooseOption(hand, 'Shape', 3);
+    for (const at of [
+      [200, 200],
+      [500, 200],
+      [500, 500],
+      [500, 500],
+    ] as const)
+      await hand.clickAt(at);
+    await isOneEdit(app, (all) => all.map((one) => ('points' in one ? one.points : [])), [], [[[200, 200], [500, 200], [500, 500]]]); // prettier-ignore
+    await chooseOption(hand, 'Shape', 4);
+    for (const at of [
+      [200, 200],
+      [600, 200],
+      [400, 400],
+    ] as const)
+      await hand.clickAt(at);
+    await isOneEdit(app, count, 0, 1);
+  },
+);
 
-test('a polygon is set corner by corner, and closed by a click on its first', async ({ app }) => {
+test('a polygon is set corner by corner, and closed by a click on its first', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app);
   await hand.click(toolButton('block'));
   await chooseOption(hand, 'Shape', 2);
@@ -189,7 +192,7 @@ test('what is copied in one window is pasted in another', async ({ app, another 
   await comesTo(other, count, 3);
 });
 
-test('the knob turns a block by 15° steps', async ({ app }) => {
+test('the knob turns a block by 15° steps', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, large([400, 400]));
   await hand.clickAt([400, 400]);
   await until(app, by('remove'));
@@ -202,7 +205,7 @@ test('the knob turns a block by 15° steps', async ({ app }) => {
   await isOneEdit(app, angles, [0], [315]);
 });
 
-test('the points of a line are moved after a double click', async ({ app }) => {
+test('the points of a line are moved after a double click', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, line('s', [200, 200], [500, 200], [500, 500]));
   await hand.doubleClickAt([300, 200]);
   await until(app, by('points-done'));
@@ -212,29 +215,35 @@ test('the points of a line are moved after a double click', async ({ app }) => {
   await isOneEdit(app, points, before, [[[200, 200], [600, 200], [500, 500]]]); // prettier-ignore
 });
 
-test('a corner of a finished polygon is dragged after a double click, and one is drawn out of an edge', async ({
-  app,
-}) => {
-  const three: SceneObject = { ...large([400, 400]), corners: [[0, 0], [200, 0], [0, 200]] } as SceneObject; // prettier-ignore
-  const hand = await opened(app, three);
-  const corners = (all: readonly SceneObject[]): unknown => all.map((one) => ('corners' in one ? one.corners : null));
-  const before = [[[0, 0], [200, 0], [0, 200]]]; // prettier-ignore
-  await hand.doubleClickAt([350, 350]);
-  await until(app, by('points-done'));
-  await hand.drag([[500, 300], [550, 300], [600, 300]]); // prettier-ignore
-  await isOneEdit(app, corners, before, [[[0, 0], [300, 0], [0, 200]]]); // prettier-ignore
-  await hand.drag([[400, 300], [400, 250], [400, 200]]); // prettier-ignore
-  await isOneEdit(app, corners, before, [[[0, 100], [100, 0], [200, 100], [0, 300]]]); // prettier-ignore
-});
+test(
+  'a corner of a finished polygon is dragged after a double click, and one is drawn out of an edge',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const three: SceneObject = { ...large([400, 400]), corners: [[0, 0], [200, 0], [0, 200]] } as SceneObject; // prettier-ignore
+    const hand = await opened(app, three);
+    const corners = (all: readonly SceneObject[]): unknown => all.map((one) => ('corners' in one ? one.corners : null));
+    const before = [[[0, 0], [200, 0], [0, 200]]]; // prettier-ignore
+    await hand.doubleClickAt([350, 350]);
+    await until(app, by('points-done'));
+    await hand.drag([[500, 300], [550, 300], [600, 300]]); // prettier-ignore
+    await isOneEdit(app, corners, before, [[[0, 0], [300, 0], [0, 200]]]); // prettier-ignore
+    await hand.drag([[400, 300], [400, 250], [400, 200]]); // prettier-ignore
+    await isOneEdit(app, corners, before, [[[0, 100], [100, 0], [200, 100], [0, 300]]]); // prettier-ignore
+  },
+);
 
-test('a foe gets a further stop from the middle of its way, and loses it on a neighbour', async ({ app }) => {
-  const two = [[200, 300], [600, 300]]; // prettier-ignore
-  const hand = await opened(app, foe([200, 300], [600, 300]));
-  await hand.clickAt([200, 300]);
-  await until(app, by('remove'));
-  await hand.drag([[400, 300], [400, 400], [400, 500]]); // prettier-ignore
-  await isOneEdit(app, stops, two, [[200, 300], [400, 500], [600, 300]]); // prettier-ignore
-  await app.click(by('redo'));
-  await hand.drag([[400, 500], [300, 400], [202, 302]]); // prettier-ignore
-  await comesTo(app, stops, two);
-});
+test(
+  'a foe gets a further stop from the middle of its way, and loses it on a neighbour',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const two = [[200, 300], [600, 300]]; // prettier-ignore
+    const hand = await opened(app, foe([200, 300], [600, 300]));
+    await hand.clickAt([200, 300]);
+    await until(app, by('remove'));
+    await hand.drag([[400, 300], [400, 400], [400, 500]]); // prettier-ignore
+    await isOneEdit(app, stops, two, [[200, 300], [400, 500], [600, 300]]); // prettier-ignore
+    await app.click(by('redo'));
+    await hand.drag([[400, 500], [300, 400], [202, 302]]); // prettier-ignore
+    await comesTo(app, stops, two);
+  },
+);

@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
 import { consoleIn, isThere, on, openApp, pasteProgram } from './page';
 import { by, gone, until } from './parts';
@@ -54,7 +55,7 @@ test('the last run is raced against when it is chosen, and hidden again', async 
   await gone(app, by('ghost'));
 });
 
-test('a run out of a file is raced against by the next one', async ({ app }) => {
+test('a run out of a file is raced against by the next one', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await run(app, drive(50));
   await app.click(by('look-back-open'));

@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { openApp, programIn, typeProgram } from './page';
 
 const seen = (app: App, css: string): Promise<string | null> =>
@@ -31,7 +32,7 @@ test('suggestions: the dot opens them, Enter takes one with its brackets, a hint
   await expect.poll(() => programIn(app)).toBe('from microbit import *\ndisplay.scroll("Hi", 80)');
 });
 
-test('the word at the cursor is explained by a key, and Escape closes the card', async ({ app }) => {
+test('the word at the cursor is explained by a key, and Escape closes the card', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app);
   await typeProgram(app, 'import music\nmusic.pitch(440)');
   await app.press('Home');
@@ -42,18 +43,20 @@ test('the word at the cursor is explained by a key, and Escape closes the card',
   await expect.poll(() => seen(app, '.cm-helpCard')).toBeNull();
 });
 
-test('suggestions still on their way do not open over the page once the pupil has left the program', async ({
-  app,
-}) => {
-  await openApp(app);
-  await app.click('.code-editor .cm-scroller');
-  // From the letter on 15 ms, which is shorter than the editor waits for the next one.
-  await app.evaluate(() => {
-    addEventListener('input', () => setTimeout(() => (document.activeElement as HTMLElement).blur(), 15), {
-      once: true,
+test(
+  'suggestions still on their way do not open over the page once the pupil has left the program',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    await openApp(app);
+    await app.click('.code-editor .cm-scroller');
+    // From the letter on 15 ms, which is shorter than the editor waits for the next one.
+    await app.evaluate(() => {
+      addEventListener('input', () => setTimeout(() => (document.activeElement as HTMLElement).blur(), 15), {
+        once: true,
+      });
     });
-  });
-  await app.type('d');
-  await app.evaluate(() => new Promise((resolve) => setTimeout(resolve, 800)));
-  expect(await labels(app)).toEqual([]);
-});
+    await app.type('d');
+    await app.evaluate(() => new Promise((resolve) => setTimeout(resolve, 800)));
+    expect(await labels(app)).toEqual([]);
+  },
+);

@@ -137,51 +137,55 @@ test(
   },
 );
 
-test('the reality slider: forward() goes straight with an ideal robot and drifts with a used one', async ({ app }) => {
-  const DRIVE = 'from mbrobot import *\nsetSpeed(50)\nforward()\ndelay(1500)\nstop()\ndelay(300)\nprint("there")';
-  const drift = async (): Promise<number> => {
-    await app.click(on('run'));
-    await expect.poll(() => consoleIn(app), { timeout: 40_000 }).toMatch(/there\s/);
-    const headingDeg = await headingAtRest(app);
-    await app.click(on('reset'));
-    await app.click('.pane-console [aria-label="Clear console"]');
-    await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(550); // the text follows a second later
-    return headingDeg > 180 ? headingDeg - 360 : headingDeg;
-  };
-  await openApp(app, { language: 'en', speed: 'max' });
-  await pasteProgram(app, DRIVE);
-  expect(Math.abs(await drift())).toBeLessThan(1);
-  await openDevice(app);
-  await until(app, `${by('reality')} input`);
-  await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), `${by('reality')} input`);
-  await app.press('End');
-  await expect.poll(() => app.text(by('reality'))).toContain('like an old school robot');
-  await app.press('Escape');
-  await gone(app, by('reality'));
-  const used = await drift();
-  expect(Math.abs(used)).toBeGreaterThan(3);
-  expect(await drift(), 'the same robot once more').toBe(used);
+test(
+  'the reality slider: forward() goes straight with an ideal robot and drifts with a used one',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const DRIVE = 'from mbrobot import *\nsetSpeed(50)\nforward()\ndelay(1500)\nstop()\ndelay(300)\nprint("there")';
+    const drift = async (): Promise<number> => {
+      await app.click(on('run'));
+      await expect.poll(() => consoleIn(app), { timeout: 40_000 }).toMatch(/there\s/);
+      const headingDeg = await headingAtRest(app);
+      await app.click(on('reset'));
+      await app.click('.pane-console [aria-label="Clear console"]');
+      await expect.poll(async () => (await robotIn(app)).xMm).toBeLessThan(550); // the text follows a second later
+      return headingDeg > 180 ? headingDeg - 360 : headingDeg;
+    };
+    await openApp(app, { language: 'en', speed: 'max' });
+    await pasteProgram(app, DRIVE);
+    expect(Math.abs(await drift())).toBeLessThan(1);
+    await openDevice(app);
+    await until(app, `${by('reality')} input`);
+    await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), `${by('reality')} input`);
+    await app.press('End');
+    await expect.poll(() => app.text(by('reality'))).toContain('like an old school robot');
+    await app.press('Escape');
+    await gone(app, by('reality'));
+    const used = await drift();
+    expect(Math.abs(used)).toBeGreaterThan(3);
+    expect(await drift(), 'the same robot once more').toBe(used);
 
-  await openDevice(app);
-  await until(app, by('seed'));
-  expect(await numberOf(app)).toBe('1');
-  await app.click(`${by('seed')} button`);
-  await expect.poll(() => numberOf(app)).toBe('2');
-  await expect.poll(() => app.text(by('seed'))).toContain('the same number always gives the same one');
-  await app.press('Escape');
-  await gone(app, by('reality'));
-  const other = await drift();
-  expect(Math.abs(other - used), 'another robot').toBeGreaterThan(0.1);
+    await openDevice(app);
+    await until(app, by('seed'));
+    expect(await numberOf(app)).toBe('1');
+    await app.click(`${by('seed')} button`);
+    await expect.poll(() => numberOf(app)).toBe('2');
+    await expect.poll(() => app.text(by('seed'))).toContain('the same number always gives the same one');
+    await app.press('Escape');
+    await gone(app, by('reality'));
+    const other = await drift();
+    expect(Math.abs(other - used), 'another robot').toBeGreaterThan(0.1);
 
-  await app.reload();
-  await until(app, by('device'));
-  await openDevice(app);
-  await until(app, by('seed'));
-  expect(await numberOf(app)).toBe('2');
-  await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), `${by('reality')} input`);
-  await app.press('Home');
-  await gone(app, by('seed')); // the ideal robot has no number
-});
+    await app.reload();
+    await until(app, by('device'));
+    await openDevice(app);
+    await until(app, by('seed'));
+    expect(await numberOf(app)).toBe('2');
+    await app.evaluate((css) => document.querySelector<HTMLElement>(css)?.focus(), `${by('reality')} input`);
+    await app.press('Home');
+    await gone(app, by('seed')); // the ideal robot has no number
+  },
+);
 
 /** Where the robot points once it stands. The picture follows what the program prints, some of it ten times a second. */
 async function headingAtRest(app: App): Promise<number> {

@@ -1,4 +1,5 @@
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { violationsOn } from './axe';
 import { attribute, consoleIn, isThere, on, openApp, pasteProgram } from './page';
 import { by, gone, until } from './parts';
@@ -131,7 +132,7 @@ test('a stretch of a run becomes a film in two sizes, and can be given up', asyn
   expect(await saved(app)).toHaveLength(2);
 });
 
-test('a film that would be too long says so', async ({ app }) => {
+test('a film that would be too long says so', IN_ONE_ENGINE, async ({ app }) => {
   await openApp(app, { speed: 'max' });
   await pasteProgram(app, 'from mbrobot import *\nleft()\ndelay(40000)\nstop()\nprint("done")');
   await app.click(on('run'));

@@ -1,4 +1,5 @@
 import { test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { block, comesTo, opened, places } from './drawer';
 import { by, gone, until } from './parts';
 
@@ -22,7 +23,7 @@ test('a frame from the floor catches what it touches; Delete takes that away, an
   await comesTo(app, places, [[200, 200], [400, 500], [700, 700]]); // prettier-ignore
 });
 
-test('Alt-drag copies, and Ctrl+D goes on by the same step', async ({ app }) => {
+test('Alt-drag copies, and Ctrl+D goes on by the same step', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]));
   await hand.drag([[200, 200], [300, 200], [400, 200]], 'Alt'); // prettier-ignore
   await comesTo(app, places, [[200, 200], [400, 200]]); // prettier-ignore
@@ -37,7 +38,7 @@ test('while text of the page is selected, a drag still moves what lies in the ar
   await comesTo(app, places, [[200, 300]]); // prettier-ignore
 });
 
-test('Escape lets go of what is selected', async ({ app }) => {
+test('Escape lets go of what is selected', IN_ONE_ENGINE, async ({ app }) => {
   const hand = await opened(app, block('a', [200, 200]));
   await hand.clickAt([200, 200]);
   await until(app, by('remove'));
@@ -45,14 +46,18 @@ test('Escape lets go of what is selected', async ({ app }) => {
   await gone(app, by('remove'));
 });
 
-test('a part of the shelf is inserted in the middle by a click, and taken back by one undo', async ({ app }) => {
-  const hand = await opened(app);
-  await hand.click(by('course-more'));
-  await hand.click(by('editor-parts'));
-  await hand.click(by('part-gate'));
-  await comesTo(app, places, [[490, 450], [710, 450]]); // prettier-ignore
-  await hand.click(by('close-parts'));
-  await gone(app, by('parts-shelf'));
-  await app.click(by('undo'));
-  await comesTo(app, places, []);
-});
+test(
+  'a part of the shelf is inserted in the middle by a click, and taken back by one undo',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const hand = await opened(app);
+    await hand.click(by('course-more'));
+    await hand.click(by('editor-parts'));
+    await hand.click(by('part-gate'));
+    await comesTo(app, places, [[490, 450], [710, 450]]); // prettier-ignore
+    await hand.click(by('close-parts'));
+    await gone(app, by('parts-shelf'));
+    await app.click(by('undo'));
+    await comesTo(app, places, []);
+  },
+);

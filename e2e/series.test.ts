@@ -126,48 +126,52 @@ test('a series is made from two files and a ready course, solved from its link t
   await until(app, by('series-anew-2')); // it is open
 });
 
-test('a link cut short, a foreign address, a page that is no series: each says why and the way out', async ({
-  app,
-}) => {
-  const says = async (address: string): Promise<string> => {
-    await openAt(app, address);
-    await until(app, by('series-problem'));
-    return app.text(by('series-problem'));
-  };
-  expect(await says('./#s=1.AAAAAAAAAAA')).toContain('Copy it again, whole, or ask for the series as a file.');
-  expect(await says('./#series=https://school.example/series.json')).toMatch(/school\.example.*the link that holds/);
-  expect(await says('./#series=gone/series.json')).toMatch(/not on the web server \(answer 404\)/);
-  expect(await says('./#series=logo.svg')).toContain('damaged');
-  expect(await says('./#series/unknown')).toContain('Open the link or file again');
-});
+test(
+  'a link cut short, a foreign address, a page that is no series: each says why and the way out',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const says = async (address: string): Promise<string> => {
+      await openAt(app, address);
+      await until(app, by('series-problem'));
+      return app.text(by('series-problem'));
+    };
+    expect(await says('./#s=1.AAAAAAAAAAA')).toContain('Copy it again, whole, or ask for the series as a file.');
+    expect(await says('./#series=https://school.example/series.json')).toMatch(/school\.example.*the link that holds/);
+    expect(await says('./#series=gone/series.json')).toMatch(/not on the web server \(answer 404\)/);
+    expect(await says('./#series=logo.svg')).toContain('damaged');
+    expect(await says('./#series/unknown')).toContain('Open the link or file again');
+  },
+);
 
-test('a folder on the page’s own web server is a gallery by address; a task in it that cannot be read says so', async ({
-  app,
-}) => {
-  const name = `tried-series-${app.engine}`;
-  const folder = `dist/app/${name}`;
-  mkdirSync(folder, { recursive: true });
-  try {
-    const good = taskFile('Beside');
-    writeFileSync(`${folder}/a.json`, good.text);
-    writeFileSync(`${folder}/b.json`, '{ "format": "parcours-project", "version": 99 }');
-    const tasks = [{ file: 'a.json' }, { file: 'b.json', title: 'Later' }, { file: 'c.json' }, { course: 'square' }];
-    const head = { format: 'parcours-series', version: 1, title: 'Own gallery' };
-    writeFileSync(`${folder}/series.json`, JSON.stringify({ ...head, tasks }));
-    await openAt(app, `./#series=${name}/series.json`);
-    await until(app, by('series-task-4'));
-    expect((await cards(app)).slice(0, 2)).toEqual(['Beside', 'Later']);
-    expect(await app.text(by('series-task-2'))).toContain('newer version');
-    expect(await app.text(by('series-task-3'))).toContain('answer 404');
-    await app.click(`${by('series-task-1')} h3 button`);
-    await expect.poll(() => work(app)).toContain('# Beside');
-    rmSync(folder, { recursive: true });
-    await openAt(app, `./#series=${name}/series.json`); // without the server it is as it was
-    await until(app, by('series-task-4'));
-  } finally {
-    rmSync(folder, { recursive: true, force: true });
-  }
-});
+test(
+  'a folder on the page’s own web server is a gallery by address; a task in it that cannot be read says so',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    const name = `tried-series-${app.engine}`;
+    const folder = `dist/app/${name}`;
+    mkdirSync(folder, { recursive: true });
+    try {
+      const good = taskFile('Beside');
+      writeFileSync(`${folder}/a.json`, good.text);
+      writeFileSync(`${folder}/b.json`, '{ "format": "parcours-project", "version": 99 }');
+      const tasks = [{ file: 'a.json' }, { file: 'b.json', title: 'Later' }, { file: 'c.json' }, { course: 'square' }];
+      const head = { format: 'parcours-series', version: 1, title: 'Own gallery' };
+      writeFileSync(`${folder}/series.json`, JSON.stringify({ ...head, tasks }));
+      await openAt(app, `./#series=${name}/series.json`);
+      await until(app, by('series-task-4'));
+      expect((await cards(app)).slice(0, 2)).toEqual(['Beside', 'Later']);
+      expect(await app.text(by('series-task-2'))).toContain('newer version');
+      expect(await app.text(by('series-task-3'))).toContain('answer 404');
+      await app.click(`${by('series-task-1')} h3 button`);
+      await expect.poll(() => work(app)).toContain('# Beside');
+      rmSync(folder, { recursive: true });
+      await openAt(app, `./#series=${name}/series.json`); // without the server it is as it was
+      await until(app, by('series-task-4'));
+    } finally {
+      rmSync(folder, { recursive: true, force: true });
+    }
+  },
+);
 
 test('the file of a series opens by being dropped onto the page', async ({ app }) => {
   const head = { format: 'parcours-series', version: 1, title: 'Dropped' };

@@ -62,34 +62,36 @@ function checkedByCommandLine(task: string, programs: Readonly<Record<string, st
   }
 }
 
-test('a task is made of the open course: its solution passes in all worlds, and the class gets neither', async ({
-  app,
-}) => {
-  test.setTimeout(90_000);
-  await openMaker(app);
-  await app.click(by('maker-take'));
-  await expect.poll(() => app.text(by('maker-verdict')), { timeout: 20_000 }).toMatch(/passes|besteht/);
-  await addCheck(app, 'loop');
-  await app.click(by('maker-add-world'));
-  await expect.poll(() => app.text(by('maker-solution')), { timeout: 20_000 }).toMatch(/ 2 (worlds|Welten)/);
-  await until(app, by('maker-same')); // the class would get the solution: it is told
-  await app.click(by('maker-save-for-class'));
-  const link = await app.evaluate(
-    () => document.querySelector<HTMLInputElement>('[data-testid=maker-link]')?.value ?? '',
-  );
-  await expect.poll(() => projectOf(app)).toContain('"id":"2"'); // it is kept a moment later
-  const task = await projectOf(app);
-  expect(JSON.parse(task)).toMatchObject({ task: { solution: [{ name: 'main.py' }], worlds: [{}, { id: '2' }] } });
-  expect(checkedByCommandLine(task, { Ada: RIGHT, Ben: 'from mbrobot import *\nforward()\n' })).toEqual({
-    Ada: [true, 2],
-    Ben: [false, 2],
-  });
-  await app.evaluate(() => sessionStorage.clear());
-  await app.goto('./logo.svg');
-  await app.goto(`./#${link.split('#')[1] ?? ''}`);
-  await expect.poll(() => projectOf(app)).toContain('"loop"');
-  expect(await projectOf(app)).not.toMatch(/"solution"|"hidden"|"worlds"/);
-});
+test(
+  'a task is made of the open course: its solution passes in all worlds, and the class gets neither',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(90_000);
+    await openMaker(app);
+    await app.click(by('maker-take'));
+    await expect.poll(() => app.text(by('maker-verdict')), { timeout: 20_000 }).toMatch(/passes|besteht/);
+    await addCheck(app, 'loop');
+    await app.click(by('maker-add-world'));
+    await expect.poll(() => app.text(by('maker-solution')), { timeout: 20_000 }).toMatch(/ 2 (worlds|Welten)/);
+    await until(app, by('maker-same')); // the class would get the solution: it is told
+    await app.click(by('maker-save-for-class'));
+    const link = await app.evaluate(
+      () => document.querySelector<HTMLInputElement>('[data-testid=maker-link]')?.value ?? '',
+    );
+    await expect.poll(() => projectOf(app)).toContain('"id":"2"'); // it is kept a moment later
+    const task = await projectOf(app);
+    expect(JSON.parse(task)).toMatchObject({ task: { solution: [{ name: 'main.py' }], worlds: [{}, { id: '2' }] } });
+    expect(checkedByCommandLine(task, { Ada: RIGHT, Ben: 'from mbrobot import *\nforward()\n' })).toEqual({
+      Ada: [true, 2],
+      Ben: [false, 2],
+    });
+    await app.evaluate(() => sessionStorage.clear());
+    await app.goto('./logo.svg');
+    await app.goto(`./#${link.split('#')[1] ?? ''}`);
+    await expect.poll(() => projectOf(app)).toContain('"loop"');
+    expect(await projectOf(app)).not.toMatch(/"solution"|"hidden"|"worlds"/);
+  },
+);
 
 test('the page of a task bars no screen reader, and stays over a reload', IN_ONE_ENGINE, async ({ app }) => {
   await openMaker(app);

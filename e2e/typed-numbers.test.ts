@@ -1,5 +1,6 @@
 import { inWindow } from './arena';
 import { expect, test } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { by, until } from './parts';
 import { clearAll, listOf, openEditor, SIZE, toolButton, toolsCame, withMouse } from './pupil';
 import { withKeys } from './keys';
@@ -7,7 +8,7 @@ import { withKeys } from './keys';
 /** What is said to screen readers of what the tools do. */
 const SAID = by('arena-said');
 
-test('by keyboard: a wall is made exactly 25 cm long by typing it', async ({ app }) => {
+test('by keyboard: a wall is made exactly 25 cm long by typing it', IN_ONE_ENGINE, async ({ app }) => {
   const pupil = withKeys(app);
   await openEditor(app);
   await clearAll(app);

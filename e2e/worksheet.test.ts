@@ -1,6 +1,7 @@
 import { inflateSync } from 'node:zlib';
 import decodeQR from 'qr/decode.js';
 import { expect, test, type App } from './app';
+import { IN_ONE_ENGINE } from './engines';
 import { closedLine, isThere, openWork, programIn } from './page';
 import { by, until } from './parts';
 import { fromMenu } from './pupil';
@@ -71,26 +72,28 @@ function codeIn(operators: string): string {
 /** The open work, as the page keeps it. */
 const keptWork = (app: App): Promise<string> => app.evaluate(() => sessionStorage.getItem('parcours.work') ?? '');
 
-test('the code on a printed worksheet opens the task, without its solution and without the hidden world', async ({
-  app,
-}) => {
-  test.setTimeout(90_000);
-  await openWork(app, teachersWork());
-  await until(app, by('course-more'));
-  await fromMenu(app, by('course-more'), by('editor-print'), () => isThere(app, by('print-dialog')));
-  await app.click(by('print-sheet'));
-  await until(app, by('sheet-page'));
-  await watchPdf(app);
-  await app.click(by('sheet-pdf'));
-  await expect.poll(async () => (await pdfOf(app)).length, { timeout: 30_000 }).toBeGreaterThan(10_000);
-  const operators = operatorsIn(await pdfOf(app));
-  expect(operators).toMatch(/\((Closed line|Geschlossene Linie)\) Tj/);
-  const link = codeIn(operators);
-  expect(link).toMatch(/^https?:\/\/[^#]+#p=9\./);
-  await app.evaluate(() => sessionStorage.clear());
-  await app.goto('./logo.svg');
-  await app.goto(`./#${link.split('#')[1] ?? ''}`);
-  await expect.poll(() => keptWork(app), { timeout: 20_000 }).toContain('"loop"');
-  expect(await programIn(app)).toContain('# Beginne hier');
-  expect(await keptWork(app)).not.toMatch(/"solution"|"secret"|"hidden"|irLeft/);
-});
+test(
+  'the code on a printed worksheet opens the task, without its solution and without the hidden world',
+  IN_ONE_ENGINE,
+  async ({ app }) => {
+    test.setTimeout(90_000);
+    await openWork(app, teachersWork());
+    await until(app, by('course-more'));
+    await fromMenu(app, by('course-more'), by('editor-print'), () => isThere(app, by('print-dialog')));
+    await app.click(by('print-sheet'));
+    await until(app, by('sheet-page'));
+    await watchPdf(app);
+    await app.click(by('sheet-pdf'));
+    await expect.poll(async () => (await pdfOf(app)).length, { timeout: 30_000 }).toBeGreaterThan(10_000);
+    const operators = operatorsIn(await pdfOf(app));
+    expect(operators).toMatch(/\((Closed line|Geschlossene Linie)\) Tj/);
+    const link = codeIn(operators);
+    expect(link).toMatch(/^https?:\/\/[^#]+#p=9\./);
+    await app.evaluate(() => sessionStorage.clear());
+    await app.goto('./logo.svg');
+    await app.goto(`./#${link.split('#')[1] ?? ''}`);
+    await expect.poll(() => keptWork(app), { timeout: 20_000 }).toContain('"loop"');
+    expect(await programIn(app)).toContain('# Beginne hier');
+    expect(await keptWork(app)).not.toMatch(/"solution"|"secret"|"hidden"|irLeft/);
+  },
+);
