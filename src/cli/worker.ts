@@ -107,7 +107,13 @@ function writeTape(
   };
   writeSync(
     file,
-    tapeToText({ madeBy: version, physics: PHYSICS, setup: { ...setup, inputs }, ...until, result: resultOf(run, output) }),
+    tapeToText({
+      madeBy: version,
+      physics: PHYSICS,
+      setup: { ...setup, inputs },
+      ...until,
+      result: resultOf(run, output),
+    }),
   );
 }
 

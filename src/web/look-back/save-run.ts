@@ -52,7 +52,10 @@ async function textOfRun(app: App): Promise<string | null> {
     const setup = setupAsKept(recorded.setup);
     const wish = { setup, untilUs, untilProgramEnds };
     const repeated = await repeatShown(app, wish, (percent) => say(words.saving, { percent }));
-    return repeated && tapeToText({ madeBy: version, physics: PHYSICS, setup, untilUs, untilProgramEnds, result: repeated.result });
+    return (
+      repeated &&
+      tapeToText({ madeBy: version, physics: PHYSICS, setup, untilUs, untilProgramEnds, result: repeated.result })
+    );
   } catch {
     app.notices.show({ kind: 'error', key: 'notice.text', values: { text: say(words.saveFailed) } });
     return null;
