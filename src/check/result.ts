@@ -1,3 +1,4 @@
+import type { Texts } from '#core/languages';
 import type { Point } from '#scene/scene';
 import type { Unread } from './hand-in/unread';
 import type { Reason as GoalReason } from '#simulation/task/verdict';
@@ -52,6 +53,8 @@ export interface Reason {
   readonly code: ReasonCode;
   /** What the sentence about it names. */
   readonly params: Readonly<Record<string, string | number>>;
+  /** Of an error of the program: what it means and what helps, as the console of the page says it. */
+  readonly advice?: Texts;
 }
 
 /** The codes of reasons, as reports and other programs have them. */

@@ -9,13 +9,13 @@ import type de from './words/de.json';
 export const reportWords = wordsOf(import.meta.glob<typeof de>('./words/*.json', { eager: true, import: 'default' }));
 
 /** Why a check does not hold: a sentence, and what there is to say of the run besides. */
-export function reasonText({ code, params: said }: Reason, language: Language): string {
-  const params = shownIn(said);
+export function reasonText({ code, params: given, advice }: Reason, language: Language): string {
+  const params = shownIn(given);
   const { reasons, more } = reportWords;
   const besides = (['near', 'limit'] as const).filter((name) => params[name] !== undefined);
-  return [reasons[code], ...besides.map((name) => more[name])]
-    .map((words) => filledIn(words[language], params))
-    .join(' ');
+  const said = [reasons[code], ...besides.map((name) => more[name])].map((words) => filledIn(words[language], params));
+  // What the board says of an error ends with no full stop.
+  return advice === undefined ? said.join(' ') : `${said.join(' ')} – ${unseenShown(advice[language])}`;
 }
 
 /** A sentence about something that the teacher is told. */

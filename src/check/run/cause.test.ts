@@ -82,3 +82,24 @@ describe('a goal that was not reached', () => {
     expect(worlds[0]?.missed['console']).toEqual({ code: 'console', params: { text: 'done', limit: 2 } });
   });
 });
+
+describe('an error of the program', () => {
+  const task = taskWith(sceneWith([targetAt(700, 450)]));
+  const said = async (program: string, language: 'de' | 'en'): Promise<string> => {
+    const { worlds } = await checked(task, program);
+    return reasonText(worlds[0]?.reason ?? { code: 'panic', params: {} }, language);
+  };
+
+  it('is told with the advice of the console: a loop of another Python', async () =>
+    expect(await said('from mbrobot import *\nrepeat 4:\n    forward()\n', 'en')).toBe(
+      'Line 2: SyntaxError: invalid syntax – repeat belongs to TigerJython. Here you write: for i in range(4):',
+    ));
+
+  it('in the language of the reader', async () =>
+    expect(await said('x = 1\nif x == 1\n    x = 2\n', 'de')).toMatch(
+      /^Zeile 2: SyntaxError: invalid syntax – .*Doppelpunkt/,
+    ));
+
+  it('has nothing to add to what it does not know', async () =>
+    expect(await said('class Lost(Exception): pass\nraise Lost("here")\n', 'en')).toBe('Line 2: Lost: here'));
+});

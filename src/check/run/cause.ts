@@ -1,3 +1,6 @@
+import { adviceFor } from '#advice/advice';
+import { adviceTexts } from '#advice/say';
+import type { Source } from '#advice/syntax-advice';
 import { findFact, isEmpty, type Files } from '../program/facts';
 import type { Simulation } from '#simulation/simulation';
 import type { Reason } from '../result';
@@ -22,7 +25,7 @@ export function causeOf(
   check: RunCheck,
   failedUs: number | null,
 ): Reason | null {
-  const byEnd = endReason(ended, failedUs);
+  const byEnd = endReason(ended, files, failedUs);
   if (byEnd !== null || failedUs !== null || hasMoved) return byEnd;
   if (isEmpty(files)) return { code: 'empty', params: {} };
   if (!isOfWay(check)) return null;
@@ -40,13 +43,23 @@ const awaitedIn = (files: Files): string | undefined =>
   AWAITED.find((name) => findFact({ type: 'calls', name }, files).holds);
 
 /** How the program ended, if that is why something was not reached: not where something had failed before. */
-function endReason(ended: Simulation['ended'], failedUs: number | null): Reason | null {
+function endReason(ended: Simulation['ended'], files: Files, failedUs: number | null): Reason | null {
   if (ended === null || (failedUs !== null && failedUs < ended.timeUs)) return null;
   if (ended.exception !== null) {
     const { type, message, line } = ended.exception;
-    return { code: 'exception', params: { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 } };
+    const params = { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 };
+    const advice = adviceTexts(adviceFor(ended.exception, sourceOf(ended.exception, files)));
+    return { code: 'exception', params, ...(advice && { advice }) };
   }
   return ended.kind === 'finished' ? null : { code: 'panic', params: {} };
+}
+
+/** The line that an error names: the last one of its traceback that is in one of the pupil's files. */
+function sourceOf({ traceback }: { readonly traceback: string }, files: Files): Source | null {
+  const places = [...traceback.matchAll(/^ *File "([^"]*)", line (\d+)/gm)];
+  const place = places.findLast(([, name = '']) => Object.hasOwn(files, name));
+  const text = files[place?.[1] ?? ''];
+  return place === undefined || text === undefined ? null : { text, line: Number(place[2]) };
 }
 
 /** A program may raise an exception with a text of any length. */

@@ -122,8 +122,8 @@ export class Judging {
     // What ended the run is why everything that was still to come did not.
     const whyOpen = ({ check, watcher }: (typeof ends)[number]): Reason => {
       if (failed !== undefined) return cause(check, failed.atUs) ?? whyFailed(failed);
-      const { code, params } = cause(check, null) ?? watcher.reason();
-      return { code, params: { ...params, ...besides } };
+      const reason = cause(check, null) ?? watcher.reason();
+      return { ...reason, params: { ...reason.params, ...besides } };
     };
     const whyFailed = ({ check, watcher }: (typeof ends)[number]): Reason => {
       const reason = watcher.reason();

@@ -7,7 +7,7 @@ import { Reader } from '#reference/reader';
 import { attributeOf } from '#python/expressions';
 import { readPython, textOf, type SyntaxNode } from '#python/tree';
 
-import { repeatIn } from '../console/advice/syntax-advice';
+import { repeatIn } from '#advice/syntax-advice';
 import { loadErrorTexts, t } from '../page/i18n';
 import type { TextKey, TextValues } from '../page/i18n/texts';
 

@@ -3,7 +3,7 @@ import { complete } from '#reference/complete';
 import { contextOf, type Written } from '../../work/hardware/written-for';
 import type { Failure } from './error-advice';
 import { nearName } from './near-name';
-import type { Source } from './syntax-advice';
+import type { Source } from '#advice/syntax-advice';
 
 /** Exceptions about a name, which their message has in quotation marks as the last one. */
 const ABOUT_NAMES = ['NameError', 'AttributeError', 'ImportError', 'ModuleNotFoundError'];

@@ -1,10 +1,9 @@
 import { describe, expect, it } from 'vitest';
 
+import { adviceWords } from '#advice/say';
 import { play } from '#vm/library/testing/play';
 import de from '../../page/words/de.json';
 import en from '../../page/words/en.json';
-import errorDe from '../../page/words/error/de.json';
-import errorEn from '../../page/words/error/en.json';
 import type { TextKey } from '../../page/i18n/texts';
 import { lastPlace } from '../log/console-log';
 import type { OnTable } from '../../work/hardware/misplugged';
@@ -19,12 +18,16 @@ function adviceOf(program: string): Advice {
   return adviceFor(exception, { text: program, line });
 }
 
-const catalogues = { de: { ...de.error, ...errorDe }, en: { ...en.error, ...errorEn } };
+const said = (language: 'de' | 'en') =>
+  Object.fromEntries(Object.entries(adviceWords).map(([name, texts]) => [name, texts[language]]));
+const catalogues: Readonly<Record<'de' | 'en', Readonly<Record<string, string>>>> = {
+  de: { ...de.error, ...said('de') },
+  en: { ...en.error, ...said('en') },
+};
 
 /** The sentence that the page shows. */
 function sentence({ key, values }: Advice, language: 'de' | 'en' = 'de'): string {
-  const name = key.slice('error.'.length) as keyof typeof catalogues.de;
-  const text: string = catalogues[language][name];
+  const text = catalogues[language][key.slice('error.'.length)] ?? '';
   return text.replace(/\{(\w+)\}/g, (_whole, value: string) => String(values[value] ?? `{${value}}`));
 }
 

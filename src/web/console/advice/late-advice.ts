@@ -10,7 +10,7 @@ import { meantName } from './did-you-mean';
 import type { Failure } from './error-advice';
 import { importLine, withImport } from './import-line';
 import { robotModules } from './robot-modules';
-import { withMend, type Source, type SyntaxAdvice } from './syntax-advice';
+import { withMend, type Source, type SyntaxAdvice } from '#advice/syntax-advice';
 
 /** What is found out about an error with the reference at hand: a better sentence, or the name that was meant. */
 export interface LateAdvice {

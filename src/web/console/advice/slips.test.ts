@@ -1,16 +1,17 @@
 import { describe, expect, it } from 'vitest';
 
+import { adviceWords } from '#advice/say';
+import type { AdviceTexts } from '#advice/text';
+import { inEvery } from '#core/words';
 import { play } from '#vm/library/testing/play';
 import { filled } from '../../page/i18n/filled';
-import de from '../../page/words/error/de.json';
-import en from '../../page/words/error/en.json';
-import fr from '../../page/words/error/fr.json';
-import it_ from '../../page/words/error/it.json';
 import type { Language } from '../../page/i18n';
 import { lastPlace } from '../log/console-log';
 import { adviceFor, type Advice } from './error-advice';
 
-const catalogues: Readonly<Record<Language, Readonly<Record<string, string>>>> = { de, en, fr, it: it_ };
+const catalogues: Readonly<Record<Language, Readonly<Record<string, string>>>> = inEvery((language) =>
+  Object.fromEntries(Object.entries(adviceWords).map(([name, texts]) => [name, texts[language]])),
+);
 
 function failureOf(program: string) {
   return play(program).until(3_000).ended()?.exception ?? null;
@@ -27,7 +28,7 @@ function adviceOf(program: string): Advice {
 const USING = 'from microbit import *\n';
 
 /** A slip, what explains it, and where a button mends it: what the program has become in that line. */
-type Row = readonly [program: string, key: keyof typeof de, code?: string];
+type Row = readonly [program: string, key: keyof AdviceTexts, code?: string];
 
 const rows: readonly Row[] = [
   ['repeat 4:\n    print(1)', 'repeat', 'for i in range(4):'],

@@ -16,7 +16,7 @@ type Tree = { readonly [name: string]: string | Tree };
 const catalogues = byLanguage(import.meta.glob<Texts>('../words/*.json', { import: 'default' }));
 
 /** What goes wrong in programs, by language. */
-const errorCatalogues = byLanguage(import.meta.glob<ErrorTexts>('../words/error/*.json', { import: 'default' }));
+const errorCatalogues = byLanguage(import.meta.glob<ErrorTexts>('../../../advice/words/*.json', { import: 'default' }));
 
 /** Once errors are to be explained, every language comes with its texts for them. */
 let explainsErrors = false;

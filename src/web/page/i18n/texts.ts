@@ -1,5 +1,5 @@
 import type de from '../words/de.json';
-import type error from '../words/error/de.json';
+import type { AdviceTexts } from '#advice/text';
 
 type Leaves<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Leaves<T[K]>}` }[keyof T & string];
 
@@ -7,7 +7,7 @@ type Leaves<T> = { [K in keyof T & string]: T[K] extends string ? K : `${K}.${Le
 export type Texts = typeof de;
 
 /** What goes wrong in a program: a catalogue of its own that comes late. */
-export type ErrorTexts = typeof error;
+export type ErrorTexts = AdviceTexts;
 
 /** The name of one text, such as `bar.run`. */
 export type TextKey = Leaves<typeof de> | `error.${keyof ErrorTexts}`;

@@ -1,17 +1,17 @@
-import type { TextKey, TextValues } from '../../page/i18n/texts';
+import type { AdviceKey, AdviceValues } from './text';
 
 /** A slip that shows in one line, and how that line should be written where there is only one way. */
 export interface Slip {
-  readonly key: TextKey;
-  readonly values: TextValues;
+  readonly key: AdviceKey;
+  readonly values: AdviceValues;
   readonly line?: string;
 }
 
 /** A slip by its look. It is looked for in the line without texts and comments, `mend` rewrites the whole line. */
 interface Rule {
   readonly look: RegExp;
-  readonly key: TextKey;
-  readonly values?: (found: RegExpExecArray) => TextValues;
+  readonly key: AdviceKey;
+  readonly values?: (found: RegExpExecArray) => AdviceValues;
   readonly mend?: (line: string, found: RegExpExecArray) => string;
   /** `mend` leaves texts in the line alone. */
   readonly sparesTexts?: true;
@@ -21,7 +21,7 @@ const KEYWORDS =
   'and|as|assert|break|class|continue|def|del|elif|else|except|finally|for|from|global|if|import|in|is|lambda|not|or|pass|raise|return|try|while|with|yield';
 /** The same with a capital letter, or in capitals. */
 const CAPITALS = KEYWORDS.split('|').flatMap((it) => [it.charAt(0).toUpperCase() + it.slice(1), it.toUpperCase()]);
-const word = (found: RegExpExecArray): TextValues => ({ word: found[1] ?? '' });
+const word = (found: RegExpExecArray): AdviceValues => ({ word: found[1] ?? '' });
 
 /** What other languages, and children in their own, write for a word of Python. */
 const MEANT: Readonly<Record<string, string>> = {

@@ -1,4 +1,4 @@
-import type { TextKey, TextValues } from '../../page/i18n/texts';
+import type { AdviceKey, AdviceValues } from './text';
 import { withoutRepeat } from './repeat';
 import { lacksComma, slipIn, type Slip } from './slips';
 
@@ -11,8 +11,8 @@ export interface Source {
 
 /** What is wrong with a line that MicroPython calls "invalid syntax", as far as this can be found out. */
 export interface SyntaxAdvice {
-  readonly key: TextKey;
-  readonly values: TextValues;
+  readonly key: AdviceKey;
+  readonly values: AdviceValues;
   readonly mend?: Mend;
 }
 
@@ -34,7 +34,7 @@ const KEYWORDS =
 const OPENING = '([{';
 const CLOSING = ')]}';
 
-const say = (key: TextKey, values: TextValues = {}): SyntaxAdvice => ({ key, values });
+const say = (key: AdviceKey, values: AdviceValues = {}): SyntaxAdvice => ({ key, values });
 
 /**
  * Looks for the usual mistakes around a line: a missing colon, bracket, quotation mark or indentation, `=` for `==`.

@@ -1,15 +1,15 @@
-import type { TextKey } from '../../page/i18n/texts';
+import type { AdviceKey } from './text';
 
 /** What a message of the device means: its words, the text that explains it, and what goes into that text. */
 export interface ErrorPattern {
   readonly type: string;
   readonly words: RegExp;
-  readonly key: TextKey;
+  readonly key: AdviceKey;
   /** Names of the pattern's groups, in their order; the text has them in braces. */
   readonly values?: readonly string[];
 }
 
-const when = (type: string, words: RegExp, key: TextKey, ...values: readonly string[]): ErrorPattern => ({
+const when = (type: string, words: RegExp, key: AdviceKey, ...values: readonly string[]): ErrorPattern => ({
   type,
   words,
   key,
