@@ -128,10 +128,11 @@ function delaysWithin(programs: readonly PythonText[], most: number): FactFound 
   let longest: { readonly ms: number; readonly line: number } = { ms: 0, line: 0 };
   for (const source of programs) {
     const secondsHere = sleepsInSeconds(source);
+    const others = aliasesIn(source);
     const lineAt = lineFinder(source.text);
     source.tree.iterate({
       enter: ({ node }) => {
-        const ms = node.name === 'CallExpression' ? waitOf(source, node, secondsHere) : null;
+        const ms = node.name === 'CallExpression' ? waitOf(source, node, others, secondsHere) : null;
         if (ms !== null && ms > longest.ms) longest = { ms, line: lineAt(node.from) };
       },
     });
@@ -141,9 +142,15 @@ function delaysWithin(programs: readonly PythonText[], most: number): FactFound 
 }
 
 /** How long a call waits, if it is one that waits and its figure stands there. */
-function waitOf(source: PythonText, call: SyntaxNode, secondsHere: boolean): number | null {
+function waitOf(
+  source: PythonText,
+  call: SyntaxNode,
+  others: ReadonlyMap<string, string>,
+  secondsHere: boolean,
+): number | null {
   const { firstChild: callee } = call;
-  const path = callee === null ? [] : pathOf(source, callee);
+  const [head = '', ...rest] = callee === null ? [] : pathOf(source, callee);
+  const path = [others.get(head) ?? head, ...rest];
   const name = path.at(-1) ?? '';
   const unit = Object.hasOwn(WAITS, name) ? (WAITS[name] ?? 1) : null;
   const [first] = argumentsOf(source, call);

@@ -69,3 +69,14 @@ describe('twins', () => {
     expect(twin('x = 1\ny = x')).not.toBe(twin('x = 1\ny = y'));
   });
 });
+
+describe('a pause by another name', () => {
+  const within = (text: string) => findFact({ type: 'delay', most: 1000 }, { 'main.py': text });
+
+  it('is found, in the unit of what it stands for', () => {
+    expect(within('from microbit import sleep as warte\nwarte(5000)')).toEqual({ holds: false, found: 5000, line: 2 });
+    expect(within('from time import sleep as warte\nwarte(2)')).toEqual({ holds: false, found: 2000, line: 2 });
+    expect(within('import time as t\nt.sleep(2)')).toEqual({ holds: false, found: 2000, line: 2 });
+    expect(within('from microbit import sleep as warte\nwarte(500)').holds).toBe(true);
+  });
+});
