@@ -22,7 +22,7 @@ export interface Watched {
 
 /** Calls of the device (`_hal`) by which something else is shown. */
 const DISPLAY_CALLS: ReadonlySet<string> = new Set(
-  ['show_image', 'show_text', 'clear', 'run', 'scroll', 'set_pixel', 'on', 'off', 'rotate'].map(
+  ['show_image', 'show_text', 'clear', 'blank', 'run', 'scroll', 'set_pixel', 'on', 'off', 'rotate'].map(
     (call) => `display_${call}`,
   ),
 );
@@ -73,7 +73,7 @@ export class OutputWatch implements Observer {
     else if (PIN_CALLS.has(call)) this.setPin(given[0]);
     else if (call === 'ws2812_write') this.setLights(given[0]);
     else if (call === 'radio_send' && this.of.board.radio.isOn) this.tell('radio', null);
-    else if (call === 'log_end') this.tell('log', null);
+    else if (call === 'log_row' && given[1] === true) this.tell('log', null);
     else if (call === 'power_off') for (const output of ['display', 'sound'] as const) this.setOnBoard(output, 'off');
     else if (RESET_CALLS.has(call)) for (const output of this.known) this.tell(output, null);
     this.isInCall = false;
