@@ -9,13 +9,14 @@ import { attributeVisitors } from './visitors/attributes';
 import { builtinVisitors } from './visitors/builtins';
 import { classVisitors } from './visitors/classes';
 import { moduleVisitors } from './visitors/modules';
+import { sequenceVisitors } from './visitors/sequences';
 import { textVisitors } from './visitors/text';
 import { timerVisitors } from './visitors/timers';
 
 /** All rules by the node they look at. */
 const visitors = gather([
   ...[textVisitors, builtinVisitors, attributeVisitors],
-  ...[classVisitors, moduleVisitors, timerVisitors],
+  ...[classVisitors, moduleVisitors, sequenceVisitors, timerVisitors],
 ]);
 
 interface Program {

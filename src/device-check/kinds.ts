@@ -6,12 +6,15 @@ import { childrenOf, textOf, type PythonText, type SyntaxNode } from '#python/tr
  * The kind of value of an expression, as far as the text shows it; `unknown` in any doubt. `same` is
  * the kind of the name in question, as on the right of `n = n + 1`.
  */
-export type Kind = 'text' | 'bytes' | 'array' | 'whole' | 'float' | 'dict' | 'texts' | 'same' | 'unknown';
+export type Kind =
+  | 'text' | 'bytes' | 'array' | 'whole' | 'float' | 'dict' | 'list' | 'texts' | 'file' | 'frame' | 'image' | 'same'
+  | 'unknown'; // prettier-ignore
 
 /** Built-in functions that always return the same kind of value. */
 const FUNCTIONS = new Map<string, Kind>(Object.entries({
   str: 'text', input: 'text', repr: 'text', hex: 'text', bin: 'text', oct: 'text', chr: 'text',
   bytes: 'bytes', bytearray: 'array', memoryview: 'array', array: 'array',
+  open: 'file', AudioFrame: 'frame', Image: 'image', list: 'list', sorted: 'list',
   int: 'whole', len: 'whole', ord: 'whole', float: 'float', dict: 'dict',
   temperature: 'whole', running_time: 'whole', randint: 'whole', randrange: 'whole', ticks_ms: 'whole', ticks_us: 'whole',
 } as const)); // prettier-ignore
@@ -55,6 +58,9 @@ export class Kinds {
       case 'DictionaryExpression':
       case 'DictionaryComprehensionExpression':
         return 'dict';
+      case 'ArrayExpression':
+      case 'ArrayComprehensionExpression':
+        return 'list';
       case 'ParenthesizedExpression':
         return this.of(childrenOf(node)[1], depth + 1);
       case 'UnaryExpression':
@@ -66,6 +72,8 @@ export class Kinds {
       case 'CallExpression':
         return this.ofCall(node, depth + 1);
       case 'MemberExpression':
+        if (/^(microbit\.)?Image\.[A-Z_0-9]+$/.test(textOf(this.file, node)))
+          return this.isOwn('Image') ? 'unknown' : 'image';
         return isSlice(node) ? this.of(node.firstChild, depth + 1) : 'unknown';
       default:
         return 'unknown';
@@ -127,6 +135,7 @@ export class Kinds {
     const method = textOf(this.file, attribute.property);
     if (this.isOwn(method)) return 'unknown';
     if (name === 'array.array' || name === 'uarray.array') return 'array';
+    if (/(^|\.)audio\.AudioFrame$/.test(name)) return 'frame';
     if (MEASURED.test(name)) return 'whole';
     const owner = this.of(attribute.owner, depth);
     if ((owner === 'text' || owner === 'same') && TEXT_METHODS.includes(method)) return owner;

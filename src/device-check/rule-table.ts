@@ -75,6 +75,31 @@ export const rules = {
     severity: 'error',
     source: "help('modules') of the device; micropython-microbit-v2 mpconfigport.h, MICROPY_PORT_BUILTIN_MODULES",
   },
+  'not-iterable': {
+    severity: 'error',
+    source: 'micropython-microbit-v2 v2.1.2: microbitfs.c and modaudio.c give their types no iterator',
+  },
+  'in-place': {
+    severity: 'error',
+    since: [1, 19],
+    source: 'micropython v1.18 py/runtime.c, mp_binary_op: no way from an in-place operator to the plain one',
+  },
+  'starts-ends': {
+    severity: 'error',
+    source:
+      'micropython py/objstr.c, str_startswith and str_endswith, v1.18 and v1.23: one text, a start for startswith alone',
+  },
+  'array-method': {
+    severity: 'error',
+    since: [1, 23],
+    source:
+      'micropython v1.18 py/objarray.c: the table of bytearray has append, extend and decode; v1.23 has those of bytes',
+  },
+  'struct-x': {
+    severity: 'error',
+    since: [1, 23],
+    source: 'micropython v1.18 py/binary.c: no padding bytes',
+  },
   'timer-without-time': {
     severity: 'error',
     source: 'micropython-microbit-v2 drv_softtimer.c: a period of 0 is served again and again, in the interrupt',

@@ -203,6 +203,65 @@ const cases: Readonly<Record<RuleId, Case>> = {
     marked: ['import json', 'import ujson as json', 'from datetime import datetime'],
     fine: ['json = "{}"\nprint(json)'],
   },
+  'not-iterable': {
+    marked: [
+      'with open("a", "w") as f:\n    f.write("x")\nfor line in open("a"):\n    print(line)',
+      'with open("a", "w") as f:\n    f.write("x")\nwith open("a") as g:\n    for line in g:\n        print(line)',
+      'from microbit import *\nprint(sum(audio.AudioFrame()))',
+      'from microbit import *\nframe = audio.AudioFrame()\nfor value in frame:\n    print(value)\n    break',
+    ],
+    fine: [
+      'with open("a", "w") as f:\n    f.write("x")\nfor line in open("a").read().split("\\n"):\n    print(line)',
+      'from microbit import *\nframe = audio.AudioFrame()\nfor i in range(len(frame)):\n    frame[i] = 128',
+      'def open(name):\n    return [name]\nfor line in open("a"):\n    print(line)',
+      'for f in [1, 2]:\n    print(f)\nprint(sum([1]), 2 in {2})',
+    ],
+  },
+  'in-place': {
+    marked: [
+      'text = "ab"\ntext *= 3',
+      'row = [0]\nrow *= 9',
+      's = "%d"\ns %= 5',
+      'b = b"x"\nb *= 2',
+      'from microbit import *\npic = Image("1:")\npic += Image("2:")',
+      'from microbit import *\npic = Image.HEART\npic *= 0.5',
+    ],
+    fine: [
+      'n = 2\nn *= 3\nn %= 4\nn -= 1\nn //= 1\nn **= 2',
+      'text = "a"\ntext += "b"\nrow = []\nrow += [1]',
+      't = (1,)\nt *= 2\nx = 1.5\nx *= 2\ns = {1}\ns |= {2}\ns &= {1}',
+      'def f(x):\n    x *= 2\n    return x\nf(3)',
+      'x = "a"\nx = 3\nx *= 2',
+      'for x in [1, 2]:\n    x *= 2',
+    ],
+  },
+  'starts-ends': {
+    marked: [
+      'print("abc".endswith("c", 1))',
+      'print("abc".startswith("b", 1, 2))',
+      'def f(t):\n    return t.endswith(("a", "b"))\nprint(f("a"))',
+      'print("abc".startswith(("a", "b")))',
+    ],
+    fine: [
+      'print("abc".startswith("b", 1), "abc".endswith("c"))',
+      `${own('endswith')}A().endswith(1, 2)`,
+      'def f(t, end):\n    return t.endswith(end)\nf("a", "b")',
+    ],
+  },
+  'array-method': {
+    marked: ['b = bytearray(b"a,b")\nprint(b.find(b","))', 'print(bytearray(b"ab").startswith(b"a"))'],
+    fine: [
+      'b = bytearray(b"ab")\nb.append(1)\nb.extend(b"c")\nprint(b.decode(), bytes(b).find(b"a"), b"a".find(b"a"))',
+      'row = [1, 2]\nprint(row.index(2), row.count(1))',
+    ],
+  },
+  'struct-x': {
+    marked: ['import struct\nprint(struct.calcsize("Bx"))', 'import ustruct\nustruct.pack("xB", 1)'],
+    fine: [
+      'import struct\nprint(struct.pack("<hB", 1, 2))',
+      'class S:\n    def pack(self, x):\n        pass\nS().pack("x")',
+    ],
+  },
   'timer-without-time': {
     marked: [
       'from microbit import *\n@run_every\ndef f():\n    pass',
@@ -232,7 +291,7 @@ const cases: Readonly<Record<RuleId, Case>> = {
 };
 
 /** Refused here as on the device; marked because the sentence helps. */
-const REFUSED_HERE: readonly RuleId[] = ['module', 'module-instead', 'time-name', 'newer-name'];
+const REFUSED_HERE: readonly RuleId[] = ['module', 'module-instead', 'time-name', 'newer-name', 'in-place'];
 
 describe.each(Object.keys(rules) as RuleId[])('the rule %s', (rule) => {
   const { marked, fine } = cases[rule];
