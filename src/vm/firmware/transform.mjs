@@ -7,12 +7,14 @@ import { echoPasted } from './echo-pasted.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
 import { refuseCallsAsNative } from './native-calls.mjs';
+import { operateAsTheBoard } from './operators.mjs';
 import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
 import { exportState, fixMemory } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
 import { declareVersion } from './version.mjs';
+import { readWholeNumbersAsTheBoard } from './whole-numbers.mjs';
 import {
   addressOfText,
   bodyStart,
@@ -69,7 +71,7 @@ export function transform(published, report) {
   orderKeywordArguments(module);
   refuseCallsAsNative(module);
   hideLibrary(module);
-  speakAsTheDevice(module);
+  beTheBoardsVersion(module);
   echoPasted(module);
   fixMemory(module);
 
@@ -98,6 +100,13 @@ export function transform(published, report) {
   const bytes = result.emitBinary();
   result.dispose();
   return bytes;
+}
+
+/** What the language of the board's MicroPython takes, and what it says. */
+function beTheBoardsVersion(module) {
+  speakAsTheDevice(module);
+  operateAsTheBoard(module);
+  readWholeNumbersAsTheBoard(module);
 }
 
 /** mp_execute_bytecode is the function with the widest jump table: the dispatch of the bytecodes. */

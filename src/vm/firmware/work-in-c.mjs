@@ -13,6 +13,8 @@ const SIXTEENTHS = {
   comparison: 16,
   /** One place at which a text is looked for: a call of memcmp. About 20 cycles. */
   place: 5,
+  /** One character at which str.count() looks, besides what goes on to the next one. About 30 cycles. */
+  counted: 8,
   /** One text that is joined: its length is asked twice. About 40 cycles, besides the bytes. */
   joined: 10,
   /** One digit (16 bits) of a big number in one round of a loop of mpz.c. About 10 cycles. */
@@ -57,6 +59,17 @@ export function findWork(module) {
     /^\(func \$\S+ (?:\(param \$\d i32\) ){5}\(result i32\) (?:\(local \$\d i32\) )*\(block \$\S+ \(block \$\S+ \(br_if \$\S+ \(i32\.lt_u \(local\.get \$1\) \(local\.get \$3\)\)\)/,
   ).name;
   const joining = 'join expects a list of str/bytes objects consistent with self object';
+  const count = onlyFunction(
+    module,
+    'str.count',
+    /^\(func \$\S+ \(param \$0 i32\) \(param \$1 i32\) \(result i32\) .*\(i32\.ne \(local\.get \$\d+\) \(i32\.const \d+\)\)\) \(loop \$\S+ \(block \$\S+ \(block \$\S+ \(br_if \$\S+ \(call \$\S+ (?:\(local\.get \$\d+\) ?){3}\)\) \(local\.set \$0 \(i32\.add \(local\.get \$0\) \(i32\.const 1\)\)\)/,
+  ).name;
+  const compare = onlyFunction(
+    module,
+    'mp_seq_cmp_objs',
+    /^\(func \$\S+ (?:\(param \$\d i32\) ){5}\(result i32\) .*\(loop \$\S+ \(br_if \$\S+ \(i32\.eqz \(call \$\S+ \(i32\.load /,
+  ).name;
+  const hash = onlyFunction(module, 'qstr_compute_hash', /^\(func \$\S+ .*\(local\.set \$2 \(i32\.const 5381\)\)/).name;
   const join = only(functionsWith(module, addressOfText(module, joining)), 'str.join');
   const templates = ["single '}' encountered in format string", 'incomplete format key'].map((text) =>
     addressOfText(module, text),
@@ -65,6 +78,9 @@ export function findWork(module) {
     iterate,
     sort,
     find,
+    count,
+    compare,
+    hash,
     join,
     templates,
     collect: askedCollection(module),
@@ -115,12 +131,17 @@ function loopsOverDigits(module) {
     for (const [, called] of text.matchAll(/\(call \$(\S+) /g)) visit(called);
   };
   visit(operators);
+  const read = onlyFunction(
+    module,
+    'mpz_set_from_str',
+    /^\(func \$\S+ (?:\(param \$\d i32\) ){5}\(result i32\)(?=.*\(i32\.const -55\))(?=.*\(i32\.const -87\))(?=.*\(i32\.store16 )/,
+  ).name;
   const format = onlyFunction(
     module,
     'mpz_as_str_inpl',
     /^\(func \$\S+ (?:\(param \$\d i32\) ){6}\(result i32\)(?=.*\(memory\.copy )(?=.*\(loop )(?=.*\(i32\.load16_u )(?=.*\(i32\.store16 )/,
   ).name;
-  return [...found, format];
+  return [...found, read, format];
 }
 
 /** What a collection costs that has just ended, in sixteenths. */
@@ -134,7 +155,8 @@ const decimal = `(if (global.get $in_program) (then
   (global.set $gas (i32.sub (global.get $gas) (i32.const ${SIXTEENTHS.decimal >> 4})))))`;
 
 /** Adds the charges and the counter that they share. */
-export function chargeWork(module, { iterate, sort, find, join, templates, collect, bigNumbers }) {
+export function chargeWork(module, found) {
+  const { iterate, sort, find, count, compare, hash, join, templates, collect, bigNumbers } = found;
   module.head += '\n (global $sixteenths (mut i32) (i32.const 0))';
   module.functions.set(
     'work',
@@ -152,6 +174,9 @@ export function chargeWork(module, { iterate, sort, find, join, templates, colle
   change(iterate, (text) => atStart(text, work(SIXTEENTHS.item)));
   change(sort, (text) => inEachLoop(text, SIXTEENTHS.comparison));
   change(find, (text) => inEachLoop(text, SIXTEENTHS.place));
+  change(count, (text) => inEachLoop(text, SIXTEENTHS.counted));
+  change(compare, (text) => atStart(text, inWhole(SIXTEENTHS.comparison, '(local.get $2)')));
+  change(hash, (text) => atStart(text, inWhole(SIXTEENTHS.byte, '(local.get $1)')));
   change(join, (text) => inEachLoop(text, SIXTEENTHS.joined));
   // By what they say: one of them has got another name since.
   for (const address of templates)
@@ -162,6 +187,13 @@ export function chargeWork(module, { iterate, sort, find, join, templates, colle
   for (const name of bigNumbers) change(name, (text) => inEachLoop(text, SIXTEENTHS.digit));
   chargeCopies(module);
 }
+
+/**
+ * So many of something in sixteenths, of which whole sixteens count: a few are part of what their bytecode costs. Without
+ * suspending, as not all of it is Python's.
+ */
+const inWhole = (sixteenths, count) => `(if (global.get $in_program) (then
+  (global.set $gas (i32.sub (global.get $gas) (i32.mul (i32.const ${sixteenths}) (i32.shr_u ${count} (i32.const 4)))))))`;
 
 function atStart(text, instruction) {
   let place = text.indexOf(' ', '(func '.length) + 1;
