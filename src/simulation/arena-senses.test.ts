@@ -87,3 +87,34 @@ describe('a board that feels the arena', () => {
     expect(board.sensors.get('lightLevel')).toBe(7);
   });
 });
+
+describe('a board that does not feel the arena', () => {
+  it('keeps what the hand has set, but its compass turns along with the robot, clockwise positive', () => {
+    const { rig, board, drive } = facing(0);
+    expect(board.sensors.get('compassHeading')).toBe(0);
+    drive(40, -40, 200);
+    const turnedDeg = (rig.robot.turnedRad() * 180) / Math.PI;
+    expect(turnedDeg).toBeLessThan(-90);
+    expect(board.sensors.get('compassHeading')).toBe(Math.round(-turnedDeg) % 360);
+    board.sensors.set('compassHeading', 10);
+    drive(-40, 40, 100);
+    const backDeg = (rig.robot.turnedRad() * 180) / Math.PI - turnedDeg;
+    expect(Math.abs(((10 - backDeg + 720) % 360) - board.sensors.get('compassHeading'))).toBeLessThan(2);
+    expect(board.sensors.get('lightLevel')).toBe(127);
+  });
+
+  it('has its compass where the hand had it when the arena is switched off, and turns along from there', () => {
+    const { board, senses, drive } = facing(0);
+    senses.switch(true);
+    expect(board.sensors.get('compassHeading')).toBe(90);
+    drive(40, -40, 200);
+    senses.switch(false);
+    expect(board.sensors.get('compassHeading')).toBe(0);
+    drive(0, 0, 50);
+    const still = board.sensors.get('compassHeading');
+    drive(0, 0, 50);
+    expect(board.sensors.get('compassHeading')).toBe(still);
+    drive(40, -40, 50);
+    expect(board.sensors.get('compassHeading')).toBeGreaterThan(still + 10);
+  });
+});

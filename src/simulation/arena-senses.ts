@@ -7,12 +7,15 @@ import { STEP_US } from '#world/step';
 
 /** The arena's data about the board's place. */
 export interface Surroundings {
-  readonly chassis: Pick<Chassis, 'pose' | 'collisions'>;
+  readonly chassis: Pick<Chassis, 'pose' | 'turnedRad' | 'collisions'>;
   /** Reflectance under a round spot given in the robot frame, 0 black … 1 bare floor. */
   readonly ground: (spot: Vec, radiusMm: number) => number;
 }
 
-/** Lets the board on the robot measure the arena: compass, accelerometer and light. */
+/**
+ * Lets the board on the robot measure the arena: compass, accelerometer and light. While it does not, they stay as the hand
+ * has set them; only the compass goes along when the robot turns, because a program that turns by it would never end.
+ */
 export interface ArenaSenses {
   readonly isOn: boolean;
   /** Switches it on or off; off restores the earlier values of the sensors. */
@@ -52,14 +55,14 @@ const IDS = [
 export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroundings): ArenaSenses {
   let before: ReadonlyMap<string, number> | null = null;
   let motion = createMotion(chassis);
+  let turnedDeg = turnOf(chassis);
   const set = (id: (typeof IDS)[number], value: number): void => {
     const whole = Math.round(value) + 0;
     if (sensors.get(id) !== whole) sensors.set(id, whole);
   };
   const step = (): void => {
     const { headingRad } = chassis.pose();
-    const degrees = Math.round(90 - degOf(headingRad)) % 360;
-    const headingDeg = degrees < 0 ? degrees + 360 : degrees;
+    const headingDeg = onCircle(Math.round(90 - degOf(headingRad)));
     set('compassHeading', headingDeg);
     const angleRad = radOf(headingDeg);
     set('compassX', FIELD_HORIZONTAL_NT * exactCos(angleRad));
@@ -70,6 +73,13 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
     set('accelerometerY', clamped(forwardMg));
     set('accelerometerZ', -GRAVITY_MG);
     set('lightLevel', 255 * ground({ x: 0, y: 0 }, SPOT_MM));
+  };
+  /** Turns the compass with the robot, in whole degrees. */
+  const turnAlong = (): void => {
+    const now = turnOf(chassis);
+    if (now === turnedDeg) return;
+    set('compassHeading', onCircle(sensors.get('compassHeading') - (now - turnedDeg)));
+    turnedDeg = now;
   };
   return {
     get isOn() {
@@ -84,13 +94,21 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
       } else {
         for (const [id, value] of before ?? []) sensors.set(id, value);
         before = null;
+        turnedDeg = turnOf(chassis);
       }
     },
     step() {
       if (before !== null) step();
+      else turnAlong();
     },
   };
 }
+
+/** How far the robot has turned, in whole degrees, counter-clockwise. */
+const turnOf = (chassis: Surroundings['chassis']): number => Math.round(degOf(chassis.turnedRad()));
+
+/** An angle as one of 0 … 359. */
+const onCircle = (degrees: number): number => ((degrees % 360) + 360) % 360;
 
 const clamped = (mg: number): number => Math.max(-MOST_MG, Math.min(MOST_MG, mg));
 
