@@ -47,6 +47,16 @@ describe('Maqueen Plus V2 on the floor', () => {
     expect(Math.abs(chassis.pose().xMm - 1000)).toBeLessThan(0.1);
   });
 
+  it('drives back with direction 1 and stands with 2, as owners saw it with the driver of a Plus V1', () => {
+    const { chassis, send, passMs } = onTheFloor();
+    send(0, 2, 60, 2, 60);
+    passMs(1000);
+    expect(chassis.pathMm()).toBe(0);
+    send(0, 1, 60, 1, 60);
+    passMs(1000);
+    expect(chassis.pose().xMm).toBeLessThan(950);
+  });
+
   it('answers at 0x10 alone, and no more once detached; its motors stop then', () => {
     const { board, chassis, robot, send, passMs } = onTheFloor();
     expect([...Array(128).keys()].filter((address) => board.i2c.answers(address))).toEqual([0x10]);

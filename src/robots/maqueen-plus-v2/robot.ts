@@ -19,7 +19,7 @@ import { mountMotors, mountServos, tellColors } from '../mounting';
 import { mountLineRow, type LinePlace } from '../line-row';
 import type { Robot, RobotBuild, RobotContext, RobotState } from '../robot';
 import { mountSonar, SR04_CONE } from '../sonar';
-import { CONTROLLER_ADDRESS, createController, type LineName } from './controller';
+import { CONTROLLER_ADDRESS, createController, type MotorBytes, type LineName } from './controller';
 import mbrobotPlusV2 from './library/mbrobot_plusV2.py?raw';
 import { maqueenPlusV2 as type, SERVO_PORTS } from './type';
 
@@ -70,7 +70,7 @@ function attach(context: RobotContext): Robot {
   const line = mountLineRow(context, LINE_SENSORS, { spotRadiusMm: LINE_SPOT_RADIUS_MM, ...brightness });
   const controller = createController(
     {
-      motors: ({ left, right }, sides) => motors.set(signedDuty(...left), signedDuty(...right), sides),
+      motors: ({ left, right }, sides) => motors.set(dutyOf(left), dutyOf(right), sides),
       leds: (left, right, sides) => {
         Object.assign(leds, { left, right });
         for (const side of sides) onSet?.(`light-${side}`, leds[side]);
@@ -112,6 +112,12 @@ function attach(context: RobotContext): Robot {
   };
   return { wires: WIRES, state, step, detach: () => stops.forEach((stop) => stop()) };
 }
+
+/**
+ * A motor stands with a direction that the robot does not know. Two owners who had put the driver of a Plus V1 on theirs
+ * (1 forward, 2 backward) tell so in the maker's forum: forward drives back, backward does nothing.
+ */
+const dutyOf = ([direction, speed]: MotorBytes['left']): number => (direction > 1 ? 0 : signedDuty(direction, speed));
 
 /** Listens to a servo's wire; tones are left out. Whole degrees, because the steps of `write_analog` are 2°. */
 function onServoSignal({ clock }: RobotContext, wire: Wire, set: (angleDeg: number) => void): Stop {
