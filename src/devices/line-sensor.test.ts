@@ -19,9 +19,9 @@ describe('a digital line sensor', () => {
 
   it('reads 0 on a black line from the first moment', () => expect(sensorOver(0).wire.level).toBe(0));
 
-  it('changes to 0 below 45 % and back to 1 above 55 % reflectance', () => {
+  it('changes to 0 below 47 % and back to 1 above 53 % reflectance', () => {
     const { over } = sensorOver(1);
-    expect([0.6, 0.5, 0.46, 0.44, 0.5, 0.54, 0.56].map(over)).toEqual([1, 1, 1, 0, 0, 0, 1]);
+    expect([0.6, 0.5, 0.48, 0.46, 0.5, 0.52, 0.54].map(over)).toEqual([1, 1, 1, 0, 0, 0, 1]);
   });
 
   it('shows the same to its blue LED as to the wire', () => {
@@ -40,20 +40,20 @@ describe('a digital line sensor', () => {
 });
 
 describe('a line sensor without a wire', () => {
-  it('tells what it saw at its last look, and light or dark with the same gap: below 45 %, above 55 %', () => {
+  it('tells what it saw at its last look, and light or dark with the same gap: below 47 %, above 53 %', () => {
     let reflectance = 0.5;
     const sensor = createLineComparator(() => reflectance);
-    const looks = [0.44, 0.5, 0.56, 0.5].map((next) => {
+    const looks = [0.46, 0.5, 0.54, 0.5].map((next) => {
       reflectance = next;
       const before = sensor.reflectance();
       sensor.sample();
       return [before, sensor.reflectance(), sensor.isBright()];
     });
     expect(looks).toEqual([
-      [0.5, 0.44, false],
-      [0.44, 0.5, false],
-      [0.5, 0.56, true],
-      [0.56, 0.5, true],
+      [0.5, 0.46, false],
+      [0.46, 0.5, false],
+      [0.5, 0.54, true],
+      [0.54, 0.5, true],
     ]);
   });
 });
