@@ -6,7 +6,7 @@ import type { Variables } from '#vm/debug/variables';
 import { createPage, type TestPage } from '../app/testing/page';
 import { show, startRun } from '../app/testing/run';
 import type { Debug } from './debug';
-import { isChanged } from './ran-program';
+import { isChanged } from '../work/is-changed';
 
 const needed = async (page: TestPage): Promise<Debug> => {
   page.slot.need();

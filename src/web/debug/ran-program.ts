@@ -17,13 +17,3 @@ export function changedFile({ run, work }: Parts, device: number, name: string):
   const now = filesOfDevice(work.work.value.project, device).find((file) => file.name === name)?.text;
   return text === undefined || text === now ? null : { text, ...movedLines(text, now ?? '') };
 }
-
-/** Whether any program has been written on since the run began. */
-export function isChanged(parts: Parts): boolean {
-  const { devices = [] } = parts.run.recording.value.setup ?? {};
-  const { project } = parts.work.work.value;
-  return devices.some(({ files }, device) => {
-    const now = filesOfDevice(project, device);
-    return now.length !== Object.keys(files).length || now.some(({ name, text }) => files[name] !== text);
-  });
-}
