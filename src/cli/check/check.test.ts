@@ -34,7 +34,7 @@ interface Json {
   readonly handIns: readonly {
     readonly name: string;
     readonly passed: boolean;
-    readonly points: number;
+    readonly points: number | null;
     readonly worlds: readonly { readonly id: string; readonly passed: boolean; readonly reason: string | null }[];
     readonly remarks: readonly string[];
   }[];
@@ -61,7 +61,7 @@ describe('parcours check', () => {
     expect([code, task, passed, of]).toEqual([3, 'closed-line', 2, 8]);
     expect(handIns.map((one) => [one.name, one.passed, one.points])).toEqual([
       ...[['anna', true, 1], ['ben', false, 0], ['cem', false, 0], ['dora', true, 1]], // prettier-ignore
-      ...[['eli', false, 0], ['fritz', false, 0], ['gina.txt', false, 0], ['hugo', false, 0]], // prettier-ignore
+      ...[['eli', false, 0], ['fritz', false, 0], ['gina.txt', false, null], ['hugo', false, null]], // prettier-ignore
     ]);
     expect(handIns[0]?.worlds).toEqual([{ id: 'visible', hidden: false, passed: true, reason: null, atMs: 19508, touches: 0 }]); // prettier-ignore
     expect(handIns[0]?.remarks).toEqual(['Same program as: dora']);
@@ -69,7 +69,7 @@ describe('parcours check', () => {
     expect(handIns[5]?.worlds[0]?.reason).toContain('MemoryError');
     expect([handIns[6]?.remarks[0], handIns[7]?.remarks[0]]).toEqual([
       'cannot be read: this is neither a program (.py) nor a project (.json).',
-      'cannot be read: the folder has no program (main.py).',
+      'cannot be read: which file is the program? There are several: more.py, other.py. Call one of them main.py.',
     ]);
   });
 
