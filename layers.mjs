@@ -112,6 +112,6 @@ export const webLayers = {
   app: [
     'page', 'run', 'work', 'visit', 'layout', 'task', 'console', 'board', 'course-editor', 'narration', 'arena', 'code', 'device',
     'chart', 'galleries', 'print', 'share', 'first-steps', 'real-device', 'my-robot', 'device-log', 'several-devices', 'host',
-    'debug', 'class', 'task-maker', 'series', 'why', 'handed-out', 'projector',
+    'debug', 'class', 'task-maker', 'series', 'why', 'handed-out', 'projector', 'look-back',
   ], // prettier-ignore
 };

@@ -289,7 +289,13 @@ describe('rounds and checkpoints', () => {
 
 describe('a round', () => {
   const line = (x: number, id = 't'): SceneObject => ({ ...targetAt(x, 450, id), size: [100, 200], round: false });
-  const start = (x: number): SceneObject => ({ ...line(x, 's'), type: 'checkpoint', number: 1 });
+  const start = (x: number): SceneObject => ({
+    ...targetAt(x, 450, 's'),
+    size: [100, 200],
+    round: false,
+    type: 'checkpoint',
+    number: 1,
+  });
   const lapsOf = async (objects: readonly SceneObject[], program: string) => {
     const checks = [{ type: 'laps', count: 3 }];
     const { passed, worlds } = await checked(taskWith(sceneWith(objects), { checks, seconds: 20 }), program);

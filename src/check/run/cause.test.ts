@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import type { Carried } from '#project/project';
 import { reasonText } from '../report/say';
 import type { CheckResult } from '../result';
 import { ahead, checked, sceneWith, targetAt, taskWith } from '../testing/tasks';
@@ -32,7 +33,7 @@ describe('why something is missed', () => {
 describe('a goal that was not reached', () => {
   const goal = sceneWith([targetAt(700, 450)]);
   const say = ({ worlds }: CheckResult): string => reasonText(worlds[0]?.reason ?? { code: 'panic', params: {} }, 'en');
-  const said = async (program: string, data: object = { seconds: 3 }, course = goal): Promise<string> =>
+  const said = async (program: string, data: Carried = { seconds: 3 }, course = goal): Promise<string> =>
     say(await checked(taskWith(course, data), program));
 
   it('of an empty program, also where it has only remarks', async () =>

@@ -71,7 +71,7 @@ function drive(course: Scene, task: Partial<Task>, checks: readonly RunCheck[], 
     nowUs += STEP_US;
     look();
   }
-  return { verdict: judge.verdict(), outcome: judging.outcome(() => null) };
+  return { verdict: judge.verdict(), outcome: judging.outcome(() => null, {}) };
 }
 
 const base = { points: 1, needed: true } as const;

@@ -1,7 +1,7 @@
 /** Tasks and hand-ins for tests. */
 import { readFileSync } from 'node:fs';
 import { parseScene } from '#scene/parse';
-import { defaultScene, type Scene, type SceneObject } from '#scene/scene';
+import { defaultScene, type Scene, type SceneObject, type Zone } from '#scene/scene';
 import type { Carried, Project } from '#project/project';
 import { check, type Checker } from '../check';
 import { handInOfFiles, handInOf } from '../hand-in/read-hand-in';
@@ -35,7 +35,7 @@ export const sceneWith = (objects: readonly SceneObject[], change: Partial<Scene
 });
 
 /** A target, round, 200 mm wide. */
-export const targetAt = (x: number, y: number, id = 't'): SceneObject => ({
+export const targetAt = (x: number, y: number, id = 't'): Zone => ({
   ...{ type: 'target', id, at: [x, y], size: [200, 200], angle: 0, round: true, number: 0, blocks: 0 },
 });
 

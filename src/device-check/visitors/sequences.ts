@@ -46,8 +46,9 @@ const IN_PLACE: readonly Kind[] = ['text', 'bytes', 'list', 'texts'];
 
 /** A file or an AudioFrame is not iterable on the device. */
 function goThrough(node: SyntaxNode | null, context: Context): void {
+  if (node === null) return;
   const kind = context.kindOf(node);
-  if (node === null || (kind !== 'file' && kind !== 'frame')) return;
+  if (kind !== 'file' && kind !== 'frame') return;
   const name = textOf(context.file, node);
   const shown = name.length > 30 ? (kind === 'file' ? 'file' : 'frame') : name;
   const instead = kind === 'file' ? `for line in ${shown}.read().split("\\n"):` : `for i in range(len(${shown})):`;

@@ -98,8 +98,8 @@ describe('the card of an error', () => {
       ['SyntaxError', false],
     ] as const) {
       // prettier-ignore
-      const failure = { type, message: 'x', traceback: '' };
-      page.say({ type: 'program-ended', device: 0, ended: { reason: 'exception', exception: failure, timeUs: 1000 } });
+      const failure = { type, message: 'x', traceback: '', line: 1 };
+      page.say({ type: 'program-ended', device: 0, ended: { kind: 'exception', exception: failure, timeUs: 1000 } });
       const report = { failure: page.run.ended.value!.exception!, source: { text: 'x', line: 1 }, table: null };
       const card = mountOn(page, ErrorCard, { place: { file: 'main.py', line: 1 }, report });
       expect(card.find('[data-testid="error-look"]').exists(), type).toBe(leads);

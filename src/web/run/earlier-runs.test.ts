@@ -115,6 +115,7 @@ describe('the runs before this one', () => {
     await showAgain(page.run, {
       kept,
       untilUs: 1_000_000,
+      ends: { untilUs: 1_000_000, untilProgramEnds: false },
       first: page.run.present.value!,
       pieces: [new Uint8Array(9)],
       atUs: 0,

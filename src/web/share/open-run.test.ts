@@ -5,6 +5,7 @@ import { effectScope, nextTick, watch, type EffectScope } from 'vue';
 
 import { withoutSecrets } from '#check/task/write-task';
 import { parseTape, setupAsKept, tapeToText } from '#tape/file';
+import { PHYSICS } from '#simulation/physics-version';
 import { version } from '../../../package.json';
 import { createParts, type AllParts } from '../app/provide-parts';
 import { downloads } from '../app/testing/downloads';
@@ -91,7 +92,7 @@ describe('a run that is taken along', () => {
     const [device] = read.tape.setup.devices;
     const setup = setupAsKept({ ...read.tape.setup, devices: [{ ...device, files: { 'main.py': main } }], inputs });
     const repeated = await repeatShown(page, { setup, ...ends }, String);
-    const text = tapeToText({ madeBy: version, setup, ...ends, result: repeated!.result });
+    const text = tapeToText({ madeBy: version, physics: PHYSICS, setup, ...ends, result: repeated!.result });
     await page.run.reset();
     open(text);
     await soon(() => expect(said()).toContain('the same'));

@@ -90,9 +90,9 @@ export function createPhysics(size: WorldSize): Physics {
       for (const mover of movers) mover.beforeStep();
       for (const chaser of chasers) chaser.beforeStep(robots);
       for (const robot of robots) robot.beforeStep();
-      if (movers.length > 0) guard.note(blocks.values());
+      guard.note(movers.length > 0 ? blocks.values() : []);
       world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
-      if (movers.length > 0) guard.putBack();
+      guard.putBack();
       for (const mover of movers) mover.afterStep();
       for (const robot of robots) robot.afterStep();
     },

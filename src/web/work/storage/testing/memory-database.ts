@@ -1,7 +1,7 @@
 import { vi } from 'vitest';
 
 /** What is in the database, by name. */
-type Entries = Map<string, { name: string; usedMs: number }>;
+type Entries = Map<string, { name: string; usedMs: number; text?: string }>;
 
 /** A browser's database in memory, as far as the storage of work uses one. */
 export interface MemoryDatabase {
