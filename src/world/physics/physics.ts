@@ -14,7 +14,7 @@ import { RobotBody } from './robot-body';
 import { toUnits } from './scale';
 import { CONTACT_FRICTION, Kind, outlineOf } from './solid';
 import { createSurroundings } from './surroundings';
-import { WallGuard } from './wall-guard';
+import { guarded } from './wall-guard';
 
 // Rounds of the solver per step. Chosen: a train of five blocks is pushed without lag; more changes nothing visible.
 const VELOCITY_ROUNDS = 12;
@@ -48,7 +48,6 @@ export function createPhysics(size: WorldSize): Physics {
   const movers: MoverBody[] = [];
   const chasers: ChaserBody[] = [];
   const around = createSurroundings(world, blocks);
-  const guard = new WallGuard();
 
   listen(world, robots, movers);
 
@@ -90,9 +89,8 @@ export function createPhysics(size: WorldSize): Physics {
       for (const mover of movers) mover.beforeStep();
       for (const chaser of chasers) chaser.beforeStep(robots);
       for (const robot of robots) robot.beforeStep();
-      guard.note(movers.length > 0 ? blocks.values() : []);
-      world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS);
-      guard.putBack();
+      const pressed = movers.length > 0 ? blocks.values() : []; // nothing else is stronger than a wall
+      guarded(pressed, () => world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS));
       for (const mover of movers) mover.afterStep();
       for (const robot of robots) robot.afterStep();
     },

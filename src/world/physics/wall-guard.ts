@@ -12,26 +12,19 @@ import { outlineOf } from './solid';
 const PRESSED = 0.5 * UNITS_PER_MM;
 
 /**
- * Keeps blocks on their side of walls. A moving obstacle is stronger than any wall: what it presses against one, or
- * throws at one, the solver alone lets through a thin one.
+ * Moves the world on while blocks stay on their side of walls. A moving obstacle is stronger than any wall: what it
+ * presses against one, or throws at one, the solver alone lets through a thin one. A block that is too deep in something
+ * fixed after the step lies where it was before.
  */
-export class WallGuard {
-  private readonly before = new Map<BlockBody, Place>();
-
-  /** Call it before each step of the world. */
-  note(blocks: Iterable<BlockBody>): void {
-    this.before.clear();
-    for (const block of blocks) if (block.isMovable && block.body.isAwake()) this.before.set(block, block.at());
-  }
-
-  /** Call it after the step: a block that is too deep in something fixed lies where it was before. */
-  putBack(): void {
-    for (const [block, place] of this.before) {
-      if (!block.isMovable || !isPressed(block.body)) continue;
-      block.shove(place);
-      block.body.setLinearVelocity(new Vec2(0, 0));
-      block.body.setAngularVelocity(0);
-    }
+export function guarded(blocks: Iterable<BlockBody>, step: () => void): void {
+  const before: [BlockBody, Place][] = [];
+  for (const block of blocks) if (block.isMovable && block.body.isAwake()) before.push([block, block.at()]);
+  step();
+  for (const [block, place] of before) {
+    if (!block.isMovable || !isPressed(block.body)) continue;
+    block.shove(place);
+    block.body.setLinearVelocity(new Vec2(0, 0));
+    block.body.setAngularVelocity(0);
   }
 }
 

@@ -6,11 +6,11 @@ import { courses } from '#catalogue/courses';
 import { MAIN } from '#project/project';
 import { soloRun } from '#simulation/run-setup';
 
-import { createPage, type TestPage } from '../../app/testing/page';
-import { loadTexts } from '../../page/i18n';
-import '../catalogue/ready-courses';
-import { useCourses } from '../use-courses';
-import { filesOfRun, keepBest, programsOf } from './own-programs';
+import { createPage, type TestPage } from '../app/testing/page';
+import { loadTexts } from '../page/i18n';
+import './catalogue/ready-courses';
+import { useCourses } from './use-courses';
+import { filesOfRun, keepBest, programsOf } from './programs/own-programs';
 
 beforeAll(() => loadTexts('de'));
 beforeEach(() => localStorage.clear());
