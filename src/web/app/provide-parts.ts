@@ -59,7 +59,12 @@ export function createParts(opened: Opened, wish: HostWish, engine: RunEngine = 
   const work = new WorkModel(opened.work ?? firstWork(settings.current.value.language), Date.now);
   const { keeper } = work;
   work.programs = starStore(wish);
-  keepWork(work, opened.storage, () => page.notices.show({ kind: 'error', key: 'files.storageFull' }));
+  keepWork(
+    work,
+    opened.storage,
+    () => page.notices.show({ kind: 'error', key: 'files.storageFull' }),
+    (savedMs) => void import('../work/take-over').then(({ takeOver }) => takeOver(work, savedMs)),
+  );
   const mine = { work, settings };
   const firstSteps = { guide: createGuide(), tour: createTour() };
   const sight = {

@@ -77,8 +77,14 @@ async function withPieces(storage: TabStorage): Promise<TabStorage> {
  * Saves the work shortly after every change, also while it goes on changing, and at once when the page is left.
  *
  * @param onLost called when it can be saved nowhere; not again until saving has worked in between
+ * @param onFirst called once, with the first copy's time in ms: from now on the copies of closed tabs can be looked for
  */
-export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => void): void {
+export function keepWork(
+  model: WorkModel,
+  storage: TabStorage,
+  onLost: () => void,
+  onFirst: (savedMs: number) => void = () => undefined,
+): void {
   let timer: ReturnType<typeof setTimeout> | undefined;
   let dueMs = 0;
   let late: DiskSaver | null = null;
@@ -104,7 +110,7 @@ export function keepWork(model: WorkModel, storage: TabStorage, onLost: () => vo
     try {
       if (storage.tab !== undefined) {
         const saver = late ?? (await fetchLate()).createDiskSaver(storage.tab);
-        if (late === null) void import('../take-over').then(({ takeOver }) => takeOver(model, savedMs));
+        if (late === null) onFirst(savedMs);
         kept = await (late ??= saver).keep(work, text, isSaved);
       }
     } catch {
