@@ -37,6 +37,7 @@ export default defineConfig({
     environment: 'node',
     pool: 'threads',
     maxWorkers: availableParallelism(), // else one processor waits, which on two is half of the time
+    hookTimeout: 60_000,
     testTimeout: 60_000, // a busy machine with two processors must not fail a test that only counts simulated time
   },
 });

@@ -121,7 +121,13 @@ describe('the example for Moodle', () => {
     expect(rows.map((row) => [row[0], row[4], row[9]])).toEqual([
       ['Identifier', 'Grade', 'Feedback comments'],
       ['Participant 17', '100', ''],
-      ['Participant 18', '28.57', expect.stringContaining('The goal was not reached (0 of 4).')],
+      [
+        'Participant 18',
+        '28.57',
+        expect.stringContaining(
+          'The robot never moved. The program was still running after 30 s, the limit of this check.',
+        ),
+      ],
       ['Participant 19', '', 'cannot be read: the folder has no program (main.py).'],
       ['Participant 21', '', ''],
     ]);
@@ -182,7 +188,7 @@ describe('the example for Gradescope', () => {
     expect(standing.tests[0]).toMatchObject({
       status: 'failed',
       score: 0,
-      output: 'The goal was not reached (0 of 4).',
+      output: 'The robot never moved. The program was still running after 30 s, the limit of this check.',
     });
     const photo = grade('photo', { 'photo.jpg': '…' });
     expect([photo.score, photo.output]).toEqual([undefined, 'cannot be read: the folder has no program (main.py).']);
@@ -229,7 +235,11 @@ describe('the example for GitHub Classroom', () => {
 
   it('tells no points of what cannot be read: the job fails, and says why', () => {
     const { code, out, err } = script('github-classroom/points.mjs', resultOf('Cem Öz_19_assignsubmission_file'));
-    expect([code, out, err]).toEqual([1, '', 'cannot be read: the folder has no program (main.py).\n']);
+    expect([code, out, err]).toEqual([
+      1,
+      '',
+      'cannot be read: this is neither a program (.py) nor a project (.json).\n',
+    ]);
   });
 });
 
@@ -255,7 +265,9 @@ describe('the example for GitLab', () => {
     expect(pupil('right', RIGHT)[0]).toBe(0);
     const [code, junit] = pupil('standing', STANDING);
     expect(code).toBe(3);
-    expect(junit).toContain('<failure message="The goal was not reached (0 of 4).">');
+    expect(junit).toContain(
+      '<failure message="The robot never moved. The program was still running after 30 s, the limit of this check.">',
+    );
   });
 });
 

@@ -15,7 +15,7 @@ const EXPECTED: Readonly<Record<string, readonly string[]>> = {
   'project-link': ['from mbrobot import *\nforward()', 'damaged'],
   'reference-complete': ['scroll'],
   'scene-edit': ['0 objects before, 1 after', 'read again: wall-1', 'size[0]: 10 is not within 200 … 10000.'],
-  simulation: ['at x = 771 mm, y = 450 mm', 'trace bbfc715d7d2979e623ca79a51ea62c19a229d9b668634a4f6644ef2eab8bbfeb'],
+  simulation: ['at x = 771 mm, y = 450 mm', 'trace 351b04b444db661eb16282d7247289cc4fa17cd0d3602ddce20b2b36fc19dcb2'],
   vm: ['0', '500', '1', '1000', '2', '1501', '11 LEDs are on'],
   world: ['on the line 0.05, beside it 1', 'the wall is 695 mm ahead', 'after a second something is 270 mm ahead'],
 };

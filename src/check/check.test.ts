@@ -51,6 +51,7 @@ describe('a hand-in for a course with goals', () => {
     expect(worlds[0]?.reason).toEqual({
       code: 'exception',
       params: { type: 'NameError', message: "name 'y' isn't defined", line: 2 },
+      advice: expect.objectContaining({ en: expect.stringContaining('y') as string }) as object,
     });
   });
 

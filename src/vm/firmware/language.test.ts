@@ -21,14 +21,13 @@ describe('whole numbers of the board’s MicroPython', () => {
 describe('operators in place', () => {
   const program = `
 def change(text, value):
-    names = {'a': value, 'Image': Image}
+    names = {'a': value}
     exec(text, names)
     return names['a']
 err(change, 'a *= 2', 'ab')
 err(change, 'a *= 2', [0])
 err(change, 'a *= 2', b'x')
 err(change, 'a %= 5', '%d')
-err(change, 'a += a', Image('1:'))
 err(change, 'a *= 2', (1,))
 err(change, 'a *= 2', 1.5)
 err(change, 'a += "y"', 'x')
@@ -40,7 +39,6 @@ err(change, 'a |= {1}', {1})`;
       "TypeError: unsupported types for : 'list', 'int'",
       "TypeError: unsupported types for : 'bytes', 'int'",
       "TypeError: unsupported types for : 'str', 'int'",
-      expect.stringMatching(/^TypeError: unsupported types for __iadd__: /) as string,
       'no error: (1, 1)',
       'no error: 3.0',
       'no error: xy',
@@ -65,7 +63,7 @@ describe('a product that no memory holds', () => {
 });
 
 describe('an endless loop of short calls', () => {
-  it.each(['("ab" * 9000).count("ba")', 'hash("x" * 20000)', 'int("7" * 3000)', '[0] * 5000 == [0] * 5000'])(
+  it.each(['("ab" * 9000).count("ba")', 'hash("x" * 20000)', 'int("7" * 3000)', '[0] * 3000 == [0] * 3000'])(
     'uses up simulated time: %s',
     (call) => {
       const program = `import time\nt = time.ticks_us()\nfor i in range(10):\n    ${call}\nprint(time.ticks_us() - t)`;

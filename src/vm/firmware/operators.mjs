@@ -33,7 +33,8 @@ function nameOnly(module, name, named) {
 
 /**
  * MicroPython 1.18 goes from `*=` to `*` for numbers, sets, tuples and classes of one's own alone: `text *= 2` and
- * `row *= 9` are TypeErrors there, as are `image += other` and `image *= 0.5`. (py/runtime.c falls back for all since 1.19.)
+ * `row *= 9` are TypeErrors there. (py/runtime.c falls back for all since 1.19.) Images have none there either; the device check
+ * marks those, for ours are a class of the library, as AudioFrame is, which has them.
  */
 function refuseInPlace(module, binary) {
   const text = flat(module.functions.get(binary));
@@ -61,13 +62,9 @@ function refuseInPlace(module, binary) {
     `(func $stays_in_place (param $0 i32) (result i32) (local $1 i32)
       (if (i32.eqz (i32.and ${olderThan(19)} (global.get $in_program))) (then (return (i32.const 0))))
       (local.set $1 (call $${typeOf} (local.get $0)))
-      (i32.or ${isRefused} ${isOfLibrary('(local.get $1)')}))`,
+      ${isRefused})`,
   );
 }
-
-/** A class of our library stands for a type of the board's C code. */
-const isOfLibrary = (type) =>
-  `(i32.and (i32.ge_u ${type} (global.get $heap_start)) (i32.lt_u ${type} (global.get $program_start)))`;
 
 /** py/objstr.c, bytes_make_new: the types bytes and str. */
 function bytesAndText(module) {

@@ -174,7 +174,7 @@ print(N, micropython.opt_level(), micropython.stack_use() >= 0, errno.ENOSPC, ue
 micropython.heap_lock()
 micropython.heap_unlock()
 print(micropython, gc, errno)`);
-    expect(console).toBe("5 0 True 28 2 True\n<module 'micropython'> <module 'gc'> <module 'errno'>\n");
+    expect(console).toBe("5 0 True 28 2 True\n<module 'micropython'> <module 'gc'> <module 'uerrno'>\n");
   });
 
   it('names error 28: ENOSPC', () => {

@@ -174,7 +174,7 @@ const parts: Readonly<Record<Exclude<EntryId, KeyId>, Parts>> = {
   suggestions: ofOwn(mdiLightbulbOutline, 'suggestions'),
   explain: ofOwn(mdiHelpCircleOutline, 'explain'),
   'break-points': ofOwn(mdiCircle, 'break-points'),
-  'line-by-line': of(mdiDebugStepOver, () => say(debugWords.bar), 'step-*', 'words.goOn'),
+  'line-by-line': of(mdiDebugStepOver, () => say(debugWords.bar), 'step-*', 'words.goOn', 'ran-open', 'ran-close'),
   variables: of(
     mdiVariable,
     () => say(debugWords.variables),
