@@ -31,7 +31,7 @@ const COMPRESSIBLE = new Set(['.css', '.html', '.js', '.json', '.mjs', '.py', '.
 export const PAGE_POLICY = [
   "default-src 'self'",
   // The one script inside the page, src/web/app/frame-check/frame-check.js, by its hash.
-  "script-src 'self' 'sha256-F1cDuul/VyDdlLoPlPEOpLANr8Tw5NsCaOs387Cg2Wg=' 'wasm-unsafe-eval' 'unsafe-eval'",
+  "script-src 'self' 'sha256-gNC8psfq1R3r7qOfNVqv6uGWsceal7EvA4laI93TTFg=' 'wasm-unsafe-eval' 'unsafe-eval'",
   "style-src 'self' 'unsafe-inline'",
   "img-src 'self' data: blob:",
   "connect-src 'self'",

@@ -25,8 +25,9 @@
   if (isOld) cannotStart('old');
   else if (!isSingle && self.origin === 'null') cannotStart(location.protocol === 'file:' ? 'folder' : 'frame');
   // What fails before the app has taken the sentence's place: a file that does not come, or comes as something else.
-  function failed() {
-    cannotStart('files');
+  // A preload may fail in Firefox while the script itself comes.
+  function failed(event) {
+    if (event.target.rel !== 'modulepreload') cannotStart('files');
   }
   addEventListener('error', failed, true);
   addEventListener('unhandledrejection', failed);
