@@ -105,7 +105,7 @@ describe('a class in the browser', () => {
 
   it('that cannot be read any more is told, and is gone', async () => {
     const { entries } = stubDatabase();
-    entries.set('class.task', { name: 'class.task', usedMs: 0, text: '{"version":99}' } as never);
+    entries.set('class.task', { name: 'class.task', usedMs: 0, text: '{"version":99}' });
     const { keeper } = await loaded();
     expect([keeper.problem.value, keeper.isKept.value, entries.size]).toEqual(['lost', false, 0]);
   });
