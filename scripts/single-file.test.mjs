@@ -128,14 +128,20 @@ describe('why a page cannot start', () => {
 
   it.each(['error', 'unhandledrejection'])('is a file that does not come, after an event %s', (event) => {
     const page = checked({});
-    page.listeners[event]();
+    page.listeners[event]({ target: {} });
     expect(page.attributes['data-cannot']).toBe('files');
   });
 
   it('keeps to the first reason', () => {
     const page = checked({ list: {} });
-    page.listeners.error();
+    page.listeners.error({ target: {} });
     expect(page.attributes['data-cannot']).toBe('old');
+  });
+
+  it('is not a preload: the script itself may still come', () => {
+    const page = checked({});
+    page.listeners.error({ target: { rel: 'modulepreload' } });
+    expect(page.attributes).not.toHaveProperty('data-cannot');
   });
 
   it('is told in the language of the address, or else in the first that the browser wants', () => {
