@@ -1,3 +1,5 @@
+import { changedLines } from '#core/changed-lines';
+
 /**
  * Where lines that stay as they are have got to in a changed text. Neighbours stay neighbours: nothing comes between them.
  *
@@ -5,12 +7,7 @@
  * @returns their numbers now; `null`: one of them is not there any more
  */
 export function keptLines(before: string, after: string, lines: readonly number[]): readonly number[] | null {
-  const [old, now] = [before.split(/\r?\n/), after.split(/\r?\n/)];
-  const shorter = Math.min(old.length, now.length);
-  let head = 0;
-  while (head < shorter && old[head] === now[head]) head += 1;
-  let tail = 0;
-  while (tail < shorter - head && old.at(-1 - tail) === now.at(-1 - tail)) tail += 1;
+  const { old, now, head, tail } = changedLines(before, after);
   const grown = now.length - old.length;
   const kept: number[] = [];
   let free = 0;

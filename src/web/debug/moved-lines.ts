@@ -1,3 +1,5 @@
+import { changedLines } from '#core/changed-lines';
+
 /** Larger changed parts than this (lines before × lines now) are not compared. Chosen: some ms. */
 const MOST = 1_000_000;
 
@@ -11,12 +13,7 @@ export interface MovedLines {
 
 /** Compares two texts line by line: what both have in the same order has stayed. */
 export function movedLines(before: string, after: string): MovedLines {
-  const [old, now] = [before.split(/\r?\n/), after.split(/\r?\n/)];
-  const shorter = Math.min(old.length, now.length);
-  let head = 0;
-  while (head < shorter && old[head] === now[head]) head += 1;
-  let tail = 0;
-  while (tail < shorter - head && old.at(-1 - tail) === now.at(-1 - tail)) tail += 1;
+  const { old, now, head, tail } = changedLines(before, after);
   const pairs = pairsOf(old.slice(head, old.length - tail), now.slice(head, now.length - tail));
   const forwards = new Map(pairs.map(([from, to]) => [from + head, to + head]));
   const backwards = new Map(pairs.map(([from, to]) => [to + head, from + head]));

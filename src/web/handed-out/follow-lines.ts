@@ -1,3 +1,5 @@
+import { changedLines } from '#core/changed-lines';
+
 /** Locked lines of a program that has changed. */
 export interface Followed {
   /** Their numbers now, from 1, in order. */
@@ -19,12 +21,7 @@ export function followLines(
   lines: readonly number[],
   gone: readonly string[] = [],
 ): Followed {
-  const [old, now] = [before.split(/\r?\n/), after.split(/\r?\n/)];
-  const shorter = Math.min(old.length, now.length);
-  let head = 0;
-  while (head < shorter && old[head] === now[head]) head += 1;
-  let tail = 0;
-  while (tail < shorter - head && old.at(-1 - tail) === now.at(-1 - tail)) tail += 1;
+  const { old, now, head, tail } = changedLines(before, after);
   const [oldEnd, end] = [old.length - tail, now.length - tail];
   const places = new Set<number>();
   const moved: string[] = [];
