@@ -28,7 +28,7 @@ class StrokesOnFloor implements Ground {
   private picture: FloorPicture | null = null;
   private layers = 0;
   private looks = 0;
-  /** The pieces that reach into the present spot but do not fill it. */
+  /** The pieces that reach into the present spot but do not fill it, from the topmost layer to the lowest. */
   private edges: Segment[] = [];
   /** The topmost stroke that fills the spot. */
   private filling: Painted | null = null;
@@ -67,7 +67,6 @@ class StrokesOnFloor implements Ground {
       const share = bandCoverage(distance, only.painted.halfWidth, radius);
       return under + share * (only.painted.reflectance - under);
     }
-    if (seen.length > 1) seen.sort((a, b) => b.painted.layer - a.painted.layer);
     return meanByChords(x, y, radius, seen, under);
   }
 
@@ -83,10 +82,22 @@ class StrokesOnFloor implements Ground {
       const outer = painted.halfWidth + radius;
       if (squared >= outer * outer) return;
       const inner = painted.halfWidth - radius;
-      if (inner < 0 || squared > inner * inner) this.edges.push(segment);
+      if (inner < 0 || squared > inner * inner) insertByLayer(this.edges, segment);
       else if (this.filling === null || painted.layer > this.filling.layer) this.filling = painted;
     });
   }
+}
+
+/** Puts a piece behind those of its layer and of higher ones. */
+function insertByLayer(pieces: Segment[], piece: Segment): void {
+  let place = pieces.length;
+  pieces.push(piece);
+  for (; place > 0; place--) {
+    const above = pieces[place - 1];
+    if (!above || above.painted.layer >= piece.painted.layer) break;
+    pieces[place] = above;
+  }
+  pieces[place] = piece;
 }
 
 /** Whether the spot meets neither end of a piece. */

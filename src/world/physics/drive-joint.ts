@@ -3,47 +3,10 @@ import type { ChassisType, Wheel, WheelSide } from '../chassis';
 import { SCRUB_FULL_BEYOND } from '../drive-law';
 import { Joint, Vec2 } from './planck';
 import type { Body, TimeStep } from './planck';
-import { Power } from './power';
+import { DrivenWheel, type MotorLaw } from './driven-wheel';
 import { GRAVITY, UNITS_PER_MM, UNITS_PER_NEWTON } from './scale';
 import { solverBodyOf } from './solver-body';
 import type { SolverBody } from './solver-body';
-
-/** What a motor does in a step at one duty, and what its tyre then does. */
-interface Stretch {
-  /** Share of the step, 1 for all of it. */
-  share: number;
-  /** Impulse of the motor and inertia of the rim, as far as known before the step is solved. */
-  push: number;
-  /** Resistance to a change of the rim's speed: its inertia and the motor's braking. */
-  stiffness: number;
-  /** Maximum impulse of the dry friction in this step. */
-  dry: number;
-  /** Impulse on the floor in this step, if this duty held through all of it. */
-  impulse: number;
-}
-
-/** One driven wheel inside the solver; lengths in units, masses in g. */
-interface DrivenWheel {
-  /** Distance from the middle of the axle along the robot's y. */
-  readonly y: number;
-  /** Change of the wheel's speed over ground per unit of its impulse. */
-  readonly response: number;
-  /** Maximum impulse per second that the tyre can transmit. */
-  readonly grip: number;
-  /** Pull of its motor when blocked, at full duty. */
-  readonly stallForce: number;
-  readonly power: Power;
-  /** Speed of the rim. */
-  rim: number;
-  /** Impulse on the floor in this step, lengthwise and sideways. */
-  impulse: number;
-  side: number;
-  /** For a step through which its duty stays the same. */
-  readonly whole: Stretch;
-  readonly alone: readonly Stretch[];
-  /** One for each of its duties in this step. */
-  stretches: readonly Stretch[];
-}
 
 /**
  * The drive of a robot: two motors, two tyres, and the scrub of tyres and castor (see DriveLaw), solved together with
@@ -58,13 +21,6 @@ export class DriveJoint extends Joint {
   private readonly wheels: readonly [DrivenWheel, DrivenWheel];
   private readonly inverseMass: number;
   private readonly inertia: number;
-  private readonly rimMass: number;
-  private readonly dryForce: number;
-  private readonly breakawayForce: number;
-  private readonly breakawaySpeed: number;
-  /** Loss of pull of a motor at full duty, per unit of speed. */
-  private readonly slope: number;
-  private readonly viscous: number;
   /** Torque of the scrub per cube of the mean speed. */
   private readonly scrubPerSpeed3: number;
   private scrub = 0;
@@ -83,13 +39,16 @@ export class DriveJoint extends Joint {
     this.inertia = body.getInertia();
     const v0 = drive.v0MmPerS * UNITS_PER_MM;
     const stallForce = drive.stallForceN * UNITS_PER_NEWTON;
-    this.slope = stallForce / v0;
-    this.viscous = drive.viscous;
-    this.dryForce = stallForce * drive.coulomb;
-    this.breakawayForce = stallForce * (drive.breakaway?.share ?? 0);
-    this.breakawaySpeed = v0 * (drive.breakaway?.until ?? 1);
-    // lag = (mass + 2 rim masses) / (2 slopes of the force), solved for the rim's mass
-    this.rimMass = Math.max(this.slope * (1 + drive.viscous) * drive.lagS - mass / 2, 0);
+    const slope = stallForce / v0;
+    const motor: MotorLaw = {
+      // lag = (mass + 2 rim masses) / (2 slopes of the force), solved for the rim's mass
+      rimMass: Math.max(slope * (1 + drive.viscous) * drive.lagS - mass / 2, 0),
+      slope,
+      viscous: drive.viscous,
+      dryForce: stallForce * drive.coulomb,
+      breakawayForce: stallForce * (drive.breakaway?.share ?? 0),
+      breakawaySpeed: v0 * (drive.breakaway?.until ?? 1),
+    };
     const track = (left.atMm.y - right.atMm.y) * UNITS_PER_MM;
     this.scrubPerSpeed3 = (stallForce * drive.yawResistance * track) / (v0 * v0 * v0);
     const castorShare = type.castorMm ? type.centreOfMassMm.x / type.castorMm.x : 0;
@@ -98,9 +57,7 @@ export class DriveJoint extends Joint {
     const wheel = ({ atMm, gripMu }: Wheel, strength: number): DrivenWheel => {
       const y = atMm.y * UNITS_PER_MM;
       const response = this.inverseMass + (y * y) / this.inertia;
-      const fixed = { y, response, grip: gripMu * weightPerWheel, stallForce: stallForce * strength };
-      const whole = { share: 1, push: 0, stiffness: 0, dry: 0, impulse: 0 };
-      return { ...fixed, power: new Power(), rim: 0, impulse: 0, side: 0, whole, alone: [whole], stretches: [whole] };
+      return new DrivenWheel(motor, y, response, gripMu * weightPerWheel, stallForce * strength);
     };
     const [leftStrength, rightStrength] = type.strength ?? [1, 1];
     this.wheels = [wheel(left, leftStrength), wheel(right, rightStrength)];
@@ -119,16 +76,12 @@ export class DriveJoint extends Joint {
   /** Whether a motor drives or a wheel still turns. */
   isMoving(): boolean {
     const [left, right] = this.wheels;
-    return left.power.isOn || right.power.isOn || left.rim !== 0 || right.rim !== 0;
+    return left.isMoving || right.isMoving;
   }
 
   /** Stops the wheels and forgets the impulses of the last step, after the body was moved by hand. */
   forget(): void {
-    for (const wheel of this.wheels) {
-      wheel.rim = 0;
-      wheel.impulse = 0;
-      wheel.side = 0;
-    }
+    for (const wheel of this.wheels) wheel.forget();
     this.scrub = 0;
   }
 
@@ -139,51 +92,10 @@ export class DriveJoint extends Joint {
     const heading = this.solved.c_position.a + 0.5 * step.dt * w;
     this.cos = exactCos(heading);
     this.sin = exactSin(heading);
-    this.prepare(left, step.dt);
-    this.prepare(right, step.dt);
+    left.prepare(step.dt);
+    right.prepare(step.dt);
     this.maxScrub = this.scrubTorque(Math.abs(left.rim + right.rim) / 2, Math.abs(left.rim - right.rim)) * step.dt;
     this.push(left.impulse, right.impulse, left.side + right.side, this.scrub);
-  }
-
-  /**
-   * Within a step in which its duty changes, a wheel comes out at the mean of what each duty alone would give, weighted
-   * by time. So a change that comes a little later moves the robot a little farther, evenly, and it does not matter where
-   * in a step a program begins.
-   */
-  private prepare(wheel: DrivenWheel, dt: number): void {
-    if (wheel.power.isSteady) {
-      const { whole } = wheel;
-      this.prepareStretch(wheel, whole, wheel.power.duty, dt);
-      if (wheel.power.duty * wheel.rim < 0) this.prepareReversal(wheel, dt);
-      wheel.stretches = wheel.alone;
-      return;
-    }
-    wheel.stretches = wheel.power.pieces().map(({ share, duty }) => {
-      const stretch = { share, push: 0, stiffness: 0, dry: 0, impulse: wheel.impulse };
-      this.prepareStretch(wheel, stretch, duty, dt);
-      return stretch;
-    });
-  }
-
-  private prepareStretch(wheel: DrivenWheel, stretch: Stretch, duty: number, dt: number): void {
-    // A shorted motor (duty 0) brakes as strongly as one at full duty resists its own speed.
-    const resisting = duty === 0 ? 1 : Math.abs(duty);
-    stretch.push = this.rimMass * wheel.rim + wheel.stallForce * duty * dt;
-    stretch.stiffness = this.rimMass + this.slope * (resisting + this.viscous) * dt;
-    const sticking = Math.max(0, 1 - Math.abs(wheel.rim) / this.breakawaySpeed);
-    stretch.dry = (this.dryForce + this.breakawayForce * sticking) * dt;
-  }
-
-  /**
-   * A wheel that changes its direction within the step: up to then friction slows it down as the motor does, afterwards
-   * it acts against the motor. Otherwise the moment of the change, within the step, would make a difference.
-   */
-  private prepareReversal({ rim, response, stallForce, power, whole }: DrivenWheel, dt: number): void {
-    const pull = Math.abs(stallForce * power.duty) * dt;
-    const before = (Math.abs(rim) * (this.rimMass + 1 / response)) / (pull + whole.dry);
-    if (pull <= whole.dry || before >= 1) return;
-    whole.push += Math.sign(rim) * whole.dry * (1 - 2 * before);
-    whole.dry = 0;
   }
 
   /** Maximum resistance of tyres and castor to a turn at this mean speed and this difference of the wheels. */
@@ -199,7 +111,7 @@ export class DriveJoint extends Joint {
     const velocity = this.solved.c_velocity;
     const twist = clamp(this.scrub - velocity.w * this.inertia, this.maxScrub) - this.scrub;
     this.scrub += twist;
-    this.push(0, 0, 0, twist);
+    velocity.w += twist / this.inertia;
 
     // Both wheels, lengthwise and sideways, from the same state, so that equal duties stay equal to the last bit.
     const forward = velocity.v.x * this.cos + velocity.v.y * this.sin;
@@ -207,27 +119,9 @@ export class DriveJoint extends Joint {
     const halfSide = sideways / this.inverseMass / 2;
     const [leftBefore, rightBefore] = [left.impulse, right.impulse];
     const sideBefore = left.side + right.side;
-    this.solveTyre(left, forward - left.y * velocity.w, halfSide, step.dt);
-    this.solveTyre(right, forward - right.y * velocity.w, halfSide, step.dt);
+    left.solve(forward - left.y * velocity.w, halfSide, step.dt);
+    right.solve(forward - right.y * velocity.w, halfSide, step.dt);
     this.push(left.impulse - leftBefore, right.impulse - rightBefore, left.side + right.side - sideBefore, 0);
-  }
-
-  /** The impulse of a tyre on the body: the mean over the stretches of the step. */
-  private solveTyre(wheel: DrivenWheel, speed: number, halfSide: number, dt: number): void {
-    const withoutTyre = speed - wheel.response * wheel.impulse;
-    const side = wheel.side - halfSide;
-    const grip = wheel.grip * dt;
-    wheel.impulse = 0;
-    wheel.side = 0;
-    for (const stretch of wheel.stretches) {
-      const along = tyreImpulse(wheel, stretch, withoutTyre);
-      // A sliding tyre rubs against the direction in which it slides: what it needs lengthwise is missing sideways.
-      const needed = Math.sqrt(along * along + side * side);
-      const given = needed > grip ? grip / needed : 1;
-      stretch.impulse = along * given;
-      wheel.impulse += stretch.share * stretch.impulse;
-      wheel.side += stretch.share * side * given;
-    }
   }
 
   private push(left: number, right: number, side: number, twist: number): void {
@@ -245,9 +139,7 @@ export class DriveJoint extends Joint {
     if (!isAwake) this.forget();
     for (const wheel of this.wheels) {
       wheel.power.beginStep();
-      if (!isAwake) continue;
-      wheel.rim = 0;
-      for (const stretch of wheel.stretches) wheel.rim += stretch.share * rimAfter(stretch);
+      if (isAwake) wheel.settle();
     }
   }
 
@@ -273,20 +165,4 @@ export class DriveJoint extends Joint {
   }
 }
 
-/**
- * Impulse that a tyre needs to make rim and floor equally fast. The motor's pull falls linearly with the unknown speed,
- * and its dry friction opposes it; hence the soft threshold.
- */
-function tyreImpulse({ response }: DrivenWheel, { push, stiffness, dry }: Stretch, withoutTyre: number): number {
-  const common = soften(push + withoutTyre / response, dry) / (stiffness + 1 / response);
-  return (common - withoutTyre) / response;
-}
-
-/** Speed of the rim at the end of a step. */
-const rimAfter = ({ push, impulse, dry, stiffness }: Stretch): number => soften(push - impulse, dry) / stiffness;
-
 const clamp = (value: number, limit: number): number => (value > limit ? limit : value < -limit ? -limit : value);
-
-/** Reduces the size of a value by `amount`, down to 0: the part of a push that dry friction leaves. */
-const soften = (value: number, amount: number): number =>
-  value > amount ? value - amount : value < -amount ? value + amount : 0;

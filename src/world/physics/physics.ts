@@ -10,6 +10,7 @@ import { ChaserBody } from './chaser-body';
 import { gapBetween } from './convex';
 import { OVERLAP } from './lodged';
 import { MoverBody } from './mover-body';
+import { quietStep } from './quiet-step';
 import { RobotBody } from './robot-body';
 import { toUnits } from './scale';
 import { CONTACT_FRICTION, Kind, outlineOf } from './solid';
@@ -89,14 +90,19 @@ export function createPhysics(size: WorldSize): Physics {
       for (const mover of movers) mover.beforeStep();
       for (const chaser of chasers) chaser.beforeStep(robots);
       for (const robot of robots) robot.beforeStep();
-      const pressed = movers.length > 0 ? blocks.values() : []; // nothing else is stronger than a wall
-      guarded(pressed, () => world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS));
+      moveOn(world, movers.length > 0 ? blocks.values() : []);
       for (const mover of movers) mover.afterStep();
       for (const robot of robots) robot.afterStep();
     },
   };
   for (const corners of edgeWalls(size)) physics.addFixture(corners);
   return physics;
+}
+
+/** @param pressed blocks that a moving obstacle may press against a wall: nothing else is stronger than one */
+function moveOn(world: PlanckWorld, pressed: Iterable<BlockBody>): void {
+  if (quietStep(world, VELOCITY_ROUNDS)) return;
+  guarded(pressed, () => world.step(STEP_S, VELOCITY_ROUNDS, POSITION_ROUNDS));
 }
 
 /** Tells robots what they touch, and lets through what must not collide. */

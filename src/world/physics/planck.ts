@@ -17,4 +17,4 @@ export type { Body, Contact, Fixture, TimeStep } from 'planck';
 // Of 12, which is the engine's own choice, an ellipse would be a die. A course's polygons have up to 60 corners.
 Settings.maxPolygonVertices = 64;
 
-export { CircleShape, Joint, PolygonShape, Rot, Vec2, World as PlanckWorld };
+export { CircleShape, Joint, PolygonShape, Rot, Settings, Vec2, World as PlanckWorld };

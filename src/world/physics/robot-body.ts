@@ -5,6 +5,7 @@ import { DriveJoint } from './drive-joint';
 import { ForkBody } from './fork-body';
 import { GripperBody } from './gripper-body';
 import { Lodged } from './lodged';
+import { skipWhileNear } from './near-proxy';
 import { PolygonShape, Vec2 } from './planck';
 import type { Body, Fixture, PlanckWorld } from './planck';
 import { MM_PER_UNIT, toUnits, UNITS_PER_MM } from './scale';
@@ -337,6 +338,7 @@ function createBody(world: PlanckWorld, type: ChassisType, pose: Pose): Body {
   for (const part of type.outlineMm) {
     body.createFixture({ shape: new PolygonShape(part.map(toUnits)), density: 1, friction: CONTACT_FRICTION });
   }
+  skipWhileNear(body);
   // Inertia of the outline about its own middle, for a mass of 1 g.
   const shape = { mass: 0, center: new Vec2(0, 0), I: 0 };
   body.getMassData(shape);
