@@ -64,21 +64,35 @@ export function createRegisterMachine(parts: readonly RegisterPart[]): I2cTarget
   let selected = 0;
   const next = (): number => (selected + 1) % REGISTER_COUNT;
 
+  /** Tells each part that has been written since a transfer began at this register, once. */
+  const tell = (register: number, count: number): void => {
+    const touched = new Map<RegisterPart, Touched>();
+    for (let i = 0; i < count; i++) {
+      const at = (register + i) % REGISTER_COUNT;
+      const part = partOf[at];
+      if (part?.write) touched.set(part, around(touched.get(part), at - part.first));
+    }
+    for (const [part, registers] of touched) part.written?.(registers);
+  };
+
   return {
     write: (bytes) => {
       if (bytes.length === 0) return; // an address probe
-      selected = bytes[0] ?? 0;
-      const touched = new Map<RegisterPart, Touched>();
-      for (const byte of bytes.subarray(1)) {
+      const start = bytes[0] ?? 0;
+      const whole = partOf[start];
+      let isWhole = true;
+      selected = start;
+      for (let i = 1; i < bytes.length; i++) {
         const part = partOf[selected];
-        if (part?.write) {
-          const offset = selected - part.first;
-          part.write(offset, byte);
-          touched.set(part, around(touched.get(part), offset));
-        }
+        isWhole &&= part === whole;
+        part?.write?.(selected - part.first, bytes[i] ?? 0);
         selected = next();
       }
-      for (const [part, registers] of touched) part.written?.(registers);
+      const count = bytes.length - 1;
+      if (count === 0) return;
+      // Nearly every transfer stays within one part, and in simple loops they come by the thousand.
+      if (!isWhole || start + count > REGISTER_COUNT) tell(start, count);
+      else if (whole?.write) whole.written?.({ first: start - whole.first, last: start - whole.first + count - 1 });
     },
     read: (count) => {
       const answer = new Uint8Array(count);

@@ -117,7 +117,11 @@ export class I2cBus {
 
   /** Duration of a write, in µs: the address alone if no chip answers, the probe time if it is empty. */
   writeUs(address: number, byteCount: number): number {
-    if (!this.answers(address)) return this.transferUs(0);
+    return this.timeOfWrite(this.find(address), byteCount);
+  }
+
+  private timeOfWrite(target: I2cTarget | undefined, byteCount: number): number {
+    if (!target) return this.transferUs(0);
     return byteCount > 0 ? this.transferUs(byteCount) : Math.max(this.transferUs(0), this.overhead.probeUs);
   }
 
@@ -128,8 +132,8 @@ export class I2cBus {
 
   /** Writes bytes to a chip. */
   write(address: number, bytes: Uint8Array): I2cTransfer {
-    const durationUs = this.writeUs(address, bytes.length);
     const target = this.find(address);
+    const durationUs = this.timeOfWrite(target, bytes.length);
     target?.write(bytes);
     return { acknowledged: target !== undefined, durationUs, bytes: NOTHING };
   }
@@ -145,7 +149,8 @@ export class I2cBus {
   }
 
   private find(address: number): I2cTarget | undefined {
-    return this.chips.find((chip) => chip.address === address && areSame(chip.wires, this.wires))?.target;
+    for (const chip of this.chips) if (chip.address === address && areSame(chip.wires, this.wires)) return chip.target;
+    return undefined;
   }
 }
 
