@@ -3,6 +3,7 @@
 // ../run/firmware.ts says what the run-time side expects of the result.
 import binaryen from 'binaryen';
 import { askBefore, enterFrame, findScopeEnd, leaveFrame, tellScopes, tellState } from './debugging.mjs';
+import { callDirectly } from './direct-calls.mjs';
 import { echoPasted } from './echo-pasted.mjs';
 import { orderKeywordArguments } from './keyword-order.mjs';
 import { hideLibrary } from './library-hidden.mjs';
@@ -74,6 +75,7 @@ export function transform(published, report) {
   beTheBoardsVersion(module);
   echoPasted(module);
   fixMemory(module);
+  callDirectly(module);
 
   report('spilling pointers for the collector');
   const spilled = build(module, ['spill-pointers']);
@@ -88,18 +90,21 @@ export function transform(published, report) {
   exportState(metered);
 
   report('making it suspendable');
-  binaryen.setOptimizeLevel(2);
-  binaryen.setShrinkLevel(0);
-  binaryen.setPassArgument(
-    'asyncify-imports',
-    'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick,host.look',
-  );
-  const result = build(metered, ['asyncify']);
+  const result = suspendable(build, metered);
   report('optimising');
   result.optimize();
   const bytes = result.emitBinary();
   result.dispose();
   return bytes;
+}
+
+/** In what it calls of the host it may be suspended. */
+function suspendable(build, module) {
+  binaryen.setOptimizeLevel(2);
+  binaryen.setShrinkLevel(0);
+  const imports = 'env.invoke_*,env.call0,env.call1,env.call2,env.calln,host.tick,host.look';
+  binaryen.setPassArgument('asyncify-imports', imports);
+  return build(module, ['asyncify']);
 }
 
 /** What the language of the board's MicroPython takes, and what it says. */
