@@ -5,10 +5,10 @@ import type { FromWorker } from './protocol';
 
 /** Moments in a piece after the programs' end: a second. */
 const SHORT = 50;
-/** Time between two moments of a thin stretch, in µs. Chosen: a moment costs as much as 30 ms of a simple run, so 3 %. */
-const THIN_US = 1_000_000;
+/** Time between two moments of a thin stretch, in µs. Chosen: a moment costs as much as 30 ms of a simple run, so 1.5 %. */
+const THIN_US = 2_000_000;
 /** Moments in a piece of a thin stretch. Chosen: it comes to the page every third of a second or so. */
-const THIN_MOMENTS = 30;
+const THIN_MOMENTS = 15;
 
 /** What is asked of the run when all of its tape is wanted. */
 interface TapedRun {
@@ -19,7 +19,7 @@ interface TapedRun {
 
 /**
  * Collects what a run shows, 50 times a second, and sends it to the page, packed. While the run goes as fast as it can, that
- * would take longer than the run itself: then it collects one moment a second. The page has the others made when it wants
+ * would take longer than the run itself: then it collects one moment in two seconds. The page has the others made when it wants
  * them, by running the run again.
  */
 export class TapeBox {
