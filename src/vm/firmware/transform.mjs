@@ -93,12 +93,9 @@ export function transform(published, report) {
   const result = suspendable(build, metered);
   report('optimising');
   result.optimize();
-  const bytes = result.emitBinary();
-  result.dispose();
-  return bytes;
+  return result.emitBinary();
 }
 
-/** In what it calls of the host it may be suspended. */
 function suspendable(build, module) {
   binaryen.setOptimizeLevel(2);
   binaryen.setShrinkLevel(0);
@@ -396,7 +393,7 @@ function declareHost(module) {
   ]
     .map((name) => ` (global $${name} (mut i32) (i32.const 0))\n (export "${name}" (global $${name}))`)
     .join('\n');
-  const inProgram = ' (global $in_program (mut i32) (i32.const 0))';
-  module.head = `${module.head.slice(0, end)}\n${imports}\n${counters}\n${inProgram}${module.head.slice(end)}`;
+  const added = `\n${imports}\n${counters}\n (global $in_program (mut i32) (i32.const 0))`;
+  module.head = module.head.slice(0, end) + added + module.head.slice(end);
   declareVersion(module);
 }
