@@ -1,5 +1,6 @@
 import { argumentsOf, attributeOf } from '#python/expressions';
 import { importsIn } from '#python/imports';
+import { namesOf } from '#python/scopes';
 import { readPython, textOf, type PythonText, type SyntaxNode } from '#python/tree';
 import type { Fact } from '../task/task';
 import { isTooDeep } from './depth';
@@ -62,8 +63,7 @@ function callsIn(source: PythonText, name: string): boolean {
   const others = aliasesIn(source);
   return anyNode(source, (node) => {
     if (node.name !== 'CallExpression' || node.firstChild === null) return false;
-    const [first = '', ...rest] = pathOf(source, node.firstChild);
-    const path = [others.get(first) ?? first, ...rest];
+    const path = fullPath(source, node.firstChild, others);
     const wanted = name.split('.');
     return path.some((_, at) => wanted.every((part, place) => path[at + place] === part));
   });
@@ -77,16 +77,30 @@ function pathOf(source: PythonText, node: SyntaxNode): readonly string[] {
   return [...pathOf(source, attribute.owner), textOf(source, attribute.property)];
 }
 
-/** What `from mbrobot import irLeft as left` calls `left`. */
-function aliasesIn(source: PythonText): ReadonlyMap<string, string> {
-  const aliases = new Map<string, string>();
+type Aliases = ReadonlyMap<string, readonly string[]>;
+
+/** The names of `a.b.c` with what `a` stands for. */
+function fullPath(source: PythonText, node: SyntaxNode, others: Aliases): readonly string[] {
+  const [first = '', ...rest] = pathOf(source, node);
+  return [...(others.get(first) ?? [first]), ...rest];
+}
+
+/** What `from mbrobot import irLeft as left` calls `left`, and `wait = microbit.sleep` calls `wait`. */
+function aliasesIn(source: PythonText): Aliases {
+  const aliases = new Map<string, readonly string[]>();
   source.tree.iterate({
     enter: (ref) => {
       if (ref.name !== 'ImportStatement') return;
       for (const { module, symbol, nameNode } of importsIn(source, ref.node))
-        if (nameNode !== null && symbol !== '*') aliases.set(textOf(source, nameNode), symbol ?? module);
+        if (nameNode !== null && symbol !== '*') aliases.set(textOf(source, nameNode), [symbol ?? module]);
     },
   });
+  for (const [name, bound] of namesOf(source).bindings) {
+    const [value] = bound.length === 1 ? bound : [];
+    if (value?.kind !== 'value' || value.of !== 'itself') continue;
+    const path = fullPath(source, value.node, aliases);
+    if (path.every((part) => part !== '')) aliases.set(name, path);
+  }
   return aliases;
 }
 
@@ -142,15 +156,9 @@ function delaysWithin(programs: readonly PythonText[], most: number): FactFound 
 }
 
 /** How long a call waits, if it is one that waits and its figure stands there. */
-function waitOf(
-  source: PythonText,
-  call: SyntaxNode,
-  others: ReadonlyMap<string, string>,
-  secondsHere: boolean,
-): number | null {
+function waitOf(source: PythonText, call: SyntaxNode, others: Aliases, secondsHere: boolean): number | null {
   const { firstChild: callee } = call;
-  const [head = '', ...rest] = callee === null ? [] : pathOf(source, callee);
-  const path = [others.get(head) ?? head, ...rest];
+  const path = callee === null ? [] : fullPath(source, callee, others);
   const name = path.at(-1) ?? '';
   const unit = Object.hasOwn(WAITS, name) ? (WAITS[name] ?? 1) : null;
   const [first] = argumentsOf(source, call);
@@ -172,22 +180,43 @@ function sleepsInSeconds(source: PythonText): boolean {
   );
 }
 
-/** The value of a number, or of a sum and the like of numbers; `null`: only a run would tell. */
-function numberOf(source: PythonText, node: SyntaxNode): number | null {
+/** How many names may stand for names. */
+const MOST_NAMES = 20;
+
+/** The value of a number, of a name for one, or of a sum and the like of them; `null`: only a run would tell. */
+function numberOf(source: PythonText, node: SyntaxNode, names = 0): number | null {
+  if (node.name === 'VariableName') return names < MOST_NAMES ? namedNumber(source, node, names + 1) : null;
   if (node.name === 'Number') return finite(Number(textOf(source, node).replaceAll('_', '')));
   if (node.name === 'ParenthesizedExpression') {
     const inner = node.firstChild?.nextSibling;
-    return inner ? numberOf(source, inner) : null;
+    return inner ? numberOf(source, inner, names) : null;
   }
   if (node.name !== 'BinaryExpression') return null;
   const { firstChild: left, lastChild: right } = node;
   const sign = left?.nextSibling;
   if (!left || !right || !sign) return null;
-  const [a, b] = [numberOf(source, left), numberOf(source, right)];
+  const [a, b] = [numberOf(source, left, names), numberOf(source, right, names)];
   if (a === null || b === null) return null;
   const values: Readonly<Record<string, number>> = { '+': a + b, '-': a - b, '*': a * b, '/': a / b };
   const operator = textOf(source, sign);
   return Object.hasOwn(values, operator) ? finite(values[operator] ?? NaN) : null;
+}
+
+/** The number that a name was given last before it stands here; `null` if it is ever given something else. */
+function namedNumber(source: PythonText, node: SyntaxNode, names: number): number | null {
+  const name = textOf(source, node);
+  const isUpdated = ({ name: kind, firstChild }: SyntaxNode): boolean =>
+    kind === 'UpdateStatement' && firstChild !== null && textOf(source, firstChild) === name;
+  if (anyNode(source, isUpdated)) return null;
+  let [last, first]: (number | null)[] = [null, null];
+  for (const given of namesOf(source).bindings.get(name) ?? []) {
+    if (given.kind !== 'value' || given.of !== 'itself') return null;
+    const value = numberOf(source, given.node, names);
+    if (value === null) return null;
+    first ??= value;
+    if (given.node.to <= node.from) last = value;
+  }
+  return last ?? first ?? null;
 }
 
 const finite = (value: number): number | null => (Number.isFinite(value) ? value : null);

@@ -78,5 +78,17 @@ describe('a pause by another name', () => {
     expect(within('from time import sleep as warte\nwarte(2)')).toEqual({ holds: false, found: 2000, line: 2 });
     expect(within('import time as t\nt.sleep(2)')).toEqual({ holds: false, found: 2000, line: 2 });
     expect(within('from microbit import sleep as warte\nwarte(500)').holds).toBe(true);
+    expect(within('from microbit import *\nwarte = sleep\nwarte(5000)').found).toBe(5000);
+    expect(within('import time\nwarte = time.sleep\nwarte(2)').found).toBe(2000);
+  });
+
+  it('is found where its figure has a name: the one given last', () => {
+    expect(within('from microbit import *\nt = 5000\nsleep(t)')).toEqual({ holds: false, found: 5000, line: 3 });
+    expect(within('t = 5000\nt = 100\nsleep(t)').found).toBe(100);
+    expect(within('t = 100\nsleep(t)\nt = 5000\nsleep(2 * t)')).toEqual({ holds: false, found: 10_000, line: 4 });
+    expect(within('SECOND = 1000\ndef pause():\n    sleep(long)\nlong = 3 * SECOND\npause()').found).toBe(3000);
+    expect(within('t = 5000\nt = t - 4900\nsleep(t)').holds).toBe(true);
+    expect(within('t = 5000\nt -= 4900\nsleep(t)').holds).toBe(true);
+    expect(within('for t in range(5000):\n    sleep(t)\na = b\nb = a\nsleep(a)').found).toBe(0);
   });
 });
