@@ -43,12 +43,26 @@ const say = (key: AdviceKey, values: AdviceValues = {}): SyntaxAdvice => ({ key,
 export function syntaxAdvice({ text, line }: Source): SyntaxAdvice | null {
   const lines = text.split(/\r\n?|\n/);
   const read = readUpTo(lines, line);
+  const above = { text, line: read.codes.slice(0, line - 1).findLastIndex((it) => it.trim() !== '') + 1 };
+  // Below a bracket that is open, every line looks wrong: it comes first, wherever the device stopped.
+  const isWithin = read.open.some((it) => it.line < line);
+  if (isWithin) return atLine(lines, read, { text, line });
+  const before = above.line === 0 ? null : above;
+  return (
+    (before && endAbove(lines, read.codes, before)) ??
+    atLine(lines, read, { text, line }) ??
+    aroundLine(read.codes, line) ??
+    (before && atLine(lines, readUpTo(lines, before.line), before))
+  );
+}
+
+/** What is wrong at a line, without the lines before. */
+function atLine(lines: readonly string[], read: Reading, { text, line }: Source): SyntaxAdvice | null {
   const code = read.codes[line - 1] ?? '';
   const written = lines[line - 1] ?? '';
   const mended = (slip: Slip | null): SyntaxAdvice | null => slip && withMend(slip, text, line);
-  // Below a bracket that is open, every line looks wrong: it comes first, wherever the device stopped.
-  const above = read.open.find((it) => it.line < line);
-  if (above === undefined) {
+  const isWithin = read.open.some((it) => it.line < line);
+  if (!isWithin) {
     const begun = /^\s*(?:\/\/|\/\*)/.test(written) ? mended(slipIn(written.trim(), written)) : null;
     if (begun !== null) return begun;
     const loop = /^\s*repeat\b\s*(?![\s=.,])/.test(code) ? repeatAdvice(text, lines, line) : null;
@@ -60,11 +74,11 @@ export function syntaxAdvice({ text, line }: Source): SyntaxAdvice | null {
   if (quotes !== null) return quotes;
   if (read.extra !== null) return say('error.extraBracket', { bracket: read.extra });
   if (read.mixed !== null) return say('error.mixedBrackets', { ...read.mixed });
-  const slip = above === undefined ? mended(slipIn(code.trim(), written)) : null;
+  const slip = isWithin ? null : mended(slipIn(code.trim(), written));
   if (slip !== null) return slip;
   const [open] = read.open;
   if (open !== undefined) return openAdvice(lines, line);
-  return inLine(code.trim(), { text, line }) ?? aroundLine(read.codes, line);
+  return inLine(code.trim(), { text, line });
 }
 
 /** The advice of a slip, with the file in which its line is written right. */
@@ -139,6 +153,27 @@ function colonAdvice(word: string, text: string, line: number): SyntaxAdvice {
   const isSure = !written.includes('#') && indentOf(below) > indentOf(written);
   const right = written.replace(/\s*;?\s*$/, ':');
   return withMend({ key: 'error.missingColon', values: { word }, ...(isSure ? { line: right } : {}) }, text, line);
+}
+
+/** What a line of code cannot end with. */
+const UNFINISHED =
+  /(?:[-+*/%<>=&|^~@]|[^\d.\s]\s*\.|\b(?:and|or|not|in|is|import|from|as|del|assert|lambda|global|nonlocal))$/;
+
+/**
+ * Something is missing at the end of the last line of code before. MicroPython 1.18 tells it of the next line with code.
+ * (No MicroPython comes past such a line.)
+ */
+function endAbove(lines: readonly string[], codes: readonly string[], { text, line }: Source): SyntaxAdvice | null {
+  const code = (codes[line - 1] ?? '').trim();
+  if ([codes[line - 2], code].some((it) => it?.trimEnd().endsWith('\\') === true)) return null;
+  const word = BLOCK.exec(code)?.[1];
+  if (word !== undefined && !outsideBrackets(code).includes(':')) {
+    const { values, mend } = colonAdvice(word, text, line);
+    return { ...say('error.missingColonAbove', { ...values, line }), ...(mend && { mend }) };
+  }
+  if (!UNFINISHED.test(code) || /\bimport\s*\*$/.test(code)) return null;
+  const advice = atLine(lines, readUpTo(lines, line), { text, line });
+  return advice === null || advice.key === 'error.valueMissing' ? say('error.unfinishedAbove', { line }) : advice;
 }
 
 /** Mistakes that show by the lines before: a block that is not indented, `else` without its `if`. */

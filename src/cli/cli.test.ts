@@ -85,7 +85,7 @@ describe('parcours run', { timeout: 30_000 }, () => {
   });
 
   it('shows a syntax error with its line and exits with 1', () => {
-    const { code, out } = parcours('run', file('syntax.py', 'x = 1\nif x\n  pass\n'));
+    const { code, out } = parcours('run', file('syntax.py', 'x = 1\nif x y:\n  pass\n'));
     expect(code).toBe(1);
     expect(out).toMatch(/File "main\.py", line 2[^]*SyntaxError: invalid syntax/);
   });

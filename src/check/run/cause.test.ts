@@ -98,7 +98,7 @@ describe('an error of the program', () => {
 
   it('in the language of the reader', async () =>
     expect(await said('x = 1\nif x == 1\n    x = 2\n', 'de')).toMatch(
-      /^Zeile 2: SyntaxError: invalid syntax – .*Doppelpunkt/,
+      /^Zeile 3: SyntaxError: invalid syntax – In Zeile 2 .*Doppelpunkt/,
     ));
 
   it('has nothing to add to what it does not know', async () =>

@@ -18,6 +18,74 @@ describe('whole numbers of the board’s MicroPython', () => {
   });
 });
 
+describe('bytes of a whole number', () => {
+  it('are cut where they do not fit, and 0 beyond the number’s own, on every board', () => {
+    const program = `
+print((300).to_bytes(1, "little"), (-300).to_bytes(1, "little"), (-1).to_bytes(2, "big"))
+print((-1).to_bytes(8, "little"), (1000).to_bytes(6, "big"))
+print((10 ** 20).to_bytes(6, "big"), (-(10 ** 12)).to_bytes(8, "little"))`;
+    const printed = [
+      "b',' b'\\xd4' b'\\xff\\xff'",
+      "b'\\xff\\xff\\xff\\xff\\x00\\x00\\x00\\x00' b'\\x00\\x00\\x00\\x00\\x03\\xe8'",
+      "b'^-c\\x10\\x00\\x00' b'\\x00\\xf0Z+\\x17\\xff\\x00\\x00'",
+    ];
+    expect(linesOf(program)).toEqual(printed);
+    expect(onCalliope(program)).toEqual(printed);
+  });
+});
+
+describe('what MicroPython 1.23 has and 1.18 lacks', () => {
+  const program = `
+import struct
+names = ("append", "extend", "decode", "find", "split", "startswith", "upper")
+print([name for name in names if hasattr(bytearray(1), name)])
+err(struct.calcsize, "3xB")
+err(struct.pack, "Bx", 1)
+err(complex, "1+2j")
+err(complex, "2j")
+err(bytes, "abc")
+err(bytearray, "äb")`;
+
+  it('is refused by 1.18', () => {
+    expect(linesOf(program)).toEqual([
+      "['append', 'extend', 'decode']",
+      ...['ValueError: bad typecode', 'ValueError: bad typecode', 'ValueError: invalid syntax for number'],
+      ...['no error: 2j', 'TypeError: wrong number of arguments', "no error: bytearray(b'\\xc3\\xa4b')"],
+    ]);
+  });
+
+  it('is there on the Calliope mini 3', () => {
+    expect(onCalliope(program)).toEqual([
+      "['append', 'extend', 'decode', 'find', 'split', 'startswith', 'upper']",
+      ...['no error: 4', "no error: b'\\x01\\x00'", 'no error: (1+2j)', 'no error: 2j'],
+      ...['TypeError: string argument without an encoding', 'TypeError: string argument without an encoding'],
+    ]);
+  });
+});
+
+describe('the line of a syntax error', () => {
+  const lineOf = (program: string): string =>
+    `try:
+    exec(${JSON.stringify(program)})
+except SyntaxError as e:
+    import sys
+    sys.print_exception(e)`;
+  const told = (program: string): (string | undefined)[] =>
+    [linesOf(lineOf(program)), onCalliope(lineOf(program))].map((lines) =>
+      lines.find((it) => it.includes('<string>'))?.trim(),
+    );
+
+  it.each([
+    ['n = 0\nwhile n < 3\n\n# a comment\n    n += 1\n', 5, 2],
+    ['x = 3 +\nprint(x)', 2, 1],
+    ['if True:\n        x = 1\n    y = 2\n', 3, 2],
+    ['x = 1\nprint(1 2)\n', 2, 2],
+    ['x = (1 +\n2\n)) + 3\n', 3, 3],
+  ])('is the next one with code by 1.18 where a line ends too early: %j', (program, older, newer) => {
+    expect(told(program)).toEqual([older, newer].map((line) => `File "<string>", line ${line}`));
+  });
+});
+
 describe('operators in place', () => {
   const program = `
 def change(text, value):

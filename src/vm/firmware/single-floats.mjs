@@ -42,7 +42,14 @@ export function computeInSingles(module) {
     `\\(call \\$(?:${[create.name, value.name, number.name].join('|')}) |\\(i32\\.const ${floatType}\\)`,
   );
   const results = resultTypes(module);
-  const singles = new Set([create.name, bigNumber.name, divide.name]);
+  const complex = onlyFunction(
+    module,
+    'mp_obj_complex_binary_op',
+    new RegExp(
+      `^\\(func \\$\\S+ \\(param \\$0 i32\\) \\(param \\$1 f64\\) .*\\(i32\\.const ${addressOfText(module, '0.0 to a complex power')}\\)`,
+    ),
+  );
+  const singles = new Set([create.name, bigNumber.name, divide.name, complex.name]);
   for (const [name, text] of module.functions) if (/f64/.test(text) && uses.test(flat(text))) singles.add(name);
   // What these return is rounded already.
   const rounded = new Set([value.name, number.name, bigNumber.name]);

@@ -11,6 +11,7 @@ import { refuseCallsAsNative } from './native-calls.mjs';
 import { operateAsTheBoard } from './operators.mjs';
 import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
+import { readFormatsAsTheBoard } from './earlier-formats.mjs';
 import { chargeWork, findWork } from './work-in-c.mjs';
 import { exportState, fixMemory } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
@@ -109,6 +110,7 @@ function beTheBoardsVersion(module) {
   speakAsTheDevice(module);
   operateAsTheBoard(module);
   readWholeNumbersAsTheBoard(module);
+  readFormatsAsTheBoard(module);
 }
 
 /** mp_execute_bytecode is the function with the widest jump table: the dispatch of the bytecodes. */

@@ -1,8 +1,14 @@
 // The board's MicroPython (1.18 and 1.23) reads whole numbers more freely than the published build: zeros before a number
-// are no error (`hour = 08`), and a text may say its base (`int("0x1F")`).
-import { flat, onlyFunction, onlyMatch, replaceOnce } from './wat.mjs';
+// are no error (`hour = 08`), and a text may say its base (`int("0x1F")`). It writes what fits into the bytes it is
+// given, and cuts off the rest (`(300).to_bytes(1, "little")`), up to 1.24.
+import { addressOfText, flat, onlyFunction, onlyMatch, replaceOnce } from './wat.mjs';
 
 export function readWholeNumbersAsTheBoard(module) {
+  readAnyBase(module);
+  cutBytes(module);
+}
+
+function readAnyBase(module) {
   const base = onlyFunction(
     module,
     'mp_parse_num_base',
@@ -26,3 +32,32 @@ export function readWholeNumbersAsTheBoard(module) {
   onlyMatch(flat(module.functions.get(make)), 'base of int()', read);
   replaceOnce(module, make, 'base of int()', read, '$1(i32.const 0) (i32.const 0)');
 }
+
+/** py/objint.c, int_to_bytes, and py/mpz.c, mpz_as_bytes: no OverflowError; what lies beyond the number's own bytes is 0. */
+function cutBytes(module) {
+  const tooSmall = `(i32.const ${addressOfText(module, 'buffer too small')})) (unreachable))`;
+  const { name, match } = onlyFunction(
+    { functions: new Map([...module.functions].filter(([, text]) => flat(text).endsWith(tooSmall))) },
+    'int_to_bytes',
+    /\(br_if (\$\S+) (\(call \$(\S+) (?:\(local\.get \$\d\) ?){4}\))\) \(br (\$\w+)\)/,
+  );
+  const [both, done, write, writeBig, overflow] = match;
+  const replace = (what, text, by) => replaceOnce(module, name, what, escaped(text), () => by);
+  replace('overflow of a big number', both, `(drop ${write}) (br ${done})`);
+  replace(
+    'overflow of a number',
+    `(br_if ${overflow} (i32.lt_u (local.get $3) (local.get $6)))`,
+    '(local.set $6 (select (local.get $3) (i32.const 4) (i32.lt_u (local.get $3) (i32.const 4))))',
+  );
+  replace('sign of a number', '(i32.shr_s (local.get $1) (i32.const 31))', '(i32.const 0)');
+  const digits = /\(call \$(\S+) /.exec(flat(module.functions.get(writeBig)))[1];
+  replaceOnce(
+    module,
+    digits,
+    'sign of a big number',
+    escaped('(i32.sub (i32.const 0) (i32.and (i32.load8_u (local.get $0)) (i32.const 1)))'),
+    () => '(i32.const 0)',
+  );
+}
+
+const escaped = (text) => new RegExp(text.replace(/[.*+?^${}()|[\]\\]/g, '\\$&'));

@@ -3,7 +3,16 @@
 //
 // A text that is longer than the one it replaces lies where a text was that nobody says any more.
 import { olderThan } from './version.mjs';
-import { addressOfText, expressionEnd, flat, onlyFunction, onlyMatch, replaceBytes, replaceOnce } from './wat.mjs';
+import {
+  addressOfText,
+  expressionEnd,
+  flat,
+  only,
+  onlyFunction,
+  onlyMatch,
+  replaceBytes,
+  replaceOnce,
+} from './wat.mjs';
 
 const CALL = '%q() takes %d positional arguments but %d were given';
 const CALL_WITHOUT_NAME = 'function takes %d positional arguments but %d were given';
@@ -12,6 +21,8 @@ const WHOLE_WITHOUT_TEXT = 'invalid syntax for integer with base %d';
 const OF_MODULE = "module '%q' has no attribute '%q'";
 const ARGUMENT_ORDER = 'positional arg after keyword arg'; // since MicroPython 1.19
 const OLD_ARGUMENT_ORDER = 'non-keyword arg after keyword arg';
+const NO_ENCODING = 'string argument without an encoding'; // since MicroPython 1.20
+const WRONG_COUNT = 'wrong number of arguments';
 const BOUND = '<bound_method %p ';
 const CLOSURE = '<closure ';
 const FUNCTION = '<function>';
@@ -39,6 +50,8 @@ export function speakAsTheDevice(module) {
   const function_ = addressOfText(module, CALL) + WHOLE_WITHOUT_TEXT.length + 1;
   printLibraryFunctions(module, saying('fun_bc_print', '<function %q at 0x%p>'), `(i32.const ${function_})`);
   refuseStrangersOfTexts(module, place);
+  takeTextAsBytes(module, place);
+  nameLineAfterBreak(module, place);
   dropWarnings(module);
   printWithoutFile(module, saying('module_print', "<module '%s' from '%s'>"));
   protectModules(module);
@@ -154,6 +167,67 @@ function refuseStrangersOfTexts(module, place) {
           (then (call $${refuse.name} (local.get $2))))))
       (call $${own} (local.get $0) (local.get $1) (local.get $2)))`,
   );
+}
+
+/** Before 1.20 `bytes("abc")` is a wrong number of arguments, and `bytearray("abc")` has the bytes of the text. */
+function takeTextAsBytes(module, place) {
+  const [isOlder, counted, told] = [olderThan(20), place(WRONG_COUNT), place(NO_ENCODING)];
+  const users = [...module.functions].filter(([, text]) => flat(text).includes(told));
+  const [bytes, array] = [true, false].map(
+    (counts) =>
+      only(
+        users.filter(([, text]) => flat(text).includes(counted) === counts),
+        NO_ENCODING,
+      )[0],
+  );
+  replaceOnce(module, bytes, NO_ENCODING, new RegExp(escaped(told)), `(select ${counted} ${told} ${isOlder})`);
+  // One argument, a text: a short one (qstr) goes on to the error, another one jumps there.
+  const text = flat(module.functions.get(array));
+  const [short] = onlyMatch(
+    text,
+    'short text',
+    /\(br_if \$\S+ \(i32\.ne \(i32\.and \(local\.get \$2\) \(i32\.const 6\)\) \(i32\.const 2\)\)\)/,
+  );
+  const [long, label, condition] = onlyMatch(
+    text,
+    'text',
+    /\(br_if (\$\S+) (\(i32\.eq \(local\.get \$3\) \(i32\.const \d+\)\))\)/,
+  );
+  const [taken] = /\$\S+/.exec(short);
+  module.functions.set(
+    array,
+    text
+      .replace(short, () => `${short} (br_if ${taken} ${isOlder})`)
+      .replace(long, () => `(br_if ${label} (i32.and (i32.eqz ${isOlder}) ${condition}))`),
+  );
+}
+
+/**
+ * py/lexer.c before 1.19 reads on to the next line with code before it says that a line has ended. So what goes wrong at a
+ * line's end (a missing colon, an unindent that fits nowhere) is told of the line below.
+ */
+function nameLineAfterBreak(module, place) {
+  const [DEDENT_MISMATCH, NEWLINE] = [2, 5];
+  const { match } = onlyFunction(
+    module,
+    'mp_lexer_to_next',
+    /\(call \$\S+ \(local\.get \$0\) \(i32\.const 1\)\)\) \(i64\.store offset=(\d+) align=4 \(local\.get \$0\) \(i64\.load offset=(\d+) align=4 \(local\.get \$0\)\)\).*\(drop \(call \$\S+ \(local\.get \$0\) \(i32\.const 0\)\)\) \(i32\.store offset=(\d+) \(local\.get \$0\) \(i32\.const 5\)\)/,
+  );
+  const [, tokenLine, line, kind] = match;
+  const lexer = '(local.get $1)';
+  const told = `(i32.load offset=${tokenLine} ${lexer})`;
+  const parse = onlyFunction(
+    module,
+    'mp_parse',
+    new RegExp(`${escaped(place('invalid syntax'))}\\).*${escaped(told)} \\(i32\\.const 0\\)\\)`),
+  ).name;
+  const isOneOf = [DEDENT_MISMATCH, NEWLINE]
+    .map((it) => `(i32.eq (i32.load offset=${kind} ${lexer}) (i32.const ${it}))`)
+    .reduce((a, b) => `(i32.or ${a} ${b})`);
+  const text = flat(module.functions.get(parse));
+  const { index } = onlyMatch(text, 'line of a syntax error', `${escaped(told)} \\(i32\\.const 0\\)\\)`);
+  const next = `(select (i32.load offset=${line} ${lexer}) ${told} (i32.and ${IS_OLD} ${isOneOf}))`;
+  module.functions.set(parse, text.slice(0, index) + next + text.slice(index + told.length));
 }
 
 /** MICROPY_WARNINGS is off on the device: `raise … from …` says nothing. */

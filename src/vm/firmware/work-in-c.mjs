@@ -176,7 +176,7 @@ export function chargeWork(module, found) {
   change(find, (text) => inEachLoop(text, SIXTEENTHS.place));
   change(count, (text) => inEachLoop(text, SIXTEENTHS.counted));
   change(compare, (text) => atStart(text, inWhole(SIXTEENTHS.comparison, '(local.get $2)')));
-  change(hash, (text) => atStart(text, inWhole(SIXTEENTHS.byte, '(local.get $1)')));
+  change(hash, (text) => atStart(text, inWhole(SIXTEENTHS.byte, '(local.get $1)', 6)));
   change(join, (text) => inEachLoop(text, SIXTEENTHS.joined));
   // By what they say: one of them has got another name since.
   for (const address of templates)
@@ -189,11 +189,12 @@ export function chargeWork(module, found) {
 }
 
 /**
- * So many of something in sixteenths, of which whole sixteens count: a few are part of what their bytecode costs. Without
- * suspending, as not all of it is Python's.
+ * So many of something in sixteenths, of which whole groups of 2 ** `bits` count: a few are part of what their bytecode
+ * costs. Without suspending, as not all of it is Python's.
  */
-const inWhole = (sixteenths, count) => `(if (global.get $in_program) (then
-  (global.set $gas (i32.sub (global.get $gas) (i32.mul (i32.const ${sixteenths}) (i32.shr_u ${count} (i32.const 4)))))))`;
+const inWhole = (sixteenths, count, bits = 4) => `(if (global.get $in_program) (then
+  (global.set $gas (i32.sub (global.get $gas)
+    (i32.mul (i32.const ${sixteenths << (bits - 4)}) (i32.shr_u ${count} (i32.const ${bits})))))))`;
 
 function atStart(text, instruction) {
   let place = text.indexOf(' ', '(func '.length) + 1;

@@ -65,6 +65,19 @@ describe('decimal numbers', () => {
     ]);
   });
 
+  it('are single where they become complex: the root of a negative number is beside the axis', () => {
+    expect(printed(['(-4.0) ** 0.5', '(-2.0) ** 1.5', '(1+2j) ** (0.5+1j)', '(0.1+0.2j) * (3+0.1j)'])[0]).toBe(
+      '(-8.742278e-08+2j)',
+    );
+  });
+
+  it('have the place of their whole part in a set', () => {
+    expect(printed(['{0.5, 12.75, 3.25, -1.1, 99.9}', '{0.1 * i for i in range(6)}'])).toEqual([
+      '{0.5, -1.1, 12.75, 3.25, 99.90001}',
+      '{0.0, 0.1, 0.2, 0.3, 0.4, 0.5}',
+    ]);
+  });
+
   it('are singles in memory too: in lists, arrays, bytes and constants', () => {
     const program = `
 import array, struct, math

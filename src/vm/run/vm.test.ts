@@ -111,7 +111,7 @@ except ValueError as error:
   });
 
   it('tells the line of a syntax error', () => {
-    const { ended } = runProgram('print("a")\nif True\n    print("b")\n');
+    const { ended } = runProgram('print("a")\nx = 3 4\nprint("b")\n');
     expect(ended?.exception).toMatchObject({ type: 'SyntaxError', message: 'invalid syntax', line: 2 });
   });
 

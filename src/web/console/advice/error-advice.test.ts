@@ -136,8 +136,10 @@ const mistakes: readonly Mistake[] = [
   ['error.KeyboardInterrupt', 'raise KeyboardInterrupt'],
   ['error.other', 'class MeinFehler(Exception): pass\nraise MeinFehler("oh")'],
 
-  ['error.missingColon', 'x = 3\nif x > 2\n    print(x)', { word: 'if' }],
-  ['error.missingColon', 'def f(a, b)\n    pass', { word: 'def' }],
+  ['error.missingColonAbove', 'x = 3\nif x > 2\n\n    print(x)', { word: 'if', line: '2' }],
+  ['error.missingColonAbove', 'def f(a, b)\n    pass', { word: 'def', line: '1' }],
+  ['error.missingColonAbove', 'x = 3\nif x > 2', { word: 'if', line: '2' }],
+  ['error.unfinishedAbove', 'x = 3 +\n# next\nprint(x)', { line: '1' }],
   ['error.missingColon', 'while True print(1)', { word: 'while' }],
   ['error.equalsInCondition', 'x = 3\nif x = 3:\n    print(x)'],
   ['error.openBracket', 'print(1\n', { bracket: '(', line: '1' }],
@@ -198,7 +200,7 @@ describe('advice', () => {
       'Text und Zahl lassen sich nicht mit + verbinden. Mach mit str(…) einen Text aus der Zahl oder mit int(…) eine Zahl aus dem Text.',
     );
     expect(sentence(adviceOf('if 3 > 2\n    pass'), 'en')).toBe(
-      'After if, a colon (:) is missing at the end of the line.',
+      'In line 1, a colon (:) is missing at the end, after if. The board only notices it here.',
     );
   });
 
@@ -245,6 +247,12 @@ describe('advice', () => {
       'MemoryError: …\nmain.py: the program is too long for the board. It has 65800 characters; about 20000 fit.\n';
     expect(adviceFor({ type: 'MemoryError', message: '', traceback }).key).toBe('error.tooLong');
     expect(adviceFor({ type: 'MemoryError', message: '', traceback: 'MemoryError: \n' }).key).toBe('error.MemoryError');
+  });
+
+  it('names what is missing at the end of the line itself where the device names that line, as MicroPython 1.23 does', () => {
+    const advice = (text: string) => adviceFor({ type: 'SyntaxError', message: 'invalid syntax' }, { text, line: 1 });
+    expect(advice('if x > 2\n    print(x)').key).toBe('error.missingColon');
+    expect(advice('x =\ny = 3').key).toBe('error.valueMissing');
   });
 
   it('says the general thing about "invalid syntax" when the line is not known', () => {
