@@ -12,7 +12,7 @@ import { operateAsTheBoard } from './operators.mjs';
 import { collectProgramAlone } from './program-alone.mjs';
 import { computeInSingles } from './single-floats.mjs';
 import { readFormatsAsTheBoard } from './earlier-formats.mjs';
-import { chargeWork, findWork } from './work-in-c.mjs';
+import { chargeThreshold, chargeWork, findWork } from './work-in-c.mjs';
 import { exportState, fixMemory } from './state.mjs';
 import { speakAsTheDevice } from './words.mjs';
 import { declareVersion } from './version.mjs';
@@ -208,6 +208,7 @@ function chargeAllocations(module, collect) {
   const body = bodyStart(text);
   const charge = `(if (global.get $in_program) (then (global.set $gas (i32.sub (global.get $gas) (global.get $allocation_cost)))))`;
   module.functions.set(allocate.name, `${text.slice(0, body)}${charge} ${text.slice(body)}`);
+  chargeThreshold(module, collect, allocate.name);
 }
 
 /**

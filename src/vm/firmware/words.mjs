@@ -52,6 +52,7 @@ export function speakAsTheDevice(module) {
   refuseStrangersOfTexts(module, place);
   takeTextAsBytes(module, place);
   nameLineAfterBreak(module, place);
+  lookUpModules(module);
   dropWarnings(module);
   printWithoutFile(module, saying('module_print', "<module '%s' from '%s'>"));
   protectModules(module);
@@ -228,6 +229,19 @@ function nameLineAfterBreak(module, place) {
   const { index } = onlyMatch(text, 'line of a syntax error', `${escaped(told)} \\(i32\\.const 0\\)\\)`);
   const next = `(select (i32.load offset=${line} ${lexer}) ${told} (i32.and ${IS_OLD} ${isOneOf}))`;
   module.functions.set(parse, text.slice(0, index) + next + text.slice(index + told.length));
+}
+
+/**
+ * MICROPY_COMP_MODULE_CONST is off on the device: `errno.EIO` is read when the program comes to it, and is a NameError
+ * without its import. (py/parse.c, mp_constants_map.)
+ */
+function lookUpModules(module) {
+  const { name, match } = onlyFunction(
+    module,
+    'push_result_rule',
+    /\(br_if \$\S+ \(i32\.eqz \(local\.tee \$\d+ (\(call \$\S+ \(i32\.const \d+\) \(i32\.or \(i32\.and \(i32\.shr_u \(local\.get \$\d+\) \(i32\.const 1\)\) \(i32\.const \d+\)\) \(i32\.const 2\)\) \(i32\.const 0\)\))\)\)\)/,
+  );
+  module.functions.set(name, flat(module.functions.get(name)).replace(match[1], '(i32.const 0)'));
 }
 
 /** MICROPY_WARNINGS is off on the device: `raise … from …` says nothing. */

@@ -3,7 +3,7 @@
 //
 // Nobody has measured these on a board. Each figure is an estimate from the C code, for a processor of 64 MHz that runs
 // from flash memory; `SIXTEENTHS` are µs/16, about four cycles each.
-import { addressOfText, expressionEnd, flat, only, onlyFunction } from './wat.mjs';
+import { addressOfText, expressionEnd, flat, only, onlyFunction, replaceOnce } from './wat.mjs';
 
 const SIXTEENTHS = {
   /** One item for C code: mp_iternext saves registers for an exception, asks the iterator, and the caller uses the item
@@ -92,8 +92,8 @@ const functionsWith = (module, address) =>
   [...module.functions].filter(([, text]) => flat(text).includes(`(i32.const ${address})`)).map(([name]) => name);
 
 /**
- * modgc.c, gc.collect(). A collection that an allocation starts has no charge of its own: what an allocation costs was
- * measured over a long loop, with the collections in it.
+ * modgc.c, gc.collect(). A collection that an allocation starts for want of memory has no charge of its own: what an
+ * allocation costs was measured over a long loop, with the collections in it.
  */
 function askedCollection(module) {
   const raiseFlag = onlyFunction(
@@ -153,6 +153,30 @@ const collection = `(i32.add
 /** Without suspending: an error's decimals are written when its program has ended, too. */
 const decimal = `(if (global.get $in_program) (then
   (global.set $gas (i32.sub (global.get $gas) (i32.const ${SIXTEENTHS.decimal >> 4})))))`;
+
+/**
+ * The collections of gc_alloc that gc.threshold() asks for. Before pointers are spilled; without suspending in the middle of
+ * an allocation.
+ */
+export function chargeThreshold(module, collect, allocate) {
+  const name = 'collect_at_threshold';
+  module.functions.set(
+    name,
+    `(func $${name}
+      (call $${collect})
+      (if (global.get $in_program) (then
+        (global.set $gas (i32.sub (global.get $gas) (i32.shr_u ${collection} (i32.const 4)))))))`,
+  );
+  replaceOnce(
+    module,
+    allocate,
+    'gc.threshold()',
+    new RegExp(
+      `(\\(br_if \\$\\S+ \\(i32\\.lt_u (?:\\(i32\\.load offset=\\d+ \\(i32\\.const \\d+\\)\\) ?){2}\\)\\)) \\(call \\$${collect}\\)`,
+    ),
+    `$1 (call $$${name})`,
+  );
+}
 
 /** Adds the charges and the counter that they share. */
 export function chargeWork(module, found) {
