@@ -130,6 +130,47 @@ describe('a product that no memory holds', () => {
   );
 });
 
+describe('names of a module', () => {
+  it('are looked up when the program comes to them: errno has its names alone, and none without its import', () => {
+    const program = `
+def without():
+    return errno.EIO
+err(without)
+import errno
+print(errno.EIO, errno.ENOSPC, len(errno.errorcode))
+print(hasattr(errno, "ECONNRESET"), str(OSError(104)), OSError(28))
+err(lambda: errno.ECONNRESET)`;
+    const printed = [
+      "NameError: name 'errno' isn't defined",
+      '5 28 17',
+      'False 104 [Errno 28] ENOSPC',
+      "AttributeError: 'module' object has no attribute 'ECONNRESET'",
+    ];
+    expect(linesOf(program)).toEqual(printed);
+    expect(onCalliope(program)).toEqual(printed);
+  });
+});
+
+describe('gc.threshold()', () => {
+  it('is -1 at first: memory is collected when it is full', () => {
+    const program = `
+import gc
+print(gc.threshold())
+lowest = gc.mem_free()
+for i in range(900):
+    [0] * 10
+    lowest = min(lowest, gc.mem_free())
+print(lowest < 2000)`;
+    expect(linesOf(program)).toEqual(['-1', 'True']);
+  });
+
+  it('has each of its collections take its time', () => {
+    const program =
+      'import gc, time\ngc.threshold(1)\nt = time.ticks_us()\nfor i in range(20):\n    [0] * 10\nprint(time.ticks_us() - t)';
+    expect(Number(play(program).until(10_000).printed())).toBeGreaterThan(20_000);
+  });
+});
+
 describe('an endless loop of short calls', () => {
   it.each(['("ab" * 9000).count("ba")', 'hash("x" * 20000)', 'int("7" * 3000)', '[0] * 3000 == [0] * 3000'])(
     'uses up simulated time: %s',
