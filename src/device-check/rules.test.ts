@@ -46,7 +46,7 @@ const cases: Readonly<Record<RuleId, Case>> = {
     fine: [`${own('hex')}A().hex()`, 'print(hex(255))', 'from color import Color\nc = Color(1)\nc.hex()'],
   },
   'bytes-fromhex': {
-    marked: ['print(bytes.fromhex("aa"))'],
+    marked: ['print(bytes.fromhex("aa"))', 'print(b"".fromhex("aa"))'],
     fine: [`${own('fromhex')}A().fromhex("aa")`, 'import c\nc.fromhex("aa")'],
   },
   'star-arguments': {
@@ -118,7 +118,10 @@ const cases: Readonly<Record<RuleId, Case>> = {
     fine: ['class V:\n    def radd(self, n):\n        return n\nprint(V().radd(2))'],
   },
   'attribute-hook': {
-    marked: ['class A:\n    def __setattr__(self, name, value):\n        print(name)\nA().x = 1'],
+    marked: [
+      'class A:\n    def __setattr__(self, name, value):\n        print(name)\nA().x = 1',
+      'class A: pass\nobject.__setattr__(A(), "x", 1)',
+    ],
     fine: [
       'class A:\n    def __getattr__(self, name):\n        return 1\nprint(A().x)',
       'class A: pass\nsetattr(A(), "x", 1)',

@@ -61,7 +61,7 @@ const METHODS = new Map<string, Method>(
     },
     center: {
       rule: 'text-method',
-      fits: (owner, context) => ['text', 'bytes'].includes(context.kindOf(owner)), // servos have a center() too
+      fits: (owner, context) => ['text', 'bytes', 'array'].includes(context.kindOf(owner)), // servos have a center() too
       instead: (owner, width) => `"{:^${/^\d+$/.test(width) ? width : '20'}}".format(${owner})`,
     },
     hex: {
@@ -71,7 +71,8 @@ const METHODS = new Map<string, Method>(
     },
     fromhex: {
       rule: 'bytes-fromhex',
-      fits: (owner, { file }) => /^(bytes|bytearray)$/.test(textOf(file, owner)),
+      fits: (owner, { file, kindOf }) =>
+        /^(bytes|bytearray)$/.test(textOf(file, owner)) || ['bytes', 'array'].includes(kindOf(owner)),
       instead: (_owner, text) => {
         const name = /^\w+$/.test(text) ? text : 'text';
         return `bytes([int(${name}[i:i + 2], 16) for i in range(0, len(${name}), 2)])`;

@@ -35,7 +35,10 @@ export const classVisitors: Visitors = {
     if (attribute?.owner.name !== 'VariableName') return;
     const { owner, property } = attribute;
     const name = textOf(context.file, property);
-    if (name === '__name__' || name === '__globals__') {
+    if (name === '__setattr__' || name === '__delattr__') {
+      if (textOf(context.file, owner) === 'object' && !context.isOwnName('object'))
+        context.report({ node: property, rule: 'attribute-hook', name });
+    } else if (name === '__name__' || name === '__globals__') {
       if (isFunction(textOf(context.file, owner), context.file.tree.topNode, context.file.text)) {
         context.report({ node: property, rule: 'function-attribute', name });
       }
