@@ -99,7 +99,10 @@ err(change, 'a %= 5', '%d')
 err(change, 'a *= 2', (1,))
 err(change, 'a *= 2', 1.5)
 err(change, 'a += "y"', 'x')
-err(change, 'a |= {1}', {1})`;
+err(change, 'a |= {1}', {1})
+from microbit import Image
+err(change, 'a += a', Image("1:"))
+err(change, 'a *= 3', Image("1:"))`;
 
   it('work for numbers, sets, tuples and += alone by 1.18', () => {
     expect(linesOf(program)).toEqual([
@@ -111,6 +114,8 @@ err(change, 'a |= {1}', {1})`;
       'no error: 3.0',
       'no error: xy',
       'no error: {1}',
+      "TypeError: unsupported types for __iadd__: 'MicroBitImage', 'MicroBitImage'",
+      "TypeError: unsupported types for : 'MicroBitImage', 'int'",
     ]);
   });
 

@@ -33,8 +33,8 @@ function nameOnly(module, name, named) {
 
 /**
  * MicroPython 1.18 goes from `*=` to `*` for numbers, sets, tuples and classes of one's own alone: `text *= 2` and
- * `row *= 9` are TypeErrors there. (py/runtime.c falls back for all since 1.19.) Images have none there either; the device check
- * marks those, for ours are a class of the library, as AudioFrame is, which has them.
+ * `row *= 9` are TypeErrors there. (py/runtime.c falls back for all since 1.19.) Images have none there either: the library
+ * tells the address of their type when it is loaded.
  */
 function refuseInPlace(module, binary) {
   const text = flat(module.functions.get(binary));
@@ -53,9 +53,10 @@ function refuseInPlace(module, binary) {
     binary,
     text.replace(fallback[0], `(i32.or ${fallback[0]} (call $stays_in_place (local.get ${left})))`),
   );
-  const refused = [...bytesAndText(module), listType(module)];
-  const isRefused = refused
-    .map((type) => `(i32.eq (local.get $1) (i32.const ${type}))`)
+  module.head += '\n (global $image_type (mut i32) (i32.const 0))\n (export "image_type" (global $image_type))';
+  const refused = [...bytesAndText(module), listType(module)].map((type) => `(i32.const ${type})`);
+  const isRefused = [...refused, '(global.get $image_type)']
+    .map((type) => `(i32.eq (local.get $1) ${type})`)
     .reduce((all, one) => `(i32.or ${all} ${one})`);
   module.functions.set(
     'stays_in_place',

@@ -15,6 +15,16 @@ print(repr(Image('A')))`;
     ]);
   });
 
+  it('is asked for pixels by numbers of 32 bits', () => {
+    const program =
+      'i = Image("1:")\nerr(i.get_pixel, 2 ** 32, 0)\nerr(i.set_pixel, 0, 0, 2 ** 32 + 1)\nerr(i.get_pixel, 2 ** 20, 0)';
+    expect(linesOf(program)).toEqual([
+      'OverflowError: overflow converting long int to machine word',
+      'OverflowError: overflow converting long int to machine word',
+      'ValueError: index too large',
+    ]);
+  });
+
   it('divided by nothing is as bright as can be', () => {
     const program = "i = Image('09:10:')\nprint(repr(i / 0), repr(i / 0.0), repr(i * float('inf')))";
     expect(linesOf(program)).toEqual(["Image('99:99:') Image('99:99:') Image('99:99:')"]);

@@ -53,6 +53,8 @@ export interface Firmware {
   readonly echo: WebAssembly.Global;
   /** The board's MicroPython, such as 18 for 1.18: numbers, errors and names have been others then. */
   readonly minor: WebAssembly.Global;
+  /** Address of the type of images, which MicroPython 1.18 cannot change in place (../firmware/operators.mjs). */
+  readonly image_type: WebAssembly.Global;
   /** Start of the collector's tables; the heap's blocks follow them. */
   readonly heap_start: WebAssembly.Global;
   /** End of the heap. */

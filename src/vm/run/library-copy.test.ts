@@ -117,7 +117,7 @@ describe.each(kinds)('a copy of the loaded library of $name $version', ({ type, 
       'pin_modes',
     ];
     const constant = ['image_unpack', 'gesture_names', 'reserve_bytes', 'file_name'];
-    const told = ['on_callback', 'booted'];
+    const told = ['on_callback', 'image_type', 'booted'];
     expect(calls.length).toBeGreaterThan(100);
     expect(new Set(calls)).toEqual(new Set([...asked, ...constant, ...told]));
   });

@@ -170,6 +170,7 @@ export class Session {
    * For the library's runner alone. Like the report's and the REPL's they are hidden from Python when it calls booted().
    *
    * - seal() · reserve_bytes() → size, reserve(address of a block), reserve_give(), reserve_hold(): see heap.ts
+   * - image_type(address of the type of images): see ../firmware/operators.mjs
    * - on_callback(address of the dispatcher) · throw(address of an exception) → whether it is one
    * - finish(): the program has ended · shown() waits for the error on the display → True when over · shown_skip()
    * - reboot(): main.py starts again
@@ -190,6 +191,9 @@ export class Session {
       reserve: does((block) => heap.setReserve(address(block))),
       reserve_give: does(() => heap.giveReserve()),
       reserve_hold: does(() => heap.hold()),
+      image_type: does((type) => {
+        this.firmware.image_type.value = address(type);
+      }),
       on_callback: does((dispatcher) => engine.setDispatcher(address(dispatcher))),
       throw: (exception) => {
         const isException = heap.isObject(address(exception));

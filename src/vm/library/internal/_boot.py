@@ -110,6 +110,7 @@ import time
 
 gc.collect()
 
+_hal.image_type(id(microbit.Image))
 # The device collects when its memory is full; this build would every 16 kB.
 gc.threshold(-1)
 _module = _hal.board_module(0)

@@ -116,6 +116,7 @@ class MicroBitImage:
         except TypeError:
             value = ints(x, y)
         if value < 0:
+            ints(x, y)
             raise ValueError("index cannot be negative" if x < 0 or y < 0 else "index too large")
         return value
 
@@ -124,9 +125,9 @@ class MicroBitImage:
             if not (x | y | value) & -65536 and not _set(addressof(self._b), x, y, value):
                 return
         except TypeError:
-            self._own()
-            ints(x, y, value)
+            pass
         self._own()
+        ints(x, y, value)
         if x >= 0 <= y and not 0 <= value <= 9:
             raise ValueError("brightness out of bounds")
         raise ValueError("index cannot be negative" if x < 0 or y < 0 else "index too large")
