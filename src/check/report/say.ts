@@ -1,6 +1,7 @@
 import type { Language } from '#core/languages';
 import { unseenShown } from '#core/unseen';
 import { filledIn, wordsOf } from '#core/words';
+import type { EqualWorlds } from '../equal-worlds';
 import { unreadCodes } from '../hand-in/unread';
 import type { Reason, Remark } from '../result';
 import { otherTasks, type ClassResult } from './class-result';
@@ -31,6 +32,10 @@ export const otherTaskTexts = (found: ClassResult, language: Language): readonly
   otherTasks(found).map(({ task, count }) =>
     filledIn(reportWords.report.others[language], shownIn({ task, count, of: found.handIns.length })),
   );
+
+/** A sentence for each hidden world that hides nothing. */
+export const equalTexts = (worlds: readonly EqualWorlds[], language: Language): readonly string[] =>
+  worlds.map(({ id, other }) => filledIn(reportWords.report.equal[language], shownIn({ id, other })));
 
 /** What pupils have written turns no sentence around. */
 const shownIn = (params: Reason['params']): Reason['params'] =>

@@ -1,13 +1,15 @@
 import { writeFileSync } from 'node:fs';
+import { equalWorlds } from '#check/equal-worlds';
+import { handInOfFiles } from '#check/hand-in/read-hand-in';
 import { contentOf, type Source } from '#check/hand-in/sources';
-import { inLanes, Lane } from '#check/lane';
+import { inLanes, Lane, type StartThread } from '#check/lane';
 import { classResult, passedOf, type ClassResult, type NamedResult } from '#check/report/class-result';
 import type { Language } from '#core/languages';
 import { htmlOf } from '#check/report/html';
 import { csvOf, isUnread, jsonOf, junitOf, reasonsAgainst, secondsText } from '#check/report/texts';
-import { otherTaskTexts, remarkText } from '#check/report/say';
+import { equalTexts, otherTaskTexts, remarkText } from '#check/report/say';
 import { unreadable, type CheckResult } from '#check/result';
-import type { ClassTask } from '#check/task/task';
+import { hiddenWorlds, type ClassTask } from '#check/task/task';
 import { readFirmware } from '../firmware';
 import { outputProblem, type Output } from '../outputs';
 import { readyTitle } from '../ready-courses';
@@ -104,8 +106,10 @@ async function runAll(
   if (folder !== null && 'problem' in folder) return folder;
   const mine = found.sources.filter((_, place) => isInShard(work.shard, place));
   const progress = new Progress(terminal, mine.length, quiet || json);
-  const results = await checkAll(task, mine, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
+  const start = startThread(task, await WebAssembly.compile(readFirmware()));
+  const results = await checkAll(task, mine, start, { jobs: work.jobs, folder, keepsWays: report !== null, progress });
   terminal.clearProgress();
+  if (!quiet) for (const text of await equalIn(task, start, options.lang)) terminal.message(`parcours: ${text}`);
   return { ...read, results };
 }
 
@@ -147,10 +151,10 @@ interface Running {
 async function checkAll(
   task: ClassTask,
   sources: readonly Source[],
+  start: StartThread,
   running: Running,
 ): Promise<readonly NamedResult[]> {
   const { jobs, keepsWays, progress } = running;
-  const start = startThread(task, await WebAssembly.compile(readFirmware()));
   const results: NamedResult[] = [];
   const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task.checks, start, every));
   await inLanes(sources, lanes, async (source, place, lane) => {
@@ -159,6 +163,15 @@ async function checkAll(
     progress.add(result);
   });
   return results;
+}
+
+/** What the teacher is told of hidden worlds that hide nothing, by the task's model solution. */
+async function equalIn(task: ClassTask, start: StartThread, language: Language): Promise<readonly string[]> {
+  if (task.solution === null || hiddenWorlds(task).length === 0) return [];
+  const lane = new Lane(task.checks, start, every);
+  const result = await lane.check(handInOfFiles(task.solution));
+  lane.stop();
+  return equalTexts(equalWorlds(task, result), language);
 }
 
 /** Calls something now and then. @returns ends that */

@@ -240,6 +240,20 @@ describe('parcours check', () => {
     expect(handIns[3]?.remarks).toEqual(['cannot be read: the text has no link to a program in it.']);
   });
 
+  it('says of the teacher’s task which hidden world hides nothing', () => {
+    const project = readyProject('closed-line');
+    if (project === null) throw new Error('There is no such course.');
+    const worlds = [{ id: '2' }, { id: '3', reality: 0.2, seed: 2 }];
+    const solution = [{ name: 'main.py', text: RIGHT }];
+    const task = file('hides.json', projectToText({ ...project, task: { version: 1, worlds, solution } }));
+    const pupil = file('hidden.py', RIGHT);
+    const { code, err } = parcours('check', task, pupil, '--lang', 'de');
+    expect(code).toBe(0);
+    expect(err).toContain('parcours: Welt 2 ist gleich wie Welt 1: Ändere Start, Realität oder ein Ding.\n');
+    expect(err).not.toContain('Welt 3');
+    expect(parcours('check', task, pupil, '--quiet').err).toBe('');
+  });
+
   it('goes on with the others when a thread gives no sign of life', () => {
     const copy = join(folder, 'hung');
     cpSync('dist/cli', copy, { recursive: true });

@@ -52,9 +52,23 @@ describe('the task of the open work', () => {
     ]);
   });
 
+  it('gets hidden worlds that hide something: start and heading a little aside, a robot with some play', () => {
+    const { page, made, task } = maker();
+    const robot = { ...page.work.scene.value.robot, at: [300, 200], heading: 358 } as const;
+    page.work.edit({ type: 'robot', robot });
+    const add = (): void => made.change({ worlds: [...task().worlds, freshWorld(task())] });
+    add();
+    add();
+    expect(task().worlds.map(({ start, reality }) => [start, reality])).toEqual([
+      [null, null],
+      [{ at: [301, 220], heading: 3 }, 0.2],
+      [{ at: [299, 180], heading: 353 }, 0.2],
+    ]);
+  });
+
   it('has a robot that starts where the course has it, or where a world says', () => {
     const { page, task } = maker();
-    const world = freshWorld(task());
+    const world = { ...freshWorld(task()), start: null };
     expect(startOf(task(), world)).toMatchObject({ at: page.work.scene.value.robot.at });
     expect(startOf(task(), { ...world, start: { at: [10, 20], heading: 90 } }).at).toEqual([10, 20]);
   });

@@ -4,6 +4,7 @@ import { freeId } from '#check/task/read-checks';
 import { draftOf, lacksGoals } from '#check/task/read-task';
 import { plainWorld, type ClassTask, type WorldVariant } from '#check/task/task';
 import { projectOfTask } from '#check/task/write-task';
+import { exactCos, exactSin } from '#core/exact-math';
 
 import { presentProject } from '../share/save-work';
 import { isHandedOut, withoutGiven } from '../work/model/keeper';
@@ -44,10 +45,23 @@ export function useTaskMaker(app: WorkParts): TaskMaker {
   };
 }
 
-/** Another world, which nobody sees: the course with another chance, until it is given more. */
+/** How a new hidden world differs, so that it hides something. Chosen: what a careless hand puts down, and a robot with some play. */
+const ASIDE_MM = 20;
+const TURNED_DEG = 5;
+const USED = 0.2;
+
+/** Another world, which nobody sees: another chance, a robot that is not ideal, and that starts a little beside, now to its left, now to its right. */
 export function freshWorld(task: ClassTask): WorldVariant {
   const count = task.worlds.length;
-  return { ...plainWorld, id: freeId(String(count + 1), task.worlds), hidden: true, seed: count };
+  const side = count % 2 === 1 ? 1 : -1;
+  const { robot, size } = task.project.scene;
+  const leftRad = ((robot.heading + 90) * Math.PI) / 180;
+  const [x, y] = [robot.at[0] + side * ASIDE_MM * exactCos(leftRad), robot.at[1] + side * ASIDE_MM * exactSin(leftRad)];
+  const within = (mm: number, most: number): number => Math.min(Math.max(Math.round(mm), 0), most);
+  return {
+    ...{ ...plainWorld, id: freeId(String(count + 1), task.worlds), hidden: true, seed: count, reality: USED },
+    start: { at: [within(x, size[0]), within(y, size[1])], heading: (robot.heading + side * TURNED_DEG) % 360 },
+  };
 }
 
 /** Where the robot of a world starts: there where it says, else where the course has it. */
