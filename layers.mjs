@@ -24,7 +24,7 @@ export const layers = {
   'device-log': [],
   cli: [
     'core', 'board', 'robots', 'scene', 'project', 'my-robot', 'vm', 'simulation', 'tape', 'python', 'device-check',
-    'check', 'catalogue',
+    'check', 'catalogue', 'advice',
   ], // prettier-ignore
   web: [
     'core',

@@ -36,7 +36,7 @@ export interface RunOptions {
   readonly untilVerdict: boolean;
   /** Refuses what the real board would not understand. */
   readonly strict: boolean;
-  /** The language in which `--strict` explains. */
+  /** The language in which errors and what `--strict` finds are explained. */
   readonly lang: Language;
   readonly json: boolean;
   readonly quiet: boolean;

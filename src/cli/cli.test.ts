@@ -84,6 +84,17 @@ describe('parcours run', { timeout: 30_000 }, () => {
     expect(exception?.traceback).toMatch(/^Traceback \(most recent call last\):\n {2}File "main\.py", line 2/);
   });
 
+  it('says what an error means, as the console and a check do, in the language that is asked for', () => {
+    const loop = 'from mbrobot import *\nrepeat 4:\n    forward()\n    delay(500)\n';
+    const said = 'repeat gehört zu TigerJython. Hier heisst es: for i in range(4):';
+    const { code, out, err } = parcours('run', file('repeat.py', loop), '--json', '--lang', 'de');
+    expect([code, err]).toEqual([1, `parcours: ${said}\n`]);
+    expect(lastLine(out).exception).toMatchObject({ type: 'SyntaxError', line: 2, advice: said });
+    const helper = file('helper.py', loop);
+    const two = parcours('run', file('fine.py', 'x = 1\n'), '--device', `two=${helper}`);
+    expect(two.err).toContain('parcours: two: repeat belongs to TigerJython. Here you write: for i in range(4):\n');
+  });
+
   it('shows a syntax error with its line and exits with 1', () => {
     const { code, out } = parcours('run', file('syntax.py', 'x = 1\nif x y:\n  pass\n'));
     expect(code).toBe(1);

@@ -71,7 +71,7 @@ What you get
                       "verdict" tells whether the task of the course is passed, "devices" what
                       became of each device
   --strict            refuses to run what the real board would not understand, and says why
-  --lang NAME         the language in which --strict explains: de, fr, it or en (default)
+  --lang NAME         the language in which errors are explained: de, fr, it or en (default)
   --log FILE.csv      the board's data log, for a spreadsheet
   --trace FILE.csv    where the robot was every 20 ms, for a spreadsheet; with several devices
                       the last column names the device

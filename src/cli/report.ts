@@ -15,10 +15,13 @@ import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 /** How a run ended, as a word for programs; `time-limit`: its program went on. */
 export type RunEndedWord = EndedWord | 'time-limit';
 
+/** The error of a program; `advice`: what it means, in the reader's language. */
+type ReportedException = NonNullable<Ended['exception']> & { readonly advice?: string };
+
 /** Everything about a run except its console: the content of `--json`, in this order. */
 export interface Report {
   readonly ended: RunEndedWord;
-  readonly exception: Ended['exception'];
+  readonly exception: ReportedException | null;
   readonly simulatedMs: number;
   readonly wallMs: number;
   readonly realTimeFactor: number;

@@ -19,13 +19,14 @@ import type { DeviceSetup, RunSetup } from '#simulation/run-setup';
 import { hasTask } from '#simulation/task/task-brief';
 import { furtherStart } from '#simulation/several/starts';
 import type { RunOptions } from './arguments';
+import { explained } from './explained';
 import { outputProblem } from './outputs';
 import { readRunFiles, type RunFiles } from './read-files';
 import { isAddress } from './read-work';
 import { reasonOf } from './reason-of';
 import { exitCodeOf, jsonLine, runEnding, verdictLines, type Report } from './report';
 import { nothingYet, supervise } from './supervise';
-import type { Terminal } from './terminal';
+import { printable, type Terminal } from './terminal';
 
 /** How long a run lasts at most when no time was given: ten minutes, longer than any lesson's program. */
 const DEFAULT_LIMIT_US = 600_000_000;
@@ -78,11 +79,13 @@ export async function run(asked: RunOptions, terminal: Terminal): Promise<0 | 1 
     case 'broken':
       terminal.message(`parcours: something broke inside. Please report this.\n${outcome.problem}`);
       return 1;
-    case 'ran':
-      tellEnd(outcome.report, options, terminal);
-      if (!options.json && !options.quiet) tellVerdict(outcome.report, terminal);
-      if (options.json) terminal.line(jsonLine(outcome.report, outcome.consoles));
-      return options.untilVerdict ? verdictCodeOf(outcome.report) : exitCodeOf(runEnding(outcome.report));
+    case 'ran': {
+      const report = explained(outcome.report, setup.devices, options.lang);
+      tellEnd(report, options, terminal);
+      if (!options.json && !options.quiet) tellVerdict(report, terminal);
+      if (options.json) terminal.line(jsonLine(report, outcome.consoles));
+      return options.untilVerdict ? verdictCodeOf(report) : exitCodeOf(runEnding(report));
+    }
   }
 }
 
@@ -283,8 +286,10 @@ function tellEnd({ ended, simulatedMs, devices }: Report, { quiet, forUs }: RunO
       `parcours: stopped after ${Math.round(simulatedMs / 60_000)} simulated minutes. A longer run: --for 30min`,
     );
   }
-  for (const { name, exception } of quiet ? devices : []) {
+  for (const { name, exception } of devices) {
     if (exception === null) continue;
-    terminal.message(exception.traceback.trimEnd().replaceAll(/^/gm, devices.length > 1 ? `${name}: ` : ''));
+    const from = devices.length > 1 ? `${name}: ` : '';
+    if (quiet) terminal.message(exception.traceback.trimEnd().replaceAll(/^/gm, from));
+    if (exception.advice !== undefined) terminal.message(`parcours: ${from}${printable(exception.advice)}`);
   }
 }

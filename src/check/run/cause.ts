@@ -1,6 +1,4 @@
-import { adviceFor } from '#advice/advice';
-import { adviceTexts } from '#advice/say';
-import type { Source } from '#advice/syntax-advice';
+import { adviceOfRun } from '#advice/of-run';
 import { findFact, isEmpty, type Files } from '../program/facts';
 import type { Simulation } from '#simulation/simulation';
 import type { Reason } from '../result';
@@ -48,18 +46,10 @@ function endReason(ended: Simulation['ended'], files: Files, failedUs: number | 
   if (ended.exception !== null) {
     const { type, message, line } = ended.exception;
     const params = { type, message: message.slice(0, MESSAGE_CHARACTERS), line: line ?? 0 };
-    const advice = adviceTexts(adviceFor(ended.exception, sourceOf(ended.exception, files)));
+    const advice = adviceOfRun(ended.exception, files);
     return { code: 'exception', params, ...(advice && { advice }) };
   }
   return ended.kind === 'finished' ? null : { code: 'panic', params: {} };
-}
-
-/** The line that an error names: the last one of its traceback that is in one of the pupil's files. */
-function sourceOf({ traceback }: { readonly traceback: string }, files: Files): Source | null {
-  const places = [...traceback.matchAll(/^ *File "([^"]*)", line (\d+)/gm)];
-  const place = places.findLast(([, name = '']) => Object.hasOwn(files, name));
-  const text = files[place?.[1] ?? ''];
-  return place === undefined || text === undefined ? null : { text, line: Number(place[2]) };
 }
 
 /** A program may raise an exception with a text of any length. */
