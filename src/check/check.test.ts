@@ -1,8 +1,11 @@
 import { describe, expect, it } from 'vitest';
 import type { Project } from '#project/project';
 import { defaultScene, type SceneObject } from '#scene/scene';
+import { check } from './check';
+import { handInOfFiles } from './hand-in/read-hand-in';
 import { taskOf } from './task/read-task';
-import { ahead, checked, checkedProject, checkpointAt, projectWith, readyScene, readySolution, sceneWith, targetAt, taskWith } from './testing/tasks'; // prettier-ignore
+import type { ClassTask } from './task/task';
+import { ahead, checked, checkedProject, checkpointAt, firmware, projectWith, readyScene, readySolution, sceneWith, targetAt, taskWith } from './testing/tasks'; // prettier-ignore
 
 const goal = sceneWith([targetAt(700, 450)]);
 const toGoal = ahead(4000);
@@ -136,8 +139,12 @@ describe('what a pupil’s page says', () => {
     remarks: ['hand', 'outside'],
   };
   const task = taskWith(goal, { id: 'a' });
-  const remarksOf = async (change: object, program = toGoal): Promise<readonly string[]> =>
-    (await checkedProject(task, { ...projectWith(goal, program), handIn: { ...said, ...change } })).remarks.map(({ code }) => code); // prettier-ignore
+  const hashOf = async (of: ClassTask): Promise<string> => (await checked(of, toGoal)).worlds[0]?.hash ?? '';
+  /** The page has run what it hands in, unless something else is said. */
+  const remarksOf = async (change: object, program = toGoal): Promise<readonly string[]> => {
+    const handIn = { ...said, hash: await hashOf(task), ...change };
+    return (await checkedProject(task, { ...projectWith(goal, program), handIn })).remarks.map(({ code }) => code);
+  };
 
   it('is told: the hand, a program from elsewhere, another task', async () => {
     expect(await remarksOf({})).toEqual(['hand', 'outside']);
@@ -155,7 +162,8 @@ describe('what a pupil’s page says', () => {
     const locks = { hand: true, speed: 4, tools: ['pen'], lines: [1] };
     const locked = taskWith(goal, { locks });
     const remarks = async (data?: object): Promise<readonly string[]> => {
-      const project = { ...projectWith(goal, toGoal), handIn: { ...said, task: '', remarks: [] }, ...data };
+      const handIn = { ...said, hash: await hashOf(locked), task: '', remarks: [] };
+      const project = { ...projectWith(goal, toGoal), handIn, ...data };
       return (await checkedProject(locked, project)).remarks.map(({ code }) => code);
     };
     const given = (those: object, handedOut = true) => ({ task: { version: 1, handedOut, locks: those } });
@@ -175,9 +183,20 @@ describe('what a pupil’s page says', () => {
 
   it('is proved by the run: a verdict that it has not, a way that it has not gone', async () => {
     expect(await remarksOf({ remarks: [] }, ahead(100))).toEqual(['verdict']);
-    const { worlds } = await checked(task, toGoal);
-    expect(await remarksOf({ remarks: [], hash: worlds[0]?.hash ?? '' })).toEqual([]);
+    expect(await remarksOf({ remarks: [] })).toEqual([]);
     expect(await remarksOf({ remarks: [], hash: 'f'.repeat(64) })).toEqual(['hash']);
+  });
+
+  it('is not without the fingerprint of its run, unless nobody has run it', async () => {
+    const without = { remarks: [], hash: '' };
+    for (const verdict of ['passed', 'failed']) expect(await remarksOf({ ...without, verdict })).toEqual(['no-hash']);
+    expect(await remarksOf({ ...without, verdict: 'open' })).toEqual([]);
+    expect((await checked(task, toGoal)).remarks).toEqual([]);
+  });
+
+  it('is of another run where a recorded one was changed in its file', async () => {
+    const edited = { ...handInOfFiles([{ name: 'main.py', text: toGoal }]), isEdited: true } as const;
+    expect((await check(task, edited, { firmware: firmware() })).remarks).toEqual([{ code: 'edited', params: {} }]);
   });
 });
 

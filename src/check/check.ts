@@ -122,7 +122,7 @@ function remarksOn(
   worlds: readonly WorldResult[],
   unchanged: boolean,
 ): readonly Remark[] {
-  const { project, hasCourse, said, locks } = handIn;
+  const { project, hasCourse, said, locks, isEdited } = handIn;
   const remarks: Remark[] = [];
   const tell = (code: Remark['code'], params: Remark['params'] = {}): void => {
     remarks.push({ code, params });
@@ -137,7 +137,12 @@ function remarksOn(
   if (said?.remarks.includes('outside') === true || lacksLines(task, project)) tell('outside');
   if (said !== null && locks !== undefined && isUnlocked(task.locks, locks)) tell('unlocked');
   if (said?.verdict === 'passed' && visible?.passed === false) tell('verdict');
-  else if (said !== null && said.hash !== '' && visible !== undefined && said.hash !== visible.hash) tell('hash');
+  else if (said !== null && visible !== undefined && said.hash !== visible.hash) {
+    if (said.hash !== '') tell('hash');
+    // Only a run that is not over has no fingerprint.
+    else if (said.verdict !== 'open') tell('no-hash');
+  }
+  if (isEdited) tell('edited');
   if (unchanged) tell('unchanged');
   return remarks;
 }

@@ -72,8 +72,14 @@ export const reasonCodes = [
 ] as const;
 export type ReasonCode = (typeof reasonCodes)[number];
 
+/** The codes of what a run may still come to. */
+const unreached: readonly ReasonCode[] = [
+  ...(['open', 'empty', 'unmoved', 'waits', 'stop', 'laps', 'checkpoints'] as const),
+  ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
+];
+
 /** Nothing was done wrong: something was just not reached. */
-export const isUnreached = ({ code }: Reason): boolean => ['open', 'empty', 'unmoved', 'waits'].includes(code);
+export const isUnreached = ({ code }: Reason): boolean => unreached.includes(code);
 
 /** All of the judge's reasons are among them. */
 export const goalReason = (reason: GoalReason): ReasonCode => reason;
@@ -91,7 +97,7 @@ export const remarkCodes = [
   // told by the pupil's page
   ...(['hand', 'outside'] as const),
   // found by comparing
-  ...(['course', 'unlocked', 'verdict', 'hash', 'unchanged', 'twins'] as const),
+  ...(['course', 'unlocked', 'verdict', 'hash', 'no-hash', 'edited', 'unchanged', 'twins'] as const),
 ] as const;
 export type RemarkCode = (typeof remarkCodes)[number];
 

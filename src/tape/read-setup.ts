@@ -47,12 +47,21 @@ const ACTIONS: Readonly<Record<string, Readonly<Record<string, Check>>>> = {
 };
 const isPacket = ({ text, bytes }: Fields): boolean => isText(text) || (Array.isArray(bytes) && bytes.every(isNumber));
 
-function check(fields: Fields, checks: Readonly<Record<string, Check>>, place: string, mayMiss = false): void {
+/** What is said of a recording: nobody writes one by hand. */
+const DAMAGED = '; the recording is damaged';
+
+/** @throws TypeError with a sentence that names the place and the value, and ends with `way` */
+function check(
+  fields: Fields,
+  checks: Readonly<Record<string, Check>>,
+  place: string,
+  { mayMiss = false, way = DAMAGED } = {},
+): void {
   for (const [name, isRight] of Object.entries(checks)) {
     const value = fields[name];
     if ((mayMiss && value === undefined) || isRight(value)) continue;
     const found = (JSON.stringify(value) ?? 'nothing').slice(0, 60);
-    throw new TypeError(`${place}.${name}: ${found} does not belong here; the recording is damaged.`);
+    throw new TypeError(`${place}.${name}: ${found} does not belong here${way}.`);
   }
 }
 
@@ -63,23 +72,29 @@ export function readDevices(value: unknown): RunSetup['devices'] {
   for (const [index, device] of value.entries()) {
     if (!isRecord(device)) throw new TypeError(`setup.devices[${index}]: is no device; the recording is damaged.`);
     check(device, DEVICE, `setup.devices[${index}]`);
-    check(device, OF_SOME, `setup.devices[${index}]`, true);
+    check(device, OF_SOME, `setup.devices[${index}]`, { mayMiss: true });
   }
   return value as unknown as [DeviceSetup];
 }
 
-/** @throws TypeError with a sentence for what no input is like */
-export function readInputs(value: unknown): readonly InputEvent[] {
-  if (!Array.isArray(value)) throw new TypeError('setup.inputs: must be a list; the recording is damaged.');
+/**
+ * Reads inputs with their times in µs.
+ *
+ * @param at where they stand in the file
+ * @param way what the sentence ends with: what is wrong with the file, or what helps
+ * @throws TypeError with a sentence for what no input is like
+ */
+export function readInputs(value: unknown, at = 'setup.inputs', way = DAMAGED): readonly InputEvent[] {
+  if (!Array.isArray(value)) throw new TypeError(`${at}: must be a list${way}.`);
   for (const [index, event] of value.entries()) {
-    const place = `setup.inputs[${index}]`;
+    const place = `${at}[${index}]`;
     const { action } = isRecord(event) ? event : {};
-    if (!isRecord(event) || !isRecord(action)) throw new TypeError(`${place}: is no input; the recording is damaged.`);
-    check(event, { timeUs: isNumber }, place);
-    check(event, { device: isText }, place, true);
-    check(action, { type: (type) => isText(type) && Object.hasOwn(ACTIONS, String(type)) }, `${place}.action`);
-    check(action, ACTIONS[String(action.type)] ?? {}, `${place}.action`);
-    if (action.type === 'radio' && !isPacket(action)) throw new TypeError(`${place}.action: has no packet.`);
+    if (!isRecord(event) || !isRecord(action)) throw new TypeError(`${place}: is no input${way}.`);
+    check(event, { timeUs: isNumber }, place, { way });
+    check(event, { device: isText }, place, { mayMiss: true, way });
+    check(action, { type: (type) => isText(type) && Object.hasOwn(ACTIONS, String(type)) }, `${place}.action`, { way });
+    check(action, ACTIONS[String(action.type)] ?? {}, `${place}.action`, { way });
+    if (action.type === 'radio' && !isPacket(action)) throw new TypeError(`${place}.action: has no packet${way}.`);
   }
   return value as InputEvent[];
 }

@@ -1,5 +1,7 @@
 import { strToU8, zipSync } from 'fflate';
 import { describe, expect, it } from 'vitest';
+import { projectToText } from '#project/file';
+import { defaultScene } from '#scene/scene';
 import { handInOfBytes } from './contents';
 
 const none = () => null;
@@ -30,5 +32,15 @@ describe('a file that is handed in', () => {
   it('is found in however many folders', async () => {
     const zip = zipSync({ [`${'a/'.repeat(30_000)}main.py`]: strToU8('x = 1\n') });
     expect(await handInOfBytes('deep.zip', zip, none)).toHaveProperty('handIn');
+  });
+
+  it('of a newer version asks for a newer Parcours, a damaged one does not', async () => {
+    const contentWith = (version: unknown) => {
+      const project = { files: [{ name: 'main.py', text: '' }], scene: defaultScene(), course: null };
+      const text = projectToText({ ...project, handIn: { version } });
+      return handInOfBytes('anna.parcours.json', new TextEncoder().encode(text), () => null);
+    };
+    expect(await contentWith(9)).toMatchObject({ problem: { code: 'newer' } });
+    expect(await contentWith('x')).toMatchObject({ problem: { code: 'project' } });
   });
 });

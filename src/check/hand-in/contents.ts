@@ -79,7 +79,8 @@ export async function handInOfTree(
 export function handInOfLink(address: string, courses: ReadyCourses): Content {
   const opened = openLink(address, courses);
   if ('problem' in opened) return opened;
-  return 'project' in opened ? handInOfProject(opened.project) : handInOfPrograms(opened.files);
+  if ('files' in opened) return handInOfPrograms(opened.files);
+  return handInOfRun({ isEdited: false, ...opened });
 }
 
 function handInOfZip(bytes: Uint8Array, courses: ReadyCourses, packing: Packing): Content | Promise<Content> {
@@ -91,9 +92,7 @@ function handInOfZip(bytes: Uint8Array, courses: ReadyCourses, packing: Packing)
 function handInOfJson(text: string): Content {
   if (isTapeFile(text)) {
     const run = handedRun(text);
-    return 'detail' in run
-      ? unread(run.isNewer ? 'newer' : 'project', { detail: run.detail })
-      : handInOfProject(run.project);
+    return 'detail' in run ? unread(run.isNewer ? 'newer' : 'project', { detail: run.detail }) : handInOfRun(run);
   }
   const opened = openJson(text);
   if (opened.kind === 'problem')
@@ -103,7 +102,12 @@ function handInOfJson(text: string): Content {
 
 function handInOfProject(project: Project): Content {
   const read = handInOf(project);
-  return 'problem' in read ? unread('project', { detail: read.problem }) : read;
+  return 'problem' in read ? unread(read.isNewer ? 'newer' : 'project', { detail: read.problem }) : read;
+}
+
+function handInOfRun({ project, isEdited }: { readonly project: Project; readonly isEdited: boolean }): Content {
+  const read = handInOfProject(project);
+  return isEdited && 'handIn' in read ? { handIn: { ...read.handIn, isEdited } } : read;
 }
 
 function handInOfPrograms(files: readonly SourceFile[]): Content {

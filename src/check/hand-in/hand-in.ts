@@ -14,6 +14,8 @@ export interface HandIn {
   readonly locks?: Locks;
   /** Tells which course was handed out (`courseMark`); left out: nobody knows. */
   readonly mark?: string;
+  /** It is a recorded run whose file was changed afterwards; left out: it was not, or it is something else. */
+  readonly isEdited?: true;
 }
 
 /** What the pupil's page writes into a hand-in. It is told, and checked where it can be. */

@@ -41,6 +41,16 @@ describe('a run that is handed in', () => {
     expect(programs(await handInOf(source))).toEqual(files);
   });
 
+  it('whose program or set-up was changed in its file is told as such', async () => {
+    const read = async (text: string): Promise<HandIn> => {
+      const bytes = new TextEncoder().encode(text);
+      return handInOf(fileSource({ path: 'Ada.run.json', size: bytes.length, read: () => ({ bytes }) }, () => null));
+    };
+    const changed = [run, run.replace('forward()', 'backward()'), run.replace('"seed":1', '"seed":2')];
+    expect((await Promise.all(changed.map(read))).map(({ isEdited }) => isEdited)).toEqual([undefined, true, true]);
+    expect((await handInOf(listSources(`#${runLinkOf(changed[1] ?? '', 0)}`, () => null)[0])).isEdited).toBe(true);
+  });
+
   it('by a link that is not whole, or from a newer Parcours, says so', async () => {
     const newer = address.replace('#r=1.', '#r=2.');
     const found = await Promise.all(listSources(`${address.slice(0, -9)}\n${newer}`, () => null).map(contentOf));

@@ -9,7 +9,10 @@ import { unread, type Unread } from './unread';
 export function openLink(
   address: string,
   courses: ReadyCourses,
-): { readonly project: Project } | { readonly files: readonly SourceFile[] } | { readonly problem: Unread } {
+):
+  | { readonly project: Project; readonly isEdited?: boolean }
+  | { readonly files: readonly SourceFile[] }
+  | { readonly problem: Unread } {
   const fragment = address.slice(Math.max(address.indexOf('#'), 0));
   if (isProjectLink(fragment)) {
     const read = projectOfLink(fragment, courses);

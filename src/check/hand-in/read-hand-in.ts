@@ -7,16 +7,22 @@ import { noLocks, taskLimits } from '../task/task';
 import { HAND_IN_VERSION, handInLimits, saidRemarks, type HandIn, type Said } from './hand-in';
 
 /** The hand-in of a project that a pupil has saved or sent, or why there is none. Never throws. */
-export function handInOf(project: Project): { readonly handIn: HandIn } | { readonly problem: string } {
+export function handInOf(
+  project: Project,
+): { readonly handIn: HandIn } | { readonly problem: string; readonly isNewer: boolean } {
   const { handIn: data, task, ...plain } = project;
   const mark = task?.['handedOut'] === true ? task['course'] : undefined;
   const marked = typeof mark === 'string' ? { mark } : {};
   if (data === undefined) return { handIn: { project: plain, hasCourse: true, said: null, ...marked } };
-  if (data['version'] !== HAND_IN_VERSION)
-    return { problem: `handIn: version ${JSON.stringify(data['version']) ?? 'nothing'} is unknown. Update Parcours.` };
+  const { version } = data;
+  if (version !== HAND_IN_VERSION) {
+    const isNewer = typeof version === 'number' && version > HAND_IN_VERSION;
+    const way = isNewer ? 'Update Parcours.' : 'It is damaged.';
+    return { problem: `handIn: version ${JSON.stringify(version) ?? 'nothing'} is unknown. ${way}`, isNewer };
+  }
   const reader = new Reader();
   const said = saidIn(data, reader);
-  if (reader.problems.length > 0) return { problem: summaryOf(reader.problems) };
+  if (reader.problems.length > 0) return { problem: summaryOf(reader.problems), isNewer: false };
   const locks = task?.['handedOut'] === true ? locksOf(task) : noLocks;
   return { handIn: { project: plain, hasCourse: true, said, locks, ...marked } };
 }

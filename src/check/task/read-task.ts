@@ -180,14 +180,19 @@ function sensorValue(value: unknown, path: string, reader: Reader): number | str
   return reader.text(value, path, taskLimits.textCharacters);
 }
 
+/** The task maker writes inputs so; those of `run --input` are written otherwise. */
+const INPUT_FORM =
+  '. An input of a task is like { "timeUs": 1000000, "action": { "type": "button", "button": "a", "down": true } }';
+
 function inputsIn(value: unknown, path: string, reader: Reader): readonly InputEvent[] {
   if (value === undefined) return [];
   const list = reader.list(value, path, { min: 0, max: taskLimits.inputs });
   try {
-    return readInputs(list);
+    return readInputs(list, path, INPUT_FORM);
   } catch (error) {
     if (!(error instanceof TypeError)) throw error;
-    reader.report('damaged', path, undefined, error.message.replaceAll('setup.inputs', path).slice(0, 300));
+    const [, place = path, message = error.message] = /^(\S+): ([^]*)$/.exec(error.message) ?? [];
+    reader.report('damaged', place, undefined, message.slice(0, 300));
     return [];
   }
 }

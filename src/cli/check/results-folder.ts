@@ -114,7 +114,8 @@ export class ResultsFolder {
 }
 
 /** What a hand-in has besides what its project's file holds. */
-const otherOf = ({ hasCourse, locks, mark }: HandIn): string => JSON.stringify([hasCourse, locks, mark]);
+const otherOf = ({ hasCourse, locks, mark, isEdited }: HandIn): string =>
+  JSON.stringify([hasCourse, locks, mark, isEdited]);
 
 /** The file of a result. */
 interface Kept {

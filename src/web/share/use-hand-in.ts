@@ -80,7 +80,8 @@ export function useHandIn(
   };
 }
 
-function verdictOf(run: WorldResult | null): Said['verdict'] {
+/** What a pupil's page says of its run: what was not reached may still come. */
+export function verdictOf(run: WorldResult | null): Said['verdict'] {
   if (run === null || (run.reason !== null && isUnreached(run.reason))) return 'open';
   return run.passed ? 'passed' : 'failed';
 }
