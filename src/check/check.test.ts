@@ -69,6 +69,16 @@ describe('a hand-in for a course with goals', () => {
     expect(beats).toBe(21);
   });
 
+  it.each([2.01, 4.1])('also after %d s, which no clock of whole µs can tell in its own figures', async (seconds) => {
+    let beats = 0;
+    const beat = (): void => {
+      beats += 1;
+      if (beats > 100) throw new Error('The run goes on and on.');
+    };
+    const { worlds } = await checked(taskWith(goal, { seconds }), 'while True:\n    pass\n', { beat });
+    expect(worlds[0]?.reason).toEqual({ code: 'unmoved', params: { limit: seconds } });
+  });
+
   it('that prints, eats memory or recurses without end costs nothing but its time', async () => {
     const task = taskWith(goal, { seconds: 1 });
     const codes = [];

@@ -44,9 +44,10 @@ Which course, which robot
                       What is printed has the name of its device before each line
 
 How long, and what happens
-  --for TIME          run for exactly this long, for example 500ms, 20s or 2min; the world
-                      goes on when the program ends (default: until the program ends,
-                      at most 10 minutes of simulated time)
+  --for TIME          run for this long, for example 500ms, 20s or 2min, to the µs unless the
+                      program is inside a call that has begun; the world goes on when the
+                      program ends (default: until the program ends, at most 10 minutes of
+                      simulated time)
   --until-verdict     run until the task of the course is decided, or nothing more can happen;
                       exit code 0 if it is passed, 3 if it is not
   --input FILE.json   buttons, sensors, typed text, the hand and changes of the course, each

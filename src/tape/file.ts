@@ -105,7 +105,7 @@ function parsed(value: Fields): ParsedTape {
     madeBy: typeof value.madeBy === 'string' ? value.madeBy.slice(0, 40) : '?',
     physics: value.physics === undefined ? FIRST_PHYSICS : numberIn(value, 'physics'),
     setup: run,
-    untilUs: numberIn(value, 'untilUs'),
+    untilUs: Math.floor(numberIn(value, 'untilUs')),
     untilProgramEnds: value.untilProgramEnds === true,
     result: readResult(value.result),
   };
@@ -173,6 +173,7 @@ function numberIn(fields: Fields, name: string): number {
   return value;
 }
 
+/** Older pages wrote fractions of a µs, which no clock reaches. */
 function readResult(value: unknown): TapeResult {
   const isResult =
     isRecord(value) &&
@@ -181,5 +182,6 @@ function readResult(value: unknown): TapeResult {
     Array.isArray(value.devices) &&
     value.devices.every((device) => isRecord(device) && typeof device.name === 'string');
   if (!isResult) throw new TypeError('result: is missing or damaged; the recording is not whole.');
-  return value as unknown as TapeResult;
+  const result = value as unknown as TapeResult;
+  return { ...result, simulatedUs: Math.floor(result.simulatedUs) };
 }

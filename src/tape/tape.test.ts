@@ -78,6 +78,15 @@ describe('a recorded run', () => {
     expect(problemOf(text.replace('"physics": 2', '"physics": "x"'))).toContain('physics: must be a number from 0');
   });
 
+  it('has whole µs, also from pages that once wrote fractions', () => {
+    const { untilUs, result } = read().tape;
+    const old = text
+      .replace(/"untilUs": \d+/, `"untilUs": ${String(untilUs)}.9998`)
+      .replace(/"simulatedUs":\d+/, `"simulatedUs":${String(result.simulatedUs)}.9998`);
+    expect(old.match(/\.9998/g)).toHaveLength(2);
+    expect(read(old).tape).toEqual(read().tape);
+  });
+
   it('tells that a program, or something else, was changed since', () => {
     expect(read(text.replace('range(400)', 'range(401)')).changes).toEqual([
       'The program of "remote" was changed since the recording.',

@@ -1,3 +1,4 @@
+import { usOf } from '#core/seconds';
 import type { Project } from '#project/project';
 import { checkRun } from '#simulation/run-problem';
 import type { RunSetup } from '#simulation/run-setup';
@@ -83,8 +84,8 @@ export function notRun({ checks }: ClassTask, { id, hidden }: WorldVariant, reas
 
 /** The longest time of a run. The course's own limit decides in its last step. */
 function limitOf({ seconds }: ClassTask, { scene }: RunSetup): number {
-  if (seconds !== null) return seconds * 1_000_000;
-  return usualSeconds(scene) * 1_000_000 + (scene.task.seconds === null ? 0 : SLICE_US);
+  if (seconds !== null) return usOf(seconds);
+  return usOf(usualSeconds(scene)) + (scene.task.seconds === null ? 0 : SLICE_US);
 }
 
 /** Lets the run go on until it is decided, its time is over, or nothing more can happen. */
@@ -99,4 +100,4 @@ function runToEnd(simulation: Simulation, judging: Judging, { limitUs, stillUs, 
 
 /** As long as usual, or as a check waits for a stop. */
 const stillUs = (checks: readonly RunCheck[]): number =>
-  Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? check.seconds * 1_000_000 + SLICE_US : 0)));
+  Math.max(STILL_US, ...checks.map((check) => (check.type === 'stop' ? usOf(check.seconds) + SLICE_US : 0)));

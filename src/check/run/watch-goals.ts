@@ -1,3 +1,4 @@
+import { usOf } from '#core/seconds';
 import { goalReason, type Reason } from '../result';
 import type { Scene } from '#scene/scene';
 import { Approach } from './approach';
@@ -63,7 +64,7 @@ export function watchTime(seconds: number): Watcher {
   let failedUs: number | null = null;
   return {
     clock: (nowUs, reachedUs) => {
-      const isLate = reachedUs === null ? nowUs >= seconds * 1_000_000 : reachedUs > seconds * 1_000_000;
+      const isLate = reachedUs === null ? nowUs >= usOf(seconds) : reachedUs > usOf(seconds);
       if (isLate) failedUs ??= nowUs;
     },
     standing: (): Standing => (failedUs === null ? HELD : failedAt(failedUs)),

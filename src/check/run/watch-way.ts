@@ -1,5 +1,6 @@
 import type { Pose, Vec } from '#core/geometry';
 import { zoneHolds, isZone } from '#scene/kinds/zone';
+import { usOf } from '#core/seconds';
 import type { Scene, Zone } from '#scene/scene';
 import { Laps } from './laps';
 import { metAt, OPEN, type Standing, type Watcher } from './watcher';
@@ -37,7 +38,7 @@ export function watchStop(
         Math.abs(headingRad - since.headingRad) < STILL_RAD;
       if (isStill && since !== null) {
         const isThere = isAnywhere ? hasMoved : zones.some((one) => zoneHolds(one, { x, y }));
-        if (isThere && timeUs - since.timeUs >= seconds * 1_000_000) standing = metAt(timeUs);
+        if (isThere && timeUs - since.timeUs >= usOf(seconds)) standing = metAt(timeUs);
         return;
       }
       hasMoved ||= since !== null;

@@ -1,3 +1,4 @@
+import { usOf } from '#core/seconds';
 import { helps, type Help, type Scene, type Task } from '#scene/scene';
 import type { BlockHandle } from '#world/shapes';
 import { changesRun } from '../at-once';
@@ -104,7 +105,7 @@ export class Judge {
       failures,
       areDelivered: this.delivered === blocksWanted,
       hasGoal: hasGoal(this.brief),
-      isLate: task.seconds !== null && timeUs >= task.seconds * 1_000_000,
+      isLate: task.seconds !== null && timeUs >= usOf(task.seconds),
       ring,
     });
     if (decision !== null) this.decide(decision, timeUs);
@@ -195,5 +196,5 @@ const NOTHING: ReadonlyMap<Entrant, Failure> = new Map();
 
 /** One star for passing, and one for each time that was kept, in whichever order the two are given. */
 function starsWithin(times: Task['stars'], timeUs: number): Pick<Verdict, 'stars'> {
-  return { stars: times === undefined ? null : 1 + times.filter((seconds) => timeUs <= seconds * 1_000_000).length };
+  return { stars: times === undefined ? null : 1 + times.filter((seconds) => timeUs <= usOf(seconds)).length };
 }
