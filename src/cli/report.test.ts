@@ -17,6 +17,7 @@ const report: Report = {
   heapFree: 1,
   traceHash: 'ab',
   radio: [],
+  radioSent: 0,
   lights: [],
   devices: [],
 };
@@ -44,8 +45,18 @@ describe('the report', () => {
   });
 
   it('tells what was sent by radio, when something was', () => {
-    const sent = { ...report, radio: [{ atMs: 5, text: 'go' }] };
-    expect(JSON.parse(jsonLine(sent, ['']))).toMatchObject({ radio: [{ atMs: 5, text: 'go' }] });
+    const sent = { ...report, radio: [{ atMs: 5, text: 'go' }], radioSent: 1 };
+    expect(JSON.parse(jsonLine(sent, ['']))).toMatchObject({ radio: [{ atMs: 5, text: 'go' }], radioSent: 1 });
+  });
+
+  it('has no packet twice: those of the first device stand beside the devices', () => {
+    const { simulatedMs: _, wallMs: __, realTimeFactor: ___, verdict: ____, traceHash: _____, ...plain } = report;
+    const sending = (name: string) => ({ ...plain, name, radio: [{ atMs: 5, text: name }], radioSent: 7 });
+    const sent = { ...report, ...sending('one'), devices: [sending('one'), sending('two')] };
+    const line = JSON.parse(jsonLine(sent, ['', ''])) as { devices: object[] };
+    expect(line).toMatchObject({ radio: [{ text: 'one' }], radioSent: 7 });
+    expect(line.devices[0]).not.toHaveProperty('radio');
+    expect(line.devices[1]).toMatchObject({ radio: [{ text: 'two' }], radioSent: 7 });
   });
 
   it('gives exit code 1 for a program that ended badly, else 0', () => {

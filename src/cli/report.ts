@@ -1,14 +1,7 @@
 import type { Help } from '#scene/scene';
-import {
-  displayText,
-  endedWord,
-  robotReport,
-  rounded,
-  type EndedWord,
-  type PacketReport,
-  type RobotReport,
-} from '#simulation/report';
+import { displayText, endedWord, robotReport, rounded, type EndedWord, type RobotReport } from '#simulation/report';
 import type { Ended, Simulation } from '#simulation/simulation';
+import type { SentPacket } from './radio-report';
 import type { DeviceSnapshot, Snapshot } from '#simulation/snapshot';
 import type { RobotVerdict, Verdict } from '#simulation/task/verdict';
 
@@ -32,8 +25,10 @@ export interface Report {
   readonly verdict: Verdict | null;
   readonly heapFree: number;
   readonly traceHash: string;
-  /** The packets sent by radio, oldest first; the first 10,000. */
-  readonly radio: readonly PacketReport[];
+  /** The packets sent by radio, oldest first: the first ones (`RadioKeeper`). */
+  readonly radio: readonly SentPacket[];
+  /** How many were sent. */
+  readonly radioSent: number;
   /** Chains of colour lights on pins that no robot uses: rings and strips to which the program has sent colours. */
   readonly lights: Snapshot['lights'];
   /** Each device, the first one first: what stands above is the first one's. */
@@ -43,19 +38,13 @@ export interface Report {
 /** One device. */
 export interface DeviceReport extends Pick<
   Report,
-  'ended' | 'exception' | 'robot' | 'display' | 'heapFree' | 'lights'
+  'ended' | 'exception' | 'robot' | 'display' | 'heapFree' | 'radio' | 'radioSent' | 'lights'
 > {
   readonly name: string;
-  /** The packets that it has sent. */
-  readonly radio: readonly PacketReport[];
 }
 
-/**
- * The report on a run now. While a program goes on, its `ended` is `time-limit`.
- *
- * @param sent the packets that each device has sent
- */
-export function reportOf(simulation: Simulation, sent: readonly (readonly PacketReport[])[], wallMs: number): Report {
+/** The report on a run now, without its packets. While a program goes on, its `ended` is `time-limit`. */
+export function reportOf(simulation: Simulation, wallMs: number): Report {
   const snapshot = simulation.snapshot();
   const simulatedMs = simulation.nowUs / 1000;
   const reportAt = (device: DeviceSnapshot, place: number): DeviceReport => {
@@ -67,14 +56,14 @@ export function reportOf(simulation: Simulation, sent: readonly (readonly Packet
       robot: device.robot && robotReport(device.robot),
       display: displayText(device.display),
       heapFree: simulation.heapFree(place),
-      radio: sent[place] ?? [],
+      ...{ radio: [], radioSent: 0 },
       lights: device.lights,
     };
   };
   const first = reportAt(snapshot, 0);
-  const { ended, exception, robot, display, heapFree, radio, lights } = first;
+  const { name: _, ...own } = first;
   return {
-    ...{ ended, exception, robot, display, heapFree, radio, lights },
+    ...own,
     simulatedMs,
     wallMs: rounded(wallMs),
     realTimeFactor: wallMs > 0 ? rounded(simulatedMs / wallMs) : 0,
@@ -90,7 +79,8 @@ function runEndedWord(ended: Ended | null, isOff: boolean): RunEndedWord {
 }
 
 /**
- * The line that `--json` prints; it has `radio` and `lights` only if they are not empty.
+ * The line that `--json` prints; it has `radio` and `lights` only if they are not empty. The packets of the first device
+ * stand at the top alone: there may be many.
  *
  * @param consoles what each device's program has printed
  */
@@ -101,7 +91,9 @@ export function jsonLine(report: Report, consoles: readonly string[]): string {
     ...{ ended, exception, simulatedMs, wallMs, realTimeFactor, robot, display, verdict },
     console: consoles[0] ?? '',
     ...{ heapFree, traceHash, ...someOf(report) },
-    devices: devices.map((device, place) => deviceLine(device, consoles[place] ?? '')),
+    devices: devices.map((device, place) =>
+      deviceLine(place === 0 ? { ...device, radio: [] } : device, consoles[place] ?? ''),
+    ),
   });
 }
 
@@ -110,8 +102,8 @@ const deviceLine = (device: DeviceReport, console: string) => {
   return { name, ended, exception, console, display, robot, heapFree, ...someOf(device) };
 };
 
-const someOf = ({ radio, lights }: Pick<Report, 'radio' | 'lights'>) => ({
-  ...(radio.length > 0 ? { radio } : {}),
+const someOf = ({ radio, radioSent, lights }: Pick<Report, 'radio' | 'radioSent' | 'lights'>) => ({
+  ...(radio.length > 0 ? { radio, radioSent } : {}),
   ...(lights.length > 0 ? { lights } : {}),
 });
 

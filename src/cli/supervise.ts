@@ -1,5 +1,6 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
+import { RadioReport } from './radio-report';
 import type { Report } from './report';
 import { createDeviceLines } from './device-lines';
 import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
@@ -52,6 +53,7 @@ export const nothingYet: Report = {
   heapFree: 0,
   traceHash: '',
   radio: [],
+  radioSent: 0,
   lights: [],
   devices: [],
 };
@@ -67,9 +69,10 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
     resourceLimits: { stackSizeMb: STACK_MB },
   });
   let latest = nothingYet;
+  const radio = new RadioReport();
   return new Promise((resolve) => {
     const ran = (report: Report, replay: ReplayOutcome | null = null): void =>
-      finish(() => ({ type: 'ran', report, consoles: output.all(), replay }));
+      finish(() => ({ type: 'ran', report: radio.in(report), consoles: output.all(), replay }));
     const watch = watchBeat(shared, () => ran({ ...latest, ended: 'stuck' }));
     const interruption = onInterrupt(shared, () => ran({ ...latest, ended: 'stopped' }));
     function finish(outcome: () => Outcome): void {
@@ -81,6 +84,7 @@ export function supervise(task: Omit<WorkerTask, 'shared' | 'console'>, terminal
       resolve(outcome());
     }
     worker.on('message', (message: WorkerMessage) => {
+      if ('radio' in message) radio.add(message.radio);
       switch (message.type) {
         case 'progress':
           latest = message.report;

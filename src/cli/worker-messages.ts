@@ -2,6 +2,7 @@ import type { RunSetup } from '#simulation/run-setup';
 import type { Moment } from '#tape/moment';
 import type { TapeResult } from '#tape/result';
 import type { StopAsked } from './arguments';
+import type { RadioNews } from './radio-report';
 import type { Report } from './report';
 import type { SharedConsole } from './shared-console';
 
@@ -50,8 +51,13 @@ export const INTERRUPT = 1;
 
 /** From the worker, in this order: any number of `progress`, then one of the others. */
 export type WorkerMessage =
-  | { readonly type: 'progress'; readonly report: Report }
-  | { readonly type: 'done'; readonly report: Report; readonly replay: ReplayOutcome | null }
+  | { readonly type: 'progress'; readonly report: Report; readonly radio: readonly RadioNews[] }
+  | {
+      readonly type: 'done';
+      readonly report: Report;
+      readonly radio: readonly RadioNews[];
+      readonly replay: ReplayOutcome | null;
+    }
   /** The set-up cannot run: the user's mistake. */
   | { readonly type: 'refused'; readonly problem: string }
   /** An internal error: our mistake. */

@@ -6,7 +6,6 @@ import { stillness } from '#check/run/stillness';
 import { csvOf, emptyLog, withLogEvents } from '#simulation/log-table';
 import type { RunOutlets } from '#simulation/outlets';
 import { PHYSICS } from '#simulation/physics-version';
-import { packetReport, type PacketReport } from '#simulation/report';
 import { checkRun } from '#simulation/run-problem';
 import { Simulation } from '#simulation/simulation';
 import { tapeToText } from '#tape/file';
@@ -16,6 +15,7 @@ import { atLine } from '#vm/debug/stops';
 import { version } from '../../package.json';
 import type { StopAsked } from './arguments';
 import { readFirmware } from './firmware';
+import { RadioKeeper, type RadioNews } from './radio-report';
 import { reportOf, type Report } from './report';
 import { reasonOf } from './reason-of';
 import { createConsoleWriter } from './shared-console';
@@ -24,9 +24,6 @@ import { BEAT, INTERRUPT, type WorkerMessage, type WorkerTask } from './worker-m
 
 /** Simulated time between two checks of the outside. Chosen: some ms of wall time, few suspensions of the program. */
 const SLICE_US = 100_000;
-
-/** Maximum number of packets in the report; later ones are only sent. Chosen: ten minutes at 16 a second. */
-const MAX_PACKETS = 10_000;
 
 /** Wall time between two messages. Chosen: looks immediate to a reader, costs the run less than 1 %. */
 const MESSAGE_MS = 50;
@@ -57,25 +54,22 @@ function createTraceWriter(simulation: Simulation, file: number | null, devices:
 /** Collects the programs' packets and the first one's log rows; their text goes straight to the terminal. */
 function createNews(task: WorkerTask): {
   readonly outlets: RunOutlets;
-  /** By device. */
-  readonly radio: readonly PacketReport[][];
+  /** What each device has sent since the last call. */
+  readonly takeRadio: () => readonly RadioNews[];
   readonly log: LogEvent[];
   readonly output: OutputHashes;
 } {
   const output = new OutputHashes(task.setup.devices.length);
   const isHashed = task.tapeFile !== null || task.replay !== null;
   const show = createConsoleWriter(task.console);
-  const radio = task.setup.devices.map((): PacketReport[] => []);
+  const radio = task.setup.devices.map(() => new RadioKeeper());
   const log: LogEvent[] = [];
   const outlets: RunOutlets = {
     print: (text, device) => {
       if (isHashed) output.add(text, device);
       show(text, device);
     },
-    radio: (packet, device) => {
-      const sent = radio[device] ?? [];
-      if (sent.length < MAX_PACKETS) sent.push(packetReport(packet));
-    },
+    radio: (packet, device) => radio[device]?.add(packet),
     ...(task.logFile === null
       ? {}
       : {
@@ -84,7 +78,7 @@ function createNews(task: WorkerTask): {
           },
         }),
   };
-  return { outlets, radio, log, output };
+  return { outlets, takeRadio: () => radio.map((one) => one.take()), log, output };
 }
 
 function writeLog(file: number, events: readonly LogEvent[]): void {
@@ -136,7 +130,7 @@ function runToStop(
   return { ...momentOf(simulation, device), timeMs: simulation.nowUs / 1000 };
 }
 
-function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (readonly PacketReport[])[]): Report {
+function runToEnd(simulation: Simulation, task: WorkerTask, takeRadio: () => readonly RadioNews[]): Report {
   const { shared, untilUs, untilProgramEnds, untilVerdict } = task;
   const writeTrace = createTraceWriter(simulation, task.traceFile, task.setup.devices.length);
   const startMs = performance.now();
@@ -148,7 +142,7 @@ function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (read
   const isOver = (): boolean =>
     simulation.nowUs >= untilUs || (untilVerdict && isDecided()) || (hasEnded() && (untilProgramEnds || isInterrupted));
   // A program that is stuck in its very first call is reported in its state at that moment.
-  post({ type: 'progress', report: reportOf(simulation, sent, 0) });
+  post({ type: 'progress', report: reportOf(simulation, 0), radio: takeRadio() });
   while (!isOver()) {
     const nextUs = Math.min(untilUs, simulation.nowUs + SLICE_US);
     if (untilProgramEnds) simulation.advanceProgramTo(nextUs);
@@ -162,11 +156,11 @@ function runToEnd(simulation: Simulation, task: WorkerTask, sent: readonly (read
     if (nowMs - toldMs < MESSAGE_MS) continue;
     toldMs = nowMs;
     writeTrace();
-    post({ type: 'progress', report: reportOf(simulation, sent, nowMs - startMs) });
+    post({ type: 'progress', report: reportOf(simulation, nowMs - startMs), radio: takeRadio() });
   }
   const wallMs = performance.now() - startMs;
   writeTrace();
-  return reportOf(simulation, sent, wallMs);
+  return reportOf(simulation, wallMs);
 }
 
 async function work(task: WorkerTask): Promise<void> {
@@ -183,10 +177,11 @@ async function work(task: WorkerTask): Promise<void> {
   const { replay } = task;
   const stop = replay?.stop ?? null;
   const moment = stop && runToStop(simulation, task, stop, replay?.device ?? 0);
-  const report = stop ? reportOf(simulation, news.radio, 0) : runToEnd(simulation, task, news.radio);
+  const report = stop ? reportOf(simulation, 0) : runToEnd(simulation, task, news.takeRadio);
   if (task.logFile !== null) writeLog(task.logFile, news.log);
   if (task.tapeFile !== null) writeTape(task.tapeFile, task, simulation, news.output);
-  post({ type: 'done', report, replay: replay && { result: resultOf(simulation, news.output), moment } });
+  const repeated = replay && { result: resultOf(simulation, news.output), moment };
+  post({ type: 'done', report, radio: news.takeRadio(), replay: repeated });
 }
 
 /** A full disk and the like: not our mistake. */

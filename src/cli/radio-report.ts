@@ -1,0 +1,68 @@
+import { textBytesOf } from '#board/radio-text';
+import type { RadioPacket } from '#simulation/outlets';
+import { msOf } from '#simulation/report';
+import type { Report } from './report';
+
+/** A packet that was sent, for `--json`: as text when `radio.send` made it, else its bytes, two signs each. */
+export type SentPacket = { readonly atMs: number } & ({ readonly text: string } | { readonly hex: string });
+
+/** What a device has sent since it was last told, and how many packets it has sent in all. */
+export interface RadioNews {
+  readonly packets: readonly SentPacket[];
+  readonly count: number;
+}
+
+/** Maximum number of packets in the report; later ones are only counted. Chosen: ten minutes at 16 a second. */
+const MOST_PACKETS = 10_000;
+
+/** All bytes of these, by device. Chosen: eight devices that send without a pause stay below 10 MB. */
+const MOST_BYTES = 250_000;
+
+/** Collects the packets of a device for the report. */
+export class RadioKeeper {
+  private packets: SentPacket[] = [];
+  private count = 0;
+  private kept = 0;
+  private bytes = 0;
+
+  add({ timeUs, bytes }: RadioPacket): void {
+    this.count += 1;
+    if (this.kept >= MOST_PACKETS || this.bytes + bytes.length > MOST_BYTES) return;
+    this.kept += 1;
+    this.bytes += bytes.length;
+    const atMs = msOf(timeUs);
+    const text = textBytesOf(bytes);
+    this.packets.push(text === null ? { atMs, hex: hexOf(bytes) } : { atMs, text: new TextDecoder().decode(text) });
+  }
+
+  /** What is new since the last call. */
+  take(): RadioNews {
+    const { packets, count } = this;
+    this.packets = [];
+    return { packets, count };
+  }
+}
+
+const hexOf = (bytes: readonly number[]): string => bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('');
+
+/** Puts the news of the devices, as they come, together with their reports. */
+export class RadioReport {
+  private readonly sent: { packets: SentPacket[]; count: number }[] = [];
+
+  add(news: readonly RadioNews[]): void {
+    for (const [device, { packets, count }] of news.entries()) {
+      const all = (this.sent[device] ??= { packets: [], count: 0 });
+      for (const packet of packets) all.packets.push(packet);
+      all.count = count;
+    }
+  }
+
+  /** The report with all packets that were told so far. */
+  in(report: Report): Report {
+    const of = (device: number) => ({
+      radio: this.sent[device]?.packets ?? [],
+      radioSent: this.sent[device]?.count ?? 0,
+    });
+    return { ...report, ...of(0), devices: report.devices.map((one, device) => ({ ...one, ...of(device) })) };
+  }
+}
