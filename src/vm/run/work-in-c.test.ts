@@ -54,6 +54,20 @@ describe('work inside one call of MicroPython’s C', () => {
     expect(much - little).toBeLessThan(2500);
   });
 
+  it('takes the time of its collections where a program wants one with each allocation, and no more after it', () => {
+    const spent = (before: string): number =>
+      Number(
+        runProgram(`${TAKEN}import gc\n${before}\ndef f():\n    for i in range(100): [0] * 10\nprint(us(f))`).console,
+      );
+    const plain = spent('pass');
+    expect(spent('gc.threshold(1)') / 100).toBeGreaterThan(1300);
+    expect(spent('gc.threshold(1)') / 100).toBeLessThan(5 * 1400);
+    expect(spent('gc.threshold(1)\ngc.threshold(-1)')).toBe(plain);
+    expect(runProgram('import gc\nprint(gc.threshold())\ngc.threshold(64)\nprint(gc.threshold())').console).toMatch(
+      /^-?\d+\s+64\s/,
+    );
+  });
+
   it('can be suspended in the middle, and comes to the same end at the same time', () => {
     const program = `${TAKEN}
 print(sum(range(3000)), sorted(L, reverse=True)[0], str(B)[:5], len(','.join(str(n) for n in L)))
