@@ -137,7 +137,7 @@ export class Heap {
    * allocation costs was measured with the collections of a full memory in it; those that come earlier cost their own.
    */
   collected(): void {
-    if (this.isEager) this.firmware.gas.value = Number(this.firmware.gas.value) - COLLECTION_US;
+    if (this.isEager) this.firmware.gas.value -= COLLECTION_US;
     if (this.isSealed) this.seal();
     if (!this.reserve || this.isArmed || !this.isHeld) return;
     let isFree = true;
