@@ -8,7 +8,7 @@ export interface Unread {
 /** The codes of what cannot be read, as reports have them. */
 export const unreadCodes = [
   // files
-  ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone'] as const),
+  ...(['kind', 'not-text', 'project', 'newer', 'course', 'large', 'gone', 'slow'] as const),
   // folders
   ...(['no-main', 'several', 'many-files'] as const),
   // links

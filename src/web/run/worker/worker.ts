@@ -1,6 +1,6 @@
 /**
  * The module worker that owns one run, looks into one that has been or repeats it (`look/`), fits one robot (`fit.ts`),
- * checks hand-ins (`checker.ts`), or makes a film (`film.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
+ * checks hand-ins (`checker.ts`) or reads them (`reader.ts`), or makes a film (`film.ts`). It sends and receives what `protocol.ts` lists; all of its logic is in `runner.ts`.
  */
 import '../../page/oldest/fill';
 
@@ -12,6 +12,7 @@ import { answerFit, type FitRequest } from './fit';
 import { Looker } from './look/looker';
 import { answerRepeat, type RepeatRequest } from './look/repeat';
 import type { ToLooker } from './look/protocol';
+import type { Reader, ToReader } from './reader';
 import { sealSandbox } from './sandbox';
 import type { ToWorker } from './protocol';
 import { Runner } from './runner';
@@ -59,11 +60,15 @@ const isForLooker = (data: Asked): data is ToLooker =>
   data.type === 'why' || data.type === 'look-into' || data.type === 'look' || data.type === 'look-near';
 
 /** So does this. */
+let reader: Promise<Reader> | null = null;
+const loadReader = (): Promise<Reader> => (reader ??= import('./reader').then((late) => new late.Reader()));
+
+/** And this. */
 let filmMaker: Promise<ReturnType<typeof createFilmMaker>> | null = null;
 const loadFilmMaker = (): NonNullable<typeof filmMaker> =>
   (filmMaker ??= import('./film').then((late) => late.createFilmMaker((message) => postMessage(message))));
 
-type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker | ToFilm;
+type Asked = ToWorker | ToLooker | RepeatRequest | FitRequest | ToChecker | ToReader | ToFilm;
 
 addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   if (data.type === 'repeat')
@@ -71,6 +76,10 @@ addEventListener('message', ({ data }: MessageEvent<Asked>) => {
   else if (data.type === 'fit') void answerFit(data).then((answer) => postMessage(answer));
   else if (isForLooker(data)) looker.receive(data);
   else if (data.type === 'check-open' || data.type === 'check') void loadChecker().then((it) => it.receive(data));
+  else if (data.type === 'read-open' || data.type === 'read')
+    void loadReader()
+      .then((it) => it.answer(data))
+      .then((answer) => postMessage(answer));
   else if (data.type === 'film-begin' || data.type === 'film-picture' || data.type === 'film-end')
     void loadFilmMaker().then((tell) => tell(data));
   else runner.receive(data);

@@ -5,21 +5,25 @@ import { describe, expect, it } from 'vitest';
 import { linkOf } from '#project/link/link';
 import { defaultScene } from '#scene/scene';
 
-import { sourcesOf } from './sources-of';
+import { Reader } from './reader';
 
 const file = (name: string, content: BlobPart): File => new File([content], name);
 const alone = (one: File) => ({ path: one.name, file: one });
-async function contents(...added: Parameters<typeof sourcesOf>[0]) {
-  const sources = await sourcesOf(added);
-  return Promise.all(
-    sources.map(async (source) => {
-      const content = await source.read();
-      return [
-        source.name,
-        'handIn' in content ? content.handIn.project.files.map(({ text }) => text) : content.problem.code,
-      ];
-    }),
-  );
+async function contents(...added: readonly { readonly path: string; readonly file: File }[]) {
+  const reader = new Reader();
+  const opened = await reader.answer({ type: 'read-open', batch: 1, added, scenes: {} });
+  if (opened.type !== 'read-names') throw new Error(opened.type);
+  const found = [];
+  for (const [place, name] of opened.names.entries()) {
+    const answer = await reader.answer({ type: 'read', batch: 1, place });
+    if (answer.type !== 'read-content') throw new Error(answer.type);
+    const { content } = structuredClone(answer); // as it comes to the page
+    found.push([
+      name,
+      'handIn' in content ? content.handIn.project.files.map(({ text }) => text) : content.problem.code,
+    ]);
+  }
+  return found;
 }
 
 describe('files that are handed in on the page', () => {
