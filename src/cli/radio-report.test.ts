@@ -1,6 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { RadioKeeper, RadioReport } from './radio-report';
+import { RadioKeeper } from './radio-report';
 import { nothingYet } from './supervise';
+import { RadioReport } from './with-radio';
 
 const packet = (timeUs: number, bytes: readonly number[]) => ({ timeUs, bytes });
 const long = Array.from({ length: 248 }, () => 0x78);

@@ -1,7 +1,6 @@
 import { textBytesOf } from '#board/radio-text';
 import type { RadioPacket } from '#simulation/outlets';
 import { msOf } from '#simulation/report';
-import type { Report } from './report';
 
 /** A packet that was sent, for `--json`: as text when `radio.send` made it, else its bytes, two signs each. */
 export type SentPacket = { readonly atMs: number } & ({ readonly text: string } | { readonly hex: string });
@@ -25,7 +24,7 @@ export class RadioKeeper {
   private kept = 0;
   private bytes = 0;
 
-  add({ timeUs, bytes }: RadioPacket): void {
+  add({ timeUs, bytes }: Pick<RadioPacket, 'timeUs' | 'bytes'>): void {
     this.count += 1;
     if (this.kept >= MOST_PACKETS || this.bytes + bytes.length > MOST_BYTES) return;
     this.kept += 1;
@@ -44,25 +43,3 @@ export class RadioKeeper {
 }
 
 const hexOf = (bytes: readonly number[]): string => bytes.map((byte) => byte.toString(16).padStart(2, '0')).join('');
-
-/** Puts the news of the devices, as they come, together with their reports. */
-export class RadioReport {
-  private readonly sent: { packets: SentPacket[]; count: number }[] = [];
-
-  add(news: readonly RadioNews[]): void {
-    for (const [device, { packets, count }] of news.entries()) {
-      const all = (this.sent[device] ??= { packets: [], count: 0 });
-      for (const packet of packets) all.packets.push(packet);
-      all.count = count;
-    }
-  }
-
-  /** The report with all packets that were told so far. */
-  in(report: Report): Report {
-    const of = (device: number) => ({
-      radio: this.sent[device]?.packets ?? [],
-      radioSent: this.sent[device]?.count ?? 0,
-    });
-    return { ...report, ...of(0), devices: report.devices.map((one, device) => ({ ...one, ...of(device) })) };
-  }
-}

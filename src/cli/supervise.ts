@@ -1,10 +1,10 @@
 import { fileURLToPath } from 'node:url';
 import { Worker } from 'node:worker_threads';
-import { RadioReport } from './radio-report';
 import type { Report } from './report';
 import { createDeviceLines } from './device-lines';
 import { createConsoleReader, createSharedConsole, type SharedConsole } from './shared-console';
 import type { Terminal } from './terminal';
+import { RadioReport } from './with-radio';
 import { BEAT, INTERRUPT, type ReplayOutcome, type WorkerMessage, type WorkerTask } from './worker-messages';
 
 /** The result of a run. */

@@ -25,6 +25,8 @@ const PICTURE = /^!\[([^\]]*)\]\(picture\)$/;
 /** Reads a text; any text is one. */
 export function blocksOf(text: string): readonly Block[] {
   const blocks: Block[] = [];
+  /** The lines of the last block, which grow: a text may have thousands. */
+  let lines: Line[] = [];
   let isNew = true;
   for (const line of text.split(/\r?\n/)) {
     const trimmed = line.trim();
@@ -37,9 +39,8 @@ export function blocksOf(text: string): readonly Block[] {
     const kind = BULLET.test(line) ? 'list' : NUMBER.test(line) ? 'numbers' : 'text';
     const before = blocks.at(-1);
     const spans = spansOf(kind === 'text' ? trimmed : line.replace(kind === 'list' ? BULLET : NUMBER, ''));
-    if (!isNew && before !== undefined && before.kind === kind)
-      blocks[blocks.length - 1] = { kind, lines: [...before.lines, spans] };
-    else blocks.push({ kind, lines: [spans] });
+    if (!isNew && before?.kind === kind) lines.push(spans);
+    else blocks.push({ kind, lines: (lines = [spans]) });
     isNew = false;
   }
   return blocks;
