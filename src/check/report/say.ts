@@ -2,7 +2,7 @@ import type { Language } from '#core/languages';
 import { unseenShown } from '#core/unseen';
 import { filledIn, wordsOf } from '#core/words';
 import type { EqualWorlds } from '../equal-worlds';
-import { unreadCodes } from '../hand-in/unread';
+import { unreadCodes, type Unread } from '../hand-in/unread';
 import type { Reason, Remark } from '../result';
 import { otherTasks, type ClassResult } from './class-result';
 import type de from './words/de.json';
@@ -19,11 +19,15 @@ export function reasonText({ code, params: given, advice }: Reason, language: La
   return advice === undefined ? said.join(' ') : `${said.join(' ')} – ${unseenShown(advice[language])}`;
 }
 
+/** Why something cannot be read. */
+export const unreadText = ({ code, params }: Unread, language: Language): string =>
+  filledIn(reportWords.unread[code][language], shownIn(params));
+
 /** A sentence about something that the teacher is told. */
 export function remarkText({ code, params: said }: Remark, language: Language): string {
   const params = shownIn(said);
   const why = unreadCodes.find((one) => one === params['why']);
-  const problem = why && filledIn(reportWords.unread[why][language], params);
+  const problem = why && unreadText({ code: why, params: said }, language);
   return filledIn(reportWords.remarks[code][language], problem === undefined ? params : { problem });
 }
 

@@ -1,4 +1,6 @@
+import { unread, type Unread } from '#check/hand-in/unread';
 import { readZip } from '#check/hand-in/zip';
+import { unreadText } from '#check/report/say';
 import { readTasks, taskOfText } from '#check/series/read-files';
 import { looksLikeSeries, parseSeries } from '#check/series/read-series';
 import type { Series, SeriesTask } from '#check/series/series';
@@ -6,8 +8,10 @@ import { seriesOfLink } from '#check/series/series-link';
 import { projectOfLink } from '#project/link/link';
 
 import type { AddedFile } from '../page/files/added-files';
+import { shownLanguage } from '../page/i18n';
 import { say } from '../page/i18n/say';
 import { fileBeside } from '../share/open-series';
+import { MOST_SERIES_BYTES } from '../share/series-among';
 import { linkReason, reasonOf } from '../share/problem-words';
 import { seriesLinkReason, seriesReason } from '../share/series-reason';
 import { readyCourse, readyScene } from '../work/catalogue/ready-courses';
@@ -33,20 +37,28 @@ export async function collectFiles(added: readonly AddedFile[]): Promise<Collect
   for (const { path, file } of added) {
     const bytes = file.size > MOST_BYTES ? null : new Uint8Array(await file.arrayBuffer());
     if (/\.json$/i.test(path) && bytes !== null) texts.set(path, new TextDecoder().decode(bytes));
-    else if (/\.zip$/i.test(path) && bytes !== null)
-      for (const [name, text] of textsInZip(bytes)) texts.set(name, text);
+    else if (/\.zip$/i.test(path) && bytes !== null) textsInZip(path, bytes, texts, refusals);
     else refusals.push(say(words.refused, { file: path, reason: say(words.kinds) }));
   }
   return tasksIn(texts, refusals);
 }
 
-function textsInZip(bytes: Uint8Array): readonly (readonly [name: string, text: string])[] {
+/** Puts the texts of a zip to the others; more than a teacher has is told, and never unpacked. */
+function textsInZip(path: string, bytes: Uint8Array, texts: Map<string, string>, refusals: string[]): void {
+  const refuse = (file: string, problem: Unread): void => {
+    refusals.push(say(words.refused, { file, reason: unreadText(problem, shownLanguage()) }));
+  };
   const zip = readZip(bytes);
-  if ('problem' in zip) return [];
-  return zip.entries.flatMap((entry) => {
-    const content = /\.json$/i.test(entry.path) ? entry.read(MOST_BYTES) : { problem: null };
-    return 'bytes' in content ? [[entry.path, new TextDecoder().decode(content.bytes)] as const] : [];
-  });
+  if ('problem' in zip) return refuse(path, zip.problem);
+  const wanted = zip.entries.filter((entry) => /\.json$/i.test(entry.path));
+  if (wanted.reduce((sum, { size }) => sum + size, 0) > MOST_SERIES_BYTES)
+    return refuse(path, unread('zip-much', { most: MOST_SERIES_BYTES }).problem);
+  for (const entry of wanted) {
+    // A directory may tell less than there is.
+    const content = entry.read(Math.min(entry.size, MOST_BYTES));
+    if ('problem' in content) refuse(`${path}/${entry.path}`, content.problem);
+    else texts.set(entry.path, new TextDecoder().decode(content.bytes));
+  }
 }
 
 async function tasksIn(texts: ReadonlyMap<string, string>, refusals: string[]): Promise<Collected> {

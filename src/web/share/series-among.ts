@@ -16,6 +16,9 @@ export type WholeSeries = { readonly series: Series } | { readonly problem: stri
 /** Largest file that is read, in bytes. Chosen: a project with a picture as floor has a few MB. */
 const MOST_BYTES = 16 * 1024 * 1024;
 
+/** All that is unpacked of the zip of a series, by its directory. Chosen: a hundred tasks, some with a picture. */
+export const MOST_SERIES_BYTES = 64 * 1024 * 1024;
+
 /** Title and text stand before the tasks. */
 const HEAD_BYTES = 16 * 1024;
 
@@ -53,12 +56,15 @@ async function textOf(one: AddedFile, used: Set<AddedFile>): Promise<string> {
 async function folderInZip(file: File): Promise<Folder | null> {
   const zip = file.size > MOST_BYTES ? null : readZip(new Uint8Array(await file.arrayBuffer()));
   if (zip === null || 'problem' in zip) return null;
-  const folder = new Map(zip.entries.map((entry) => [nameOf(entry.path), () => Promise.resolve(textIn(entry))]));
+  const files = zip.entries.filter(({ path }) => /\.json$/i.test(path));
+  if (files.reduce((sum, { size }) => sum + size, 0) > MOST_SERIES_BYTES) return null;
+  const folder = new Map(files.map((entry) => [nameOf(entry.path), () => Promise.resolve(textIn(entry))]));
   return looksLikeSeries((await folder.get(SERIES_FILE)?.()) ?? '') ? folder : null;
 }
 
 function textIn(entry: ZipEntry): string {
-  const read = entry.read(MOST_BYTES);
+  // A directory may tell less than there is.
+  const read = entry.read(Math.min(entry.size, MOST_BYTES));
   return 'bytes' in read ? new TextDecoder().decode(read.bytes) : '';
 }
 
