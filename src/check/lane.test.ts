@@ -1,24 +1,41 @@
 import { describe, expect, it } from 'vitest';
 import { handInOfFiles } from './hand-in/read-hand-in';
-import { Lane, STUCK_MS } from './lane';
+import { Lane, STUCK_MS, type CheckAnswer, type CheckRequest } from './lane';
+import { unreadable } from './result';
+import { sceneWith, targetAt, taskWith } from './testing/tasks';
 
-/** A lane whose threads never answer, and the time that passes for it. */
-function silentLane() {
+const task = taskWith(sceneWith([targetAt(700, 450)]), { seconds: 2 });
+const passed: CheckAnswer = { result: { ...unreadable([], { code: 'zip', params: {} }), passed: true, remarks: [] } };
+
+/**
+ * A lane, and the time that passes for it.
+ *
+ * @param answers what a thread, counted from 1, says at once to what it is asked; `null`: nothing
+ */
+function laneWith(answers: (thread: number, request: CheckRequest) => CheckAnswer | null, pulse = () => 0) {
   let started = 0;
   const watching = new Set<() => void>();
   const lane = new Lane(
-    [],
-    () => {
-      started += 1;
-      return { ask: () => undefined, pulse: () => ({ beat: 0, world: 0 }), stop: () => undefined };
+    task,
+    (heard) => {
+      const thread = (started += 1);
+      return {
+        ask(request) {
+          const answer = answers(thread, request);
+          if (answer !== null) queueMicrotask(() => heard(answer));
+        },
+        pulse: () => ({ beat: pulse(), world: 0 }),
+        stop: () => undefined,
+      };
     },
     (_, act) => {
       watching.add(act);
       return () => watching.delete(act);
     },
   );
-  const pass = (looks: number): void => {
+  const pass = async (looks: number): Promise<void> => {
     for (let look = 0; look < looks; look += 1) for (const act of watching) act();
+    await settled();
   };
   return { lane, pass, started: () => started, watching: () => watching.size };
 }
@@ -26,23 +43,55 @@ function silentLane() {
 /** Enough looks at a thread for it to be stuck. */
 const STUCK_LOOKS = STUCK_MS / 200 + 1;
 const settled = (): Promise<void> => new Promise((resolve) => setTimeout(resolve));
+const nothing = handInOfFiles([]);
 
 describe('a lane', () => {
-  it('replaces a thread that gives no sign of life', async () => {
-    const { lane, pass, started } = silentLane();
-    void lane.check(handInOfFiles([]));
-    pass(STUCK_LOOKS);
-    await settled();
+  it('tries a hand-in once more whose thread gave no sign of life: the machine may have been busy', async () => {
+    const { lane, pass, started } = laneWith((thread) => (thread === 1 ? null : passed));
+    const result = lane.check(nothing);
+    await pass(STUCK_LOOKS);
+    expect((await result).passed).toBe(true);
     expect(started()).toBe(2);
   });
 
+  it('tells one that gives none a second time, and runs nothing of the world in which it was', async () => {
+    const lost: CheckRequest['lost'][] = [];
+    const { lane, pass, started } = laneWith((_, request) => {
+      lost.push(request.lost);
+      return request.lost === undefined ? null : passed;
+    });
+    const result = lane.check(nothing);
+    await pass(STUCK_LOOKS);
+    await pass(STUCK_LOOKS);
+    await result;
+    expect(lost).toEqual([undefined, undefined, { from: 0, reason: { code: 'stuck', params: {} } }]);
+    expect(started()).toBe(3);
+  });
+
+  it('gives a run up that goes on, but slower than the real robot, after two minutes', async () => {
+    let beat = 0;
+    const lost: CheckRequest['lost'][] = [];
+    const { lane, pass } = laneWith(
+      (_, request) => {
+        lost.push(request.lost);
+        return request.lost === undefined ? null : passed;
+      },
+      () => (beat += 1),
+    );
+    const result = lane.check(nothing);
+    await pass(5 * 119);
+    expect(lost).toHaveLength(1);
+    await pass(5 * 2);
+    await result;
+    expect(lost.at(-1)).toEqual({ from: 0, reason: { code: 'long', params: { seconds: 120 } } });
+  });
+
   it('that was stopped looks at no thread any more, and starts none', async () => {
-    const { lane, pass, started, watching } = silentLane();
-    void lane.check(handInOfFiles([]));
+    const { lane, pass, started, watching } = laneWith(() => null);
+    void lane.check(nothing);
     lane.stop();
     expect(watching()).toBe(0);
-    pass(STUCK_LOOKS);
-    await settled();
+    await pass(STUCK_LOOKS);
     expect(started()).toBe(1);
   });
 });

@@ -1,6 +1,6 @@
 import type { HandIn } from './hand-in/hand-in';
 import { unreadable, type CheckResult, type Reason } from './result';
-import type { ClassTask } from './task/task';
+import { secondsOf, type ClassTask } from './task/task';
 
 /** A hand-in that a thread shall check. */
 export interface CheckRequest {
@@ -26,8 +26,14 @@ export type StartThread = (heard: (answer: CheckAnswer) => void) => CheckThread;
 /** Calls something every so many ms of wall time; what it returns ends that. */
 export type Every = (ms: number, act: () => void) => () => void;
 
-/** After so many ms of wall time without a heartbeat, a program is stuck inside one call that never ends. */
+/**
+ * After so many ms of wall time without a heartbeat, a program is stuck inside one call that never ends, if it is so a second
+ * time, too: the machine may have been busy.
+ */
 export const STUCK_MS = 10_000;
+
+/** So long may a run last on any machine, in ms of wall time. Chosen: what a simulation must be slower than to be of no use. */
+const LONG_MS = 120_000;
 
 const LOOK_MS = 200;
 
@@ -42,18 +48,22 @@ export class Lane {
   private unwatch: () => void = () => undefined;
 
   constructor(
-    private readonly checks: ClassTask['checks'],
+    private readonly task: ClassTask,
     private readonly start: StartThread,
     private readonly every: Every,
   ) {}
 
   /** The result of a hand-in; in the world in which it was stuck, and in those after it, nothing is run. */
   async check(handIn: HandIn): Promise<CheckResult> {
-    const ending = await this.ask({ handIn });
+    const first = await this.ask({ handIn });
+    const isStuck = 'reason' in first && first.reason.code === 'stuck';
+    const ending = isStuck ? await this.ask({ handIn }) : first;
     if ('result' in ending) return ending.result;
     const { world, reason } = ending;
     const again = await this.ask({ handIn, lost: { from: world, reason } });
-    return 'result' in again ? again.result : unreadable(this.checks, { code: 'broken', params: again.reason.params });
+    return 'result' in again
+      ? again.result
+      : unreadable(this.task.checks, { code: 'broken', params: again.reason.params });
   }
 
   /** Ends the thread. What it is asked stays without an answer. */
@@ -89,19 +99,22 @@ export class Lane {
   }
 
   /** The thread has no answer to what it is asked. */
-  private lose(code: 'stuck' | 'broken', params: Reason['params']): void {
+  private lose(code: 'stuck' | 'long' | 'broken', params: Reason['params']): void {
     this.end?.({ reason: { code, params }, world: this.thread?.pulse().world ?? 0 });
   }
 
-  /** Gives a thread up that shows no sign of life for `STUCK_MS`. */
+  /** Gives a thread up that shows no sign of life for `STUCK_MS`, or is slower with a world than the real robot would be. */
   private watch(thread: CheckThread): () => void {
-    let { beat } = thread.pulse();
-    let stillMs = 0;
+    const mostMs = Math.max(LONG_MS, 1000 * secondsOf(this.task));
+    let { beat, world } = thread.pulse();
+    let [stillMs, worldMs] = [0, 0];
     return this.every(LOOK_MS, () => {
-      const now = thread.pulse().beat;
-      stillMs = now === beat ? stillMs + LOOK_MS : 0;
-      beat = now;
+      const now = thread.pulse();
+      stillMs = now.beat === beat ? stillMs + LOOK_MS : 0;
+      worldMs = now.world === world ? worldMs + LOOK_MS : 0;
+      ({ beat, world } = now);
       if (stillMs > STUCK_MS) this.lose('stuck', {});
+      else if (worldMs > mostMs) this.lose('long', { seconds: mostMs / 1000 });
     });
   }
 }

@@ -68,7 +68,7 @@ export const reasonCodes = [
   ...(['display', 'light', 'sound', 'console', 'radio', 'log'] as const),
   ...(['loop', 'calls', 'lines', 'delay'] as const),
   // of the program
-  ...(['exception', 'panic', 'stuck', 'refused', 'broken'] as const),
+  ...(['exception', 'panic', 'stuck', 'long', 'refused', 'broken'] as const),
 ] as const;
 export type ReasonCode = (typeof reasonCodes)[number];
 

@@ -34,6 +34,9 @@ const USUAL_SECONDS = 300;
 /** How many simulated seconds a run has where the task does not say it: those of the course, else `USUAL_SECONDS`. */
 export const usualSeconds = ({ task }: Pick<Scene, 'task'>): number => task.seconds ?? USUAL_SECONDS;
 
+/** How many simulated seconds a run of this task has. */
+export const secondsOf = ({ seconds, project }: ClassTask): number => seconds ?? usualSeconds(project.scene);
+
 /** One of the conditions of a task. */
 export type Check = CheckKind & {
   /** Unlike the others of the task. */

@@ -156,7 +156,7 @@ async function checkAll(
 ): Promise<readonly NamedResult[]> {
   const { jobs, keepsWays, progress } = running;
   const results: NamedResult[] = [];
-  const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task.checks, start, every));
+  const lanes = Array.from({ length: Math.min(jobs, sources.length) }, () => new Lane(task, start, every));
   await inLanes(sources, lanes, async (source, place, lane) => {
     const result = await resultOf(task, source, lane, running);
     results[place] = { name: source.name, result: keepsWays ? result : withoutWays(result) };
@@ -168,7 +168,7 @@ async function checkAll(
 /** What the teacher is told of hidden worlds that hide nothing, by the task's model solution. */
 async function equalIn(task: ClassTask, start: StartThread, language: Language): Promise<readonly string[]> {
   if (task.solution === null || hiddenWorlds(task).length === 0) return [];
-  const lane = new Lane(task.checks, start, every);
+  const lane = new Lane(task, start, every);
   const result = await lane.check(handInOfFiles(task.solution));
   lane.stop();
   return equalTexts(equalWorlds(task, result), language);

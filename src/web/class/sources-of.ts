@@ -1,7 +1,7 @@
 import type { Source } from '#check/hand-in/sources';
 
 import type { AddedFile } from '../page/files/added-files';
-import { HandInReader } from '../run/hand-in-reader';
+import { HandInReader } from '../run/reading/hand-in-reader';
 import { readyCourses } from '../work/catalogue/ready-courses';
 
 const reader = new HandInReader(() => Object.fromEntries(readyCourses.map(({ id, scene }) => [id, scene])));

@@ -43,7 +43,7 @@ export class CheckRun {
     try {
       const start = await this.ports.starter(task);
       if (turn !== this.turn) return;
-      this.lane = new Lane(task.checks, start, this.ports.every);
+      this.lane = new Lane(task, start, this.ports.every);
       const result = await this.lane.check(handIn.handIn);
       if (turn === this.turn) this.result.value = result;
     } catch {

@@ -160,7 +160,7 @@ export class ClassModel {
       const start = await this.ports.starter(open.task);
       if (turn !== this.turn) return;
       const count = Math.min(this.ports.lanes, waiting.length);
-      this.lanes = Array.from({ length: count }, () => new Lane(open.task.checks, start, this.ports.every));
+      this.lanes = Array.from({ length: count }, () => new Lane(open.task, start, this.ports.every));
       await inLanes(waiting, this.lanes, (place, _, lane) => this.checkOne(place, open.task, lane, turn));
     } catch {
       if (turn === this.turn) this.hasFailed.value = true;

@@ -2,7 +2,7 @@
 import { describe, expect, it } from 'vitest';
 
 import { HandInReader, READ_MS } from './hand-in-reader';
-import { Reader, type ToReader } from './worker/reader';
+import { Reader, type ToReader } from '../worker/reader';
 
 const added = (...names: string[]) => names.map((path) => ({ path, file: new File([path], path) }));
 const isOf = (message: ToReader, place: number): boolean => message.type === 'read' && message.place === place;

@@ -4,10 +4,10 @@ import type { Content } from '#check/hand-in/contents';
 import type { Every } from '#check/lane';
 import type { Scene } from '#scene/scene';
 
-import type { AddedFile } from '../page/files/added-files';
-import { every } from './check-thread';
-import { createWorker } from './worker/create-worker';
-import type { FromReader, ToReader } from './worker/reader';
+import type { AddedFile } from '../../page/files/added-files';
+import { every } from '../check-thread';
+import { createWorker } from '../worker/create-worker';
+import type { FromReader, ToReader } from '../worker/reader';
 
 /** A worker that reads. */
 export interface ReaderThread {
