@@ -1,6 +1,7 @@
 // A small static server for dist/app: right types, compression and the headers that every host should send (docs/hosting.md).
 import { readFile, stat } from 'node:fs/promises';
 import { createServer } from 'node:http';
+import { networkInterfaces } from 'node:os';
 import { extname, join, normalize, resolve, sep } from 'node:path';
 import { promisify } from 'node:util';
 import { brotliCompress, constants, gzip } from 'node:zlib';
@@ -53,7 +54,8 @@ const HAS_HASH = /^\/assets\/.*-[\w-]{8}\.\w+$/;
  * Serves a folder.
  *
  * @param {{ folder?: string, port?: number, host?: string }} [options] port: the first one to try; a busy port moves on to the next
- * @returns {Promise<{ url: string, close: () => Promise<void> }>}
+ * @returns {Promise<{ url: string, others: readonly string[], close: () => Promise<void> }>} others: further addresses, which other
+ * computers can open
  */
 export async function serve({ folder = 'dist/app', port = wantedPort(), host = process.env.HOST ?? '127.0.0.1' } = {}) {
   const cache = new Map();
@@ -64,8 +66,10 @@ export async function serve({ folder = 'dist/app', port = wantedPort(), host = p
     });
   });
   const chosen = await listen(server, port, host);
+  const [url, ...others] = addressesOf(host).map((address) => `http://${address}:${chosen}/`);
   return {
-    url: `http://${host === '127.0.0.1' ? 'localhost' : host}:${chosen}/`,
+    url,
+    others,
     close: () =>
       new Promise((done) => {
         server.close(() => done());
@@ -73,6 +77,22 @@ export async function serve({ folder = 'dist/app', port = wantedPort(), host = p
       }),
   };
 }
+
+/** What a browser opens: where the server listens everywhere, this computer and its addresses in the network. */
+function addressesOf(host) {
+  if (host === '127.0.0.1') return ['localhost'];
+  if (!['0.0.0.0', '::', ''].includes(host)) return [host.includes(':') ? `[${host}]` : host];
+  const own = Object.values(networkInterfaces()).flat();
+  // Addresses of IPv6 that are no use without their network card are left out.
+  const outside = own.filter(
+    ({ internal, family, scopeid }) => !internal && (family === 'IPv4' || (host !== '0.0.0.0' && !scopeid)),
+  );
+  return ['localhost', ...outside.map(({ address, family }) => (family === 'IPv4' ? address : `[${address}]`))];
+}
+
+/** Where the app is, for people. */
+export const atWords = ({ url, others }) =>
+  [url, ...others.map((other) => `\n  for other computers: ${other}`)].join('');
 
 function wantedPort() {
   const text = process.env.PORT;
@@ -87,8 +107,10 @@ function listen(server, port, host) {
   return new Promise((done, reject) => {
     let next = port;
     server.on('error', (error) => {
-      if (error.code !== 'EADDRINUSE' || next >= Math.min(port + 100, 65_535)) reject(error);
-      else server.listen(++next, host);
+      if (error.code === 'EADDRINUSE' && next < Math.min(port + 100, 65_535)) server.listen(++next, host);
+      else if (['ENOTFOUND', 'EADDRNOTAVAIL', 'EAI_AGAIN'].includes(error.code))
+        reject(new Failure(`HOST must be an address or a name of this computer, or 0.0.0.0 for all, not "${host}".`));
+      else reject(error);
     });
     server.on('listening', () => done(server.address().port));
     server.listen(next, host);
@@ -167,6 +189,5 @@ function encoded(file, accepted) {
 }
 
 await main(import.meta.url, async () => {
-  const { url } = await serve();
-  process.stdout.write(`Serving dist/app at ${url}\n`);
+  process.stdout.write(`Serving dist/app at ${atWords(await serve())}\n`);
 });

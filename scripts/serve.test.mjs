@@ -95,6 +95,22 @@ describe('the server', () => {
     }
   });
 
+  it.each(['0.0.0.0', '::'])('names addresses that other computers can open where it listens on %s', async (host) => {
+    const everywhere = await serve({ folder, port: 0, host });
+    expect(everywhere.url).toMatch(/^http:\/\/localhost:\d+\/$/);
+    for (const address of [everywhere.url, ...everywhere.others]) {
+      expect(new URL(address).hostname).not.toMatch(/^(0\.0\.0\.0|\[::\])$/);
+      expect((await fetch(address)).status).toBe(200);
+    }
+    await everywhere.close();
+  });
+
+  it('says what HOST may be when there is no such address', async () => {
+    await expect(serve({ folder, port: 0, host: '192.0.2.1' })).rejects.toThrow(
+      'HOST must be an address or a name of this computer, or 0.0.0.0 for all, not "192.0.2.1".',
+    );
+  });
+
   it('moves on to the next port when one is taken', async () => {
     const taken = Number(new URL(server.url).port);
     const second = await serve({ folder, port: taken });
