@@ -9,7 +9,7 @@ import { SensorsModel } from '../run/sensors-model';
 import type { RunParts } from '../run/parts';
 import { createWorker } from '../run/worker/create-worker';
 import { compileFirmware } from '../run/worker/firmware';
-import { troubleOf } from '../run/worker/firmware-trouble';
+import { troubleKey } from '../run/worker/firmware-trouble';
 import type { VisitParts } from '../visit/parts';
 import { runSetup } from '../work/run-setup';
 import { showEnd, showFailure, showStart, type RunMessages } from './run-messages';
@@ -122,13 +122,6 @@ function outcome(around: Around, run: () => RunModel): Pick<RunHost, 'onInput' |
   };
 }
 
-/** What is said where the VM cannot be had. */
-const UNAVAILABLE = {
-  absent: 'notice.firmware',
-  foreign: 'notice.firmwareForeign',
-  forbidden: 'notice.firmwarePolicy',
-} as const;
-
 /** What is said when a run goes wrong through no fault of the program. */
 function troubles(
   around: Around,
@@ -147,7 +140,7 @@ function troubles(
     onSlow: () =>
       notices.show({ kind: 'info', key: 'notice.firmwareSlow', holds: () => run().phase.value === 'starting' }),
     onUnavailable: (why) => {
-      notices.show({ kind: 'error', key: UNAVAILABLE[troubleOf(why)] });
+      notices.show({ kind: 'error', key: troubleKey(why) });
       host.tell({ type: 'failed', message: 'A part of the simulator could not be fetched.' });
     },
     onKilled: () => notices.show({ kind: 'warn', key: 'notice.killed' }),

@@ -49,6 +49,6 @@ describe('a program that is checked again and again', () => {
   it('says so when nothing can be run', async () => {
     const run = new CheckRun({ starter: () => Promise.reject(new Error('offline')), every: () => () => undefined });
     await run.run(task, project('forward()'));
-    expect([run.hasFailed.value, run.isRunning.value]).toEqual([true, false]);
+    expect([run.failure.value, run.isRunning.value]).toEqual(['notice.firmware', false]);
   });
 });

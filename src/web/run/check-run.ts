@@ -8,6 +8,7 @@ import type { Project } from '#project/project';
 
 import { every, startThread } from './check-thread';
 import { compileFirmware } from './worker/firmware';
+import { troubleKey, type TroubleKey } from './worker/firmware-trouble';
 
 /** What a check needs of the page. */
 export interface CheckPorts {
@@ -24,8 +25,8 @@ export class CheckRun {
   /** `null`: nothing is checked, or it is not over yet. */
   readonly result: ShallowRef<CheckResult | null> = shallowRef(null);
   readonly isRunning = shallowRef(false);
-  /** The VM could not be fetched, or no worker made. */
-  readonly hasFailed = shallowRef(false);
+  /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
+  readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
   private lane: Lane | null = null;
   private turn = 0;
 
@@ -39,15 +40,15 @@ export class CheckRun {
     const handIn = project && handInOf(project);
     if (handIn === null || 'problem' in handIn) return;
     this.isRunning.value = true;
-    this.hasFailed.value = false;
+    this.failure.value = null;
     try {
       const start = await this.ports.starter(task);
       if (turn !== this.turn) return;
       this.lane = new Lane(task, start, this.ports.every);
       const result = await this.lane.check(handIn.handIn);
       if (turn === this.turn) this.result.value = result;
-    } catch {
-      if (turn === this.turn) this.hasFailed.value = true;
+    } catch (error) {
+      if (turn === this.turn) this.failure.value = troubleKey(error);
     }
     if (turn === this.turn) this.stop();
   }

@@ -5,6 +5,7 @@ import { htmlOf } from '#check/report/html';
 import { csvOf } from '#check/report/texts';
 import { ahead, sceneWith, targetAt, taskWith } from '#check/testing/tasks';
 
+import { FirmwareError } from '../../run/worker/firmware-trouble';
 import { classWith, program } from './testing/class';
 
 const task = taskWith(sceneWith([targetAt(700, 450)]));
@@ -99,8 +100,19 @@ describe('a class', () => {
     const { model } = classWith({ starter });
     await model.choose({ name: 'T', from: 'open', task });
     await model.add([program('Ada', ahead(3000))]);
-    expect([model.hasFailed.value, model.isChecking.value]).toEqual([true, false]);
+    expect([model.failure.value, model.isChecking.value]).toEqual(['notice.firmware', false]);
     await model.add([program('Ben', ahead(3000))]);
     expect(starter).toHaveBeenCalledTimes(2);
+  });
+
+  it.each([
+    ['forbidden', 'notice.firmwarePolicy'],
+    ['foreign', 'notice.firmwareForeign'],
+    ['absent', 'notice.firmware'],
+  ] as const)('says why nothing can be checked, as a run does: the VM is %s', async (trouble, said) => {
+    const { model } = classWith({ starter: () => Promise.reject(new FirmwareError(trouble)) });
+    await model.choose({ name: 'T', from: 'open', task });
+    await model.add([program('Ada', ahead(3000))]);
+    expect(model.failure.value).toBe(said);
   });
 });

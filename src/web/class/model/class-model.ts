@@ -8,6 +8,8 @@ import { unreadable, type CheckResult } from '#check/result';
 import type { ClassTask } from '#check/task/task';
 import { computed, shallowRef, type ComputedRef, type ShallowRef } from 'vue';
 
+import { troubleKey, type TroubleKey } from '../../run/worker/firmware-trouble';
+
 /** The task that hand-ins are checked for. */
 export interface OpenTask {
   readonly name: string;
@@ -45,8 +47,8 @@ export class ClassModel {
   readonly task = shallowRef<OpenTask | null>(null);
   readonly rows: ShallowRef<readonly Row[]> = shallowRef([]);
   readonly isChecking = shallowRef(false);
-  /** The VM could not be fetched, or no worker made. */
-  readonly hasFailed = shallowRef(false);
+  /** Why nothing can be checked: there is no VM, or no worker; `null`: it can. */
+  readonly failure: ShallowRef<TroubleKey | null> = shallowRef(null);
   /** Those that are checked, as reports have them: with what is told about twins. */
   readonly found: ComputedRef<ClassResult>;
   /** There are results or notes that were saved nowhere; a class that is kept saves itself. */
@@ -155,15 +157,15 @@ export class ClassModel {
     const waiting = this.rows.value.flatMap(({ result }, place) => (result === null ? [place] : []));
     if (open === null || waiting.length === 0) return;
     this.isChecking.value = true;
-    this.hasFailed.value = false;
+    this.failure.value = null;
     try {
       const start = await this.ports.starter(open.task);
       if (turn !== this.turn) return;
       const count = Math.min(this.ports.lanes, waiting.length);
       this.lanes = Array.from({ length: count }, () => new Lane(open.task, start, this.ports.every));
       await inLanes(waiting, this.lanes, (place, _, lane) => this.checkOne(place, open.task, lane, turn));
-    } catch {
-      if (turn === this.turn) this.hasFailed.value = true;
+    } catch (error) {
+      if (turn === this.turn) this.failure.value = troubleKey(error);
     }
     if (turn === this.turn) this.stop();
   }
