@@ -5,4 +5,5 @@ export function serve(options?: {
   readonly folder?: string;
   readonly port?: number;
   readonly host?: string;
-}): Promise<{ readonly url: string; close(): Promise<void> }>;
+}): Promise<{ readonly url: string; readonly others: readonly string[]; close(): Promise<void> }>;
+export function atWords(at: { readonly url: string; readonly others: readonly string[] }): string;
