@@ -76,6 +76,20 @@ describe('foes of a course', { timeout: 30_000 }, () => {
     expect(y).toBeCloseTo(800, 6);
   });
 
+  it('guard a zone also against a claw that reaches in: they feel all that forbidden fields feel', async () => {
+    const guard = foe([700, 800], { chases: { zone: 'z' }, speed: 200 });
+    const field: Zone = { ...zone, type: 'forbidden', at: [500, 450], round: false, number: 0 };
+    const comes = async (x: number, options: Readonly<Record<string, string>>): Promise<readonly unknown[]> => {
+      const scene = sceneOf(field, guard);
+      const simulation = await start({ ...scene, robot: { ...scene.robot, at: [x, 450], options } }, STAND);
+      simulation.advanceTo(500_000);
+      return [placeOf(simulation)[1] !== 800, simulation.verdict?.state];
+    };
+    // The field begins at 400; a Maqueen Lite is 6 to 9 cm before its axle, its claw reaches further.
+    expect(await comes(300, {})).toEqual([false, 'open']);
+    expect(await comes(300, { S1: 'claw' })).toEqual([true, 'failed']);
+  });
+
   it('go home when their zone is taken away during the run', async () => {
     const guard = foe([700, 800], { chases: { zone: 'z' } });
     const scene = { ...sceneOf({ ...zone, at: [300, 450] }, guard) };

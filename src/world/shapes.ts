@@ -81,7 +81,7 @@ export interface Chase {
   readonly reachMm: number;
   /** Whether it goes home while there is no robot for it; otherwise it stays where it is. */
   readonly returns: boolean;
-  /** Whether it runs after a robot whose body covers these convex outlines (world mm); `null`: after every one. */
+  /** Whether it runs after a robot that covers these convex outlines with what it holds (world mm); `null`: after every one. */
   readonly wants: ((bodyMm: readonly (readonly Vec[])[]) => boolean) | null;
 }
 

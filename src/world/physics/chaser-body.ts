@@ -18,7 +18,7 @@ const ACCELERATION = (PUSH_N * UNITS_PER_NEWTON) / MASS_G;
 /** What it may run after. */
 export interface Prey {
   pose(): Pose;
-  /** Convex parts of its body, world mm. */
+  /** Convex parts of all of it, with what it holds, world mm. */
   bodyMm(): readonly (readonly Vec[])[];
 }
 

@@ -90,9 +90,9 @@ export class RobotBody implements Chassis {
     return this.body === body;
   }
 
-  /** Convex parts of the body of its type, world mm. */
+  /** Convex parts of all of it, with what was added and what it holds, world mm. */
   bodyMm(): readonly (readonly Vec[])[] {
-    return this.type.outlineMm.map((part) => part.map((corner) => this.toWorld(corner)));
+    return [...this.type.outlineMm, ...this.addedMm()].map((part) => part.map((corner) => this.toWorld(corner)));
   }
 
   pose(): Pose {
