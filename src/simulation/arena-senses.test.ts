@@ -86,6 +86,26 @@ describe('a board that feels the arena', () => {
     senses.switch(false);
     expect(board.sensors.get('lightLevel')).toBe(7);
   });
+
+  it('keeps what the hand sets while it feels the arena, on and off, until it is switched on again', () => {
+    const { board, senses, drive } = facing(0);
+    const byHand = (id: 'lightLevel', value: number): void => {
+      senses.setByHand(id);
+      board.sensors.set(id, value);
+    };
+    senses.switch(true);
+    byHand('lightLevel', 12);
+    drive(40, -40, 200);
+    expect(board.sensors.get('lightLevel')).toBe(12);
+    expect(board.sensors.get('compassHeading')).toBeGreaterThan(180);
+    senses.switch(false);
+    expect(board.sensors.get('lightLevel')).toBe(12);
+    senses.switch(true);
+    byHand('lightLevel', 12);
+    senses.switch(true);
+    drive(0, 0, 1);
+    expect(board.sensors.get('lightLevel')).toBe(255);
+  });
 });
 
 describe('a board that does not feel the arena', () => {

@@ -18,8 +18,10 @@ export interface Surroundings {
  */
 export interface ArenaSenses {
   readonly isOn: boolean;
-  /** Switches it on or off; off restores the earlier values of the sensors. */
+  /** Switches it on, for all sensors, or off: that restores the earlier values of those that were measured. */
   switch(on: boolean): void;
+  /** Tells that the hand has set a sensor: it stays so, until this is switched on again. */
+  setByHand(id: string): void;
   /** Call it after each step of the world. */
   step(): void;
 }
@@ -54,11 +56,12 @@ const IDS = [
  */
 export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroundings): ArenaSenses {
   let before: ReadonlyMap<string, number> | null = null;
+  const byHand = new Set<string>();
   let motion = createMotion(chassis);
   let turnedDeg = turnOf(chassis);
   const set = (id: (typeof IDS)[number], value: number): void => {
     const whole = Math.round(value) + 0;
-    if (sensors.get(id) !== whole) sensors.set(id, whole);
+    if (!byHand.has(id) && sensors.get(id) !== whole) sensors.set(id, whole);
   };
   const step = (): void => {
     const { headingRad } = chassis.pose();
@@ -86,16 +89,21 @@ export function createArenaSenses(sensors: Sensors, { chassis, ground }: Surroun
       return before !== null;
     },
     switch(on) {
-      if (on === (before !== null)) return;
       if (on) {
+        byHand.clear();
+        if (before !== null) return;
         before = new Map(IDS.map((id) => [id, sensors.get(id)]));
         motion = createMotion(chassis);
         step();
-      } else {
-        for (const [id, value] of before ?? []) sensors.set(id, value);
+      } else if (before !== null) {
+        for (const [id, value] of before) if (!byHand.has(id)) sensors.set(id, value);
+        byHand.clear();
         before = null;
         turnedDeg = turnOf(chassis);
       }
+    },
+    setByHand(id) {
+      if (before !== null) byHand.add(id);
     },
     step() {
       if (before !== null) step();

@@ -164,6 +164,7 @@ export class Device {
       case 'serial':
         return this.vm.feed(action.text);
       case 'sensor':
+        this.mounted?.senses.setByHand(action.id);
         // Beyond the range that the program has set, the sensor reports its limit.
         return this.board.sensors.set(action.id, this.board.sensors.nearest(action.id, action.value));
       case 'place':

@@ -219,11 +219,11 @@ describe('a run', () => {
     expect(inputsOf(page).length).toBeGreaterThan(0);
   });
 
-  it('is told when its board begins to feel the arena', async () => {
+  it('is told when its board feels the arena no more', async () => {
     const page = await running();
-    page.settings.change({ arenaSenses: true });
+    page.settings.change({ arenaSenses: false });
     await nextTick();
-    expect(inputsOf(page)).toContainEqual({ type: 'arena-senses', on: true });
+    expect(inputsOf(page)).toContainEqual({ type: 'arena-senses', on: false });
   });
 
   it('is numbered in the console, with what the program printed below', async () => {

@@ -137,6 +137,8 @@ describe('a run that is taken along', () => {
     open(text);
     await soon(() => expect(programNow()).toBe(PROGRAM));
     expect(page.work.work.value.project).toMatchObject({ task, handIn: { remarks: ['outside'] } });
+    await soon(() => expect(said()).toContain('the same'));
+    await page.run.reset(); // nothing is edited while somebody looks back
     page.work.edit({ type: 'course', changes: { size: [900, 700] } });
     open(text);
     await soon(() => expect(page.work.scene.value.size).not.toEqual([900, 700]));

@@ -47,12 +47,12 @@ function deviceSetup(parts: WorkParts, name: string, place: number): DeviceSetup
   };
 }
 
-/** What holds for a device from the start. */
+/** What holds for a device from the start: what the hand has set wins over what the board feels of the arena. */
 function deviceInputs(parts: WorkParts, place: number, sensed: readonly InputEvent[]): readonly InputEvent[] {
   const hardware = hardwareNow(parts, place);
   if (hardware === null) return [];
   const inputs = fittingInputs(sensed, hardware.board);
   const hasSenses = hardware.robot !== null || parts.work.hasSeveral.value;
   const feels = hasSenses && parts.settings.current.value.arenaSenses;
-  return feels ? [...inputs, { timeUs: 0, action: { type: 'arena-senses', on: true } }] : inputs;
+  return feels ? [{ timeUs: 0, action: { type: 'arena-senses', on: true } }, ...inputs] : inputs;
 }

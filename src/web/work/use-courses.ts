@@ -5,6 +5,7 @@ import type { Language } from '../page/i18n/texts';
 import { isBoardProgram, type BoardProgram } from './catalogue/board-programs';
 import { projectOf, type Course } from '#catalogue/course';
 import { AUTO_DEVICE, boardWish } from './settings/devices';
+import { newWork } from './settings/settings';
 import { isReadyArena, isUntouched, withExample, type ExampleOf } from './catalogue/examples';
 import { courseName } from './catalogue/first-course';
 import { withoutGiven } from './model/keeper';
@@ -29,8 +30,10 @@ function useWholeCourses(app: Workplace) {
   const device = useDevice(app);
   const language = (): Language => app.settings.current.value.language;
   /** What it runs on is chosen separately: the settings of the previous work do not come along. */
-  const open = ({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void =>
+  function open({ settings: _, ...project }: Project, name: string, ours = isOurs(app.work.work.value.project)): void {
     openings.open(project, name, ours);
+    app.settings.bring(newWork);
+  }
 
   /** Opens a course with its program, whatever the pupil has written: that is put aside, unless it is known to be `ours`. */
   function openWhole(course: Course, ours?: boolean): void {
@@ -77,6 +80,7 @@ function useWholeCourses(app: Workplace) {
   function openScene(course: Course): void {
     const isReady = isReadyArena(app.work.scene.value);
     openings.openScene(projectOf(course, language()), courseName(course.scene, course.id), isReady);
+    app.settings.bring(newWork);
   }
 
   return { open, openWhole, openOwn, openAgain, openScene, restore: openings.restore };

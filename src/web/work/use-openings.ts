@@ -1,4 +1,4 @@
-import type { Project } from '#project/project';
+import { defaultProjectSettings, type Project } from '#project/project';
 import { NO_ROBOT } from '#simulation/hardware';
 
 import { leaveProgram } from './programs/own-programs';
@@ -25,7 +25,8 @@ export function useOpenings(app: Workplace) {
     void app.run.reset();
     work.openProject(project, isOurs ? null : workName(app), file);
     work.isBrought = false;
-    bringSettings(app, project);
+    if (project.settings === undefined) app.settings.bring({ arenaSenses: defaultProjectSettings.arenaSenses });
+    else bringSettings(app, project);
     tell(nameWithFile(name, file), isOurs);
   }
 

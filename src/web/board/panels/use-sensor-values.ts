@@ -51,6 +51,7 @@ export function useSensorValues(app: Pick<RunParts, 'run' | 'sensors'>, infos: r
     reset: () => {
       fresh.value = Object.fromEntries(starts);
       sensors.reset(starts);
+      if (run.shown.value?.arenaSenses === true) run.input({ type: 'arena-senses', on: true }); // all of them again
       settle();
     },
     isChanged: computed(() => Object.keys(sensors.wishes.value).length > 0),

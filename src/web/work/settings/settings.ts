@@ -93,6 +93,9 @@ export const LAST_SEED = 9999;
 export const isSeed = (value: unknown): value is number =>
   typeof value === 'number' && Number.isInteger(value) && value >= 1 && value <= LAST_SEED;
 
+/** What a work begins with that is new: a ready course, an example, the first one. What was made before keeps its own. */
+export const newWork = { arenaSenses: true } as const;
+
 /** Settings of a first visit. */
 export function defaultSettings(language: Language): Settings {
   return {
@@ -117,7 +120,7 @@ export function defaultSettings(language: Language): Settings {
     myRobot: null,
     deviceCheck: true,
     panel: null,
-    arenaSenses: false,
+    ...newWork,
     showTools: null,
     showCommands: false,
     follow: false,

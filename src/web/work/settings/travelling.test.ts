@@ -6,12 +6,14 @@ import { defaultSettings } from './settings';
 import { travelling, withTravelling } from './travelling';
 
 describe('the settings that travel with a project', () => {
-  const mine = { ...defaultSettings('de'), theme: 'dark', reality: 0.5, seed: 12, robot: 'callibot' } as const;
+  const chosen = { reality: 0.5, seed: 12, robot: 'callibot', arenaSenses: true } as const;
+  const mine = { ...defaultSettings('de'), theme: 'dark', ...chosen } as const;
 
   it('are those a run depends on; the others stay with the person', () => {
-    expect(travelling(mine)).toEqual({ ...defaultProjectSettings, reality: 0.5, seed: 12, robot: 'callibot' });
+    expect(travelling(mine)).toEqual({ ...defaultProjectSettings, ...chosen });
     const opened = withTravelling(mine, { ...defaultProjectSettings, device: 'calliope-mini-3', seed: 7 });
-    expect(opened).toEqual({ ...mine, device: 'calliope-mini-3', reality: 0, seed: 7, robot: 'auto' });
+    const brought = { device: 'calliope-mini-3', reality: 0, seed: 7, robot: 'auto', arenaSenses: false };
+    expect(opened).toEqual({ ...mine, ...brought });
   });
 
   it('are as usual where they name what this app does not have', () => {
